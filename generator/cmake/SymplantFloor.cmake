@@ -1,0 +1,30 @@
+# One floor of the house: a static library of one folder that links only the floors below it.
+
+# Warnings, the language level and sanitizers, alike for every target of the project itself.
+add_library(symplant_options INTERFACE)
+target_compile_features(symplant_options INTERFACE cxx_std_20)
+if(NOT MSVC)
+  target_compile_options(
+    symplant_options
+    INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+              $<$<BOOL:${SYMPLANT_WERROR}>:-Werror>)
+endif()
+if(SYMPLANT_SANITIZE)
+  target_compile_options(symplant_options INTERFACE -fsanitize=${SYMPLANT_SANITIZE} -fno-sanitize-recover=all
+                                                    -fno-omit-frame-pointer)
+  target_link_options(symplant_options INTERFACE -fsanitize=${SYMPLANT_SANITIZE})
+endif()
+
+# symplant_floor(NAME SOURCES a.cpp ... [FLOORS below ...] [LIBRARIES private ...])
+# Makes the target symplant_NAME with the alias symplant::NAME.
+function(symplant_floor NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;FLOORS;LIBRARIES" ${ARGN})
+  add_library(symplant_${NAME} STATIC ${ARG_SOURCES})
+  add_library(symplant::${NAME} ALIAS symplant_${NAME})
+  set_target_properties(symplant_${NAME} PROPERTIES EXPORT_NAME ${NAME} CXX_EXTENSIONS OFF
+                                                    POSITION_INDEPENDENT_CODE ON)
+  target_compile_features(symplant_${NAME} PUBLIC cxx_std_20)
+  list(TRANSFORM ARG_FLOORS PREPEND symplant_)
+  target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
+                                                                      ${ARG_LIBRARIES})
+endfunction()
