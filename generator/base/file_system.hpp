@@ -1,0 +1,35 @@
+// Files as a parameter: the tool's come from disk, a test's from memory.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+
+namespace symplant::base {
+
+/// Why a file could not be read or written, in words that name it.
+struct FileError {
+  std::string message;
+};
+
+class FileSystem {
+ public:
+  virtual ~FileSystem() = default;
+
+  /// All bytes of a file. A directory, a missing file, one without permission are errors.
+  virtual Result<std::string, FileError> read(const std::string& path) const = 0;
+
+  /// Writes a file whole: beside its place first, then renamed, so that whoever reads sees the old or the new one.
+  /// Makes missing folders. Leaves a file with the same content alone (its time too) and gives false.
+  virtual Result<bool, FileError> write(const std::string& path, std::string_view content) = 0;
+};
+
+/// The machine's own files.
+class DiskFileSystem final : public FileSystem {
+ public:
+  Result<std::string, FileError> read(const std::string& path) const override;
+  Result<bool, FileError> write(const std::string& path, std::string_view content) override;
+};
+
+}  // namespace symplant::base

@@ -1,0 +1,74 @@
+// A text that the user gave, and the lines in it.
+#include "base/source_file.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "base/utf8.hpp"
+#include "base/words.hpp"
+
+namespace symplant::base {
+
+namespace {
+
+std::vector<std::size_t> find_line_begins(std::string_view text) {
+  std::vector<std::size_t> begins{0};
+  const char* bytes = text.data();
+  std::size_t at = 0;
+  while (at < text.size()) {
+    if (text.size() - at >= 8) {
+      const std::uint64_t word = load_word(bytes + at);
+      const std::uint64_t ends = zero_bytes(word ^ spread('\n')) | zero_bytes(word ^ spread('\r'));
+      if (ends == 0) {
+        at += 8;
+        continue;
+      }
+      at += first_byte(ends);
+    }
+    const char c = bytes[at++];
+    if (c != '\n' && c != '\r') continue;
+    if (c == '\r' && at < text.size() && bytes[at] == '\n') ++at;
+    begins.push_back(at);
+  }
+  return begins;
+}
+
+}  // namespace
+
+SourceFile::SourceFile(std::string path, std::string text)
+    : path_(std::move(path)), text_(std::move(text)), line_begins_(find_line_begins(text_)) {}
+
+Position SourceFile::position(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::size_t begin = *(after - 1);
+  const auto line = static_cast<std::size_t>(after - line_begins_.begin());
+  // In the middle of a character its own column is meant, not the next one's.
+  while (offset > begin && offset < text_.size() && is_continuation(text_[offset])) --offset;
+  return {line, 1 + count_code_points(text().substr(begin, offset - begin))};
+}
+
+std::string_view SourceFile::line_at(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::size_t begin = *(after - 1);
+  std::string_view line = text();
+  line = line.substr(begin, (after == line_begins_.end() ? text_.size() : *after) - begin);
+  if (line.ends_with('\n')) line.remove_suffix(1);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+Span SourceFile::span_of(std::string_view view, Span fallback) const {
+  const char* const begin = text_.data();
+  const char* const end = begin + text_.size();
+  // Pointers into different objects are only ordered by std::less.
+  const std::less<const char*> before;
+  const char* const last = view.data() + view.size();
+  if (view.data() == nullptr || before(view.data(), begin) || before(end, last)) return fallback;
+  const auto offset = static_cast<std::size_t>(view.data() - begin);
+  return {offset, offset + view.size()};
+}
+
+}  // namespace symplant::base

@@ -1,0 +1,19 @@
+// Findings as JSON for programs.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "diag/diagnostic.hpp"
+
+namespace symplant::diag {
+
+/// The version of the form; it changes where a reader of the old form would be misled.
+inline constexpr int kJsonVersion = 1;
+
+/// One object: `symplant-diagnostics` (the version), `findings` in the order of finding, `counts` by severity. Lines
+/// and columns count from 1, columns in characters; `span` is in bytes of the file's text as UTF-8. A finding in an
+/// empty text has no line; one without a source has no file either.
+std::string render_json(std::span<const Diagnostic> findings);
+
+}  // namespace symplant::diag

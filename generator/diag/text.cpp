@@ -1,0 +1,176 @@
+// Findings as text for people.
+#include "diag/text.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "base/utf8.hpp"
+#include "diag/visible_text.hpp"
+
+namespace symplant::diag {
+
+namespace {
+
+constexpr std::size_t kWindow = 120;      ///< columns of a row that are shown at most
+constexpr std::size_t kBeforePlace = 40;  ///< characters shown before the place where a row is too long
+constexpr std::size_t kTabStop = 4;
+constexpr std::string_view kEllipsis = "…";
+
+struct Colours {
+  std::string_view bold, error, warning, note, mark, reset;
+};
+constexpr Colours kPlain{};
+constexpr Colours kAnsi{"\x1b[1m", "\x1b[1;31m", "\x1b[1;35m", "\x1b[1;36m", "\x1b[1;32m", "\x1b[0m"};
+
+std::string_view colour_of(const Colours& colours, Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return colours.error;
+    case Severity::warning:
+      return colours.warning;
+    case Severity::note:
+      return colours.note;
+  }
+  return {};
+}
+
+/// A line as shown, and where in it the place stands, in columns of the terminal.
+struct Excerpt {
+  std::string shown;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Where showing begins so that the place stands in the window.
+std::size_t window_begin(std::string_view line, std::size_t place) {
+  // A character takes at most eight columns (<U+XXXX>, mostly); a short enough line is shown from its beginning.
+  if (place <= kWindow / 2) return 0;
+  std::size_t begin = place;
+  for (std::size_t left = kBeforePlace; begin > 0 && left > 0; --left) {
+    do --begin;
+    while (begin > 0 && base::is_continuation(line[begin]));
+  }
+  return begin;
+}
+
+/// `place` in bytes of `line`. Looks at no more of the line than it shows.
+Excerpt cut_out(std::string_view line, base::Span place) {
+  Excerpt excerpt;
+  std::size_t at = line.size() <= kWindow ? 0 : window_begin(line, place.begin);
+  std::size_t column = 0;
+  if (at > 0) {
+    excerpt.shown += kEllipsis;
+    column = 1;
+  }
+  bool begun = false;
+  bool ended = false;
+  for (;;) {
+    if (!begun && at >= place.begin) excerpt.begin = column, begun = true;
+    if (!ended && at >= place.end) excerpt.end = column, ended = true;
+    if (at >= line.size()) break;
+    if (column >= kWindow) {
+      excerpt.shown += kEllipsis;
+      break;
+    }
+    const base::CodePoint point = base::code_point_at(line, at);
+    at += point.length;
+    if (point.value == U'\t') {
+      const std::size_t blanks = kTabStop - column % kTabStop;
+      excerpt.shown.append(blanks, ' ');
+      column += blanks;
+    } else if (is_unsafe(point.value)) {
+      const std::string text = escaped(point.value);
+      excerpt.shown += text;
+      column += text.size();
+    } else {
+      base::append_utf8(excerpt.shown, point.value);
+      column += static_cast<std::size_t>(display_width(point.value));
+    }
+  }
+  if (!begun) excerpt.begin = column;
+  if (!ended) excerpt.end = column;
+  return excerpt;
+}
+
+class TextRenderer {
+ public:
+  explicit TextRenderer(const TextOptions& options) : options_(options), colours_(options.colour ? kAnsi : kPlain) {}
+
+  std::string render(std::span<const Diagnostic> findings) {
+    std::map<std::string_view, Count> counts;
+    for (const Diagnostic& finding : findings) {
+      Count& count = counts[finding.rule->id];
+      count.rule = finding.rule;
+      if (options_.fold_after == 0 || count.found < options_.fold_after) one(finding);
+      ++count.found;
+    }
+    for (const auto& [id, count] : counts) {
+      if (options_.fold_after == 0 || count.found <= options_.fold_after) continue;
+      text_ += "... and " + std::to_string(count.found - options_.fold_after) + " more of ";
+      text_.append(id).append(" ").append(count.rule->slug).append("; --format json lists all\n");
+    }
+    return std::move(text_);
+  }
+
+ private:
+  struct Count {
+    const RuleInfo* rule = nullptr;
+    std::size_t found = 0;
+  };
+
+  void one(const Diagnostic& finding) {
+    head(finding.place, finding.rule->severity, finding.message);
+    text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
+    row(finding.place);
+    for (const Related& related : finding.related) {
+      head(related.place, Severity::note, related.message);
+      text_ += '\n';
+      row(related.place);
+    }
+  }
+
+  void head(const Place& place, Severity severity, std::string_view message) {
+    text_ += colours_.bold;
+    if (place.source) {
+      text_ += visible(place.source->path()) + ":";
+      if (!place.source->text().empty()) {
+        const base::Position position = place.source->position(place.span.begin);
+        text_ += std::to_string(position.line) + ":" + std::to_string(position.column) + ":";
+      }
+      text_ += ' ';
+    }
+    text_ += colours_.reset;
+    text_.append(colour_of(colours_, severity)).append(severity_name(severity)).append(":").append(colours_.reset);
+    text_ += ' ' + visible(message);
+  }
+
+  void row(const Place& place) {
+    if (!place.source || place.source->text().empty()) return;
+    const base::SourceFile& source = *place.source;
+    const std::string_view line = source.line_at(place.span.begin);
+    const std::size_t line_begin = source.span_of(line).begin;
+    const std::size_t begin = std::min(place.span.begin - line_begin, line.size());
+    const std::size_t end = std::clamp(place.span.end, line_begin + begin, line_begin + line.size()) - line_begin;
+    const Excerpt excerpt = cut_out(line, {begin, end});
+    const std::string number = std::to_string(source.position(place.span.begin).line);
+    const std::size_t margin = std::max<std::size_t>(number.size(), 5);
+    text_ += std::string(margin - number.size(), ' ') + number + " | " + excerpt.shown + '\n';
+    text_ += std::string(margin, ' ') + " | " + std::string(excerpt.begin, ' ');
+    text_.append(colours_.mark).append("^");
+    if (excerpt.end > excerpt.begin + 1) text_.append(excerpt.end - excerpt.begin - 1, '~');
+    text_.append(colours_.reset).append("\n");
+  }
+
+  const TextOptions& options_;
+  const Colours& colours_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string render_text(std::span<const Diagnostic> findings, const TextOptions& options) {
+  return TextRenderer(options).render(findings);
+}
+
+}  // namespace symplant::diag
