@@ -25,6 +25,7 @@ constexpr std::array kEncodings{NamedEncoding{Encoding::utf8, "utf-8", "\xEF\xBB
                                 NamedEncoding{Encoding::utf16le, "utf-16le", "\xFF\xFE"},
                                 NamedEncoding{Encoding::utf16be, "utf-16be", "\xFE\xFF"}};
 
+constexpr std::string_view kZipMark = "PK\x03\x04";
 constexpr std::size_t kSampleBytes = 64 * 1024;
 /// How much of the faulty line is shown after the fault.
 constexpr std::size_t kShownAfterFault = 400;
@@ -87,10 +88,7 @@ std::size_t find_binary(std::string_view text) {
   return count * 20 > sample.size() ? first : std::string_view::npos;
 }
 
-std::string binary_message(std::string_view bytes, unsigned found) {
-  if (bytes.starts_with("PK\x03\x04")) {
-    return "this is a zip archive (a workbook, perhaps), not a text; export the list as a text file";
-  }
+std::string binary_message(unsigned found) {
   return "found the control character U+" + hex(found, 4) +
          ", so this is a binary or a damaged file; export the list as a text file";
 }
@@ -111,7 +109,16 @@ std::size_t valid_utf8_prefix(std::string_view bytes) {
   return at;
 }
 
+/// Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
+std::string_view without_end_mark(std::string_view bytes) {
+  for (const std::string_view mark : {std::string_view("\n\0", 2), std::string_view("\n\x1A")}) {
+    if (bytes.ends_with(mark)) bytes.remove_suffix(1);
+  }
+  return bytes;
+}
+
 Result<std::string, Fault> decode_utf8(std::string_view bytes) {
+  bytes = without_end_mark(bytes);
   const std::size_t valid = valid_utf8_prefix(bytes);
   const std::size_t binary = find_binary(bytes);
   const auto fault_at = [&](std::size_t at, std::string what) {
@@ -119,7 +126,9 @@ Result<std::string, Fault> decode_utf8(std::string_view bytes) {
                  std::move(what)};
   };
   if (binary != std::string_view::npos) {
-    return fault_at(binary, binary_message(bytes, static_cast<unsigned char>(bytes[binary])));
+    if (bytes.starts_with(kZipMark))
+      return fault_at(0, "this is a zip archive (a workbook, perhaps), not a text; export the list as a text file");
+    return fault_at(binary, binary_message(static_cast<unsigned char>(bytes[binary])));
   }
   if (valid != bytes.size()) {
     return fault_at(valid, "the byte " + hex(static_cast<unsigned char>(bytes[valid]), 2) +
@@ -156,7 +165,7 @@ class Utf16Decoder {
       append_utf8(text_, value);
     }
     text_.append(ascii.data(), filled);
-    if (at < units) return fault(at, binary_message({}, static_cast<unsigned>(unit_at(at))));
+    if (at < units) return fault(at, binary_message(static_cast<unsigned>(unit_at(at))));
     if (bytes_.size() % 2 != 0) return fault(at, "half a character at the end of the file" + not_utf16());
     return std::move(text_);
   }

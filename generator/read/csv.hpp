@@ -1,0 +1,68 @@
+// Rows of delimited text, as views into it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/source_file.hpp"
+
+namespace symplant::read {
+
+/// Cells beyond so many are passed over: no list has them, and a file made of delimiters alone must not fill the
+/// memory.
+inline constexpr std::size_t kMaxCells = 4096;
+
+/// The one of TAB `;` `,` that divides the first rows most evenly, counted outside quotes; `,` where none occurs.
+char sniff_delimiter(std::string_view text);
+
+struct CsvRow {
+  std::vector<std::string_view> cells;  ///< without quotes and blanks around
+  std::uint32_t line = 0;               ///< where the row begins, counted from 1
+  base::Span whole;                     ///< its bytes, without its line end
+  std::optional<base::Span> stray;      ///< text that follows a closing quote, the first such
+
+  /// The cell of that column, empty where the row is shorter.
+  std::string_view cell(std::size_t column) const { return column < cells.size() ? cells[column] : std::string_view{}; }
+  bool blank() const;
+};
+
+/// Reads row by row. A cell may be quoted, with `""` for a quote and line ends inside; a quote in the midst of a cell
+/// that does not begin with one stands for itself. Rows end at LF, CRLF or CR. O(text) over all rows.
+class CsvReader {
+ public:
+  /// Begins at `offset`, which is in line `line`. Cells with `""` are written to `arena`; the others point into `text`.
+  CsvReader(std::string_view text, char delimiter, std::deque<std::string>& arena, std::size_t offset = 0,
+            std::uint32_t line = 1)
+      : text_(text), delimiter_(delimiter), arena_(arena), at_(offset), line_(line) {}
+
+  /// False at the end, and where a quote is not closed. Empty lines are rows of one empty cell.
+  bool next(CsvRow& row);
+
+  /// Where the quote opens that is never closed.
+  std::optional<std::size_t> unclosed_quote() const { return unclosed_quote_; }
+  /// Where the next row begins.
+  std::size_t offset() const { return at_; }
+  std::uint32_t line() const { return line_; }
+
+ private:
+  bool is_blank(char c) const { return c == ' ' || (c == '\t' && delimiter_ != '\t'); }
+  void skip_blanks();
+  std::size_t find_cell_end(std::size_t at) const;
+  std::string_view plain_cell();
+  bool quoted_cell(CsvRow& row, std::string_view& cell);
+  void end_row();
+
+  std::string_view text_;
+  char delimiter_;
+  std::deque<std::string>& arena_;
+  std::size_t at_;
+  std::uint32_t line_;
+  std::optional<std::size_t> unclosed_quote_;
+};
+
+}  // namespace symplant::read

@@ -1,0 +1,173 @@
+// GX IEC Developer 7 global variable lists.
+#include "read/gx_iec.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "read/csv.hpp"
+#include "read/gx_columns.hpp"
+#include "read/rules/header_alone.hpp"
+#include "read/rules/missing_column.hpp"
+#include "read/rules/row_without_identifier.hpp"
+#include "read/rules/text_after_quote.hpp"
+#include "read/rules/unclosed_quote.hpp"
+#include "read/rules/unknown_format.hpp"
+
+namespace symplant::read {
+
+namespace {
+
+std::string_view delimiter_name(char delimiter) {
+  switch (delimiter) {
+    case '\t':
+      return "TAB";
+    case ';':
+      return "`;`";
+    default:
+      return "`,`";
+  }
+}
+
+class GxIecReading {
+ public:
+  GxIecReading(std::shared_ptr<const base::SourceFile> source, diag::Diagnostics& diagnostics)
+      : source_(std::move(source)), diagnostics_(diagnostics) {}
+
+  std::optional<SymbolTable> read() {
+    const GxSearch search = find_gx_layout(source_->text());
+    if (!search.layout) {
+      report_no_list(search);
+      return std::nullopt;
+    }
+    const GxLayout& layout = *search.layout;
+    table_.source = source_;
+    CsvReader reader(source_->text(), layout.delimiter, table_.arena, layout.rows_begin, layout.rows_line);
+    read_rows(reader, layout);
+    if (reader.unclosed_quote()) {
+      report_unclosed(*reader.unclosed_quote());
+      return std::nullopt;
+    }
+    if (table_.rows.empty()) {
+      report_no_rows(layout);
+      return std::nullopt;
+    }
+    decide(layout);
+    return std::move(table_);
+  }
+
+ private:
+  void read_rows(CsvReader& reader, const GxLayout& layout) {
+    // Not so many rows are in a file that is mostly empty lines.
+    table_.rows.reserve(std::min(source_->line_count(), source_->text().size() / 16 + 16));
+    CsvRow row;
+    while (reader.next(row)) {
+      if (row.stray) {
+        diagnostics_.add(kTextAfterQuote,
+                         "text stands between a closing quote and the end of its cell and is left out; "
+                         "write a quote inside a quoted cell as `\"\"`",
+                         {source_, *row.stray});
+      }
+      add(row, layout);
+    }
+  }
+
+  void add(const CsvRow& row, const GxLayout& layout) {
+    const auto cell = [&](GxField field) { return row.cell(layout.columns[field]); };
+    const std::string_view name = cell(GxField::name);
+    if (name.empty()) {
+      if (row.blank()) return;
+      ++left_out_;
+      diagnostics_.add(kRowWithoutIdentifier,
+                       "this row has no identifier and is left out; give it one in column " +
+                           std::to_string(layout.columns[GxField::name] + 1),
+                       {source_, row.whole});
+      return;
+    }
+    if (layout.header_line && name == layout.header_name && is_header_again(row, layout)) return;
+    ListRow& made = table_.rows.emplace_back(
+        ListRow{cell(GxField::klass), name, cell(GxField::vendor_address), cell(GxField::iec_address),
+                cell(GxField::type), cell(GxField::initial), cell(GxField::comment), row.line, row.whole});
+    sort_addresses(made);
+  }
+
+  /// Lists put together from several exports repeat it.
+  static bool is_header_again(const CsvRow& row, const GxLayout& layout) {
+    for (const GxField field : {GxField::vendor_address, GxField::iec_address, GxField::type}) {
+      const std::string_view cell = row.cell(layout.columns[field]);
+      if (looks_like_iec_address(cell) || looks_like_vendor_address(cell) || cell == "BOOL") return false;
+    }
+    return true;
+  }
+
+  void sort_addresses(ListRow& row) {
+    const bool iec_as_vendor = looks_like_iec_address(row.vendor_address) && !looks_like_iec_address(row.iec_address);
+    const bool vendor_as_iec = row.vendor_address.empty() && looks_like_vendor_address(row.iec_address);
+    if (!iec_as_vendor && !vendor_as_iec) return;
+    std::swap(row.vendor_address, row.iec_address);
+    ++exchanged_;
+  }
+
+  void decide(const GxLayout& layout) {
+    auto& decisions = table_.decisions;
+    decisions.push_back("delimiter: " + std::string(delimiter_name(layout.delimiter)));
+    decisions.push_back(layout.header_line ? "header: line " + std::to_string(*layout.header_line)
+                                           : "no header: columns told by their content, from line " +
+                                                 std::to_string(layout.rows_line) + " on");
+    decisions.push_back("columns: " + describe(layout.columns));
+    if (exchanged_ != 0) {
+      decisions.push_back("addresses: in " + std::to_string(exchanged_) +
+                          " rows they stand in each other's column; their notation counts");
+    }
+    decisions.push_back("rows: " + std::to_string(table_.rows.size()) + " read, " + std::to_string(left_out_) +
+                        " left out");
+  }
+
+  void report_unclosed(std::size_t offset) {
+    diagnostics_.add(kUnclosedQuote, "a quote opens here and is closed nowhere; close it or take it out",
+                     {source_, {offset, offset + 1}});
+  }
+
+  void report_no_rows(const GxLayout& layout) {
+    diagnostics_.add(kHeaderAlone,
+                     layout.header_line ? "there is a header and no row with a symbol below it; export the list again"
+                                        : "there is no row with a symbol; export the list again",
+                     {source_, source_->span_of(source_->line_at(layout.rows_begin == 0 ? 0 : layout.rows_begin - 1))});
+  }
+
+  void report_no_list(const GxSearch& search) {
+    if (search.unclosed_quote) return report_unclosed(*search.unclosed_quote);
+    if (search.nameless_header) {
+      diagnostics_.add(kMissingColumn,
+                       "this header has no column of identifiers; name one `Identifier`, `Label Name`, `Variable` or "
+                       "`Name`",
+                       {source_, *search.nameless_header});
+      return;
+    }
+    diagnostics_.add(kUnknownFormat,
+                     "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
+                     "no list of global variables; export one, or put a header above the rows",
+                     {source_, source_->span_of(source_->line_at(0))});
+  }
+
+  std::shared_ptr<const base::SourceFile> source_;
+  diag::Diagnostics& diagnostics_;
+  SymbolTable table_;
+  std::size_t left_out_ = 0;
+  std::size_t exchanged_ = 0;
+};
+
+}  // namespace
+
+int gx_iec_likelihood(std::string_view text) {
+  const GxSearch search = find_gx_layout(text);
+  if (!search.layout) return search.nameless_header || search.unclosed_quote ? 10 : 0;
+  if (!search.layout->header_line) return 50;
+  const GxColumns& columns = search.layout->columns;
+  return columns.has(GxField::vendor_address) && columns.has(GxField::iec_address) ? 90 : 60;
+}
+
+std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const base::SourceFile> source, diag::Diagnostics& diagnostics) {
+  return GxIecReading(std::move(source), diagnostics).read();
+}
+
+}  // namespace symplant::read

@@ -1,0 +1,103 @@
+// The table of readers, and reading a symbol list of whichever kind.
+#include "read/readers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "read/gx_iec.hpp"
+#include "read/rules/cannot_read_file.hpp"
+#include "read/rules/empty_file.hpp"
+#include "read/rules/undecodable_text.hpp"
+#include "read/rules/unknown_format.hpp"
+#include "read/rules/unknown_input_format.hpp"
+
+namespace symplant::read {
+
+namespace {
+
+constexpr std::array kReaders{
+    ReaderInfo{"gx-iec", "GX IEC Developer 7 global variable list", gx_iec_likelihood, read_gx_iec}};
+
+std::string known_names() {
+  std::string names;
+  for (const ReaderInfo& reader : kReaders) names.append(names.empty() ? "`" : ", `").append(reader.name).append("`");
+  return names;
+}
+
+/// A place in a file whose text is not there to be shown.
+diag::Place whole_file(const std::string& path) { return {std::make_shared<base::SourceFile>(path, ""), {}}; }
+
+/// The reader that is asked for, or the likeliest; none where an error was added.
+const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const base::SourceFile>& source,
+                         diag::Diagnostics& diagnostics) {
+  const ReaderInfo* best = nullptr;
+  int likelihood = 0;
+  for (const ReaderInfo& reader : kReaders) {
+    if (reader.name == options.input_format) return &reader;
+    const int mine = reader.likelihood(source->text());
+    if (mine <= likelihood) continue;
+    likelihood = mine;
+    best = &reader;
+  }
+  if (best == nullptr) {
+    diagnostics.add(kUnknownFormat,
+                    "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
+                    "none of the known lists (" +
+                        known_names() + "); export one of them, or put a header above the rows",
+                    {source, source->span_of(source->line_at(0))});
+  }
+  return best;
+}
+
+/// The file as text; null where an error was added.
+std::shared_ptr<const base::SourceFile> load(const std::string& path, const ReadOptions& options,
+                                             const base::FileSystem& files, diag::Diagnostics& diagnostics,
+                                             base::Encoding& encoding) {
+  auto bytes = files.read(path);
+  if (!bytes) {
+    diagnostics.add(kCannotReadFile, bytes.error().message, whole_file(path));
+    return nullptr;
+  }
+  auto decoded = base::decode(*bytes, options.encoding ? &*options.encoding : nullptr);
+  if (!decoded) {
+    const base::DecodeError& fault = decoded.error();
+    const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
+    diagnostics.add(kUndecodableText, fault.what, {std::make_shared<base::SourceFile>(path, fault.shown), place});
+    return nullptr;
+  }
+  if (decoded->text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    diagnostics.add(kEmptyFile, "the file `" + path + "` is empty; export the list again", whole_file(path));
+    return nullptr;
+  }
+  encoding = decoded->encoding;
+  return std::make_shared<base::SourceFile>(path, std::move(decoded->text));
+}
+
+}  // namespace
+
+std::span<const ReaderInfo> readers() { return kReaders; }
+
+std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
+                                            const base::FileSystem& files, diag::Diagnostics& diagnostics) {
+  const auto is_asked_for = [&](const ReaderInfo& reader) { return reader.name == options.input_format; };
+  if (!options.input_format.empty() && std::none_of(kReaders.begin(), kReaders.end(), is_asked_for)) {
+    diagnostics.add(kUnknownInputFormat,
+                    "`" + options.input_format + "` is no known format of a list; choose among " + known_names(), {});
+    return std::nullopt;
+  }
+  base::Encoding encoding{};
+  const auto source = load(path, options, files, diagnostics, encoding);
+  if (!source) return std::nullopt;
+  const ReaderInfo* const reader = choose(options, source, diagnostics);
+  if (reader == nullptr) return std::nullopt;
+  auto table = reader->read(source, diagnostics);
+  if (!table) return std::nullopt;
+  const std::string_view why = options.encoding ? ", as asked for" : "";
+  table->decisions.insert(table->decisions.begin(),
+                          {"format: " + std::string(reader->name) + " (" + std::string(reader->title) + ")",
+                           "encoding: " + std::string(base::encoding_name(encoding)) + std::string(why)});
+  return table;
+}
+
+}  // namespace symplant::read

@@ -1,0 +1,37 @@
+// The table of readers, and reading a symbol list of whichever kind.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/encoding.hpp"
+#include "base/file_system.hpp"
+#include "diag/diagnostic.hpp"
+#include "read/symbol_table.hpp"
+
+namespace symplant::read {
+
+/// One kind of export. `likelihood` is 0 (not mine) to 100 (certain); the reader with the highest reads the file.
+struct ReaderInfo {
+  std::string_view name;   ///< for --input-format: "gx-iec"
+  std::string_view title;  ///< "GX IEC Developer 7 global variable list"
+  int (*likelihood)(std::string_view text);
+  std::optional<SymbolTable> (*read)(std::shared_ptr<const base::SourceFile>, diag::Diagnostics&);
+};
+
+std::span<const ReaderInfo> readers();
+
+struct ReadOptions {
+  std::string input_format;                ///< empty: sniffed
+  std::optional<base::Encoding> encoding;  ///< nothing: sniffed
+};
+
+/// Reads a list: file, encoding, kind, rows. Gives nothing where an error was added (no such file, not decodable,
+/// unclosed quote, a header alone, no rows at all). Faults of a single row are warnings and the row is left out or kept
+/// as it is.
+std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
+                                            const base::FileSystem& files, diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::read

@@ -1,0 +1,29 @@
+// The rules of reading.
+#include "read/rules.hpp"
+
+#include <array>
+
+#include "read/rules/cannot_read_file.hpp"
+#include "read/rules/empty_file.hpp"
+#include "read/rules/header_alone.hpp"
+#include "read/rules/missing_column.hpp"
+#include "read/rules/row_without_identifier.hpp"
+#include "read/rules/text_after_quote.hpp"
+#include "read/rules/unclosed_quote.hpp"
+#include "read/rules/undecodable_text.hpp"
+#include "read/rules/unknown_format.hpp"
+#include "read/rules/unknown_input_format.hpp"
+
+namespace symplant::read {
+
+namespace {
+
+constexpr std::array<const diag::RuleInfo*, 10> kRules{
+    &kCannotReadFile,     &kUndecodableText, &kEmptyFile,     &kHeaderAlone,          &kUnknownFormat,
+    &kUnknownInputFormat, &kMissingColumn,   &kUnclosedQuote, &kRowWithoutIdentifier, &kTextAfterQuote};
+
+}  // namespace
+
+std::span<const diag::RuleInfo* const> rules() { return kRules; }
+
+}  // namespace symplant::read
