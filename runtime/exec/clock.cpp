@@ -1,0 +1,21 @@
+// CLOCK_MONOTONIC in nanoseconds.
+#include "symplant/exec/clock.hpp"
+
+#include <ctime>
+
+namespace symplant::exec {
+
+core::Time MonotonicClock::now() noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return core::Time{time.tv_sec} * core::kSecond + core::Time{time.tv_nsec};
+}
+
+void MonotonicClock::sleep_until(core::Time time) noexcept {
+  timespec until{};
+  until.tv_sec = static_cast<time_t>(time / core::kSecond);
+  until.tv_nsec = static_cast<long>(time % core::kSecond);
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+}  // namespace symplant::exec

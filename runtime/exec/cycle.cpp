@@ -1,0 +1,68 @@
+// The real-time cycle: links and plant, once a cycle, on absolute deadlines.
+#include "symplant/exec/cycle.hpp"
+
+#include <algorithm>
+
+namespace symplant::exec {
+
+namespace {
+
+/// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
+constexpr core::Time kLongestSleep = 100 * core::kMillisecond;
+
+/// False where `stop` came first.
+bool wait_until(core::Time deadline, Clock& clock, const std::atomic<bool>& stop) noexcept {
+  for (;;) {
+    if (stop.load(std::memory_order_relaxed)) return false;
+    const core::Time now = clock.now();
+    if (now >= deadline) return true;
+    clock.sleep_until(std::min(deadline, now + kLongestSleep));
+  }
+}
+
+void write_events(core::Plant& plant, std::span<Exchange* const> links) noexcept {
+  for (Exchange* link : links) link->write_events(plant);
+  plant.forget_changed_events();
+}
+
+void run_one(core::Plant& plant, core::Time time, std::span<Exchange* const> links, core::Observer* observer) noexcept {
+  for (Exchange* link : links) link->read_operations(plant);
+  plant.advance_to(time, observer);
+  write_events(plant, links);
+}
+
+}  // namespace
+
+CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
+                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop) noexcept {
+  CycleStatistics statistics;
+  const core::Time cycle = std::max(options.cycle, core::Time{1});
+  const std::int64_t most = std::max(options.max_catch_up, std::int64_t{0});
+
+  core::Time time = plant.now();
+  plant.advance_to(time, observer);
+  write_events(plant, links);
+
+  // Real time minus plant time; grows when plant time slips.
+  core::Time offset = clock.now() - time;
+  while (time < options.until) {
+    const core::Time next = options.until - time > cycle ? time + cycle : options.until;
+    if (!wait_until(next + offset, clock, stop)) break;
+
+    const core::Time lateness = clock.now() - (next + offset);
+    statistics.max_lateness = std::max(statistics.max_lateness, lateness);
+    const std::int64_t excess = lateness / cycle - most;
+    if (excess > 0) {
+      offset += excess * cycle;
+      statistics.slipped += excess * cycle;
+    }
+
+    run_one(plant, next, links, observer);
+    ++statistics.cycles;
+    time = next;
+    if (clock.now() >= next + offset + cycle) ++statistics.overruns;
+  }
+  return statistics;
+}
+
+}  // namespace symplant::exec

@@ -1,0 +1,42 @@
+// The real-time cycle: links and plant, once a cycle, on absolute deadlines.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+
+#include "symplant/core/plant.hpp"
+#include "symplant/core/time.hpp"
+#include "symplant/exec/clock.hpp"
+#include "symplant/exec/exchange.hpp"
+
+namespace symplant::exec {
+
+struct CycleOptions {
+  core::Time cycle = 10 * core::kMillisecond;  ///< from deadline to deadline, > 0
+  core::Time until = core::kNever;             ///< plant time of the last cycle, which may be a shorter one
+  std::int64_t max_catch_up = 10;              ///< cycles run at once after a delay; what is beyond is slipped
+};
+
+/// What a run came to. Times in nanoseconds.
+struct CycleStatistics {
+  std::uint64_t cycles = 0;
+  std::uint64_t overruns = 0;   ///< cycles that were not finished when the next was due
+  core::Time slipped = 0;       ///< plant time lost: the plant's clock is behind the real one by so much
+  core::Time max_lateness = 0;  ///< the latest start of a cycle after its deadline
+};
+
+/// Runs the plant in real time from where it stands until `stop` or the end of `options.until`.
+///
+/// First the plant's instant at its present time is run and every link gets its events. Then each cycle, at plant
+/// time T: every link's operations are read, the plant is advanced to T, every link gets the events, and the plant
+/// forgets which had changed. T grows by `options.cycle`, in step with the clock. A cycle that is late is run all the
+/// same, at once and for its own T, so the plant catches up in order; when more than `max_catch_up` cycles are due
+/// at once beside the present one, the time of the others is slipped.
+///
+/// `stop` may be set by any thread or a signal handler and is seen within a tenth of a second. Takes no heap and no
+/// lock; its only system calls are the clock's.
+CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
+                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop) noexcept;
+
+}  // namespace symplant::exec

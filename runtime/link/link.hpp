@@ -1,0 +1,44 @@
+// What the cycle and its host ask of a link, whatever its protocol.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "symplant/core/tables.hpp"
+#include "symplant/exec/exchange.hpp"
+
+namespace symplant::link {
+
+/// Why a link could not be made or started; `kind` decides the exit code (2 or 3).
+struct LinkError {
+  enum class Kind { usage, environment } kind;
+  std::string message;
+};
+
+struct LinkStatus {
+  std::uint64_t requests = 0;        ///< answered, exceptions included
+  std::uint64_t exceptions = 0;
+  std::uint64_t writes_to_gaps = 0;  ///< places written that no symbol stands on
+  std::uint32_t connections = 0;     ///< open now
+};
+
+/// A running link to a PLC. The cycle uses it as an Exchange; the rest may be asked by any thread.
+class Link : public exec::Exchange {
+ public:
+  /// What it is bound to, as a URL with the real port.
+  virtual std::string url() const = 0;
+
+  virtual LinkStatus status() const noexcept = 0;
+};
+
+/// A link, or why there is none.
+using LinkResult = std::variant<std::unique_ptr<Link>, LinkError>;
+
+/// Makes and starts the link that a URL names: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any that is free).
+/// Tables must outlive it.
+LinkResult open_link(std::string_view url, const core::PlantTables& tables);
+
+}  // namespace symplant::link

@@ -1,0 +1,184 @@
+// Answers to Modbus requests, by the Modbus Application Protocol V1.1b3, section 6.
+#include "symplant/link/modbus/codec.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace symplant::link::modbus {
+
+namespace {
+
+using Request = std::span<const std::uint8_t>;
+using Reply = std::span<std::uint8_t, kMaxPdu>;
+
+constexpr std::uint32_t kMaxReadBits = 2000;
+constexpr std::uint32_t kMaxReadRegisters = 125;
+constexpr std::uint32_t kMaxWriteBits = 1968;
+constexpr std::uint32_t kMaxWriteRegisters = 123;
+constexpr std::uint8_t kFirstReserved = 0x80;  ///< function codes from here on mark exceptions in replies
+constexpr std::uint16_t kCoilOn = 0xFF00;
+constexpr std::uint16_t kCoilOff = 0x0000;
+
+/// Size of a request of two 16-bit fields, and of the part of a multiple write before its data.
+constexpr std::size_t kShortRequest = 5;
+constexpr std::size_t kWriteHead = 6;
+
+std::uint16_t field(Request request, std::size_t offset) noexcept {
+  return static_cast<std::uint16_t>(request[offset] << 8 | request[offset + 1]);
+}
+
+void put_field(std::span<std::uint8_t> reply, std::size_t offset, std::uint16_t value) noexcept {
+  reply[offset] = static_cast<std::uint8_t>(value >> 8);
+  reply[offset + 1] = static_cast<std::uint8_t>(value & 0xFF);
+}
+
+Answer refuse(Request request, Reply reply, Exception exception) noexcept {
+  reply[0] = static_cast<std::uint8_t>(request[0] | kFirstReserved);
+  reply[1] = static_cast<std::uint8_t>(exception);
+  return {.size = 2, .exception = exception};
+}
+
+/// The reply to a write: the request's first bytes again.
+Answer echo(Request request, Reply reply, Table table, std::uint16_t count) noexcept {
+  std::copy_n(request.begin(), kShortRequest, reply.begin());
+  return {.size = kShortRequest, .written = table, .first = field(request, 1), .count = count};
+}
+
+constexpr std::uint32_t bytes_of_bits(std::uint32_t bits) { return (bits + 7) / 8; }
+
+/// 03 or 02 for a request to read, else none.
+Exception check_read(Request request, std::uint32_t max, std::uint32_t size) noexcept {
+  if (request.size() != kShortRequest) return Exception::illegal_data_value;
+  const std::uint32_t quantity = field(request, 3);
+  if (quantity == 0 || quantity > max) return Exception::illegal_data_value;
+  return field(request, 1) + quantity > size ? Exception::illegal_data_address : Exception::none;
+}
+
+Answer read_bits(Request request, Reply reply, Places<const std::uint64_t> places) noexcept {
+  const Exception fault = check_read(request, kMaxReadBits, places.size);
+  if (fault != Exception::none) return refuse(request, reply, fault);
+  const std::uint32_t first = field(request, 1);
+  const std::uint32_t quantity = field(request, 3);
+  const std::uint32_t bytes = bytes_of_bits(quantity);
+  reply[0] = request[0];
+  reply[1] = static_cast<std::uint8_t>(bytes);
+  std::fill_n(reply.begin() + 2, bytes, std::uint8_t{0});
+  for (std::uint32_t i = 0; i < quantity; ++i) {
+    if (get_bit(places.words, first + i)) reply[2 + i / 8] |= static_cast<std::uint8_t>(1U << (i % 8));
+  }
+  return {.size = 2 + bytes};
+}
+
+Answer read_registers(Request request, Reply reply, Places<const std::uint64_t> places) noexcept {
+  const Exception fault = check_read(request, kMaxReadRegisters, places.size);
+  if (fault != Exception::none) return refuse(request, reply, fault);
+  const std::uint32_t first = field(request, 1);
+  const std::uint32_t quantity = field(request, 3);
+  reply[0] = request[0];
+  reply[1] = static_cast<std::uint8_t>(2 * quantity);
+  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(places.words, first + i));
+  return {.size = 2 + 2 * quantity};
+}
+
+Answer read_coils(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_bits(request, reply, {tables.coils.words, tables.coils.size});
+}
+
+Answer read_discrete_inputs(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_bits(request, reply, tables.discrete_inputs);
+}
+
+Answer read_holding_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_registers(request, reply, {tables.holding_registers.words, tables.holding_registers.size});
+}
+
+Answer read_input_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  return read_registers(request, reply, tables.input_registers);
+}
+
+Answer write_single_coil(Request request, const Tables& tables, Reply reply) noexcept {
+  if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
+  const std::uint16_t value = field(request, 3);
+  if (value != kCoilOn && value != kCoilOff) return refuse(request, reply, Exception::illegal_data_value);
+  const std::uint16_t place = field(request, 1);
+  if (place >= tables.coils.size) return refuse(request, reply, Exception::illegal_data_address);
+  set_bit(tables.coils.words, place, value == kCoilOn);
+  return echo(request, reply, Table::coil, 1);
+}
+
+Answer write_single_register(Request request, const Tables& tables, Reply reply) noexcept {
+  if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
+  const std::uint16_t place = field(request, 1);
+  if (place >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
+  set_register(tables.holding_registers.words, place, field(request, 3));
+  return echo(request, reply, Table::holding_register, 1);
+}
+
+/// 03 or 02 for a request to write several places whose data take `bytes(quantity)`, else none.
+Exception check_write(Request request, std::uint32_t max, std::uint32_t (*bytes)(std::uint32_t),
+                      std::uint32_t size) noexcept {
+  if (request.size() < kWriteHead) return Exception::illegal_data_value;
+  const std::uint32_t quantity = field(request, 3);
+  const std::uint32_t count = request[5];
+  if (quantity == 0 || quantity > max || count != bytes(quantity)) return Exception::illegal_data_value;
+  if (request.size() != kWriteHead + count) return Exception::illegal_data_value;
+  return field(request, 1) + quantity > size ? Exception::illegal_data_address : Exception::none;
+}
+
+Answer write_coils(Request request, const Tables& tables, Reply reply) noexcept {
+  const Exception fault = check_write(request, kMaxWriteBits, bytes_of_bits, tables.coils.size);
+  if (fault != Exception::none) return refuse(request, reply, fault);
+  const std::uint32_t first = field(request, 1);
+  const std::uint16_t quantity = field(request, 3);
+  for (std::uint32_t i = 0; i < quantity; ++i) {
+    set_bit(tables.coils.words, first + i, (request[kWriteHead + i / 8] >> (i % 8) & 1) != 0);
+  }
+  return echo(request, reply, Table::coil, quantity);
+}
+
+Answer write_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  constexpr auto kBytes = [](std::uint32_t registers) { return 2 * registers; };
+  const Exception fault = check_write(request, kMaxWriteRegisters, kBytes, tables.holding_registers.size);
+  if (fault != Exception::none) return refuse(request, reply, fault);
+  const std::uint32_t first = field(request, 1);
+  const std::uint16_t quantity = field(request, 3);
+  for (std::uint32_t i = 0; i < quantity; ++i) {
+    set_register(tables.holding_registers.words, first + i, field(request, kWriteHead + 2 * i));
+  }
+  return echo(request, reply, Table::holding_register, quantity);
+}
+
+/// A function code and who answers it.
+struct Function {
+  std::uint8_t code;
+  Answer (*answer)(Request request, const Tables& tables, Reply reply) noexcept;
+};
+
+constexpr std::array kFunctions = {
+    Function{1, read_coils},
+    Function{2, read_discrete_inputs},
+    Function{3, read_holding_registers},
+    Function{4, read_input_registers},
+    Function{5, write_single_coil},
+    Function{6, write_single_register},
+    Function{15, write_coils},
+    Function{16, write_registers},
+};
+
+bool gets_no_reply(Request request) noexcept { return request.empty() || request[0] >= kFirstReserved; }
+
+}  // namespace
+
+Answer answer_request(Request request, const Tables& tables, Reply reply) noexcept {
+  if (gets_no_reply(request)) return {};
+  for (const Function& function : kFunctions) {
+    if (function.code == request[0]) return function.answer(request, tables, reply);
+  }
+  return refuse(request, reply, Exception::illegal_function);
+}
+
+Answer refuse_request(Request request, Exception exception, Reply reply) noexcept {
+  return gets_no_reply(request) ? Answer{} : refuse(request, reply, exception);
+}
+
+}  // namespace symplant::link::modbus

@@ -1,0 +1,42 @@
+// Answers to Modbus requests: bytes in, bytes out, no socket, no allocation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "symplant/link/modbus/places.hpp"
+
+namespace symplant::link::modbus {
+
+inline constexpr std::size_t kMaxPdu = 253;
+
+/// Exception codes of the Modbus Application Protocol V1.1b3, section 7.
+enum class Exception : std::uint8_t {
+  none = 0,
+  illegal_function = 1,
+  illegal_data_address = 2,
+  illegal_data_value = 3,
+  server_device_busy = 6,
+};
+
+/// What answering a request came to.
+struct Answer {
+  std::size_t size = 0;  ///< bytes of the reply; 0: no reply is due
+  Exception exception = Exception::none;
+  Table written = Table::coil;  ///< the table that was written, where `count` is not 0
+  std::uint16_t first = 0;      ///< first place written
+  std::uint16_t count = 0;      ///< places written
+};
+
+/// Answers one request PDU (function code and data) from the tables, writing what it asks to write. After an exception
+/// nothing has changed. Checks come in the order of the specification's state diagrams: function (01), format and
+/// quantity (03), address (02). A request with a reserved function code, from 128 on, gets no reply.
+Answer answer_request(std::span<const std::uint8_t> request, const Tables& tables,
+                      std::span<std::uint8_t, kMaxPdu> reply) noexcept;
+
+/// A refusal of the request, whatever it asks. No reply where answer_request() would give none.
+Answer refuse_request(std::span<const std::uint8_t> request, Exception exception,
+                      std::span<std::uint8_t, kMaxPdu> reply) noexcept;
+
+}  // namespace symplant::link::modbus

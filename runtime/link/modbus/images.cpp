@@ -1,0 +1,182 @@
+// The plant's images as a Modbus server's tables.
+#include "symplant/link/modbus/images.hpp"
+
+#include <bit>
+
+namespace symplant::link::modbus {
+
+namespace {
+
+constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
+constexpr std::uint32_t kPlaneWordBits = 64;
+
+std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
+
+/// A register as the plant counts numbers: INT is signed.
+std::uint64_t widen(std::uint16_t value, core::DataType type) {
+  if (type != core::DataType::int_) return value;
+  return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int16_t>(value)});
+}
+
+std::vector<std::uint32_t> places_of_events(const core::PlantTables& tables, const IoMap& map) {
+  std::vector<std::uint32_t> places(tables.event_bits, kNoPlace);
+  for (const IoPoint& point : map.points) {
+    if (point.table == Table::discrete_input) places[tables.symbols[point.symbol].index] = point.number;
+  }
+  return places;
+}
+
+}  // namespace
+
+std::span<const std::uint32_t> Images::ByPlace::at(std::uint32_t place) const noexcept {
+  if (place + 1 >= first.size()) return {};
+  return std::span(rows).subspan(first[place], first[place + 1] - first[place]);
+}
+
+Images::ByPlace Images::by_place(const IoMap& map, Table table) {
+  ByPlace result;
+  result.first.assign(size_of(map, table) + std::size_t{1}, 0);
+  for (const IoPoint& point : map.points) {
+    if (point.table == table) ++result.first[point.number + std::size_t{1}];
+  }
+  for (std::size_t place = 1; place < result.first.size(); ++place) result.first[place] += result.first[place - 1];
+  result.rows.resize(result.first.back());
+  std::vector<std::uint32_t> next = result.first;
+  for (const IoPoint& point : map.points) {
+    if (point.table == table) result.rows[next[point.number]++] = point.symbol;
+  }
+  return result;
+}
+
+Images::Images(const core::PlantTables& tables, const IoMap& map)
+    : tables_(tables),
+      sizes_(map.sizes),
+      coil_words_(bit_words(size_of(map, Table::coil))),
+      discrete_words_(bit_words(size_of(map, Table::discrete_input))),
+      coils_(by_place(map, Table::coil)),
+      holding_registers_(by_place(map, Table::holding_register)),
+      place_of_event_(places_of_events(tables, map)),
+      applied_(initial_operations(map)),
+      events_written_(tables.event_bits / kPlaneWordBits, 0),
+      operations_(applied_),
+      events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
+  for (const IoPoint& point : map.points) {
+    if (point.table != Table::input_register) continue;
+    input_registers_.push_back({tables.symbols[point.symbol].index, point.number});
+  }
+}
+
+std::vector<std::uint64_t> Images::initial_operations(const IoMap& map) const {
+  std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
+  for (const core::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
+  std::vector<std::uint64_t> words(coil_words_ + register_words(size_of(map, Table::holding_register)), 0);
+  // Bit operations start off whatever their list says; numbers stand at their initial value, so that the register a
+  // PLC reads before it ever wrote shows what the plant has.
+  for (const IoPoint& point : map.points) {
+    if (point.table != Table::holding_register) continue;
+    const auto registers = std::span(words).subspan(coil_words_);
+    set_register(registers, point.number, static_cast<std::uint16_t>(initial[point.symbol]));
+  }
+  return words;
+}
+
+void Images::apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now,
+                         std::uint64_t changed) const noexcept {
+  for (; changed != 0; changed &= changed - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
+    const bool on = (now >> bit & 1) != 0;
+    for (const std::uint32_t row : coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit)) {
+      plant.set_operation(tables_.symbols[row].index, on);
+    }
+  }
+}
+
+void Images::apply_registers(core::Plant& plant, std::size_t word, std::uint64_t now,
+                             std::uint64_t changed) const noexcept {
+  for (std::uint32_t i = 0; i < kRegistersPerWord; ++i) {
+    if (static_cast<std::uint16_t>(changed >> (16 * i)) == 0) continue;
+    const auto value = static_cast<std::uint16_t>(now >> (16 * i));
+    for (const std::uint32_t row : holding_registers_.at(static_cast<std::uint32_t>(word) * kRegistersPerWord + i)) {
+      plant.set_operation_value(tables_.symbols[row].index, widen(value, tables_.symbols[row].type));
+    }
+  }
+}
+
+void Images::read_operations(core::Plant& plant) noexcept {
+  if (!operations_.update()) return;
+  const auto image = operations_.latest();
+  for (std::size_t word = 0; word < image.size(); ++word) {
+    const std::uint64_t changed = image[word] ^ applied_[word];
+    if (changed == 0) continue;
+    applied_[word] = image[word];
+    if (word < coil_words_) {
+      apply_coils(plant, word, image[word], changed);
+    } else {
+      apply_registers(plant, word - coil_words_, image[word], changed);
+    }
+  }
+}
+
+void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
+  std::uint64_t changed = bits ^ events_written_[word];
+  events_written_[word] = bits;
+  for (; changed != 0; changed &= changed - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
+    const std::uint32_t place = place_of_event_[word * kPlaneWordBits + bit];
+    if (place == kNoPlace) continue;
+    set_bit(events_.words(), place, (bits >> bit & 1) != 0);
+    events_.touch(place / kBitsPerWord);
+  }
+}
+
+void Images::write_input_registers(const core::Plant& plant) noexcept {
+  const auto registers = events_.words().subspan(discrete_words_);
+  for (const RegisterPoint& point : input_registers_) {
+    const auto value = static_cast<std::uint16_t>(plant.event_value(point.slot));
+    if (get_register(registers, point.place) == value) continue;
+    set_register(registers, point.place, value);
+    events_.touch(discrete_words_ + point.place / kRegistersPerWord);
+  }
+}
+
+void Images::write_events(const core::Plant& plant) noexcept {
+  const auto bits = plant.events();
+  if (first_write_) {
+    for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);
+    first_write_ = false;
+  } else {
+    for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);
+  }
+  // The plant keeps no list of changed values, so this costs the registers that there are, not those that changed.
+  write_input_registers(plant);
+  events_.publish();
+}
+
+Tables Images::tables() noexcept {
+  events_.update();
+  const auto operations = operations_.words();
+  const auto events = events_.latest();
+  const auto size = [this](Table table) { return sizes_[static_cast<std::size_t>(table)]; };
+  return {.coils = {operations.first(coil_words_), size(Table::coil)},
+          .discrete_inputs = {events.first(discrete_words_), size(Table::discrete_input)},
+          .holding_registers = {operations.subspan(coil_words_), size(Table::holding_register)},
+          .input_registers = {events.subspan(discrete_words_), size(Table::input_register)}};
+}
+
+std::uint32_t Images::written(const Answer& answer) noexcept {
+  if (answer.count == 0) return 0;
+  const bool coils = answer.written == Table::coil;
+  const ByPlace& table = coils ? coils_ : holding_registers_;
+  const std::size_t base = coils ? 0 : coil_words_;
+  const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
+  const std::uint32_t end = std::uint32_t{answer.first} + answer.count;
+  std::uint32_t gaps = 0;
+  for (std::uint32_t place = answer.first; place < end; ++place) gaps += table.at(place).empty() ? 1U : 0U;
+  for (std::uint32_t word = answer.first / per_word; word <= (end - 1) / per_word; ++word) {
+    operations_.touch(base + word);
+  }
+  operations_.publish();
+  return gaps;
+}
+
+}  // namespace symplant::link::modbus

@@ -1,0 +1,124 @@
+// A listening TCP socket by HOST:PORT.
+#include "symplant/link/modbus/listener.hpp"
+
+#include <netdb.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <charconv>
+#include <memory>
+#include <system_error>
+
+namespace symplant::link::modbus {
+
+namespace {
+
+constexpr std::string_view kLoopback = "127.0.0.1";
+constexpr int kFirstFreePort = 1024;  ///< ports below it need a privilege
+
+LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
+LinkError environment(std::string message) { return {LinkError::Kind::environment, std::move(message)}; }
+
+struct FreeAddresses {
+  void operator()(addrinfo* list) const noexcept { ::freeaddrinfo(list); }
+};
+using Addresses = std::unique_ptr<addrinfo, FreeAddresses>;
+
+std::variant<Addresses, LinkError> resolve(const HostPort& address) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  addrinfo* list = nullptr;
+  const int fault = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &list);
+  if (fault == 0) return Addresses(list);
+  const std::string why = "host `" + address.host + "` has no address (" + ::gai_strerror(fault) + ")";
+  const bool host_is_wrong = fault == EAI_NONAME || fault == EAI_FAIL;
+  return host_is_wrong ? usage(why + ": give a name or an address of this machine, 127.0.0.1 for clients on it only")
+                       : environment(why + ": try again, or give a numeric address");
+}
+
+/// Why a socket could not be bound, and what to do about it.
+LinkError bind_error(const HostPort& address, int error) {
+  const std::string port = "port " + std::to_string(address.port);
+  if (error == EADDRINUSE) {
+    return environment(port + " is in use on `" + address.host +
+                       "`: end the program that has it (`ss -ltnp` names it), or give another port");
+  }
+  if (error == EACCES && address.port < kFirstFreePort) {
+    return environment("no permission for " + port +
+                       ": ports below 1024 need the capability CAP_NET_BIND_SERVICE, give one from 1024 on");
+  }
+  if (error == EADDRNOTAVAIL) {
+    return usage("host `" + address.host +
+                 "` is no address of this machine: give one that is, 127.0.0.1 for clients on it only");
+  }
+  return environment("cannot listen on `" + format_host_port(address) +
+                     "`: " + std::generic_category().message(error));
+}
+
+std::uint16_t port_of(int socket) {
+  sockaddr_storage storage{};
+  socklen_t size = sizeof storage;
+  auto* generic = reinterpret_cast<sockaddr*>(&storage);
+  if (::getsockname(socket, generic, &size) != 0) return 0;
+  if (storage.ss_family == AF_INET6) return ntohs(reinterpret_cast<const sockaddr_in6*>(&storage)->sin6_port);
+  return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
+}
+
+/// Nothing, with errno set, where the address cannot be had.
+Descriptor listen_at(const addrinfo& address) {
+  Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (!socket) return {};
+  const int on = 1;  // connections of an earlier run that still wait for their end do not keep the port
+  ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  if (::bind(socket.get(), address.ai_addr, address.ai_addrlen) != 0) return {};
+  if (::listen(socket.get(), SOMAXCONN) != 0) return {};
+  return socket;
+}
+
+}  // namespace
+
+std::variant<HostPort, LinkError> parse_host_port(std::string_view text) {
+  const std::string shown = "`" + std::string(text) + "`";
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string_view::npos) return usage(shown + " has no port: give HOST:PORT, such as 127.0.0.1:5020");
+  std::string_view host = text.substr(0, colon);
+  const std::string_view digits = text.substr(colon + 1);
+
+  HostPort result;
+  const char* end = digits.data() + digits.size();
+  const auto [stop, fault] = std::from_chars(digits.data(), end, result.port);
+  if (digits.empty() || fault != std::errc() || stop != end) {
+    return usage(shown + " ends in no port: give a number from 0 to 65535, 0 for any that is free");
+  }
+  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
+  if (bracketed) host = host.substr(1, host.size() - 2);
+  if (host.find_first_of("[]/@?# ") != std::string_view::npos || (!bracketed && host.find(':') != host.npos)) {
+    return usage(shown + " is no HOST:PORT: an IPv6 address stands in brackets, such as [::1]:5020");
+  }
+  result.host = host.empty() ? kLoopback : host;
+  return result;
+}
+
+std::string format_host_port(const HostPort& address) {
+  const bool brackets = address.host.find(':') != std::string::npos;
+  return (brackets ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
+}
+
+std::variant<Listener, LinkError> listen_on(const HostPort& address) {
+  auto resolved = resolve(address);
+  if (auto* error = std::get_if<LinkError>(&resolved)) return std::move(*error);
+  int error = EADDRNOTAVAIL;
+  for (const addrinfo* one = std::get<Addresses>(resolved).get(); one != nullptr; one = one->ai_next) {
+    Descriptor socket = listen_at(*one);
+    if (socket) {
+      const std::uint16_t port = port_of(socket.get());
+      return Listener{std::move(socket), {address.host, port}};
+    }
+    error = errno;
+  }
+  return bind_error(address, error);
+}
+
+}  // namespace symplant::link::modbus

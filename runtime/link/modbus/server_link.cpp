@@ -1,0 +1,97 @@
+// The link `modbus-tcp-server`: images on one side, sockets on the other.
+#include "symplant/link/modbus/server_link.hpp"
+
+#include <atomic>
+#include <system_error>
+
+#include "symplant/link/modbus/images.hpp"
+#include "symplant/link/modbus/listener.hpp"
+#include "symplant/link/modbus/server.hpp"
+
+namespace symplant::link::modbus {
+
+namespace {
+
+constexpr std::string_view kScheme = "modbus-tcp-server";
+
+/// Answers requests from the images and counts them. Lives in the server's thread; the counts may be read by any.
+class ImageResponder final : public Responder {
+ public:
+  explicit ImageResponder(Images& images) noexcept : images_(images) {}
+
+  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    const Answer answer = answer_request(request, images_.tables(), reply);
+    const std::uint32_t gaps = images_.written(answer);
+    if (answer.size != 0) add(requests_, 1);
+    if (answer.exception != Exception::none) add(exceptions_, 1);
+    if (gaps != 0) add(gaps_, gaps);
+    return answer;
+  }
+
+  void refused() noexcept override {
+    add(requests_, 1);
+    add(exceptions_, 1);
+  }
+
+  LinkStatus status() const noexcept {
+    LinkStatus status;
+    status.requests = requests_.load(std::memory_order_relaxed);
+    status.exceptions = exceptions_.load(std::memory_order_relaxed);
+    status.writes_to_gaps = gaps_.load(std::memory_order_relaxed);
+    return status;
+  }
+
+ private:
+  using Count = std::atomic<std::uint64_t>;
+  static void add(Count& count, std::uint64_t more) noexcept { count.fetch_add(more, std::memory_order_relaxed); }
+
+  Images& images_;
+  Count requests_{0};
+  Count exceptions_{0};
+  Count gaps_{0};
+};
+
+class ServerLink final : public Link {
+ public:
+  ServerLink(const core::PlantTables& tables, Listener listener)
+      : bound_(std::move(listener.bound)),
+        images_(tables, make_io_map(tables)),
+        responder_(images_),
+        server_(std::move(listener.socket), responder_) {}
+
+  std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
+  void read_operations(core::Plant& plant) noexcept override { images_.read_operations(plant); }
+  void write_events(const core::Plant& plant) noexcept override { images_.write_events(plant); }
+
+  LinkStatus status() const noexcept override {
+    LinkStatus status = responder_.status();
+    status.connections = server_.connections();
+    return status;
+  }
+
+ private:
+  HostPort bound_;
+  Images images_;
+  ImageResponder responder_;
+  Server server_;  // last: its thread ends before what it uses
+};
+
+}  // namespace
+
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables) {
+  if (rest.substr(0, 2) != "//") {
+    return LinkError{LinkError::Kind::usage,
+                     "`" + std::string(rest) + "` behind `" + std::string(kScheme) + ":` is no address: give //HOST:PORT"};
+  }
+  auto address = parse_host_port(rest.substr(2));
+  if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
+  auto listener = listen_on(std::get<HostPort>(address));
+  if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
+  try {
+    return std::make_unique<ServerLink>(tables, std::move(std::get<Listener>(listener)));
+  } catch (const std::system_error& error) {
+    return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
+  }
+}
+
+}  // namespace symplant::link::modbus

@@ -1,0 +1,13 @@
+// The link `modbus-tcp-server`: the plant is a Modbus TCP server, the PLC a client.
+#pragma once
+
+#include <string_view>
+
+#include "symplant/link/link.hpp"
+
+namespace symplant::link::modbus {
+
+/// Makes and starts the server on `rest`, which is `//HOST:PORT`. Tables must outlive the link.
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables);
+
+}  // namespace symplant::link::modbus
