@@ -43,7 +43,7 @@ std::string hex(unsigned value, int digits) {
   return buffer;
 }
 
-std::string append_lossily(std::string_view bytes) {
+std::string lossy_utf8(std::string_view bytes) {
   std::string text;
   for (std::size_t at = 0; at < bytes.size();) {
     const CodePoint point = code_point_at(bytes, at);
@@ -109,32 +109,24 @@ std::size_t valid_utf8_prefix(std::string_view bytes) {
   return at;
 }
 
-/// Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
-std::string_view without_end_mark(std::string_view bytes) {
-  for (const std::string_view mark : {std::string_view("\n\0", 2), std::string_view("\n\x1A")}) {
-    if (bytes.ends_with(mark)) bytes.remove_suffix(1);
-  }
-  return bytes;
-}
-
-Result<std::string, Fault> decode_utf8(std::string_view bytes) {
-  bytes = without_end_mark(bytes);
-  const std::size_t valid = valid_utf8_prefix(bytes);
-  const std::size_t binary = find_binary(bytes);
+Result<std::string, Fault> decode_utf8(std::string text) {
+  // Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
+  if (text.ends_with(std::string_view("\n\0", 2)) || text.ends_with("\n\x1A")) text.pop_back();
   const auto fault_at = [&](std::size_t at, std::string what) {
-    return Fault{append_lossily(bytes.substr(0, at)), append_lossily(bytes.substr(at, kShownAfterFault)),
-                 std::move(what)};
+    const std::string_view bytes = text;
+    return Fault{lossy_utf8(bytes.substr(0, at)), lossy_utf8(bytes.substr(at, kShownAfterFault)), std::move(what)};
   };
-  if (binary != std::string_view::npos) {
-    if (bytes.starts_with(kZipMark))
-      return fault_at(0, "this is a zip archive (a workbook, perhaps), not a text; export the list as a text file");
-    return fault_at(binary, binary_message(static_cast<unsigned char>(bytes[binary])));
+  if (text.starts_with(kZipMark)) {
+    return fault_at(0, "this is a zip archive (a workbook, perhaps), not a text; export the list as a text file");
   }
-  if (valid != bytes.size()) {
-    return fault_at(valid, "the byte " + hex(static_cast<unsigned char>(bytes[valid]), 2) +
+  const std::size_t binary = find_binary(text);
+  if (binary != std::string::npos) return fault_at(binary, binary_message(static_cast<unsigned char>(text[binary])));
+  const std::size_t valid = valid_utf8_prefix(text);
+  if (valid != text.size()) {
+    return fault_at(valid, "the byte " + hex(static_cast<unsigned char>(text[valid]), 2) +
                                " is no UTF-8 here, so the file is in another code page; save it as UTF-8 or UTF-16");
   }
-  return std::string(bytes);
+  return Result<std::string, Fault>(std::move(text));
 }
 
 class Utf16Decoder {
@@ -167,7 +159,7 @@ class Utf16Decoder {
     text_.append(ascii.data(), filled);
     if (at < units) return fault(at, binary_message(static_cast<unsigned>(unit_at(at))));
     if (bytes_.size() % 2 != 0) return fault(at, "half a character at the end of the file" + not_utf16());
-    return std::move(text_);
+    return Result<std::string, Fault>(std::move(text_));
   }
 
  private:
@@ -213,11 +205,12 @@ Encoding sniff(std::string_view bytes) {
   for (const NamedEncoding& each : kEncodings) {
     if (bytes.starts_with(each.mark)) return each.encoding;
   }
+  if (bytes.starts_with(kZipMark) || bytes.size() % 2 != 0) return Encoding::utf8;
   const std::string_view sample = bytes.substr(0, kSampleBytes);
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < sample.size(); ++i) zeros[i % 2] += sample[i] == '\0' ? 1U : 0U;
   const auto speaks_for = [&](std::size_t many, std::size_t few) {
-    return zeros[many] * 8 >= sample.size() && zeros[few] * 8 < zeros[many];
+    return zeros[many] > 1 && zeros[many] * 8 >= sample.size() && zeros[few] * 8 < zeros[many];
   };
   if (speaks_for(1, 0)) return Encoding::utf16le;
   if (speaks_for(0, 1)) return Encoding::utf16be;
@@ -242,10 +235,10 @@ std::optional<Encoding> encoding_of_name(std::string_view name) {
   return std::nullopt;
 }
 
-Result<Decoded, DecodeError> decode(std::string_view bytes, const Encoding* forced) {
+Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced) {
   const Encoding encoding = forced != nullptr ? *forced : sniff(bytes);
-  if (bytes.starts_with(row_of(encoding).mark)) bytes.remove_prefix(row_of(encoding).mark.size());
-  auto text = encoding == Encoding::utf8 ? decode_utf8(bytes) : Utf16Decoder(bytes, encoding).decode();
+  if (bytes.starts_with(row_of(encoding).mark)) bytes.erase(0, row_of(encoding).mark.size());
+  auto text = encoding == Encoding::utf8 ? decode_utf8(std::move(bytes)) : Utf16Decoder(bytes, encoding).decode();
   if (!text) return as_error(text.error());
   return Decoded{std::move(*text), encoding};
 }

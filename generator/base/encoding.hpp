@@ -34,7 +34,7 @@ struct Decoded {
 };
 
 /// Decodes by `forced` where it is given, else by the byte order mark, else as UTF-16 where its zero bytes say so, else
-/// as UTF-8. Refused: ill-formed UTF-8 and UTF-16, lone surrogates, NUL, a binary file. O(bytes).
-Result<Decoded, DecodeError> decode(std::string_view bytes, const Encoding* forced = nullptr);
+/// as UTF-8. Refused: ill-formed UTF-8 and UTF-16, lone surrogates, NUL, a binary file. O(bytes); UTF-8 is not copied.
+Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced = nullptr);
 
 }  // namespace symplant::base

@@ -14,21 +14,9 @@ namespace {
 
 std::vector<std::size_t> find_line_begins(std::string_view text) {
   std::vector<std::size_t> begins{0};
-  const char* bytes = text.data();
-  std::size_t at = 0;
-  while (at < text.size()) {
-    if (text.size() - at >= 8) {
-      const std::uint64_t word = load_word(bytes + at);
-      const std::uint64_t ends = zero_bytes(word ^ spread('\n')) | zero_bytes(word ^ spread('\r'));
-      if (ends == 0) {
-        at += 8;
-        continue;
-      }
-      at += first_byte(ends);
-    }
-    const char c = bytes[at++];
-    if (c != '\n' && c != '\r') continue;
-    if (c == '\r' && at < text.size() && bytes[at] == '\n') ++at;
+  for (std::size_t at = find_any(text, 0, '\n', '\r', '\n'); at < text.size();
+       at = find_any(text, at, '\n', '\r', '\n')) {
+    at += text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n' ? 2U : 1U;
     begins.push_back(at);
   }
   return begins;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace symplant::base {
 
@@ -26,5 +28,19 @@ constexpr std::uint64_t zero_bytes(std::uint64_t word) { return (word - kLowBits
 
 /// Which byte, counted from 0, the lowest bit set of such a mask tells.
 constexpr std::size_t first_byte(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)) / 8; }
+
+/// Where the first of three characters stands at or after `from`; the text's size where none does.
+inline std::size_t find_any(std::string_view text, std::size_t from, char a, char b, char c) {
+  const std::uint64_t as = spread(a);
+  const std::uint64_t bs = spread(b);
+  const std::uint64_t cs = spread(c);
+  for (; text.size() - from >= 8; from += 8) {
+    const std::uint64_t word = load_word(text.data() + from);
+    const std::uint64_t found = zero_bytes(word ^ as) | zero_bytes(word ^ bs) | zero_bytes(word ^ cs);
+    if (found != 0) return from + first_byte(found);
+  }
+  while (from < text.size() && text[from] != a && text[from] != b && text[from] != c) ++from;
+  return from;
+}
 
 }  // namespace symplant::base

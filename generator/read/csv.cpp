@@ -43,15 +43,6 @@ std::vector<Counts> count_delimiters(std::string_view text) {
   return rows;
 }
 
-std::uint32_t count_line_ends(std::string_view text) {
-  std::uint32_t count = 0;
-  for (std::size_t at = text.find_first_of("\r\n"); at != std::string_view::npos; at = text.find_first_of("\r\n", at)) {
-    at += text[at] == '\r' && at + 1 < text.size() && text[at + 1] == '\n' ? 2U : 1U;
-    ++count;
-  }
-  return count;
-}
-
 }  // namespace
 
 char sniff_delimiter(std::string_view text) {
@@ -105,21 +96,9 @@ void CsvReader::skip_blanks() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
 }
 
-std::size_t CsvReader::find_cell_end(std::size_t at) const {
-  const std::uint64_t delimiters = base::spread(delimiter_);
-  for (; text_.size() - at >= 8; at += 8) {
-    const std::uint64_t word = base::load_word(text_.data() + at);
-    const std::uint64_t ends = base::zero_bytes(word ^ delimiters) | base::zero_bytes(word ^ base::spread('\n')) |
-                               base::zero_bytes(word ^ base::spread('\r'));
-    if (ends != 0) return at + base::first_byte(ends);
-  }
-  while (at < text_.size() && text_[at] != delimiter_ && text_[at] != '\n' && text_[at] != '\r') ++at;
-  return at;
-}
-
 std::string_view CsvReader::plain_cell() {
   const std::size_t begin = at_;
-  at_ = find_cell_end(at_);
+  at_ = base::find_any(text_, at_, delimiter_, '\n', '\r');
   std::size_t end = at_;
   while (end > begin && is_blank(text_[end - 1])) --end;
   return text_.substr(begin, end - begin);
@@ -128,17 +107,23 @@ std::string_view CsvReader::plain_cell() {
 bool CsvReader::quoted_cell(CsvRow& row, std::string_view& cell) {
   const std::size_t open = at_;
   bool doubled = false;
-  std::size_t close = text_.find('"', open + 1);
-  while (close != std::string_view::npos && close + 1 < text_.size() && text_[close + 1] == '"') {
-    doubled = true;
-    close = text_.find('"', close + 2);
-  }
-  if (close == std::string_view::npos) {
-    unclosed_quote_ = open;
-    return false;
+  std::size_t close = open + 1;
+  for (;; ++close) {
+    close = base::find_any(text_, close, '"', '\n', '\r');
+    if (close >= text_.size()) {
+      unclosed_quote_ = open;
+      return false;
+    }
+    const bool paired = close + 1 < text_.size();
+    if (text_[close] == '\n' || (text_[close] == '\r' && !(paired && text_[close + 1] == '\n'))) {
+      ++line_;
+    } else if (text_[close] == '"') {
+      if (!paired || text_[close + 1] != '"') break;
+      doubled = true;
+      ++close;
+    }
   }
   cell = text_.substr(open + 1, close - open - 1);
-  line_ += count_line_ends(cell);
   if (doubled) {
     std::string& copy = arena_.emplace_back();
     copy.reserve(cell.size());

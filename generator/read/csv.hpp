@@ -52,7 +52,6 @@ class CsvReader {
  private:
   bool is_blank(char c) const { return c == ' ' || (c == '\t' && delimiter_ != '\t'); }
   void skip_blanks();
-  std::size_t find_cell_end(std::size_t at) const;
   std::string_view plain_cell();
   bool quoted_cell(CsvRow& row, std::string_view& cell);
   void end_row();

@@ -140,12 +140,13 @@ GxColumns guessed_columns(const std::vector<CsvRow>& rows) {
   columns.set(GxField::vendor_address, vote(rows, columns, looks_like_vendor_address));
   const std::size_t type = columns[GxField::type];
   if (type == kNoColumn) return columns;
-  columns.set(GxField::initial, type + 1);
-  std::size_t last = type + 1;
-  for (const GxField field : {GxField::vendor_address, GxField::iec_address}) {
-    if (columns.has(field)) last = std::max(last, columns[field]);
-  }
-  columns.set(GxField::comment, last + 1);
+  std::size_t next = type + 1;
+  const auto next_free = [&] {
+    while (columns.holds(next)) ++next;
+    return next;
+  };
+  columns.set(GxField::initial, next_free());
+  columns.set(GxField::comment, next_free());
   return columns;
 }
 

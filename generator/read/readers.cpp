@@ -59,7 +59,7 @@ std::shared_ptr<const base::SourceFile> load(const std::string& path, const Read
     diagnostics.add(kCannotReadFile, bytes.error().message, whole_file(path));
     return nullptr;
   }
-  auto decoded = base::decode(*bytes, options.encoding ? &*options.encoding : nullptr);
+  auto decoded = base::decode(std::move(*bytes), options.encoding ? &*options.encoding : nullptr);
   if (!decoded) {
     const base::DecodeError& fault = decoded.error();
     const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};

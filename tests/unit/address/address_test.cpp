@@ -1,0 +1,121 @@
+// Addresses as one value.
+#include "address/address.hpp"
+
+#include <set>
+#include <string>
+
+#include "support/catch.hpp"
+
+using namespace symplant::address;
+
+namespace {
+
+Address bit(Area area, std::uint64_t number) { return {area, Size::bit, number, true}; }
+
+std::optional<Address> hex(std::string_view text) { return parse_melsec(text, Radix::hexadecimal); }
+std::optional<Address> oct(std::string_view text) { return parse_melsec(text, Radix::octal); }
+
+}  // namespace
+
+TEST_CASE("IEC bits are a number, or a byte and a bit") {
+  CHECK(parse_iec("%IX1") == bit(Area::input, 1));
+  CHECK(parse_iec("%I1") == bit(Area::input, 1));
+  CHECK(parse_iec("%QX0002") == bit(Area::output, 2));
+  CHECK(parse_iec("%IX3.5") == bit(Area::input, 29));
+  CHECK(parse_iec("  %qx0.5\t") == bit(Area::output, 5));
+}
+
+TEST_CASE("IEC words, bytes and doubles keep their size") {
+  CHECK(parse_iec("%IW5") == Address{Area::input, Size::word, 5, true});
+  CHECK(parse_iec("%QD2") == Address{Area::output, Size::dword, 2, true});
+  CHECK(parse_iec("%IB3") == Address{Area::input, Size::byte, 3, true});
+  CHECK(parse_iec("%QL7") == Address{Area::output, Size::lword, 7, true});
+}
+
+TEST_CASE("%M is memory") {
+  REQUIRE(parse_iec("%MX0.500"));
+  CHECK(parse_iec("%MX0.500")->area == Area::memory);
+  CHECK(parse_iec("%MW5.1234")->size == Size::word);
+  CHECK(parse_iec("%MX0.500") != parse_iec("%MX0.501"));
+}
+
+TEST_CASE("An address with more parts than a link can number is not plain, and still tells itself apart") {
+  for (const char* text : {"%IX1.2.3", "%IX3.12", "%IW5.3", "%IX0.0.0", "%QX1.8"}) {
+    INFO(text);
+    const auto address = parse_iec(text);
+    REQUIRE(address);
+    CHECK_FALSE(address->plain);
+    CHECK(parse_iec(text) == address);
+  }
+  CHECK(parse_iec("%IX3.12") != parse_iec("%IX4.4"));
+  CHECK(parse_iec("%IX1.2.3") != parse_iec("%IX1.23"));
+  CHECK(parse_iec("%IX1.2.3") != parse_iec("%QX1.2.3"));
+}
+
+TEST_CASE("What is no IEC address is none") {
+  for (const char* text : {"", "%", "%I", "%IX", "%IX.", "%IX1.", "%IX.1", "%IX1..2", "%IXA", "%ZX1", "IX1", "%IX-1",
+                           "%IX 1", "%I*", "X1", "%IX1 x", "%IX1.2.3.4.5.6.7.8.9"}) {
+    INFO(text);
+    CHECK_FALSE(parse_iec(text));
+  }
+}
+
+TEST_CASE("Numbers as far as 64 bits are read, and no farther") {
+  CHECK(parse_iec("%IX18446744073709551615") == bit(Area::input, 18446744073709551615U));
+  CHECK_FALSE(parse_iec("%IX18446744073709551616"));
+  REQUIRE(parse_iec("%IX18446744073709551615.1"));
+  CHECK_FALSE(parse_iec("%IX18446744073709551615.1")->plain);
+  CHECK_FALSE(hex("X1FFFFFFFFFFFFFFFF"));
+}
+
+TEST_CASE("X and Y count in the radix of the list") {
+  CHECK(hex("X1F") == bit(Area::input, 31));
+  CHECK(hex("Y0001") == bit(Area::output, 1));
+  CHECK(hex("X0A0") == bit(Area::input, 160));
+  CHECK(hex("x10") == bit(Area::input, 16));
+  CHECK(oct("X10") == bit(Area::input, 8));
+  CHECK(oct("Y007") == bit(Area::output, 7));
+  CHECK(hex("DX10") == hex("X10"));
+  CHECK(hex("DY1F") == bit(Area::output, 31));
+}
+
+TEST_CASE("A digit beyond the radix makes it no address") {
+  CHECK_FALSE(oct("X8"));
+  CHECK_FALSE(oct("X19"));
+  CHECK_FALSE(oct("Y1F"));
+  CHECK_FALSE(hex("X1G"));
+}
+
+TEST_CASE("Equal addresses are equal in any notation") {
+  CHECK(hex("X1F") == parse_iec("%IX31"));
+  CHECK(parse_iec("%IX31") == parse_iec("%IX3.7"));
+  CHECK(oct("Y10") == parse_iec("%QX8"));
+}
+
+TEST_CASE("Internal devices are memory, each another") {
+  std::set<std::uint64_t> numbers;
+  const auto texts = {"M500",     "L1",      "F1",      "V1",      "S1",   "B1F", "SB1F",    "SM400",
+                      "D10",      "D10.5",   "D10.F",   "W0.F",    "W1F",  "R5",  "ZR81499", "SD1",
+                      "SW1",      "Z0",      "T0",      "ST1",     "C0",   "TN0", "TS0",     "CC1",
+                      "U6\\G100", "U0A\\G0", "J1\\B1F", "J1\\X10", "P532", "N0",  "I0"};
+  for (const char* text : texts) {
+    INFO(text);
+    const auto address = hex(text);
+    REQUIRE(address);
+    CHECK(address->area == Area::memory);
+    numbers.insert(address->number);
+  }
+  CHECK(numbers.size() == texts.size());
+  CHECK(hex("D10")->size == Size::word);
+  CHECK(hex("D10.5")->size == Size::bit);
+  CHECK(hex("d010") == hex("D10"));
+}
+
+TEST_CASE("What is no device is none") {
+  for (const char* text :
+       {"",     "X",   "Y",   "K4X0", "K1M0",   "XYZ1",       "BOOL", "D",     "D10.", "D10.1F", "M1.1", "X1.5",
+        "%IX1", "X-1", "X 1", "MA",   "U6\\D1", "J1\\J1\\B0", "\\G1", "U\\G1", "H1F",  "E3.14",  "1X"}) {
+    INFO(text);
+    CHECK_FALSE(hex(text));
+  }
+}

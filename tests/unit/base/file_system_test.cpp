@@ -1,0 +1,136 @@
+// Reading files and replacing them whole.
+#include "base/file_system.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "support/catch.hpp"
+#include "support/memory_file_system.hpp"
+#include "support/strings.hpp"
+
+namespace fs = std::filesystem;
+namespace test = symplant::test;
+using symplant::base::DiskFileSystem;
+
+namespace {
+
+/// A folder of its own for one test.
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "symplant-test-XXXXXX").string();
+    path_ = ::mkdtemp(pattern.data());
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t size() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+TEST_CASE("What was written is read back, NUL bytes and all") {
+  const Folder folder;
+  DiskFileSystem disk;
+  const std::string content("a\0b\n", 4);
+  const auto wrote = disk.write(folder / "new/deep/file.txt", content);
+  REQUIRE(wrote);
+  CHECK(*wrote);
+  const auto back = disk.read(folder / "new/deep/file.txt");
+  REQUIRE(back);
+  CHECK(*back == content);
+}
+
+TEST_CASE("Unchanged content leaves the file and its time alone") {
+  const Folder folder;
+  DiskFileSystem disk;
+  REQUIRE(disk.write(folder / "f", "same"));
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  fs::last_write_time(folder / "f", old);
+  const auto again = disk.write(folder / "f", "same");
+  REQUIRE(again);
+  CHECK_FALSE(*again);
+  CHECK(fs::last_write_time(folder / "f") == old);
+  const auto changed = disk.write(folder / "f", "diff");
+  REQUIRE(changed);
+  CHECK(*changed);
+  CHECK(fs::last_write_time(folder / "f") != old);
+}
+
+TEST_CASE("Replacing a file leaves nothing beside it and keeps its permissions") {
+  const Folder folder;
+  DiskFileSystem disk;
+  REQUIRE(disk.write(folder / "f", "one"));
+  fs::permissions(folder / "f", fs::perms(0750));
+  REQUIRE(disk.write(folder / "f", "two"));
+  CHECK(folder.size() == 1);
+  CHECK(fs::status(folder / "f").permissions() == fs::perms(0750));
+}
+
+TEST_CASE("A link stays a link, and what it points to is replaced") {
+  const Folder folder;
+  DiskFileSystem disk;
+  REQUIRE(disk.write(folder / "f", "one"));
+  fs::create_symlink("f", folder / "link");
+  REQUIRE(disk.write(folder / "link", "two"));
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(*disk.read(folder / "f") == "two");
+}
+
+TEST_CASE("A device is written to and not replaced") {
+  DiskFileSystem disk;
+  CHECK(disk.write("/dev/null", "anything"));
+  CHECK(fs::is_character_file("/dev/null"));
+}
+
+TEST_CASE("A missing file, a directory and a file in place of a folder are errors that name them") {
+  const Folder folder;
+  DiskFileSystem disk;
+  const auto missing = disk.read(folder / "none");
+  REQUIRE_FALSE(missing);
+  CHECK(missing.error().message == "cannot read `" + (folder / "none") + "`: there is no such file or folder");
+  const auto directory = disk.read(folder / "");
+  REQUIRE_FALSE(directory);
+  CHECK(test::contains(directory.error().message, "it is a directory"));
+  CHECK_FALSE(disk.write(folder / "", "x"));
+  REQUIRE(disk.write(folder / "f", "x"));
+  const auto below = disk.write(folder / "f/g", "x");
+  REQUIRE_FALSE(below);
+  CHECK_THAT(below.error().message, Catch::Matchers::StartsWith("cannot write `" + (folder / "f/g") + "`: "));
+}
+
+TEST_CASE("Without permission nothing is read, written or left behind") {
+  const Folder folder;
+  DiskFileSystem disk;
+  REQUIRE(disk.write(folder / "sub/f", "old"));
+  fs::permissions(folder / "sub/f", fs::perms::none);
+  fs::permissions(folder / "sub", fs::perms(0500));
+  // The superuser may do everything; then there is nothing to see here.
+  if (::geteuid() != 0) {
+    const auto unread = disk.read(folder / "sub/f");
+    REQUIRE_FALSE(unread);
+    CHECK_THAT(unread.error().message, Catch::Matchers::EndsWith("no permission"));
+    CHECK_FALSE(disk.write(folder / "sub/f", "new"));
+  }
+  fs::permissions(folder / "sub", fs::perms(0700));
+  fs::permissions(folder / "sub/f", fs::perms(0600));
+  CHECK(std::distance(fs::directory_iterator(folder / "sub"), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("The file system of tests behaves likewise") {
+  symplant::test::MemoryFileSystem memory;
+  CHECK_FALSE(memory.read("a"));
+  CHECK(*memory.write("a", "x"));
+  CHECK_FALSE(*memory.write("a", "x"));
+  CHECK(*memory.read("a") == "x");
+  memory.faults["a"] = "no permission";
+  CHECK(memory.read("a").error().message == "cannot read `a`: no permission");
+}

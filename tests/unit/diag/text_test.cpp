@@ -1,0 +1,143 @@
+// Findings as text.
+#include "diag/text.hpp"
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+
+using namespace symplant;
+using diag::Diagnostics;
+using diag::render_text;
+
+namespace {
+
+constexpr diag::RuleInfo kRule{"SP201", "wrong-number-of-levels", diag::Severity::warning, "", ""};
+constexpr diag::RuleInfo kError{"SP101", "cannot-read-file", diag::Severity::error, "", ""};
+
+std::shared_ptr<const base::SourceFile> source_of(std::string text) {
+  return std::make_shared<base::SourceFile>("list.csv", std::move(text));
+}
+
+std::string rendered(const std::string& text, base::Span span) {
+  Diagnostics found;
+  found.add(kRule, "odd", {source_of(text), span});
+  return render_text(found.all());
+}
+
+/// The last line: the underline.
+std::string underline(const std::string& text, base::Span span) {
+  std::string all = rendered(text, span);
+  all.pop_back();
+  return all.substr(all.rfind('\n') + 1);
+}
+
+}  // namespace
+
+TEST_CASE("A finding shows its row and underlines its place") {
+  CHECK(rendered("first\nVAR_GLOBAL,A_B,X1\n", {17, 20}) ==
+        "list.csv:2:12: warning: odd [SP201 wrong-number-of-levels]\n"
+        "    2 | VAR_GLOBAL,A_B,X1\n"
+        "      |            ^~~\n");
+}
+
+TEST_CASE("Related places follow as notes") {
+  const auto source = source_of("A,X1\nA,X2\n");
+  Diagnostics found;
+  std::vector<diag::Related> related(1);
+  related[0].place = {source, {0, 1}};
+  related[0].message = "first declared here";
+  found.add(kRule, "`A` again", {source, {5, 6}}, related);
+  CHECK(render_text(found.all()) ==
+        "list.csv:2:1: warning: `A` again [SP201 wrong-number-of-levels]\n"
+        "    2 | A,X2\n"
+        "      | ^\n"
+        "list.csv:1:1: note: first declared here\n"
+        "    1 | A,X1\n"
+        "      | ^\n");
+}
+
+TEST_CASE("The underline stands right under tabs, wide, combining and escaped characters") {
+  CHECK(underline("a\tb", {2, 3}) == "      |     ^");
+  CHECK(underline("\xEC\x9A\xB4\xEC\xA0\x84,b", {7, 8}) == "      |      ^");
+  CHECK(underline("\xEC\x9A\xB4\xEC\xA0\x84", {3, 6}) == "      |   ^~");
+  CHECK(underline("e\xCC\x81,b", {4, 5}) == "      |   ^");
+  CHECK(underline("\x01,b", {2, 3}) == "      |          ^");
+}
+
+TEST_CASE("A place without extent and one at the end of the row get one mark") {
+  CHECK(underline("abc", {1, 1}) == "      |  ^");
+  CHECK(underline("abc\n", {3, 3}) == "      |    ^");
+}
+
+TEST_CASE("A place over several rows is underlined to the end of its first") {
+  CHECK(underline("ab\ncd", {1, 5}) == "      |  ^");
+  CHECK(underline("abcd\nef", {1, 7}) == "      |  ^~~");
+}
+
+TEST_CASE("A long row is cut to a window around the place") {
+  const std::string text = std::string(500, 'x') + "HERE" + std::string(500, 'y');
+  const std::string all = rendered(text, {500, 504});
+  CHECK(all.substr(all.find('\n') + 1) == "    1 | \xE2\x80\xA6" + std::string(40, 'x') + "HERE" +
+                                              std::string(75, 'y') + "\xE2\x80\xA6\n      | " + std::string(41, ' ') +
+                                              "^~~~\n");
+}
+
+TEST_CASE("A long row is shown from its beginning where the place is near it") {
+  const std::string all = rendered("HERE" + std::string(1000, 'y'), {0, 4});
+  CHECK(all.substr(all.find('\n') + 1) == "    1 | HERE" + std::string(116, 'y') + "\xE2\x80\xA6\n      | ^~~~\n");
+}
+
+TEST_CASE("A place longer than the window is underlined as far as it is shown") {
+  const std::string line = underline(std::string(100000, 'x'), {0, 100000});
+  CHECK(line == "      | ^" + std::string(119, '~'));
+}
+
+TEST_CASE("A finding in an empty text has no line, one without a source no file") {
+  Diagnostics found;
+  found.add(kError, "empty", {source_of(""), {}});
+  found.add(kError, "cannot", {});
+  CHECK(render_text(found.all()) ==
+        "list.csv: error: empty [SP101 cannot-read-file]\n"
+        "error: cannot [SP101 cannot-read-file]\n");
+}
+
+TEST_CASE("User text in messages and paths cannot steer the terminal") {
+  Diagnostics found;
+  found.add(kError, "name `\x1b[2J`", {std::make_shared<base::SourceFile>("a\nb.csv", ""), {}});
+  CHECK(render_text(found.all()) == "a<U+000A>b.csv: error: name `<U+001B>[2J` [SP101 cannot-read-file]\n");
+}
+
+TEST_CASE("Colour is put in only where it is asked for") {
+  Diagnostics found;
+  found.add(kRule, "odd", {source_of("abc"), {0, 1}});
+  CHECK(render_text(found.all()).find('\x1b') == std::string::npos);
+  const std::string coloured = render_text(found.all(), {.colour = true});
+  CHECK(coloured ==
+        "\x1b[1mlist.csv:1:1: \x1b[0m\x1b[1;35mwarning:\x1b[0m odd [SP201 wrong-number-of-levels]\n"
+        "    1 | abc\n      | \x1b[1;32m^\x1b[0m\n");
+}
+
+TEST_CASE("After so many findings of one rule the rest are counted") {
+  const auto source = source_of("abc");
+  Diagnostics found;
+  for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
+  found.add(kError, "bad", {source, {0, 1}});
+  const std::string text = render_text(found.all(), {.fold_after = 2});
+  CHECK_THAT(text, Catch::EndsWith("... and 3 more of SP201 wrong-number-of-levels; --format json lists all\n"));
+  CHECK(test::contains(text, "error: bad"));
+  std::size_t shown = 0;
+  for (std::size_t at = text.find("odd"); at != std::string::npos; at = text.find("odd", at + 1)) ++shown;
+  CHECK(shown == 2);
+  CHECK(render_text(found.all(), {.fold_after = 5}).find("more of") == std::string::npos);
+  CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
+}
+
+TEST_CASE("Findings are counted by severity") {
+  Diagnostics found;
+  CHECK_FALSE(found.has_errors());
+  found.add(kRule, "odd", {});
+  CHECK_FALSE(found.has_errors());
+  found.add(kError, "bad", {});
+  CHECK(found.has_errors());
+  CHECK(found.count(diag::Severity::warning) == 1);
+  CHECK(found.count(diag::Severity::note) == 0);
+}
