@@ -26,12 +26,12 @@ struct IoPoint {
 };
 
 struct IoMap {
-  std::vector<IoPoint> points;                      ///< in the order of the symbol list
-  std::array<std::uint32_t, kTables> sizes{};       ///< highest number + 1, rounded up to a multiple of 16; 0: empty
-  std::array<bool, kTables> packed{};               ///< numbers are positions, not addresses: some address did not fit
-  std::vector<std::uint32_t> without_address;       ///< symbols on no link, for want of an address
-  std::vector<std::uint32_t> too_wide;              ///< numeric symbols that are not of 16 bits: on no register yet
-  std::vector<std::uint32_t> too_many;              ///< symbols beyond the 65,536 places of a table
+  std::vector<IoPoint> points;                 ///< in the order of the symbol list
+  std::array<std::uint32_t, kTables> sizes{};  ///< highest number + 1, rounded up to a multiple of 16; 0: empty
+  std::array<bool, kTables> packed{};          ///< numbers are positions, not addresses: some address did not fit
+  std::vector<std::uint32_t> without_address;  ///< symbols on no link, for want of an address
+  std::vector<std::uint32_t> too_wide;         ///< numeric symbols that are not of 16 bits: on no register yet
+  std::vector<std::uint32_t> too_many;         ///< symbols beyond the 65,536 places of a table
 };
 
 /// The default map: a symbol's number is its address's own; where one symbol of a table has none or one beyond 65535,

@@ -19,7 +19,7 @@ struct LinkError {
 };
 
 struct LinkStatus {
-  std::uint64_t requests = 0;        ///< answered, exceptions included
+  std::uint64_t requests = 0;  ///< answered, exceptions included
   std::uint64_t exceptions = 0;
   std::uint64_t writes_to_gaps = 0;  ///< places written that no symbol stands on
   std::uint32_t connections = 0;     ///< open now

@@ -52,8 +52,8 @@ class LoopLink final : public Link {
   SymbolNames names_;
   std::size_t operation_words_;  ///< of bits; a word each numeric operation follows
   std::size_t event_words_;
-  share::SharedWords operations_;  ///< PLC -> cycle
-  share::SharedWords events_;      ///< cycle -> PLC
+  share::SharedWords operations_;       ///< PLC -> cycle
+  share::SharedWords events_;           ///< cycle -> PLC
   std::vector<std::uint64_t> applied_;  ///< operations that the plant was given
   bool events_written_ = false;
 };

@@ -155,14 +155,9 @@ struct Function {
 };
 
 constexpr std::array kFunctions = {
-    Function{1, read_coils},
-    Function{2, read_discrete_inputs},
-    Function{3, read_holding_registers},
-    Function{4, read_input_registers},
-    Function{5, write_single_coil},
-    Function{6, write_single_register},
-    Function{15, write_coils},
-    Function{16, write_registers},
+    Function{1, read_coils},           Function{2, read_discrete_inputs}, Function{3, read_holding_registers},
+    Function{4, read_input_registers}, Function{5, write_single_coil},    Function{6, write_single_register},
+    Function{15, write_coils},         Function{16, write_registers},
 };
 
 bool gets_no_reply(Request request) noexcept { return request.empty() || request[0] >= kFirstReserved; }

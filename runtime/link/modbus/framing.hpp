@@ -20,10 +20,10 @@ struct Frame {
     foreign,     ///< a whole frame of another protocol: to be dropped without an answer
     broken,      ///< no frame, and no telling where the next one begins: the connection is to be closed
   } kind = Kind::incomplete;
-  std::size_t consumed = 0;            ///< bytes that the frame takes
-  std::uint16_t transaction = 0;       ///< to be echoed
-  std::uint8_t unit = 0;               ///< to be echoed
-  std::span<const std::uint8_t> pdu{}; ///< within the bytes given
+  std::size_t consumed = 0;             ///< bytes that the frame takes
+  std::uint16_t transaction = 0;        ///< to be echoed
+  std::uint8_t unit = 0;                ///< to be echoed
+  std::span<const std::uint8_t> pdu{};  ///< within the bytes given
 };
 
 /// Looks at the front of `bytes` and never past the frame that its header announces.

@@ -64,7 +64,7 @@ class Images {
   ByPlace holding_registers_;
   std::vector<std::uint32_t> place_of_event_;  ///< an event bit: its discrete input, or none
   std::vector<RegisterPoint> input_registers_;
-  std::vector<std::uint64_t> applied_;  ///< operations that the plant was given, as in the image
+  std::vector<std::uint64_t> applied_;         ///< operations that the plant was given, as in the image
   std::vector<std::uint64_t> events_written_;  ///< the plant's event plane as the image has it
   bool first_write_ = true;
   share::SharedWords operations_;  ///< server -> cycle

@@ -53,8 +53,7 @@ LinkError bind_error(const HostPort& address, int error) {
     return usage("host `" + address.host +
                  "` is no address of this machine: give one that is, 127.0.0.1 for clients on it only");
   }
-  return environment("cannot listen on `" + format_host_port(address) +
-                     "`: " + std::generic_category().message(error));
+  return environment("cannot listen on `" + format_host_port(address) + "`: " + std::generic_category().message(error));
 }
 
 std::uint16_t port_of(int socket) {

@@ -47,9 +47,9 @@ class Server {
   Responder& responder_;
   std::size_t max_connections_;
   Descriptor epoll_;
-  Descriptor wake_;                                ///< an eventfd: written once, to end the thread
+  Descriptor wake_;                                 ///< an eventfd: written once, to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
-  std::uint64_t uses_ = 0;                         ///< counts accepts and requests, to tell who was used last
+  std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to tell who was used last
   bool listening_ = true;
   std::atomic<std::uint32_t> open_{0};
   std::thread thread_;

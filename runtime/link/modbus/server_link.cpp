@@ -80,8 +80,8 @@ class ServerLink final : public Link {
 
 LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables) {
   if (rest.substr(0, 2) != "//") {
-    return LinkError{LinkError::Kind::usage,
-                     "`" + std::string(rest) + "` behind `" + std::string(kScheme) + ":` is no address: give //HOST:PORT"};
+    return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
+                                                 ":` is no address: give //HOST:PORT"};
   }
   auto address = parse_host_port(rest.substr(2));
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);

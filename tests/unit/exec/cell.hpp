@@ -1,0 +1,92 @@
+// The paper's cell as hand-written tables: an AGV and a machine, two states each, every travel 1 s.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "symplant/core/plant.hpp"
+
+namespace symplant::test {
+
+/// A plant with memory of its own.
+class OwnedPlant {
+ public:
+  explicit OwnedPlant(const core::PlantTables& tables)
+      : memory_(core::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1),
+        plant_(tables, std::as_writable_bytes(std::span(memory_))) {}
+
+  core::Plant& operator*() noexcept { return plant_; }
+  core::Plant* operator->() noexcept { return &plant_; }
+
+ private:
+  std::vector<std::max_align_t> memory_;
+  core::Plant plant_;
+};
+
+namespace cell {
+
+/// Bits in the planes and rows in the symbol list.
+enum Operation : std::uint32_t { kAgvToP2, kAgvToP1, kMachineToIdle1, kMachineToRun2 };
+enum Event : std::uint32_t { kAgvAtP1, kAgvAtP2, kMachineIdle1, kMachineRun2 };
+
+inline constexpr std::array<std::uint64_t, 2> kEvents = {1, 2};
+inline constexpr std::array kAgvWays = {core::Transition{0, 1, 0}, core::Transition{1, 0, 1}};
+inline constexpr std::array<std::uint8_t, 2> kAgvTargets = {1, 0};
+inline constexpr std::array kMachineWays = {core::Transition{0, 1, 1}, core::Transition{1, 0, 0}};
+inline constexpr std::array<std::uint8_t, 2> kMachineTargets = {0, 1};
+inline constexpr std::array kTypes = {
+    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kAgvWays, kEvents, kEvents, kAgvTargets},
+    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kMachineWays, kEvents, kEvents, kMachineTargets},
+};
+inline constexpr std::array kUnits = {core::UnitRow{0, 0, 0, 0, 0}, core::UnitRow{1, 2, 2, 0, 0}};
+inline constexpr core::TransitionTimes kTravel = {0, core::kSecond};
+inline constexpr std::array kTimes = {kTravel, kTravel, kTravel};
+
+constexpr core::SymbolRow symbol(std::uint32_t index, std::uint32_t unit, core::Direction direction,
+                                 std::uint32_t row) {
+  return {.index = index,
+          .unit = unit,
+          .number = index + 1,  // X0001 and Y0001 are the first
+          .row = row,
+          .type = core::DataType::boolean,
+          .direction = direction,
+          .form = core::AddressForm::number,
+          .moved = true};
+}
+inline constexpr auto kIn = core::Direction::event;
+inline constexpr auto kOut = core::Direction::operation;
+inline constexpr std::array kSymbols = {symbol(0, 0, kIn, 2),  symbol(1, 0, kIn, 3), symbol(0, 0, kOut, 4),
+                                        symbol(1, 0, kOut, 5), symbol(2, 1, kIn, 6), symbol(3, 1, kIn, 7),
+                                        symbol(2, 1, kOut, 8), symbol(3, 1, kOut, 9)};
+
+template <std::size_t N>
+constexpr std::string_view blob(const char (&text)[N]) {
+  return {text, N};
+}
+
+}  // namespace cell
+
+inline core::PlantTables cell_tables() {
+  core::PlantTables tables{};
+  tables.name = "cell";
+  tables.types = cell::kTypes;
+  tables.units = cell::kUnits;
+  tables.times = cell::kTimes;
+  tables.symbols = cell::kSymbols;
+  tables.operation_bits = 64;
+  tables.event_bits = 64;
+  tables.unit_names = cell::blob("EXLINE_MB_AGV\0EXLINE_MB_MC");
+  tables.state_names = cell::blob("P1\0P2\0IDLE1\0RUN2");
+  tables.symbol_names = cell::blob(
+      "EXLINE_MB_AGV_I_P1\0X0001\0EXLINE_MB_AGV_I_P2\0X0002\0"
+      "EXLINE_MB_AGV_O_P2\0Y0001\0EXLINE_MB_AGV_O_P1\0Y0002\0"
+      "EXLINE_MB_MC_I_IDLE1\0X0003\0EXLINE_MB_MC_I_RUN2\0X0004\0"
+      "EXLINE_MB_MC_O_IDLE1\0Y0003\0EXLINE_MB_MC_O_RUN2\0Y0004");
+  tables.list = "cell.csv";
+  return tables;
+}
+
+}  // namespace symplant::test

@@ -1,0 +1,283 @@
+// The cycle: its order, its deadlines, and what happens when real time runs late. All on a clock that the tests hold.
+#include "symplant/exec/cycle.hpp"
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "unit/exec/cell.hpp"
+
+using namespace symplant;
+using core::kMillisecond;
+using core::kSecond;
+using core::Time;
+
+namespace {
+
+/// Time passes only when somebody sleeps or says so. Its zero is not the plant's.
+class FakeClock final : public exec::Clock {
+ public:
+  Time now() noexcept override { return now_; }
+  void sleep_until(Time time) noexcept override {
+    longest_sleep = std::max(longest_sleep, time - now_);
+    now_ = wakes_early ? now_ + (time - now_ + 1) / 2 : time;
+    if (on_sleep) on_sleep();
+  }
+  void pass(Time duration) noexcept { now_ += duration; }
+
+  Time longest_sleep = 0;
+  bool wakes_early = false;
+  std::function<void()> on_sleep;
+
+ private:
+  Time now_ = 123 * kSecond + 456;
+};
+
+/// Writes down who was called when, and does what a test wants done then.
+class FakeLink final : public exec::Exchange {
+ public:
+  enum class Call { read, write };
+  struct Entry {
+    Call call;
+    Time plant_time;
+    std::size_t changed_words;
+  };
+
+  void read_operations(core::Plant& plant) noexcept override {
+    entries.push_back({Call::read, plant.now(), 0});
+    if (on_read) on_read(plant);
+  }
+  void write_events(const core::Plant& plant) noexcept override {
+    entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
+    if (on_write) on_write(plant);
+  }
+
+  /// Plant times of all writes, in order.
+  std::vector<Time> written() const {
+    std::vector<Time> times;
+    for (const Entry& entry : entries) {
+      if (entry.call == Call::write) times.push_back(entry.plant_time);
+    }
+    return times;
+  }
+
+  std::vector<Entry> entries;
+  std::function<void(core::Plant&)> on_read;
+  std::function<void(const core::Plant&)> on_write;
+};
+
+struct Bench {
+  core::PlantTables tables = test::cell_tables();
+  test::OwnedPlant plant{tables};
+  FakeClock clock;
+  FakeLink link;
+  std::atomic<bool> stop{false};
+
+  exec::CycleStatistics run(const exec::CycleOptions& options) {
+    const std::array<exec::Exchange*, 1> links = {&link};
+    return exec::run_cycles(*plant, links, options, clock, nullptr, stop);
+  }
+};
+
+std::vector<Time> every_10_ms(int from, int to) {
+  std::vector<Time> times;
+  for (int cycle = from; cycle <= to; ++cycle) times.push_back(cycle * 10 * kMillisecond);
+  return times;
+}
+
+}  // namespace
+
+TEST_CASE("a link gets the events of the first instant before the first cycle") {
+  Bench bench;
+  bool at_p1 = false;
+  bool idle = false;
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (bench.link.entries.size() > 1) return;
+    at_p1 = plant.event(test::cell::kAgvAtP1);
+    idle = plant.event(test::cell::kMachineIdle1);
+  };
+  bench.run({.until = 0});
+  REQUIRE(bench.link.entries.size() == 1);
+  CHECK(bench.link.entries[0].call == FakeLink::Call::write);
+  CHECK(bench.link.entries[0].plant_time == 0);
+  CHECK(at_p1);
+  CHECK(idle);
+}
+
+TEST_CASE("each cycle reads operations, advances the plant, writes events") {
+  Bench bench;
+  const auto statistics = bench.run({.until = 30 * kMillisecond});
+  using Call = FakeLink::Call;
+  const std::vector<std::pair<Call, Time>> expected = {
+      {Call::write, 0},
+      {Call::read, 0},
+      {Call::write, 10 * kMillisecond},
+      {Call::read, 10 * kMillisecond},
+      {Call::write, 20 * kMillisecond},
+      {Call::read, 20 * kMillisecond},
+      {Call::write, 30 * kMillisecond},
+  };
+  std::vector<std::pair<Call, Time>> seen;
+  for (const auto& entry : bench.link.entries) seen.emplace_back(entry.call, entry.plant_time);
+  CHECK(seen == expected);
+  CHECK(statistics.cycles == 3);
+}
+
+TEST_CASE("an operation read in a cycle belongs to that cycle's instant") {
+  Bench bench;
+  std::vector<Time> left;
+  std::vector<Time> arrived;
+  bench.link.on_read = [](core::Plant& plant) { plant.set_operation(test::cell::kAgvToP2, true); };
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (left.empty() && !plant.event(test::cell::kAgvAtP1)) left.push_back(plant.now());
+    if (arrived.empty() && plant.event(test::cell::kAgvAtP2)) arrived.push_back(plant.now());
+  };
+  bench.run({.until = 2 * kSecond});
+  CHECK(left == std::vector<Time>{10 * kMillisecond});
+  CHECK(arrived == std::vector<Time>{1010 * kMillisecond});
+}
+
+TEST_CASE("changed events are those since the link's last turn") {
+  Bench bench;
+  bench.run({.until = 50 * kMillisecond});
+  std::size_t changed = 0;
+  for (std::size_t i = 1; i < bench.link.entries.size(); ++i) changed += bench.link.entries[i].changed_words;
+  CHECK(bench.link.entries[0].changed_words == 1);
+  CHECK(changed == 0);
+}
+
+TEST_CASE("every link has its turn in every cycle") {
+  Bench bench;
+  FakeLink other;
+  const std::array<exec::Exchange*, 2> links = {&bench.link, &other};
+  exec::run_cycles(*bench.plant, links, {.until = 50 * kMillisecond}, bench.clock, nullptr, bench.stop);
+  CHECK(other.written() == every_10_ms(0, 5));
+  CHECK(bench.link.written() == every_10_ms(0, 5));
+}
+
+TEST_CASE("a run on time counts its cycles and nothing else") {
+  Bench bench;
+  const Time begin = bench.clock.now();
+  const auto statistics = bench.run({.until = kSecond});
+  CHECK(statistics.cycles == 100);
+  CHECK(statistics.overruns == 0);
+  CHECK(statistics.slipped == 0);
+  CHECK(statistics.max_lateness == 0);
+  CHECK(bench.clock.now() - begin == kSecond);
+}
+
+TEST_CASE("work that takes part of the cycle moves no deadline") {
+  Bench bench;
+  const Time begin = bench.clock.now();
+  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(9 * kMillisecond); };
+  const auto statistics = bench.run({.until = 100 * kMillisecond});
+  CHECK(statistics.overruns == 0);
+  CHECK(statistics.max_lateness == 0);
+  CHECK(bench.clock.now() - begin == 118 * kMillisecond);  // 9 before the first, 10 cycles, 9 at the end
+}
+
+TEST_CASE("a plant that is late catches up in order, each cycle at its own time") {
+  Bench bench;
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
+  };
+  const auto statistics = bench.run({.until = 100 * kMillisecond});
+  CHECK(bench.link.written() == every_10_ms(0, 10));
+  CHECK(statistics.overruns == 3);  // the long one, and the two that ended after the next was due
+  CHECK(statistics.max_lateness == 25 * kMillisecond);
+  CHECK(statistics.slipped == 0);
+}
+
+TEST_CASE("exactly ten cycles are caught up without a slip") {
+  Bench bench;
+  const Time begin = bench.clock.now();
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (plant.now() == 30 * kMillisecond) bench.clock.pass(119 * kMillisecond);
+  };
+  const auto statistics = bench.run({.until = 200 * kMillisecond});
+  CHECK(statistics.slipped == 0);
+  CHECK(statistics.max_lateness == 109 * kMillisecond);
+  CHECK(bench.clock.now() - begin == 200 * kMillisecond);
+}
+
+TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
+  Bench bench;
+  const Time begin = bench.clock.now();
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (plant.now() == 30 * kMillisecond) bench.clock.pass(500 * kMillisecond);
+  };
+  const auto statistics = bench.run({.until = kSecond});
+  CHECK(bench.link.written() == every_10_ms(0, 100));
+  CHECK(statistics.slipped == 390 * kMillisecond);
+  CHECK(statistics.max_lateness == 490 * kMillisecond);
+  CHECK(statistics.overruns == 11);
+  CHECK(bench.clock.now() - begin == 1390 * kMillisecond);
+}
+
+TEST_CASE("without catching up every whole cycle of delay is slipped") {
+  Bench bench;
+  bench.link.on_write = [&](const core::Plant& plant) {
+    if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
+  };
+  const auto statistics = bench.run({.until = 100 * kMillisecond, .max_catch_up = 0});
+  CHECK(bench.link.written() == every_10_ms(0, 10));
+  CHECK(statistics.slipped == 20 * kMillisecond);
+}
+
+TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
+  Bench bench;
+  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(20 * kMillisecond); };
+  const auto statistics = bench.run({.until = kSecond});
+  CHECK(statistics.cycles == 100);
+  CHECK(statistics.overruns == 100);
+  CHECK(statistics.slipped > 800 * kMillisecond);
+  CHECK(statistics.slipped < kSecond);
+}
+
+TEST_CASE("the last cycle ends at the end asked for, even within a cycle") {
+  Bench bench;
+  bench.run({.until = 25 * kMillisecond});
+  CHECK(bench.link.written() == std::vector<Time>{0, 10 * kMillisecond, 20 * kMillisecond, 25 * kMillisecond});
+}
+
+TEST_CASE("a stop ends the run after the cycle under way") {
+  Bench bench;
+  bench.link.on_write = [&](const core::Plant& plant) { bench.stop = plant.now() == 50 * kMillisecond; };
+  const auto statistics = bench.run({});
+  CHECK(statistics.cycles == 5);
+  CHECK(bench.link.written() == every_10_ms(0, 5));
+}
+
+TEST_CASE("a stop is seen in the middle of a long cycle") {
+  Bench bench;
+  bench.clock.on_sleep = [&] { bench.stop = true; };
+  const auto statistics = bench.run({.cycle = 3600 * kSecond});
+  CHECK(statistics.cycles == 0);
+  CHECK(bench.clock.longest_sleep <= 100 * kMillisecond);
+}
+
+TEST_CASE("a sleep that ends early starts no cycle early") {
+  Bench bench;
+  bench.clock.wakes_early = true;
+  const Time begin = bench.clock.now();
+  bench.link.on_write = [&](const core::Plant& plant) { CHECK(bench.clock.now() - begin == plant.now()); };
+  const auto statistics = bench.run({.until = 100 * kMillisecond});
+  CHECK(statistics.cycles == 10);
+}
+
+TEST_CASE("a plant that has run already goes on from its own time") {
+  Bench bench;
+  bench.plant->advance_to(5 * kSecond);
+  bench.run({.until = 5 * kSecond + 20 * kMillisecond});
+  CHECK(bench.link.written() ==
+        std::vector<Time>{5 * kSecond, 5 * kSecond + 10 * kMillisecond, 5 * kSecond + 20 * kMillisecond});
+}
+
+TEST_CASE("the monotonic clock sleeps until the time asked for") {
+  exec::MonotonicClock clock;
+  const Time begin = clock.now();
+  while (clock.now() < begin + kMillisecond) clock.sleep_until(begin + kMillisecond);
+  CHECK(clock.now() >= begin + kMillisecond);
+  clock.sleep_until(begin);  // in the past: comes back at once
+}
