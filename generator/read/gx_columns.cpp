@@ -111,9 +111,10 @@ bool names_a_list(const GxColumns& columns, const CsvRow& row) {
   return columns.has(GxField::type) && header_word(row.cell(columns[GxField::name])) != "name";
 }
 
+bool is_filled(std::string_view cell) { return !cell.empty(); }
+
 /// A class with more in its row: alone it is a line of a program.
 bool is_classed(const CsvRow& row) {
-  const auto is_filled = [](std::string_view cell) { return !cell.empty(); };
   return std::any_of(row.cells.begin(), row.cells.end(), is_class) &&
          std::count_if(row.cells.begin(), row.cells.end(), is_filled) > 1;
 }
@@ -130,13 +131,25 @@ std::size_t vote(const std::vector<CsvRow>& rows, const GxColumns& taken, bool (
   return static_cast<std::size_t>(most - votes.begin());
 }
 
+/// In most rows of a sample the cell of that column can be a name.
+bool holds_names(const std::vector<CsvRow>& rows, std::size_t column) {
+  const auto names = std::count_if(rows.begin(), rows.end(), [&](const CsvRow& row) {
+    const std::string_view cell = row.cell(column);
+    return is_filled(cell) && !is_type(cell) && !looks_like_iec_address(cell);
+  });
+  return static_cast<std::size_t>(names) * 2 > rows.size();
+}
+
 /// Without a header: class, type and addresses by their content, the rest by where it stands relative to them.
 GxColumns guessed_columns(const std::vector<CsvRow>& rows) {
   GxColumns columns;
   columns.set(GxField::klass, vote(rows, columns, is_class));
-  columns.set(GxField::name, columns[GxField::klass] + 1);
+  // Next to the class stands the name, which may look like an address (P1): it is taken before these are looked for.
+  const std::size_t beside = columns[GxField::klass] + 1;
+  if (holds_names(rows, beside)) columns.set(GxField::name, beside);
   columns.set(GxField::iec_address, vote(rows, columns, looks_like_iec_address));
   columns.set(GxField::type, vote(rows, columns, is_type));
+  if (!columns.has(GxField::name)) columns.set(GxField::name, vote(rows, columns, is_filled));
   columns.set(GxField::vendor_address, vote(rows, columns, looks_like_vendor_address));
   const std::size_t type = columns[GxField::type];
   if (type == kNoColumn) return columns;
@@ -180,7 +193,7 @@ GxSearch search_by(std::string_view text, char delimiter) {
     if (!search.nameless_header && !layout.columns.has(GxField::name) && layout.columns.count() >= 3) {
       search.nameless_header = row.whole;
     }
-    if (!is_classed(row)) continue;
+    if (search.nameless_header || !is_classed(row)) continue;
     layout.rows_begin = row.whole.begin;
     layout.rows_line = row.line;
     layout.columns = guessed_columns(sample_rows(text, layout, arena));

@@ -115,8 +115,8 @@ class GxIecReading {
                                                  std::to_string(layout.rows_line) + " on");
     decisions.push_back("columns: " + describe(layout.columns));
     if (exchanged_ != 0) {
-      decisions.push_back("addresses: in " + std::to_string(exchanged_) +
-                          " rows they stand in each other's column; their notation counts");
+      decisions.push_back("addresses in the other one's column: " + std::to_string(exchanged_) +
+                          "; their notation counts");
     }
     decisions.push_back("rows: " + std::to_string(table_.rows.size()) + " read, " + std::to_string(left_out_) +
                         " left out");

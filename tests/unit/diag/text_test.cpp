@@ -122,7 +122,8 @@ TEST_CASE("After so many findings of one rule the rest are counted") {
   for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
   found.add(kError, "bad", {source, {0, 1}});
   const std::string text = render_text(found.all(), {.fold_after = 2});
-  CHECK_THAT(text, Catch::EndsWith("... and 3 more of SP201 wrong-number-of-levels; --format json lists all\n"));
+  CHECK_THAT(text,
+             Catch::Matchers::EndsWith("... and 3 more of SP201 wrong-number-of-levels; --format json lists all\n"));
   CHECK(test::contains(text, "error: bad"));
   std::size_t shown = 0;
   for (std::size_t at = text.find("odd"); at != std::string::npos; at = text.find("odd", at + 1)) ++shown;

@@ -1,0 +1,54 @@
+// Reads real lists, which are not part of the project: SYMPLANT_CORPUS names their folder. Returns 77 (skipped)
+// without.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "diag/text.hpp"
+#include "read/readers.hpp"
+
+namespace {
+
+using symplant::diag::Diagnostics;
+
+int faults = 0;
+
+void check(bool good, const std::string& what) {
+  if (good) return;
+  std::printf("FAILED: %s\n", what.c_str());
+  ++faults;
+}
+
+/// Whatever a file is, reading it gives a table with rows or an error that names the file.
+void reads_or_says_why(const std::string& path) {
+  Diagnostics diagnostics;
+  const auto table = symplant::read::read_symbol_list(path, {}, symplant::base::DiskFileSystem(), diagnostics);
+  check(table.has_value() != diagnostics.has_errors(), path + ": neither a table nor an error, or both");
+  check(!table || !table->rows.empty(), path + ": a table without rows");
+  std::printf("%s: %zu rows\n%s\n", path.c_str(), table ? table->rows.size() : 0,
+              symplant::diag::render_text(diagnostics.all(), {.fold_after = 2}).c_str());
+}
+
+void has_rows(const std::string& path, std::size_t rows) {
+  Diagnostics diagnostics;
+  const auto table = symplant::read::read_symbol_list(path, {}, symplant::base::DiskFileSystem(), diagnostics);
+  check(table && table->rows.size() == rows, path + ": other rows than known");
+}
+
+}  // namespace
+
+int main() {
+  const char* const corpus = std::getenv("SYMPLANT_CORPUS");
+  if (corpus == nullptr || *corpus == '\0') {
+    std::puts("SYMPLANT_CORPUS is not set: skipped");
+    return 77;
+  }
+  const std::string folder = std::string(corpus) + "/";
+  has_rows(folder + "mitsubishi/gxworks3_Global.csv", 25);
+  for (const char* file :
+       {"mitsubishi/gxworks3_Global.csv", "lselectric/xg5000_global.csv", "mitsubishi/fx-trolley_COMMENT.csv",
+        "beckhoff/GVL_IO.TcGVL", "siemens/PLCTags.xlsx", "siemens/step7_symbols.asc", "rockwell/hangul_Tags.csv"}) {
+    reads_or_says_why(folder + file);
+  }
+  return faults == 0 ? 0 : 1;
+}

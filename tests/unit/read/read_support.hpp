@@ -1,0 +1,60 @@
+// What the tests of reading share: reading from memory, and a table as text.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "diag/text.hpp"
+#include "read/readers.hpp"
+#include "support/golden.hpp"
+#include "support/memory_file_system.hpp"
+
+namespace symplant::test {
+
+inline const std::string kGoldens = std::string(SYMPLANT_GOLDEN_READ) + "/";
+
+struct Reading {
+  std::optional<read::SymbolTable> table;
+  diag::Diagnostics diagnostics;
+};
+
+inline Reading read_text(const std::string& bytes, const std::string& name = "list.csv",
+                         const read::ReadOptions& options = {}) {
+  MemoryFileSystem files;
+  files.files[name] = bytes;
+  Reading reading;
+  reading.table = read::read_symbol_list(name, options, files, reading.diagnostics);
+  return reading;
+}
+
+/// Under its own name without the folder, so that messages are the same everywhere.
+inline Reading read_golden(const std::string& path) {
+  return read_text(read_bytes(path), std::filesystem::path(path).filename().string());
+}
+
+/// The lists of a folder by name; expected outcomes are none.
+inline std::vector<std::string> lists_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.find("expected.txt") == std::string::npos) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+inline std::string rows_as_text(const read::SymbolTable& table) {
+  std::string text;
+  for (const read::ListRow& row : table.rows) {
+    for (const std::string_view cell :
+         {row.klass, row.name, row.vendor_address, row.iec_address, row.type, row.initial, row.comment}) {
+      text.append(cell).append("|");
+    }
+    text.back() = '\n';
+  }
+  return text;
+}
+
+}  // namespace symplant::test

@@ -1,0 +1,38 @@
+// The catalogue of reading's rules.
+#include "read/rules.hpp"
+
+#include <set>
+
+#include "read_support.hpp"
+#include "support/strings.hpp"
+
+using namespace symplant;
+
+TEST_CASE("Rules of reading stand by id, have a name each and a whole manual page") {
+  std::string_view last;
+  std::set<std::string_view> slugs;
+  for (const diag::RuleInfo* rule : read::rules()) {
+    INFO(rule->id);
+    CHECK(rule->id > last);
+    CHECK(test::contains(rule->id, "SP1"));
+    CHECK(rule->id.size() == 5);
+    CHECK(slugs.insert(rule->slug).second);
+    CHECK_FALSE(rule->summary.empty());
+    CHECK(test::contains(rule->page, "**What the model loses**"));
+    CHECK(test::contains(rule->page, "**How to mend it**"));
+    CHECK(rule->page.back() == '\n');
+    last = rule->id;
+  }
+}
+
+TEST_CASE("Each rule of reading is fired by a golden or by name here") {
+  std::set<std::string_view> fired{"SP101", "SP106"};  // no file can show them: readers_test.cpp does
+  for (const std::string& file : test::lists_in(test::kGoldens + "bad/")) {
+    const test::Reading reading = test::read_golden(test::kGoldens + "bad/" + file);
+    for (const diag::Diagnostic& finding : reading.diagnostics.all()) fired.insert(finding.rule->id);
+  }
+  for (const diag::RuleInfo* rule : read::rules()) {
+    INFO(rule->id);
+    CHECK(fired.count(rule->id) == 1);
+  }
+}
