@@ -1,0 +1,23 @@
+// Every rule of the tool.
+#include "check/catalogue.hpp"
+
+#include "base/ascii.hpp"
+#include "check/rules.hpp"
+#include "read/rules.hpp"
+
+namespace symplant::check {
+
+std::vector<const diag::RuleInfo*> catalogue() {
+  std::vector<const diag::RuleInfo*> all(read::rules().begin(), read::rules().end());
+  for (const Rule* rule : kRules) all.push_back(&rule->info);
+  return all;
+}
+
+const diag::RuleInfo* find_rule(std::string_view id_or_slug) {
+  for (const diag::RuleInfo* rule : catalogue()) {
+    if (base::equal_ignoring_case(rule->id, id_or_slug) || base::equal_ignoring_case(rule->slug, id_or_slug)) return rule;
+  }
+  return nullptr;
+}
+
+}  // namespace symplant::check

@@ -1,0 +1,12 @@
+// Looks a plant model over by every rule.
+#pragma once
+
+#include "diag/diagnostic.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::check {
+
+/// Adds all findings, rule by rule. O(symbols + states) for each rule.
+void check_plant(const model::PlantModel& plant, diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::check

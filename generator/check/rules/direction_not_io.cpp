@@ -1,0 +1,35 @@
+// SP203 direction-not-io: the direction level is neither I nor O.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(The level of a symbol's name that tells its direction holds another word than the naming rule knows. Under the built-in
+rule it is `I` (the PLC reads it: an event of the plant) or `O` (the PLC writes it: an operation).
+
+**What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same, in
+the direction of its address.
+
+**How to mend it.** Write `I` or `O` there, as seen from the PLC: `EXLINE_MB_AGV_X_P1` with address X0001 becomes
+`EXLINE_MB_AGV_I_P1`.
+)";
+
+void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.reading.fault != name::NameFault::direction_not_io) continue;
+    diag::Place place = place_of(plant, symbol);
+    narrow(place, symbol);
+    diagnostics.add(rule.info,
+                    fmt::format("`{}` says `{}` where its direction should stand, `{}` wants I or O: nothing moves it; write the one that its address has",
+                                symbol.name(), faulty_part(symbol), plant.rule->pattern),
+                    place);
+  }
+}
+
+}  // namespace
+
+const Rule kDirectionNotIo{{"SP203", "direction-not-io", diag::Severity::warning, "the direction level is neither I nor O", kPage}, check_direction_not_io};
+
+}  // namespace symplant::check

@@ -1,0 +1,41 @@
+// SP402 event-without-operation: a device reports a state that it can never reach.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+#include <algorithm>
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(A device has an event for a task, but no operation for it, and nothing else that was inferred leads there: it is neither
+the rest state of a spring nor the next one of a numbered sequence.
+
+**What the model loses.** The event never comes on by itself. A program that waits for it waits for ever.
+
+**How to mend it.** Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`) if the
+device goes on to this one by itself.
+)";
+
+void check_event_without_operation(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Unit& unit : plant.units) {
+    if (unit.operations.empty() || unit.two_words) continue;
+    for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+      const model::State& state = unit.states[s];
+      const auto& ambiguous = unit.ambiguous_sequence;
+      if (state.event == model::kNone || state.operation != model::kNone || unit.reaches(s)) continue;
+      if (std::find(ambiguous.begin(), ambiguous.end(), s) != ambiguous.end()) continue;  // SP409 tells
+      const model::Symbol& symbol = event_of(plant, unit, state.event);
+      diagnostics.add(rule.info,
+                      fmt::format("`{}` reports {} of {}, but no operation leads there: add an operation with task {}, or "
+                                  "number the tasks if it comes by itself",
+                                  symbol.name(), state.name, unit.path, state.name),
+                      place_of(plant, symbol));
+    }
+  }
+}
+
+}  // namespace
+
+const Rule kEventWithoutOperation{{"SP402", "event-without-operation", diag::Severity::warning, "a device reports a state that it can never reach", kPage}, check_event_without_operation};
+
+}  // namespace symplant::check

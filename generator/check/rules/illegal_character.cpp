@@ -1,0 +1,35 @@
+// SP204 illegal-character: a name holds a character that no level may hold.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(A symbol's name holds a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a
+bracket. Letters and digits of every script are welcome.
+
+**What the model loses.** The name cannot be cut into levels, so the symbol is in no unit: nothing moves it, and it moves
+nothing. It is served all the same, under the name that it has.
+
+**How to mend it.** Take the character away, or write the separator in its place: `EXLINE-MB_AGV_I_P1` becomes
+`EXLINE_MB_AGV_I_P1`.
+)";
+
+void check_illegal_character(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.reading.fault != name::NameFault::illegal_character) continue;
+    diag::Place place = place_of(plant, symbol);
+    narrow(place, symbol);
+    diagnostics.add(rule.info,
+                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: nothing moves it; take it away or write `_` for it",
+                                symbol.name(), faulty_part(symbol)),
+                    place);
+  }
+}
+
+}  // namespace
+
+const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning, "a name holds a character that no level may hold", kPage}, check_illegal_character};
+
+}  // namespace symplant::check

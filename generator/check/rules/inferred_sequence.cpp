@@ -1,0 +1,31 @@
+// SP503 inferred-sequence: a device goes on to a numbered state by itself.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(Inference 3. A numbered state of a device has an event and no operation leading to it (`O_RUN2`, `I_RUN2`, `I_IDLE1`). It is
+reached by itself from the state with the next lower number, the lowest from the highest: after RUN2 has lasted the default
+time (1 s), the device is back in IDLE1.
+)";
+
+void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Unit& unit : plant.units) {
+    for (const model::Transition& transition : unit.transitions) {
+      if (transition.origin != model::Origin::inferred) continue;
+      const model::State& to = unit.states[transition.to];
+      diagnostics.add(rule.info,
+                      fmt::format("{} has no operation for {}: it goes there by itself from {} (inference 3)", unit.path,
+                                  to.name, unit.states[transition.from].name),
+                      place_of(plant, event_of(plant, unit, to.event)));
+    }
+  }
+}
+
+}  // namespace
+
+const Rule kInferredSequence{{"SP503", "inferred-sequence", diag::Severity::note, "a device goes on to a numbered state by itself", kPage}, check_inferred_sequence};
+
+}  // namespace symplant::check

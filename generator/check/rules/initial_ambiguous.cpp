@@ -1,0 +1,42 @@
+// SP408 initial-ambiguous: several events of a device are on at the start.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+#include <vector>
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(Several events of one device have Initial TRUE, but a device starts in one state.
+
+**What the model loses.** None of them counts: the device starts in its rest state, or else in the first of its states.
+
+**How to mend it.** Leave Initial TRUE with the one event that is on when the plant starts.
+)";
+
+void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Unit& unit : plant.units) {
+    if (unit.initial_candidates < 2) continue;
+    std::vector<diag::Related> others;
+    const model::Symbol* first = nullptr;
+    for (const std::uint32_t index : unit.events) {
+      const model::Symbol& symbol = plant.symbols[index];
+      if (symbol.initial == 0) continue;
+      if (first == nullptr) {
+        first = &symbol;
+      } else {
+        others.push_back({place_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
+      }
+    }
+    diagnostics.add(rule.info,
+                    fmt::format("{} events of {} start TRUE, so that none counts: it starts in {}; leave TRUE with one",
+                                unit.initial_candidates, unit.path, unit.states[unit.initial].name),
+                    place_of(plant, *first->row, first->row->initial), std::move(others));
+  }
+}
+
+}  // namespace
+
+const Rule kInitialAmbiguous{{"SP408", "initial-ambiguous", diag::Severity::warning, "several events of a device are on at the start", kPage}, check_initial_ambiguous};
+
+}  // namespace symplant::check

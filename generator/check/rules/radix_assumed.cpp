@@ -1,0 +1,31 @@
+// SP308 radix-assumed: whether X and Y count in hexadecimal is assumed.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list does not tell: no row has both a
+MELSEC and an IEC address that would prove it, and numbers occur for which it makes a difference.
+
+**What the model loses.** Nothing within the plant. On a link, `X0010` is place 16 in hexadecimal and place 8 in octal.
+
+**How to mend it.** Say `--xy hex` or `--xy octal`, or export the IEC addresses as well.
+)";
+
+void check_radix_assumed(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  if (plant.radix.by != model::RadixChoice::By::nothing || plant.radix.matters_in == nullptr) return;
+  const read::ListRow& row = *plant.radix.matters_in;
+  diagnostics.add(rule.info,
+                  fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
+                              "`--xy octal`",
+                              row.vendor_address),
+                  place_of(plant, row, row.vendor_address));
+}
+
+}  // namespace
+
+const Rule kRadixAssumed{{"SP308", "radix-assumed", diag::Severity::note, "whether X and Y count in hexadecimal is assumed", kPage}, check_radix_assumed};
+
+}  // namespace symplant::check

@@ -1,0 +1,28 @@
+// SP403 unit-without-events: a device gives no feedback.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(A device has operations and no event at all: a lamp, a horn, a motor without contacts.
+
+**What the model loses.** Nothing, if the device is like that. It moves, and the PLC is never told.
+
+**How to mend it.** Nothing to do, unless its events are named for another device.
+)";
+
+void check_unit_without_events(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Unit& unit : plant.units) {
+    if (!unit.events.empty()) continue;
+    diagnostics.add(rule.info, fmt::format("{} has operations and no event: the PLC is told nothing of it", unit.path),
+                    place_of(plant, first_symbol_of(plant, unit)));
+  }
+}
+
+}  // namespace
+
+const Rule kUnitWithoutEvents{{"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kPage}, check_unit_without_events};
+
+}  // namespace symplant::check

@@ -1,0 +1,36 @@
+// SP201 wrong-number-of-levels: a name has more or fewer levels than the rule.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage = R"(A symbol's name has another number of levels than the naming rule asks for. The built-in rule is
+`LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, parted by `_`.
+
+**What the model loses.** Nobody can tell which device the symbol belongs to, so it is in no unit: nothing moves it, and
+it moves nothing. It is served all the same: it is in the images, on the links and in the traces, and can be set by hand.
+
+**How to mend it.** Give the name the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
+`EXLINE_MB_AGVFAST_O_P2`.
+)";
+
+void check_wrong_number_of_levels(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;
+    diag::Place place = place_of(plant, symbol);
+    narrow(place, symbol);
+    diagnostics.add(rule.info,
+                    fmt::format("`{}` has {} level{}, `{}` wants {}: without them its device is unknown and nothing moves it; rename it",
+                                symbol.name(), symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s",
+                                plant.rule->pattern, plant.rule->levels.size()),
+                    place);
+  }
+}
+
+}  // namespace
+
+const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has more or fewer levels than the rule", kPage}, check_wrong_number_of_levels};
+
+}  // namespace symplant::check

@@ -1,0 +1,36 @@
+// The plant as C++ files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/file_system.hpp"
+#include "diag/diagnostic.hpp"
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::emit {
+
+struct EmittedFile {
+  std::string name;  ///< within the output folder
+  std::string content;
+};
+
+struct EmitOptions {
+  std::string templates_folder;  ///< --templates: a file NAME.mustache in it takes the place of the tool's own
+};
+
+struct EmitResult {
+  std::vector<EmittedFile> files;
+  std::vector<std::string> inputs;  ///< templates read from disk, for the depfile
+  std::vector<std::string> errors;  ///< faults of templates, in words that name file and line; nothing is to be written then
+};
+
+/// Nothing is written: all files come back whole. Equal inputs give equal bytes. O(symbols + devices + types' structure).
+EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
+                const base::FileSystem& files);
+
+/// The plant's name as the namespace of its code.
+std::string namespace_of(const std::string& plant_name);
+
+}  // namespace symplant::emit

@@ -1,0 +1,52 @@
+// One encoder a context.
+#include "emit/encode.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "base/utf8.hpp"
+
+namespace symplant::emit {
+
+void append_comment(std::string& out, std::string_view utf8) {
+  for (std::size_t at = 0; at < utf8.size();) {
+    const char c = utf8[at];
+    if (c >= ' ' && c <= '~' && c != '\\') {
+      out += c;
+      ++at;
+      continue;
+    }
+    const base::CodePoint point = base::code_point_at(utf8, at);
+    fmt::format_to(std::back_inserter(out), "<U+{:04X}>", static_cast<std::uint32_t>(point.value));
+    at += point.length;
+  }
+}
+
+std::string comment_text(std::string_view utf8) {
+  std::string out;
+  append_comment(out, utf8);
+  return out;
+}
+
+void append_literal(std::string& out, std::string_view bytes) {
+  for (const char c : bytes) {
+    if (c >= ' ' && c <= '~' && c != '\\' && c != '"' && c != '?') {
+      out += c;
+    } else {
+      const auto value = static_cast<unsigned char>(c);
+      out += '\\';
+      out += static_cast<char>('0' + (value >> 6));
+      out += static_cast<char>('0' + ((value >> 3) & 7));
+      out += static_cast<char>('0' + (value & 7));
+    }
+  }
+}
+
+std::string string_literal(std::string_view bytes) {
+  std::string out = "\"";
+  append_literal(out, bytes);
+  return out += '"';
+}
+
+}  // namespace symplant::emit

@@ -1,0 +1,36 @@
+// Text with keys and lists into text.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace symplant::emit {
+
+/// What a template is filled with: every decision taken, every text encoded for where it goes.
+struct View {
+  std::map<std::string, std::string> texts;
+  std::map<std::string, std::vector<View>> lists;
+};
+
+struct Template {
+  std::string_view name;  ///< the file that it makes: "types_gen.hpp"
+  std::string_view text;
+};
+
+/// The tool's own.
+std::span<const Template> embedded_templates();
+
+struct TemplateError {
+  std::size_t line;
+  std::string message;
+};
+
+/// Fills in a template (mustache: keys, lists, comments). A key that is not in kKeys for this template is an error.
+base::Result<std::string, TemplateError> render(const Template& text, const View& view);
+
+}  // namespace symplant::emit

@@ -1,0 +1,28 @@
+// The one writer of rows: tables as C++ initialisers, a row a line, each citing its place in the symbol list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::emit {
+
+// Every function gives all rows without a line end behind the last. An array must not be empty in C++: where a table is,
+// it gets one row of zeros that no count includes. O(rows).
+std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string time_rows(const lower::EngineTables& tables);
+std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string initial_rows(const lower::EngineTables& tables);
+std::string shared_rows(const lower::EngineTables& tables);
+std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space);
+std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant);
+
+/// A blob's texts as string literals, `per_line` on each line.
+std::string name_rows(const std::string& blob, int per_line);
+
+std::string device_rows(const model::PlantModel& plant);
+std::string symbol_constant_rows(const model::PlantModel& plant);
+
+}  // namespace symplant::emit

@@ -1,0 +1,23 @@
+// Device types: units of equal structure share one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::lower {
+
+class TypeTable {
+ public:
+  /// The type of a unit: one that exists already if its structure and the names in it are the same. O(structure).
+  std::uint32_t type_of(const model::PlantModel& plant, std::uint32_t unit, std::vector<Type>& types);
+
+ private:
+  std::unordered_map<std::string, std::uint32_t> by_structure_;
+};
+
+}  // namespace symplant::lower

@@ -1,0 +1,172 @@
+// From named symbols to the plant model.
+#include "model/build_plant.hpp"
+
+#include <unordered_map>
+#include <variant>
+
+#include "base/ascii.hpp"
+#include "model/classify.hpp"
+#include "model/derive_unit.hpp"
+#include "model/shared_addresses.hpp"
+
+namespace symplant::model {
+namespace {
+
+template <class Value>
+using ByName = std::unordered_map<std::string_view, Value, base::HashIgnoringCase, base::EqualIgnoringCase>;
+
+/// Takes a row up as symbol, internal row or repeated name.
+class SymbolCollector {
+ public:
+  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant) {
+    plant_.symbols.reserve(rows);
+    by_name_.reserve(rows);
+  }
+
+  void add(const read::ListRow& row, const name::NameReading& reading) {
+    const auto [first, added] = by_name_.try_emplace(row.name, &row);
+    if (!added) {
+      plant_.duplicates.push_back({first->second, &row, same(*first->second, row)});
+      return;
+    }
+    const RowAddress address = row_address(row, plant_.radix.radix);
+    if (!address.bad_cell.empty()) plant_.bad_addresses.push_back({&row, address.bad_cell});
+    auto result = classify(row, reading, address);
+    if (const auto* reason = std::get_if<InternalReason>(&result)) {
+      ++plant_.internal[static_cast<std::size_t>(*reason)];
+    } else {
+      plant_.symbols.push_back(std::get<Symbol>(std::move(result)));
+    }
+  }
+
+ private:
+  bool same(const read::ListRow& a, const read::ListRow& b) const {
+    return base::equal_ignoring_case(a.type, b.type) &&
+           row_address(a, plant_.radix.radix).address == row_address(b, plant_.radix.radix).address;
+  }
+
+  PlantModel& plant_;
+  ByName<const read::ListRow*> by_name_;
+};
+
+/// Puts every BOOL symbol with a name by the rule into its device's unit.
+void gather_units(PlantModel& plant) {
+  ByName<std::uint32_t> by_path;
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    Symbol& symbol = plant.symbols[i];
+    if (symbol.type != core::DataType::boolean) {
+      symbol.unmodelled = Unmodelled::numeric;
+      continue;
+    }
+    if (symbol.reading.fault != name::NameFault::none) {
+      symbol.unmodelled = Unmodelled::name;
+      continue;
+    }
+    const auto [found, added] =
+        by_path.try_emplace(symbol.reading.device_path, static_cast<std::uint32_t>(plant.units.size()));
+    if (added) {
+      Unit unit;
+      unit.path = symbol.reading.device_path;
+      unit.device = symbol.reading.device;
+      plant.units.push_back(std::move(unit));
+    }
+    Unit& unit = plant.units[found->second];
+    symbol.unit = found->second;
+    (symbol.direction == core::Direction::operation ? unit.operations : unit.events).push_back(i);
+  }
+}
+
+/// Of several symbols with one task and direction the first stays.
+void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
+  if (side.size() < 2) return;
+  const auto taken = [&](std::size_t place) {
+    for (std::size_t i = 0; i < place; ++i) {
+      if (base::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[place]].reading.task)) return true;
+    }
+    return false;
+  };
+  const auto drop = [&](std::uint32_t symbol) {
+    symbols[symbol].unmodelled = Unmodelled::task_taken;
+    symbols[symbol].unit = kNone;
+  };
+  if (side.size() <= 16) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      side[kept] = side[i];
+      if (taken(kept)) {
+        drop(side[i]);
+      } else {
+        ++kept;
+      }
+    }
+    side.resize(kept);
+    return;
+  }
+  ByName<bool> tasks;
+  std::erase_if(side, [&](std::uint32_t symbol) {
+    if (tasks.try_emplace(symbols[symbol].reading.task, true).second) return false;
+    drop(symbol);
+    return true;
+  });
+}
+
+/// False where the unit is larger than a unit may be; its symbols are unmodelled then.
+bool within_limits(Unit& unit, PlantModel& plant) {
+  const std::size_t symbols = unit.operations.size() + unit.events.size();
+  if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
+      symbols <= core::kMaxStates) {
+    return true;  // without counting states: each has a symbol
+  }
+  const std::size_t states = states_of(unit, plant.symbols).size();
+  if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
+      states <= core::kMaxStates) {
+    return true;
+  }
+  TooLarge large{unit.path, unit.operations, unit.operations.size(), unit.events.size(), states};
+  large.symbols.insert(large.symbols.end(), unit.events.begin(), unit.events.end());
+  for (const std::uint32_t symbol : large.symbols) {
+    plant.symbols[symbol].unmodelled = Unmodelled::unit_too_large;
+    plant.symbols[symbol].unit = kNone;
+  }
+  plant.too_large.push_back(std::move(large));
+  return false;
+}
+
+void derive_units(PlantModel& plant) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < plant.units.size(); ++i) {
+    Unit& unit = plant.units[i];
+    drop_taken_tasks(unit.operations, plant.symbols);
+    drop_taken_tasks(unit.events, plant.symbols);
+    if (!within_limits(unit, plant)) continue;
+    derive_unit(unit, plant.symbols);
+    if (kept != i) {
+      for (const auto* side : {&unit.operations, &unit.events}) {
+        for (const std::uint32_t symbol : *side) plant.symbols[symbol].unit = static_cast<std::uint32_t>(kept);
+      }
+      plant.units[kept] = std::move(unit);
+    }
+    ++kept;
+  }
+  plant.units.resize(kept);
+}
+
+}  // namespace
+
+PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name::NamedTable& named,
+                       const BuildOptions& options) {
+  PlantModel plant;
+  plant.name = options.plant_name;
+  plant.list = std::move(list);
+  plant.rule = named.rule;
+  plant.radix = choose_radix(*plant.list, options.radix);
+
+  SymbolCollector collector(plant, plant.list->rows.size());
+  for (std::size_t i = 0; i < plant.list->rows.size(); ++i) collector.add(plant.list->rows[i], named.readings[i]);
+  gather_units(plant);
+  derive_units(plant);
+  find_shared_addresses(plant);
+  return plant;
+}
+
+}  // namespace symplant::model

@@ -1,0 +1,197 @@
+// Which rows are I/O.
+#include "model/classify.hpp"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "base/ascii.hpp"
+
+namespace symplant::model {
+namespace {
+
+using core::DataType;
+
+struct TypeName {
+  std::string_view name;
+  DataType type;
+  int bits;
+};
+constexpr std::array<TypeName, 16> kTypes{{
+    {"BOOL", DataType::boolean, 1}, {"SINT", DataType::sint, 8},    {"INT", DataType::int_, 16},
+    {"DINT", DataType::dint, 32},   {"LINT", DataType::lint, 64},   {"USINT", DataType::usint, 8},
+    {"UINT", DataType::uint, 16},   {"UDINT", DataType::udint, 32}, {"ULINT", DataType::ulint, 64},
+    {"BYTE", DataType::byte, 8},    {"WORD", DataType::word, 16},   {"DWORD", DataType::dword, 32},
+    {"LWORD", DataType::lword, 64}, {"REAL", DataType::real, 32},   {"LREAL", DataType::lreal, 64},
+    {"BIT", DataType::boolean, 1},
+}};
+
+bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
+  return text.size() >= prefix.size() && base::equal_ignoring_case(text.substr(0, prefix.size()), prefix);
+}
+
+bool is_signed(DataType type) {
+  return type == DataType::sint || type == DataType::int_ || type == DataType::dint || type == DataType::lint;
+}
+
+std::optional<std::uint64_t> integer(std::string_view text, DataType type) {
+  int radix = 10;
+  bool negative = false;
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+    negative = text.front() == '-';
+    text.remove_prefix(1);
+  }
+  if (starts_with_ignoring_case(text, "16#")) radix = 16;
+  if (starts_with_ignoring_case(text, "8#")) radix = 8;
+  if (starts_with_ignoring_case(text, "2#")) radix = 2;
+  if (radix != 10) text.remove_prefix(text.find('#') + 1);
+  std::string digits;
+  for (const char c : text) {
+    if (c != '_') digits += c;
+  }
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, radix);
+  if (error != std::errc{} || end != digits.data() + digits.size() || digits.empty()) return std::nullopt;
+  const int bits = data_type_bits(type);
+  const std::uint64_t all = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+  const std::uint64_t most = is_signed(type) && radix == 10 ? all / 2 + (negative ? 1 : 0) : all;
+  if (value > most || (negative && !is_signed(type))) return std::nullopt;
+  if (negative) value = ~value + 1;
+  if (is_signed(type) && radix != 10 && (value & (all / 2 + 1)) != 0) value |= ~all;  // the sign, as 16#FFFF has it
+  return value;
+}
+
+std::optional<std::uint64_t> number_of_real(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+}  // namespace
+
+std::optional<DataType> data_type(std::string_view text) {
+  for (const TypeName& type : kTypes) {
+    if (base::equal_ignoring_case(type.name, text)) return type.type;
+  }
+  return std::nullopt;
+}
+
+std::string_view data_type_name(DataType type) { return kTypes[static_cast<std::size_t>(type)].name; }
+
+int data_type_bits(DataType type) { return kTypes[static_cast<std::size_t>(type)].bits; }
+
+std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
+  if (text.empty()) return 0;
+  if (const std::size_t hash = text.find('#'); hash != text.npos && data_type(text.substr(0, hash))) {
+    text.remove_prefix(hash + 1);  // INT#5, WORD#16#FF
+  }
+  if (type == DataType::boolean) {
+    if (base::equal_ignoring_case(text, "TRUE") || text == "1") return 1;
+    if (base::equal_ignoring_case(text, "FALSE") || text == "0") return 0;
+    return std::nullopt;
+  }
+  if (type == DataType::real || type == DataType::lreal) {
+    if (starts_with_ignoring_case(text, "E") && text.size() > 1) text.remove_prefix(1);  // MELSEC: E3.14
+    return number_of_real(text);
+  }
+  if (starts_with_ignoring_case(text, "K")) return integer(text.substr(1), type);
+  if (starts_with_ignoring_case(text, "H")) return integer("16#" + std::string(text.substr(1)), type);
+  return integer(text, type);
+}
+
+RowAddress row_address(const read::ListRow& row, address::Radix radix) {
+  RowAddress result;
+  if (!row.vendor_address.empty()) {
+    result.address = address::parse_melsec(row.vendor_address, radix);
+    if (!result.address) result.address = address::parse_iec(row.vendor_address);
+    if (!result.address) result.bad_cell = row.vendor_address;
+  }
+  if (!row.iec_address.empty()) {
+    auto iec = address::parse_iec(row.iec_address);
+    if (!iec && row.vendor_address.empty()) iec = address::parse_melsec(row.iec_address, radix);
+    if (iec) {
+      result.address = iec;  // its number is decimal beyond doubt
+    } else {
+      result.bad_cell = row.iec_address;
+    }
+  }
+  return result;
+}
+
+std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                              const RowAddress& address) {
+  if (row.klass.size() >= 8 && base::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
+    return InternalReason::constant;
+  }
+  if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
+
+  std::optional<DataType> type = data_type(row.type);
+  if (row.type.empty()) {
+    const auto size = address.address ? address.address->size : address::Size::bit;
+    type = size == address::Size::bit     ? DataType::boolean
+           : size == address::Size::byte  ? DataType::byte
+           : size == address::Size::word  ? DataType::word
+           : size == address::Size::dword ? DataType::dword
+                                          : DataType::lword;
+  }
+  if (!type) return InternalReason::type;
+
+  Symbol symbol{};
+  symbol.row = &row;
+  symbol.reading = reading;
+  symbol.type = *type;
+  symbol.address = address.address;
+  symbol.unit = kNone;
+  symbol.leader = kNone;
+  if (address.address) {
+    symbol.direction =
+        address.address->area == address::Area::output ? core::Direction::operation : core::Direction::event;
+  } else if (reading.fault == name::NameFault::none) {
+    symbol.direction = reading.direction == name::Direction::operation ? core::Direction::operation
+                                                                       : core::Direction::event;
+  } else {
+    return InternalReason::no_direction;
+  }
+  const auto initial = initial_value(row.initial, *type);
+  symbol.initial_known = initial.has_value();
+  symbol.initial = initial.value_or(0);
+  return symbol;
+}
+
+RadixChoice choose_radix(const read::SymbolTable& table, std::optional<address::Radix> forced) {
+  using address::Radix;
+  RadixChoice choice;
+  std::array<std::size_t, 2> votes{};
+  std::array<const read::ListRow*, 2> proofs{};
+  for (const read::ListRow& row : table.rows) {
+    const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
+    if (first != 'X' && first != 'Y') continue;
+    const auto hexadecimal = address::parse_melsec(row.vendor_address, Radix::hexadecimal);
+    const auto octal = address::parse_melsec(row.vendor_address, Radix::octal);
+    if (!hexadecimal || hexadecimal == octal) continue;  // below 8 both are one
+    const auto iec = address::parse_iec(row.iec_address);
+    if (!iec) {
+      if (choice.matters_in == nullptr) choice.matters_in = &row;
+      continue;
+    }
+    const std::size_t vote = iec == hexadecimal ? 1 : iec == octal ? 0 : 2;
+    if (vote == 2) continue;
+    ++votes[vote];
+    if (proofs[vote] == nullptr) proofs[vote] = &row;
+  }
+  if (votes[0] != votes[1]) {
+    const std::size_t won = votes[1] > votes[0] ? 1 : 0;
+    choice.radix = won == 1 ? Radix::hexadecimal : Radix::octal;
+    choice.by = RadixChoice::By::rows;
+    choice.proof = proofs[won];
+  } else if (forced) {
+    choice.radix = *forced;
+    choice.by = RadixChoice::By::option;
+  }
+  return choice;
+}
+
+}  // namespace symplant::model

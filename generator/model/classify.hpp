@@ -1,0 +1,36 @@
+// Which rows are I/O: direction, type, address and initial value of each.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "model/plant_model.hpp"
+
+namespace symplant::model {
+
+/// The I/O type of a list's type cell, compared without regard to case; BOOL's other spelling BIT counts. Nothing for
+/// every other type.
+std::optional<core::DataType> data_type(std::string_view text);
+std::string_view data_type_name(core::DataType type);
+int data_type_bits(core::DataType type);
+
+/// Reads an Initial cell of a type: TRUE, FALSE, 0, 1; decimal, 16#, 8#, 2#, TYPE#value, K and H constants; REAL. Empty is 0.
+/// Nothing where it cannot be read or does not fit.
+std::optional<std::uint64_t> initial_value(std::string_view text, core::DataType type);
+
+/// What one row is.
+struct RowAddress {
+  std::optional<address::Address> address;
+  std::string_view bad_cell;  ///< an address cell that is no address; empty where all are
+};
+RowAddress row_address(const read::ListRow& row, address::Radix radix);
+
+/// An I/O symbol without unit and leader, or why it is none.
+std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                              const RowAddress& address);
+
+/// How the rows count X and Y: what rows with both address columns prove, else `forced`, else hexadecimal.
+RadixChoice choose_radix(const read::SymbolTable& table, std::optional<address::Radix> forced);
+
+}  // namespace symplant::model

@@ -1,0 +1,163 @@
+// The plant as derived from symbol lists: symbols, units and their I/O models. Nobody changes it once it is built.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "address/address.hpp"
+#include "name/name_parser.hpp"
+#include "read/symbol_table.hpp"
+#include "symplant/core/tables.hpp"
+#include "symplant/core/time.hpp"
+
+namespace symplant::model {
+
+inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;
+
+/// Times where nothing else is said.
+inline constexpr core::Time kDefaultTravel = core::kSecond;
+inline constexpr core::Time kDefaultDwell = core::kSecond;
+
+/// Why a row of the list is no I/O symbol. Such rows are counted and served nowhere.
+enum class InternalReason : std::uint8_t {
+  constant,       ///< VAR_CONSTANT and the like
+  memory,         ///< an address in the PLC's memory: M, D, %M
+  type,           ///< TIME, STRING, an array, a structure, a function block
+  no_direction,   ///< no address, and a name that tells no direction
+};
+inline constexpr std::size_t kInternalReasons = 4;
+std::string_view internal_reason_text(InternalReason reason);
+
+/// Why an I/O symbol is in no unit. It is served all the same: in the images, on the links, in traces.
+enum class Unmodelled : std::uint8_t {
+  modelled,        ///< it is in one
+  numeric,         ///< states come from BOOL symbols only
+  name,            ///< its name does not follow the rule
+  task_taken,      ///< another symbol of its unit has its task and direction
+  unit_too_large,  ///< its unit has more symbols or states than a unit may have
+};
+
+/// One I/O symbol. Views point into the list.
+struct Symbol {
+  const read::ListRow* row;
+  name::NameReading reading;
+  core::Direction direction;
+  core::DataType type;
+  std::optional<address::Address> address;
+  bool initial_known = true;        ///< false: its Initial could not be read
+  std::uint64_t initial = 0;        ///< as core::InitialValue has it; 0 where the list says nothing
+  Unmodelled unmodelled = Unmodelled::modelled;
+  std::uint32_t unit = kNone;
+  std::uint32_t leader = kNone;     ///< the symbol whose value it follows, on one address; kNone where it leads itself
+
+  std::string_view name() const { return row->name; }
+  /// As the list writes it: the vendor's, or else the IEC one; empty where there is none.
+  std::string_view written_address() const {
+    return row->vendor_address.empty() ? row->iec_address : row->vendor_address;
+  }
+};
+
+/// A task of a unit. Operations and events are places in Unit::operations and Unit::events.
+struct State {
+  std::string name;
+  std::uint32_t operation = kNone;
+  std::uint32_t event = kNone;
+  bool numbered = false;           ///< its name ends in a sequence number
+};
+
+/// Where a transition comes from; says in which order they stand, too.
+enum class Origin : std::uint8_t { derived, inferred };
+
+/// From a state to another, by place in Unit::states; `on` a place in Unit::operations, kNone where it is automatic.
+struct Transition {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t on;
+  core::Time after;
+  core::Time takes;
+  Origin origin;
+};
+
+/// What was inferred for a unit, and why: the rules of docs/model.md, "What is inferred".
+enum class InitialFrom : std::uint8_t { initial_column, rest_state, sequence, row_order };
+
+/// One device's I/O model <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>.
+struct Unit {
+  std::string_view path;                  ///< LINE_PROC_DEV as the first of its rows writes it
+  std::string_view device;                ///< the device level
+  std::vector<std::uint32_t> operations;  ///< I: symbols, in list order
+  std::vector<std::uint32_t> events;      ///< O: symbols, in list order
+  std::vector<State> states;              ///< S
+  std::vector<Transition> transitions;    ///< d_ext and d_int, in their order
+  core::Actuation actuation = core::Actuation::latched;
+  std::uint32_t rest = kNone;             ///< given or inferred; a `spring` returns to it
+  std::uint32_t initial = 0;
+
+  // What the derivation decided, for whoever tells the user.
+  InitialFrom initial_from = InitialFrom::sequence;
+  bool rest_added = false;                ///< inference 1: NOT_X
+  bool single_solenoid = false;           ///< inference 2
+  bool two_words = false;                 ///< X has only an operation, Y only an event: perhaps one state
+  std::uint32_t initial_candidates = 0;   ///< states whose event alone has Initial TRUE
+  std::vector<std::uint32_t> ambiguous_sequence;  ///< states whose predecessor's number several states have
+
+  bool moves() const { return !transitions.empty() || actuation == core::Actuation::spring; }
+  /// Whether the unit can come into a state, by a transition or as a spring's rest.
+  bool reaches(std::uint32_t state) const;
+  /// Whether the unit ever changes the event at a place of `events`. O(states + transitions).
+  bool moves_event(std::uint32_t event) const;
+};
+
+/// Two rows of one name. The first counts.
+struct Duplicate {
+  const read::ListRow* first;
+  const read::ListRow* second;
+  bool same;  ///< address and type agree: harmless
+};
+
+/// A unit with more symbols or states than a unit may have; its symbols stay unmodelled.
+struct TooLarge {
+  std::string_view path;
+  std::vector<std::uint32_t> symbols;
+  std::size_t operations;
+  std::size_t events;
+  std::size_t states;
+};
+
+/// How X and Y are counted, and what says so.
+struct RadixChoice {
+  address::Radix radix = address::Radix::hexadecimal;
+  enum class By : std::uint8_t { nothing, option, rows } by = By::nothing;
+  const read::ListRow* proof = nullptr;        ///< a row whose two addresses prove it
+  const read::ListRow* matters_in = nullptr;   ///< the first row in which it makes a difference; null where in none
+};
+
+/// An address cell that is no address.
+struct BadAddress {
+  const read::ListRow* row;
+  std::string_view cell;
+};
+
+struct PlantModel {
+  std::string name;
+  std::shared_ptr<const read::SymbolTable> list;  ///< rows that the model points to
+  const name::NamingRule* rule;
+  std::vector<Symbol> symbols;                    ///< I/O symbols, in list order
+  std::vector<Unit> units;                        ///< in the order of their first symbol
+  std::array<std::size_t, kInternalReasons> internal{};
+  RadixChoice radix;
+  std::vector<Duplicate> duplicates;
+  std::vector<TooLarge> too_large;
+  std::vector<BadAddress> bad_addresses;
+  /// Pairs of events that different moving units put on one address: second, first.
+  std::vector<std::array<std::uint32_t, 2>> moved_twice;
+
+  std::string list_name() const;  ///< the list's file name without its folders
+};
+
+}  // namespace symplant::model

@@ -1,0 +1,107 @@
+// Names by Boost.Spirit X3: levels of letters and digits, parted by the rule's separator.
+#define BOOST_SPIRIT_X3_UNICODE
+#include "name/name_parser.hpp"
+
+#include <boost/regex/pending/unicode_iterator.hpp>
+#include <boost/spirit/home/x3.hpp>
+#include <vector>
+
+#include "base/ascii.hpp"
+
+namespace symplant::name {
+namespace {
+
+namespace x3 = boost::spirit::x3;
+
+using CodePoints = boost::u8_to_u32_iterator<const char*>;
+using Piece = boost::iterator_range<CodePoints>;
+
+std::string_view text_of(const Piece& piece) {
+  const char* begin = piece.begin().base();
+  return {begin, static_cast<std::size_t>(piece.end().base() - begin)};
+}
+
+}  // namespace
+
+struct NameParser::Work {
+  std::vector<Piece> pieces;
+};
+
+NameParser::NameParser(const NamingRule& rule) : rule_(rule), work_(std::make_unique<Work>()) {}
+NameParser::~NameParser() = default;
+
+NameReading NameParser::parse(std::string_view name) {
+  std::vector<Piece>& pieces = work_->pieces;
+  pieces.clear();
+  const char* begin = name.data();
+  const char* end = begin + name.size();
+  CodePoints at(begin, begin, end);
+  const CodePoints last(end, begin, end);
+
+  // A level may be empty here, so that the message can say which one is.
+  const auto level = x3::raw[*x3::unicode::alnum];
+  x3::parse(at, last, level % x3::unicode::char_(rule_.separator), pieces);
+
+  NameReading reading;
+  const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - begin); };
+  if (at != last) {
+    const char* bad = at.base();
+    reading.fault = NameFault::illegal_character;
+    reading.where = {offset(bad), offset((++at).base())};
+    return reading;
+  }
+  reading.levels = static_cast<std::uint32_t>(pieces.size());
+  const auto span_of = [&](std::size_t from, std::size_t to) {
+    return base::Span{offset(pieces[from].begin().base()), offset(pieces[to].end().base())};
+  };
+
+  std::size_t empty = 0;
+  std::size_t first_empty = pieces.size();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!pieces[i].empty()) continue;
+    ++empty;
+    first_empty = std::min(first_empty, i);
+  }
+  const std::size_t wanted = rule_.levels.size();
+  if (empty != 0 && (pieces.size() == wanted || pieces.size() - empty == wanted)) {
+    reading.fault = NameFault::empty_level;
+    reading.where = span_of(first_empty, first_empty);
+    return reading;
+  }
+  if (pieces.size() != wanted) {
+    reading.fault = NameFault::wrong_number_of_levels;
+    reading.where = pieces.size() > wanted ? span_of(wanted, pieces.size() - 1) : base::Span{0, name.size()};
+    return reading;
+  }
+
+  std::size_t device_end = 0;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const std::string_view text = text_of(pieces[i]);
+    switch (rule_.levels[i]) {
+      case Level::line: reading.line = text; break;
+      case Level::process: reading.process = text; break;
+      case Level::device:
+        reading.device = text;
+        device_end = offset(pieces[i].end().base());
+        break;
+      case Level::task: reading.task = text; break;
+      case Level::direction: {
+        const DirectionWord* found = nullptr;
+        for (const DirectionWord& word : rule_.directions) {
+          if (base::equal_ignoring_case(word.word, text)) found = &word;
+        }
+        if (found == nullptr) {
+          reading.fault = NameFault::direction_not_io;
+          reading.where = span_of(i, i);
+          return reading;
+        }
+        reading.direction = found->direction;
+        break;
+      }
+    }
+  }
+  reading.device_path = name.substr(0, device_end);
+  return reading;
+}
+
+}  // namespace symplant::name

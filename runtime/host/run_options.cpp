@@ -1,0 +1,54 @@
+// The options of `symplant run` and of every generated plant.
+#include "symplant/host/run_options.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <map>
+
+#include "symplant/core/duration.hpp"
+
+namespace symplant::host {
+namespace {
+
+core::Time duration(const std::string& text, const char* option) {
+  const auto time = core::parse_duration(text);
+  if (!time) {
+    throw CLI::ValidationError(option, "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
+  }
+  return *time;
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& app, RunOptions& options) {
+  app.add_option_function<std::string>(
+         "--clock",
+         [&options](const std::string& text) {
+           if (text != "virtual" && text != "real") {
+             throw CLI::ValidationError("--clock", "`" + text + "` is no clock: write virtual or real");
+           }
+           options.clock = text == "real" ? RunOptions::Clock::real_time : RunOptions::Clock::virtual_time;
+         },
+         "virtual: as fast as it goes; real: in step with the wall clock (default: real with a link other than loop:)")
+      ->type_name("virtual|real");
+  app.add_option_function<std::string>(
+         "--until", [&options](const std::string& text) { options.until = duration(text, "--until"); },
+         "end at this plant time, what happens at it included")
+      ->type_name("T");
+  app.add_option_function<std::string>(
+         "--cycle",
+         [&options](const std::string& text) {
+           options.cycle = duration(text, "--cycle");
+           if (options.cycle == 0) throw CLI::ValidationError("--cycle", "a cycle must be longer than 0");
+         },
+         "in real time: from one exchange with the PLC to the next (default: 10ms)")
+      ->type_name("T");
+  app.add_option("--link", options.links, "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:")
+      ->type_name("URL");
+  app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
+      ->type_name("FILE");
+  app.add_option("--seed", options.seed, "seed of random times (default: 0)")->type_name("N");
+}
+
+}  // namespace symplant::host

@@ -1,0 +1,56 @@
+// What a plant is, in a few lines.
+#include "symplant/host/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "symplant/core/names.hpp"
+
+namespace symplant::host {
+namespace {
+
+constexpr std::size_t kNamesShown = 8;
+
+std::string plural(std::size_t count, std::string_view word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more) {
+  const auto names = core::split_names(tables.symbol_names);
+  std::size_t operations = 0;
+  std::size_t moving_operations = 0;
+  std::vector<std::string_view> unmoved;
+  for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
+    const core::SymbolRow& symbol = tables.symbols[i];
+    if (symbol.direction == core::Direction::operation) {
+      ++operations;
+      if (symbol.moved) ++moving_operations;
+    } else if (!symbol.moved) {
+      unmoved.push_back(names[2 * i]);
+    }
+  }
+  const std::size_t events = tables.symbols.size() - operations;
+  std::vector<bool> moves(tables.units.size());
+  for (const core::SymbolRow& symbol : tables.symbols) {
+    if (symbol.unit != core::kNoUnit && symbol.moved) moves[symbol.unit] = true;
+  }
+
+  std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", tables.name,
+                                 plural(tables.symbols.size(), "I/O symbol"), tables.list,
+                                 plural(operations, "operation"), plural(events, "event"), model_hash);
+  for (const std::string& line : more) text += line + "\n";
+  text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),
+                      plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
+  text += fmt::format("nobody moves: {} of {}", unmoved.size(), plural(events, "event"));
+  for (std::size_t i = 0; i < unmoved.size() && i < kNamesShown; ++i) {
+    text += fmt::format("{} {}", i == 0 ? ":" : ",", unmoved[i]);
+  }
+  if (unmoved.size() > kNamesShown) text += fmt::format(" and {} more", unmoved.size() - kNamesShown);
+  return text + "\n";
+}
+
+}  // namespace symplant::host
