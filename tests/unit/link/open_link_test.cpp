@@ -1,0 +1,86 @@
+// Links by URL, and what is said where there is none.
+#include "support/catch.hpp"
+#include "unit/link/plant_server.hpp"
+
+using namespace symplant;
+using Kind = link::LinkError::Kind;
+
+namespace {
+
+link::LinkError fault(const std::string& url) {
+  static const auto tables = test::cell_tables();
+  auto result = link::open_link(url, tables);
+  REQUIRE(std::holds_alternative<link::LinkError>(result));
+  return std::get<link::LinkError>(result);
+}
+
+void check_usage(const std::string& url, const std::string& words) {
+  CAPTURE(url);
+  const auto error = fault(url);
+  CHECK(error.kind == Kind::usage);
+  CHECK_THAT(error.message, Catch::Contains(words));
+}
+
+}  // namespace
+
+TEST_CASE("the loop is opened by its scheme alone") {
+  const auto tables = test::cell_tables();
+  CHECK(test::open_or_throw("loop:", tables)->url() == "loop:");
+  check_usage("loop:x", "takes nothing");
+}
+
+TEST_CASE("a server's URL tells the port that it really has") {
+  const auto tables = test::cell_tables();
+  const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
+  CHECK(test::port_of(*link) != 0);
+  CHECK(test::RawClient(test::port_of(*link)).connected());
+}
+
+TEST_CASE("without a host a server is on the loopback") {
+  const auto tables = test::cell_tables();
+  const auto link = test::open_or_throw("modbus-tcp-server://:0", tables);
+  CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://127.0.0.1:"));
+}
+
+TEST_CASE("a server is found by the name localhost and by IPv6 in brackets") {
+  const auto tables = test::cell_tables();
+  CHECK_THAT(test::open_or_throw("modbus-tcp-server://localhost:0", tables)->url(), Catch::Contains("localhost:"));
+  auto result = link::open_link("modbus-tcp-server://[::1]:0", tables);
+  if (!std::holds_alternative<std::unique_ptr<link::Link>>(result)) return;  // a machine without IPv6
+  const auto& link = std::get<std::unique_ptr<link::Link>>(result);
+  CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://[::1]:"));
+  test::RawClient client(test::port_of(*link), AF_INET6);
+  CHECK(client.ask({2, 0, 1, 0, 1}).size() == 3);
+}
+
+TEST_CASE("a URL that names no link is told which do") {
+  for (const char* url : {"", "modbus", "modbus-rtu:/dev/ttyS0", "LOOP", ":502"}) {
+    check_usage(url, "modbus-tcp-server://HOST:PORT");
+  }
+}
+
+TEST_CASE("a server's address that is none is told what it should be") {
+  check_usage("modbus-tcp-server:", "//HOST:PORT");
+  check_usage("modbus-tcp-server:127.0.0.1:502", "//HOST:PORT");
+  check_usage("modbus-tcp-server://127.0.0.1", "no port");
+  check_usage("modbus-tcp-server://127.0.0.1:", "ends in no port");
+  check_usage("modbus-tcp-server://127.0.0.1:65536", "ends in no port");
+  check_usage("modbus-tcp-server://127.0.0.1:-1", "ends in no port");
+  check_usage("modbus-tcp-server://127.0.0.1:502x", "ends in no port");
+  check_usage("modbus-tcp-server://127.0.0.1:502?unit=1", "ends in no port");
+  check_usage("modbus-tcp-server://::1:502", "brackets");
+  check_usage("modbus-tcp-server://a b:502", "no HOST:PORT");
+}
+
+TEST_CASE("a host that is no address of this machine is a fault of usage") {
+  check_usage("modbus-tcp-server://192.0.2.1:0", "no address of this machine");  // of the range for documentation
+}
+
+TEST_CASE("a port in use is a fault of the environment that says what to do") {
+  const auto tables = test::cell_tables();
+  const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
+  const auto error = fault(link->url());
+  CHECK(error.kind == Kind::environment);
+  CHECK_THAT(error.message, Catch::Contains("port " + std::to_string(test::port_of(*link)) + " is in use"));
+  CHECK_THAT(error.message, Catch::Contains("give another port"));
+}

@@ -1,0 +1,224 @@
+// The Modbus TCP server over real sockets on the loopback.
+#include "symplant/link/modbus/server.hpp"
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "support/catch.hpp"
+#include "unit/link/plant_server.hpp"
+
+using namespace symplant;
+using test::Bytes;
+using test::CellServer;
+using test::RawClient;
+
+namespace {
+
+const Bytes kReadInputs = {2, 0, 1, 0, 4};
+
+std::size_t open_descriptors() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a client drives the cell over TCP") {
+  CellServer server;
+  RawClient client(server.port());
+  REQUIRE(client.connected());
+  CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  CHECK(client.ask({5, 0, 1, 0xFF, 0}) == Bytes{5, 0, 1, 0xFF, 0});
+  server.cycle(10 * core::kMillisecond);
+  CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0100});
+  server.cycle(core::kSecond);
+  CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0110});
+}
+
+TEST_CASE("the server counts what it answers") {
+  CellServer server;
+  RawClient client(server.port());
+  client.ask(kReadInputs);
+  client.ask({0x63});
+  client.ask({5, 0, 9, 0xFF, 0});
+  const auto status = server.link().status();
+  CHECK(status.requests == 3);
+  CHECK(status.exceptions == 1);
+  CHECK(status.writes_to_gaps == 1);
+  CHECK(status.connections == 1);
+}
+
+TEST_CASE("over TCP bytes one at a time, splits and many frames at once are answered alike") {
+  CellServer server;
+  RawClient client(server.port());
+  const Bytes one = RawClient::frame(7, kReadInputs);
+  const Bytes answer = RawClient::frame(7, {2, 1, 0b0101});
+  for (const std::uint8_t byte : one) client.send({byte});
+  CHECK(client.receive(answer.size()) == answer);
+  for (std::size_t split = 1; split < one.size(); ++split) {
+    client.send(Bytes(one.begin(), one.begin() + static_cast<std::ptrdiff_t>(split)));
+    client.send(Bytes(one.begin() + static_cast<std::ptrdiff_t>(split), one.end()));
+    REQUIRE(client.receive(answer.size()) == answer);
+  }
+  Bytes many;
+  Bytes answers;
+  for (int i = 0; i < 64; ++i) {
+    many.insert(many.end(), one.begin(), one.end());
+    answers.insert(answers.end(), answer.begin(), answer.end());
+  }
+  client.send(many);
+  CHECK(client.receive(answers.size()) == answers);
+}
+
+TEST_CASE("an exception does not lose the pipelined request behind it") {
+  CellServer server;
+  RawClient client(server.port());
+  Bytes both = RawClient::frame(1, {15, 0, 1, 0, 0, 0});
+  const Bytes second = RawClient::frame(2, kReadInputs);
+  both.insert(both.end(), second.begin(), second.end());
+  client.send(both);
+  CHECK(client.receive(9) == RawClient::frame(1, {0x8F, 3}));
+  CHECK(client.receive(10) == RawClient::frame(2, {2, 1, 0b0101}));
+}
+
+TEST_CASE("a frame of another protocol gets no answer, and a broken one ends the connection only of its sender") {
+  CellServer server;
+  RawClient good(server.port());
+  RawClient bad(server.port());
+  bad.send(RawClient::frame(1, kReadInputs, 1));
+  CHECK(bad.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  bad.send({0, 1, 0, 0, 0xFF, 0xFF});
+  CHECK(bad.is_closed());
+  CHECK(good.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+}
+
+TEST_CASE("many clients are served side by side") {
+  CellServer server;
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (std::size_t i = 0; i < link::modbus::Server::kMaxConnections; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server.port()));
+  }
+  for (int round = 0; round < 3; ++round) {
+    for (const auto& client : clients) REQUIRE(client->ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  }
+  CHECK(server.link().status().connections == link::modbus::Server::kMaxConnections);
+}
+
+TEST_CASE("when all connections are taken, the oldest unused one gives way") {
+  CellServer server;
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (std::size_t i = 0; i < link::modbus::Server::kMaxConnections; ++i) {
+    clients.push_back(std::make_unique<RawClient>(server.port()));
+    REQUIRE(clients.back()->ask(kReadInputs).size() == 3);
+  }
+  // The first is used again; the second sends bytes but no request, which is no use.
+  REQUIRE(clients[0]->ask(kReadInputs).size() == 3);
+  clients[1]->send({0, 1, 0});
+  RawClient one_more(server.port());
+  CHECK(one_more.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  CHECK(clients[1]->is_closed());
+  CHECK(clients[0]->ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  CHECK(clients[2]->ask(kReadInputs) == Bytes{2, 1, 0b0101});
+}
+
+TEST_CASE("a client that goes while answers are on their way to it ends nothing but itself") {
+  CellServer server;
+  {
+    RawClient rude(server.port());
+    for (int i = 0; i < 200; ++i) rude.send(RawClient::frame(i, kReadInputs));
+    const linger at_once{1, 0};  // a reset instead of an orderly end
+    ::setsockopt(rude.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+  }
+  RawClient client(server.port());
+  CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+}
+
+TEST_CASE("a client that never reads does not keep others from their answers") {
+  CellServer server;
+  RawClient deaf(server.port());
+  const int small = 4096;
+  ::setsockopt(deaf.descriptor(), SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
+  Bytes many;
+  for (int i = 0; i < 5000; ++i) {
+    const Bytes one = RawClient::frame(i, kReadInputs);
+    many.insert(many.end(), one.begin(), one.end());
+  }
+  // Without waiting: at some point nothing more is taken, which is the point of it.
+  for (int i = 0; i < 200; ++i) ::send(deaf.descriptor(), many.data(), many.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  RawClient client(server.port());
+  for (int i = 0; i < 10; ++i) REQUIRE(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+}
+
+TEST_CASE("the server works on descriptors beyond 1024") {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  const rlimit before = limit;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_cur < 3000) return;
+  std::vector<link::modbus::Descriptor> fill;
+  for (int i = 0; i < 2000; ++i) fill.emplace_back(::dup(0));
+  {
+    CellServer server;
+    RawClient client(server.port());
+    CHECK(client.descriptor() > 1024);
+    CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
+  }
+  fill.clear();
+  ::setrlimit(RLIMIT_NOFILE, &before);
+}
+
+TEST_CASE("a server starts and stops a thousand times on one port, with clients, and leaves nothing open") {
+  const auto tables = test::cell_tables();
+  std::string url = "modbus-tcp-server://127.0.0.1:0";
+  const std::size_t descriptors = open_descriptors();
+  for (int i = 0; i < 1000; ++i) {
+    const auto link = test::open_or_throw(url, tables);
+    url = link->url();  // the same port again, whose old connections wait for their end
+    RawClient client(test::port_of(*link));
+    REQUIRE(client.connected());
+    if (i % 10 == 0) REQUIRE(client.ask(kReadInputs).size() == 3);
+  }
+  CHECK(open_descriptors() == descriptors);
+}
+
+TEST_CASE("stopping closes the connections of idle clients") {
+  auto server = std::make_unique<CellServer>();
+  RawClient client(server->port());
+  REQUIRE(client.ask(kReadInputs).size() == 3);
+  server.reset();
+  CHECK(client.is_closed());
+}
+
+TEST_CASE("the server's thread leaves signals to its host") {
+  CellServer server;
+  sigset_t now;
+  ::pthread_sigmask(SIG_SETMASK, nullptr, &now);
+  CHECK(::sigismember(&now, SIGTERM) == 0);  // starting it did not change the caller's
+}
+
+TEST_CASE("a PLC program over TCP completes a cycle of the cell while plant and server run") {
+  CellServer server;
+  server.start_cycling();
+  RawClient plc(server.port());
+  const auto wait_for = [&](std::uint8_t inputs) {
+    for (int tries = 0; tries < 1'000'000; ++tries) {
+      const Bytes answer = plc.ask(kReadInputs);
+      if (answer.size() != 3) return false;
+      if (answer[2] == inputs) return true;
+    }
+    return false;
+  };
+  const auto write = [&](std::uint8_t coils) { plc.ask({15, 0, 1, 0, 4, 1, coils}); };
+  write(0b0001);
+  CHECK(wait_for(0b0110));
+  write(0b1000);
+  CHECK(wait_for(0b1010));
+  write(0b0100);
+  CHECK(wait_for(0b0110));
+  write(0b0010);
+  CHECK(wait_for(0b0101));
+}

@@ -1,0 +1,73 @@
+// Tables of symbols that no unit owns, made a line at a time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/core/tables.hpp"
+
+namespace symplant::test {
+
+class SymbolList {
+ public:
+  using Row = core::SymbolRow;
+  static constexpr auto kIn = core::Direction::event;
+  static constexpr auto kOut = core::Direction::operation;
+
+  /// A symbol whose address is a plain number. Returns its row.
+  std::uint32_t add(std::string_view name, core::Direction direction, std::uint32_t number,
+                    core::DataType type = core::DataType::boolean) {
+    return add(name, direction, core::AddressForm::number, number, type);
+  }
+
+  std::uint32_t add(std::string_view name, core::Direction direction, core::AddressForm form, std::uint32_t number = 0,
+                    core::DataType type = core::DataType::boolean) {
+    const bool bit = type == core::DataType::boolean;
+    std::uint32_t& next = direction == kOut ? (bit ? bits_out_ : slots_out_) : (bit ? bits_in_ : slots_in_);
+    const auto row = static_cast<std::uint32_t>(rows_.size());
+    rows_.push_back({.index = next++,
+                     .unit = core::kNoUnit,
+                     .number = number,
+                     .row = row + 1,
+                     .type = type,
+                     .direction = direction,
+                     .form = form,
+                     .moved = false});
+    names_ += name;
+    names_ += '\0';
+    names_ += '\0';
+    return row;
+  }
+
+  void start_at(std::uint32_t row, std::uint64_t value) { initial_.push_back({row, value}); }
+  void share(std::uint32_t row, std::uint32_t leader) { shared_.push_back({row, leader}); }
+
+  /// Valid while the list is there and nothing more is added.
+  core::PlantTables tables() const {
+    core::PlantTables tables{};
+    tables.name = "list";
+    tables.symbols = rows_;
+    tables.initial_values = initial_;
+    tables.shared_addresses = shared_;
+    tables.operation_bits = (bits_out_ + 63) / 64 * 64;
+    tables.event_bits = (bits_in_ + 63) / 64 * 64;
+    tables.operation_slots = slots_out_;
+    tables.event_slots = slots_in_;
+    tables.symbol_names = names_;
+    return tables;
+  }
+
+ private:
+  std::vector<Row> rows_;
+  std::vector<core::InitialValue> initial_;
+  std::vector<core::SharedAddress> shared_;
+  std::string names_;
+  std::uint32_t bits_in_ = 0;
+  std::uint32_t bits_out_ = 0;
+  std::uint32_t slots_in_ = 0;
+  std::uint32_t slots_out_ = 0;
+};
+
+}  // namespace symplant::test
