@@ -140,6 +140,7 @@ TEST_CASE("Ill-formed UTF-16 is refused with its place") {
   CHECK(lone.error().line == 2);
   CHECK(lone.error().column == 2);
   CHECK(test::contains(lone.error().what, "U+D800"));
+  CHECK_FALSE(decode("\xFF\xFE" + utf16("ab", false) + "\x00\xDC\x01\xDC"s));
   CHECK_FALSE(decode("\xFF\xFE" + utf16("ab", false) + "\x00\xDC"s));
   CHECK_FALSE(decode("\xFF\xFE" + utf16("ab", false) + "x"));
   CHECK_FALSE(decode("\xFF\xFE" + utf16("ab", false) + "\0\0"s + utf16("c", false)));
