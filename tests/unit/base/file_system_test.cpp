@@ -1,9 +1,11 @@
 // Reading files and replacing them whole.
 #include "base/file_system.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 
 #include "support/catch.hpp"
@@ -85,10 +87,20 @@ TEST_CASE("A link stays a link, and what it points to is replaced") {
   CHECK(*disk.read(folder / "f") == "two");
 }
 
-TEST_CASE("A device is written to and not replaced") {
+TEST_CASE("What is no plain file is written to and not replaced") {
+  // A pipe of the test's own: were it replaced, no harm would be done, as it would with one of the machine's devices.
+  const Folder folder;
+  const std::string pipe = folder / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  REQUIRE(reader >= 0);
   DiskFileSystem disk;
-  CHECK(disk.write("/dev/null", "anything"));
-  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(disk.write(pipe, "anything"));
+  CHECK(fs::is_fifo(pipe));
+  std::array<char, 16> got{};
+  CHECK(::read(reader, got.data(), got.size()) == 8);
+  CHECK(std::string(got.data()) == "anything");
+  ::close(reader);
 }
 
 TEST_CASE("A missing file, a directory and a file in place of a folder are errors that name them") {
