@@ -1,6 +1,7 @@
 // The Modbus TCP server over real sockets on the loopback.
 #include "symplant/link/modbus/server.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 
 #include <csignal>
@@ -160,7 +161,7 @@ TEST_CASE("the server works on descriptors beyond 1024") {
   ::setrlimit(RLIMIT_NOFILE, &limit);
   if (limit.rlim_cur < 3000) return;
   std::vector<link::modbus::Descriptor> fill;
-  for (int i = 0; i < 2000; ++i) fill.emplace_back(::dup(0));
+  for (int i = 0; i < 2000; ++i) fill.emplace_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   {
     CellServer server;
     RawClient client(server.port());
