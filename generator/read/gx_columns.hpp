@@ -28,7 +28,7 @@ class GxColumns {
   std::size_t count() const;
 
  private:
-  std::array<std::size_t, kGxFields> columns_;
+  std::array<std::size_t, kGxFields> columns_{};
 };
 
 struct GxLayout {
