@@ -15,7 +15,8 @@ std::vector<const diag::RuleInfo*> catalogue() {
 
 const diag::RuleInfo* find_rule(std::string_view id_or_slug) {
   for (const diag::RuleInfo* rule : catalogue()) {
-    if (base::equal_ignoring_case(rule->id, id_or_slug) || base::equal_ignoring_case(rule->slug, id_or_slug)) return rule;
+    if (base::equal_ignoring_case(rule->id, id_or_slug) || base::equal_ignoring_case(rule->slug, id_or_slug))
+      return rule;
   }
   return nullptr;
 }

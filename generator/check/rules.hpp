@@ -8,35 +8,35 @@
 
 namespace symplant::check {
 
-extern const Rule kWrongNumberOfLevels;  // SP201
-extern const Rule kEmptyLevel;  // SP202
-extern const Rule kDirectionNotIo;  // SP203
-extern const Rule kIllegalCharacter;  // SP204
-extern const Rule kDuplicateSymbol;  // SP301
+extern const Rule kWrongNumberOfLevels;        // SP201
+extern const Rule kEmptyLevel;                 // SP202
+extern const Rule kDirectionNotIo;             // SP203
+extern const Rule kIllegalCharacter;           // SP204
+extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
-extern const Rule kAddressUsedTwice;  // SP303
-extern const Rule kEventMovedTwice;  // SP304
-extern const Rule kDirectionAgainstAddress;  // SP305
-extern const Rule kTypeAgainstAddress;  // SP306
-extern const Rule kAddressNotUnderstood;  // SP307
-extern const Rule kRadixAssumed;  // SP308
-extern const Rule kNoAddress;  // SP309
-extern const Rule kInitialNotUnderstood;  // SP310
-extern const Rule kOperationInitialIgnored;  // SP311
-extern const Rule kWideValueOnNoRegister;  // SP312
-extern const Rule kOperationWithoutEvent;  // SP401
-extern const Rule kEventWithoutOperation;  // SP402
-extern const Rule kUnitWithoutEvents;  // SP403
-extern const Rule kNobodyMoves;  // SP404
-extern const Rule kTwoWordsOneState;  // SP405
-extern const Rule kUnitTooLarge;  // SP406
-extern const Rule kTaskClaimedTwice;  // SP407
-extern const Rule kInitialAmbiguous;  // SP408
-extern const Rule kSequenceAmbiguous;  // SP409
-extern const Rule kInitialByRowOrder;  // SP410
-extern const Rule kInferredRestState;  // SP501
-extern const Rule kInferredSingleSolenoid;  // SP502
-extern const Rule kInferredSequence;  // SP503
+extern const Rule kAddressUsedTwice;           // SP303
+extern const Rule kEventMovedTwice;            // SP304
+extern const Rule kDirectionAgainstAddress;    // SP305
+extern const Rule kTypeAgainstAddress;         // SP306
+extern const Rule kAddressNotUnderstood;       // SP307
+extern const Rule kRadixAssumed;               // SP308
+extern const Rule kNoAddress;                  // SP309
+extern const Rule kInitialNotUnderstood;       // SP310
+extern const Rule kOperationInitialIgnored;    // SP311
+extern const Rule kWideValueOnNoRegister;      // SP312
+extern const Rule kOperationWithoutEvent;      // SP401
+extern const Rule kEventWithoutOperation;      // SP402
+extern const Rule kUnitWithoutEvents;          // SP403
+extern const Rule kNobodyMoves;                // SP404
+extern const Rule kTwoWordsOneState;           // SP405
+extern const Rule kUnitTooLarge;               // SP406
+extern const Rule kTaskClaimedTwice;           // SP407
+extern const Rule kInitialAmbiguous;           // SP408
+extern const Rule kSequenceAmbiguous;          // SP409
+extern const Rule kInitialByRowOrder;          // SP410
+extern const Rule kInferredRestState;          // SP501
+extern const Rule kInferredSingleSolenoid;     // SP502
+extern const Rule kInferredSequence;           // SP503
 
 /// In the order of their ids.
 inline constexpr std::array<const Rule*, 29> kRules{

@@ -19,8 +19,8 @@ namespace symplant::emit {
 namespace {
 
 /// Names that CMake keeps for itself as targets, or C++ as namespaces.
-constexpr std::array<std::string_view, 12> kTakenNamespaces{"std",  "symplant", "core",    "posix",   "main", "test",
-                                                            "all",  "clean",    "install", "package", "help", "CLI"};
+constexpr std::array<std::string_view, 12> kTakenNamespaces{"std", "symplant", "core",    "posix",   "main", "test",
+                                                            "all", "clean",    "install", "package", "help", "CLI"};
 
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
   const std::vector<std::string> classes = class_names(tables, plant);
@@ -36,12 +36,16 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["close"] = "}";
   texts["plant_literal"] = string_literal(tables.name);
   texts["list_literal"] = string_literal(tables.list);
-  const std::pair<const char*, std::size_t> counts[] = {
-      {"unit_count", tables.units.size()},           {"symbol_count", tables.symbols.size()},
-      {"type_count", tables.types.size()},           {"time_count", tables.times.size()},
-      {"initial_count", tables.initial_values.size()}, {"shared_count", tables.shared_addresses.size()},
-      {"operation_bits", tables.operation_bits},     {"event_bits", tables.event_bits},
-      {"operation_slots", tables.operation_slots},   {"event_slots", tables.event_slots}};
+  const std::pair<const char*, std::size_t> counts[] = {{"unit_count", tables.units.size()},
+                                                        {"symbol_count", tables.symbols.size()},
+                                                        {"type_count", tables.types.size()},
+                                                        {"time_count", tables.times.size()},
+                                                        {"initial_count", tables.initial_values.size()},
+                                                        {"shared_count", tables.shared_addresses.size()},
+                                                        {"operation_bits", tables.operation_bits},
+                                                        {"event_bits", tables.event_bits},
+                                                        {"operation_slots", tables.operation_slots},
+                                                        {"event_slots", tables.event_slots}};
   for (const auto& [key, count] : counts) texts[key] = std::to_string(count);
   texts["device_rows"] = device_rows(plant);
   texts["symbol_constant_rows"] = symbol_constant_rows(plant);

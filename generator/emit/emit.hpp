@@ -23,10 +23,12 @@ struct EmitOptions {
 struct EmitResult {
   std::vector<EmittedFile> files;
   std::vector<std::string> inputs;  ///< templates read from disk, for the depfile
-  std::vector<std::string> errors;  ///< faults of templates, in words that name file and line; nothing is to be written then
+  std::vector<std::string>
+      errors;  ///< faults of templates, in words that name file and line; nothing is to be written then
 };
 
-/// Nothing is written: all files come back whole. Equal inputs give equal bytes. O(symbols + devices + types' structure).
+/// Nothing is written: all files come back whole. Equal inputs give equal bytes. O(symbols + devices + types'
+/// structure).
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
                 const base::FileSystem& files);
 

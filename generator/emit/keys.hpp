@@ -8,7 +8,7 @@ namespace symplant::emit {
 
 struct Key {
   std::string_view key;
-  std::string_view where;    ///< a template's name; "*": every one
+  std::string_view where;  ///< a template's name; "*": every one
   bool list;
   std::string_view meaning;
 };

@@ -1,9 +1,8 @@
 // Templates by kainjow's mustache, which is seen here only.
 #include "emit/render.hpp"
 
-#include <kainjow/mustache.hpp>
-
 #include <algorithm>
+#include <kainjow/mustache.hpp>
 
 #include "emit/keys.hpp"
 
@@ -46,7 +45,8 @@ const TemplateError* unknown_key(const Template& text, TemplateError& error) {
     }
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
     if (is_key(text.name, key)) continue;
-    error = {line(), "`" + std::string(key) + "` is no key of this template: see templates/README.md for those that are"};
+    error = {line(),
+             "`" + std::string(key) + "` is no key of this template: see templates/README.md for those that are"};
     return &error;
   }
   return nullptr;

@@ -49,7 +49,7 @@ class RowWriter {
   std::string out_;
 };
 
-constexpr std::array<std::string_view, 15> kTypeNames{"T::boolean", "T::sint",  "T::int_",  "T::dint", "T::lint",
+constexpr std::array<std::string_view, 15> kTypeNames{"T::boolean", "T::sint",  "T::int_",  "T::dint",  "T::lint",
                                                       "T::usint",   "T::uint",  "T::udint", "T::ulint", "T::byte",
                                                       "T::word",    "T::dword", "T::lword", "T::real",  "T::lreal"};
 constexpr std::array<std::string_view, 3> kFormNames{"kNone", "kNumber", "kOther"};

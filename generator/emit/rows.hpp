@@ -9,8 +9,8 @@
 
 namespace symplant::emit {
 
-// Every function gives all rows without a line end behind the last. An array must not be empty in C++: where a table is,
-// it gets one row of zeros that no count includes. O(rows).
+// Every function gives all rows without a line end behind the last. An array must not be empty in C++: where a table
+// is, it gets one row of zeros that no count includes. O(rows).
 std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string time_rows(const lower::EngineTables& tables);
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant);

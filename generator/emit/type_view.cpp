@@ -15,9 +15,9 @@ namespace {
 using model::kNone;
 
 /// Names that a class must not have: those that the generated files themselves use.
-constexpr std::array<std::string_view, 18> kTaken{"Plant", "Device",    "Symbol",  "Operation", "Event",  "State",
-                                                  "core",  "tables",    "symplant", "std",      "main",   "make_plant",
-                                                  "row",   "OwnedPlant", "T",       "d_ext",    "d_int",  "l_enter"};
+constexpr std::array<std::string_view, 18> kTaken{"Plant", "Device",     "Symbol",   "Operation", "Event", "State",
+                                                  "core",  "tables",     "symplant", "std",       "main",  "make_plant",
+                                                  "row",   "OwnedPlant", "T",        "d_ext",     "d_int", "l_enter"};
 constexpr std::size_t kDevicesShown = 20;
 
 std::string joined(const std::vector<std::string>& parts, std::string_view prefix = "") {
@@ -84,11 +84,11 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   View view;
   auto& texts = view.texts;
   texts["class"] = class_name;
-  texts["title"] = comment_text(fmt::format(
-      "{}: {} operation{}, {} event{}, {} states; {}.", class_name, type.operations, type.operations == 1 ? "" : "s",
-      type.events, type.events == 1 ? "" : "s", type.states,
-      unit.actuation == core::Actuation::spring ? "a spring returns it to rest when no operation is on"
-                                                : "a move once started goes on to its end"));
+  texts["title"] = comment_text(
+      fmt::format("{}: {} operation{}, {} event{}, {} states; {}.", class_name, type.operations,
+                  type.operations == 1 ? "" : "s", type.events, type.events == 1 ? "" : "s", type.states,
+                  unit.actuation == core::Actuation::spring ? "a spring returns it to rest when no operation is on"
+                                                            : "a move once started goes on to its end"));
   texts["operation_list"] = joined(add_side(view, "operations", unit.operations, plant), "Operation::");
   texts["event_list"] = joined(add_side(view, "events", unit.events, plant), "Event::");
   texts["state_list"] = joined(add_states(view, unit), "State::");

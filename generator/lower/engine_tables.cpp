@@ -13,9 +13,9 @@ void EngineTables::finish() {
 }
 
 core::PlantTables EngineTables::tables() const {
-  return {name,           type_rows,  units,           times,       symbols,   initial_values, shared_addresses,
-          operation_bits, event_bits, operation_slots, event_slots, unit_names, state_names,   symbol_names,
-          list};
+  return {name,           type_rows,        units,          times,        symbols,
+          initial_values, shared_addresses, operation_bits, event_bits,   operation_slots,
+          event_slots,    unit_names,       state_names,    symbol_names, list};
 }
 
 }  // namespace symplant::lower

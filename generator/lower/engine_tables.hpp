@@ -37,7 +37,7 @@ struct EngineTables {
   std::uint32_t event_bits = 0;
   std::uint32_t operation_slots = 0;
   std::uint32_t event_slots = 0;
-  std::string unit_names;    ///< blobs: each text ended by a NUL
+  std::string unit_names;  ///< blobs: each text ended by a NUL
   std::string state_names;
   std::string symbol_names;  ///< two texts a symbol: name, address
 

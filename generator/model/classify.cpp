@@ -19,11 +19,21 @@ struct TypeName {
   int bits;
 };
 constexpr std::array<TypeName, 16> kTypes{{
-    {"BOOL", DataType::boolean, 1}, {"SINT", DataType::sint, 8},    {"INT", DataType::int_, 16},
-    {"DINT", DataType::dint, 32},   {"LINT", DataType::lint, 64},   {"USINT", DataType::usint, 8},
-    {"UINT", DataType::uint, 16},   {"UDINT", DataType::udint, 32}, {"ULINT", DataType::ulint, 64},
-    {"BYTE", DataType::byte, 8},    {"WORD", DataType::word, 16},   {"DWORD", DataType::dword, 32},
-    {"LWORD", DataType::lword, 64}, {"REAL", DataType::real, 32},   {"LREAL", DataType::lreal, 64},
+    {"BOOL", DataType::boolean, 1},
+    {"SINT", DataType::sint, 8},
+    {"INT", DataType::int_, 16},
+    {"DINT", DataType::dint, 32},
+    {"LINT", DataType::lint, 64},
+    {"USINT", DataType::usint, 8},
+    {"UINT", DataType::uint, 16},
+    {"UDINT", DataType::udint, 32},
+    {"ULINT", DataType::ulint, 64},
+    {"BYTE", DataType::byte, 8},
+    {"WORD", DataType::word, 16},
+    {"DWORD", DataType::dword, 32},
+    {"LWORD", DataType::lword, 64},
+    {"REAL", DataType::real, 32},
+    {"LREAL", DataType::lreal, 64},
     {"BIT", DataType::boolean, 1},
 }};
 
@@ -150,8 +160,8 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
     symbol.direction =
         address.address->area == address::Area::output ? core::Direction::operation : core::Direction::event;
   } else if (reading.fault == name::NameFault::none) {
-    symbol.direction = reading.direction == name::Direction::operation ? core::Direction::operation
-                                                                       : core::Direction::event;
+    symbol.direction =
+        reading.direction == name::Direction::operation ? core::Direction::operation : core::Direction::event;
   } else {
     return InternalReason::no_direction;
   }

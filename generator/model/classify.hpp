@@ -15,8 +15,8 @@ std::optional<core::DataType> data_type(std::string_view text);
 std::string_view data_type_name(core::DataType type);
 int data_type_bits(core::DataType type);
 
-/// Reads an Initial cell of a type: TRUE, FALSE, 0, 1; decimal, 16#, 8#, 2#, TYPE#value, K and H constants; REAL. Empty is 0.
-/// Nothing where it cannot be read or does not fit.
+/// Reads an Initial cell of a type: TRUE, FALSE, 0, 1; decimal, 16#, 8#, 2#, TYPE#value, K and H constants; REAL. Empty
+/// is 0. Nothing where it cannot be read or does not fit.
 std::optional<std::uint64_t> initial_value(std::string_view text, core::DataType type);
 
 /// What one row is.

@@ -11,9 +11,11 @@ namespace symplant::model {
 namespace {
 
 struct Draft {
-  State state;
+  std::string_view task;
   std::string_view sequence;
   std::uint32_t first_symbol;
+  std::uint32_t operation = kNone;
+  std::uint32_t event = kNone;
 };
 
 /// Inference 1: the only state gets a counterpart without an event, ordered first.
@@ -98,8 +100,9 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols) {
     unit.initial_from = InitialFrom::rest_state;
   } else {
     unit.initial = 0;
-    const bool decided = unit.states[0].numbered && (unit.states.size() == 1 || sequence_number(unit.states[0].name) !=
-                                                                                    sequence_number(unit.states[1].name));
+    const bool decided =
+        unit.states[0].numbered &&
+        (unit.states.size() == 1 || sequence_number(unit.states[0].name) != sequence_number(unit.states[1].name));
     unit.initial_from = decided ? InitialFrom::sequence : InitialFrom::row_order;
   }
 }
@@ -112,16 +115,16 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
   const auto add = [&](std::uint32_t symbol) -> Draft& {
     const std::string_view task = symbols[symbol].reading.task;
     const auto [found, added] = by_task.try_emplace(task, drafts.size());
-    if (added) drafts.push_back({{std::string(task)}, sequence_number(task), symbol});
+    if (added) drafts.push_back({task, sequence_number(task), symbol});
     return drafts[found->second];
   };
-  for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).state.operation = i;
+  for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
   for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
     Draft& draft = add(unit.events[i]);
-    draft.state.event = i;
+    draft.event = i;
     if (unit.events[i] < draft.first_symbol) {  // the first row names the state
       draft.first_symbol = unit.events[i];
-      draft.state.name = std::string(symbols[unit.events[i]].reading.task);
+      draft.task = symbols[unit.events[i]].reading.task;
     }
   }
   std::sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) {
@@ -130,9 +133,8 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
   });
   std::vector<State> states;
   states.reserve(drafts.size() + 1);
-  for (Draft& draft : drafts) {
-    draft.state.numbered = !draft.sequence.empty();
-    states.push_back(std::move(draft.state));
+  for (const Draft& draft : drafts) {
+    states.push_back({std::string(draft.task), draft.operation, draft.event, !draft.sequence.empty()});
   }
   return states;
 }

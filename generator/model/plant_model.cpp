@@ -7,10 +7,14 @@ namespace symplant::model {
 
 std::string_view internal_reason_text(InternalReason reason) {
   switch (reason) {
-    case InternalReason::constant: return "constants";
-    case InternalReason::memory: return "memory addresses";
-    case InternalReason::type: return "types that are no I/O";
-    case InternalReason::no_direction: return "no address and no direction in the name";
+    case InternalReason::constant:
+      return "constants";
+    case InternalReason::memory:
+      return "memory addresses";
+    case InternalReason::type:
+      return "types that are no I/O";
+    case InternalReason::no_direction:
+      return "no address and no direction in the name";
   }
   return "";
 }

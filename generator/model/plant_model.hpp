@@ -25,10 +25,10 @@ inline constexpr core::Time kDefaultDwell = core::kSecond;
 
 /// Why a row of the list is no I/O symbol. Such rows are counted and served nowhere.
 enum class InternalReason : std::uint8_t {
-  constant,       ///< VAR_CONSTANT and the like
-  memory,         ///< an address in the PLC's memory: M, D, %M
-  type,           ///< TIME, STRING, an array, a structure, a function block
-  no_direction,   ///< no address, and a name that tells no direction
+  constant,      ///< VAR_CONSTANT and the like
+  memory,        ///< an address in the PLC's memory: M, D, %M
+  type,          ///< TIME, STRING, an array, a structure, a function block
+  no_direction,  ///< no address, and a name that tells no direction
 };
 inline constexpr std::size_t kInternalReasons = 4;
 std::string_view internal_reason_text(InternalReason reason);
@@ -49,11 +49,11 @@ struct Symbol {
   core::Direction direction;
   core::DataType type;
   std::optional<address::Address> address;
-  bool initial_known = true;        ///< false: its Initial could not be read
-  std::uint64_t initial = 0;        ///< as core::InitialValue has it; 0 where the list says nothing
+  bool initial_known = true;  ///< false: its Initial could not be read
+  std::uint64_t initial = 0;  ///< as core::InitialValue has it; 0 where the list says nothing
   Unmodelled unmodelled = Unmodelled::modelled;
   std::uint32_t unit = kNone;
-  std::uint32_t leader = kNone;     ///< the symbol whose value it follows, on one address; kNone where it leads itself
+  std::uint32_t leader = kNone;  ///< the symbol whose value it follows, on one address; kNone where it leads itself
 
   std::string_view name() const { return row->name; }
   /// As the list writes it: the vendor's, or else the IEC one; empty where there is none.
@@ -67,7 +67,7 @@ struct State {
   std::string name;
   std::uint32_t operation = kNone;
   std::uint32_t event = kNone;
-  bool numbered = false;           ///< its name ends in a sequence number
+  bool numbered = false;  ///< its name ends in a sequence number
 };
 
 /// Where a transition comes from; says in which order they stand, too.
@@ -95,15 +95,15 @@ struct Unit {
   std::vector<State> states;              ///< S
   std::vector<Transition> transitions;    ///< d_ext and d_int, in their order
   core::Actuation actuation = core::Actuation::latched;
-  std::uint32_t rest = kNone;             ///< given or inferred; a `spring` returns to it
+  std::uint32_t rest = kNone;  ///< given or inferred; a `spring` returns to it
   std::uint32_t initial = 0;
 
   // What the derivation decided, for whoever tells the user.
   InitialFrom initial_from = InitialFrom::sequence;
-  bool rest_added = false;                ///< inference 1: NOT_X
-  bool single_solenoid = false;           ///< inference 2
-  bool two_words = false;                 ///< X has only an operation, Y only an event: perhaps one state
-  std::uint32_t initial_candidates = 0;   ///< states whose event alone has Initial TRUE
+  bool rest_added = false;                        ///< inference 1: NOT_X
+  bool single_solenoid = false;                   ///< inference 2
+  bool two_words = false;                         ///< X has only an operation, Y only an event: perhaps one state
+  std::uint32_t initial_candidates = 0;           ///< states whose event alone has Initial TRUE
   std::vector<std::uint32_t> ambiguous_sequence;  ///< states whose predecessor's number several states have
 
   bool moves() const { return !transitions.empty() || actuation == core::Actuation::spring; }
@@ -133,8 +133,8 @@ struct TooLarge {
 struct RadixChoice {
   address::Radix radix = address::Radix::hexadecimal;
   enum class By : std::uint8_t { nothing, option, rows } by = By::nothing;
-  const read::ListRow* proof = nullptr;        ///< a row whose two addresses prove it
-  const read::ListRow* matters_in = nullptr;   ///< the first row in which it makes a difference; null where in none
+  const read::ListRow* proof = nullptr;       ///< a row whose two addresses prove it
+  const read::ListRow* matters_in = nullptr;  ///< the first row in which it makes a difference; null where in none
 };
 
 /// An address cell that is no address.
@@ -147,8 +147,8 @@ struct PlantModel {
   std::string name;
   std::shared_ptr<const read::SymbolTable> list;  ///< rows that the model points to
   const name::NamingRule* rule;
-  std::vector<Symbol> symbols;                    ///< I/O symbols, in list order
-  std::vector<Unit> units;                        ///< in the order of their first symbol
+  std::vector<Symbol> symbols;  ///< I/O symbols, in list order
+  std::vector<Unit> units;      ///< in the order of their first symbol
   std::array<std::size_t, kInternalReasons> internal{};
   RadixChoice radix;
   std::vector<Duplicate> duplicates;

@@ -78,13 +78,19 @@ NameReading NameParser::parse(std::string_view name) {
   for (std::size_t i = 0; i < wanted; ++i) {
     const std::string_view text = text_of(pieces[i]);
     switch (rule_.levels[i]) {
-      case Level::line: reading.line = text; break;
-      case Level::process: reading.process = text; break;
+      case Level::line:
+        reading.line = text;
+        break;
+      case Level::process:
+        reading.process = text;
+        break;
       case Level::device:
         reading.device = text;
         device_end = offset(pieces[i].end().base());
         break;
-      case Level::task: reading.task = text; break;
+      case Level::task:
+        reading.task = text;
+        break;
       case Level::direction: {
         const DirectionWord* found = nullptr;
         for (const DirectionWord& word : rule_.directions) {

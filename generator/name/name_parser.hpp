@@ -14,17 +14,17 @@ namespace symplant::name {
 /// Why a name does not follow the rule.
 enum class NameFault : std::uint8_t {
   none,
-  illegal_character,       ///< something other than letters, digits and the separator
+  illegal_character,  ///< something other than letters, digits and the separator
   wrong_number_of_levels,
-  empty_level,             ///< two separators side by side, or one at an end
-  direction_not_io,        ///< the direction level is none of the rule's words
+  empty_level,       ///< two separators side by side, or one at an end
+  direction_not_io,  ///< the direction level is none of the rule's words
 };
 
 /// What a name says, or where it goes wrong. Views point into the name.
 struct NameReading {
   NameFault fault = NameFault::none;
-  base::Span where;              ///< bytes of the name that the fault is about
-  std::uint32_t levels = 0;      ///< how many it has; 0 where an illegal character came first
+  base::Span where;          ///< bytes of the name that the fault is about
+  std::uint32_t levels = 0;  ///< how many it has; 0 where an illegal character came first
   // Only without a fault:
   std::string_view device_path;  ///< line, process and device with what parts them: the device's identity
   std::string_view line;

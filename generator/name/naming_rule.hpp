@@ -18,13 +18,14 @@ struct DirectionWord {
 
 struct NamingRule {
   std::string name;
-  std::string pattern;         ///< as people write it, for messages
-  char32_t separator;          ///< parts two levels
-  std::vector<Level> levels;   ///< in their order; levels are of letters and digits, Unicode's too
+  std::string pattern;        ///< as people write it, for messages
+  char32_t separator;         ///< parts two levels
+  std::vector<Level> levels;  ///< in their order; levels are of letters and digits, Unicode's too
   std::vector<DirectionWord> directions;
 };
 
-/// `LINE_PROC_DEV_I|O_TASK` (Park, Wang and Park, "Symbol naming rules for plant model generation in the PLC simulation").
+/// `LINE_PROC_DEV_I|O_TASK` (Park, Wang and Park, "Symbol naming rules for plant model generation in the PLC
+/// simulation").
 const NamingRule& built_in_rule();
 
 }  // namespace symplant::name

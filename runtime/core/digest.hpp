@@ -27,8 +27,8 @@ class Fnv1a64 {
   std::uint64_t hash_ = 0xCBF2'9CE4'8422'2325;
 };
 
-/// What a plant is, as one number: the same for equal tables wherever they were made, another as soon as any row or name
-/// differs. Lines in the symbol list and the list's file name do not count. O(tables).
+/// What a plant is, as one number: the same for equal tables wherever they were made, another as soon as any row or
+/// name differs. Lines in the symbol list and the list's file name do not count. O(tables).
 std::uint64_t model_hash(const PlantTables& tables) noexcept;
 
 }  // namespace symplant::core

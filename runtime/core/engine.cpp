@@ -126,9 +126,7 @@ void Engine::write_operation_value(std::uint32_t slot, std::uint64_t value) noex
   for (const SharedPlace& other : index_.shared_operations.with(kSharedSlot + slot)) write(other.place - kSharedSlot);
 }
 
-Time Engine::next_due() const noexcept {
-  return head->started == 0 ? head->now : head->wheel.peek(units);
-}
+Time Engine::next_due() const noexcept { return head->started == 0 ? head->now : head->wheel.peek(units); }
 
 void Engine::advance_to(Time target, Observer* observer) noexcept {
   target = std::max(target, head->now);
@@ -183,7 +181,8 @@ void Engine::sample_operations() noexcept {
     disarmed[word] &= operations[word];  // a round that sees an operation off arms it
     operation_changes_.add({word, changed});
     for (; changed != 0; changed &= changed - 1) {
-      const std::uint32_t unit = index_.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(changed))];
+      const std::uint32_t unit =
+          index_.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(changed))];
       if (unit != kNoUnit) queue(unit);
     }
   }
@@ -216,8 +215,8 @@ void Engine::close_instant(Observer* observer) noexcept {
   touched_events_.clear();
   if (observer != nullptr &&
       (stepped_.size | operation_changes_.size | event_changes_.size | slot_changes_.size) != 0) {
-    observer->instant({head->now, stepped_.view(), operation_changes_.view(), event_changes_.view(),
-                       slot_changes_.view(), {}});
+    observer->instant(
+        {head->now, stepped_.view(), operation_changes_.view(), event_changes_.view(), slot_changes_.view(), {}});
   }
   for (const std::uint32_t unit : stepped_.view()) units[unit].flags &= static_cast<std::uint8_t>(~kStepped);
   stepped_.size = operation_changes_.size = event_changes_.size = slot_changes_.size = 0;

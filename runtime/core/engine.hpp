@@ -109,8 +109,8 @@ class Engine {
   List<std::uint32_t> current_;  ///< units of this round
   List<std::uint32_t> coming_;   ///< and of the next
   List<std::uint32_t> stepped_;
-  DirtySet touched_events_;            ///< words written in this instant
-  std::uint64_t* events_before_;       ///< of those, as they stood when it began
+  DirtySet touched_events_;       ///< words written in this instant
+  std::uint64_t* events_before_;  ///< of those, as they stood when it began
   List<WordChange> operation_changes_;
   List<WordChange> event_changes_;
   List<std::uint32_t> slot_changes_;

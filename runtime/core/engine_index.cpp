@@ -42,8 +42,8 @@ TypeIndex make_type(const TypeRow& row, Arena& arena) noexcept {
   auto* automatic = arena.take<bool>(states);
   if (from_begin != nullptr) fill_type(row, from_begin, from_order, starts, leads, automatic);
   const std::uint64_t all = row.operations == kMaxOperations ? ~std::uint64_t{0} : bit(row.operations) - 1;
-  return {row.transitions.data(), from_begin, from_order, starts, leads, automatic,
-          row.enter.data(),       row.leave.data(), all,   row.rest, row.actuation};
+  return {row.transitions.data(), from_begin,       from_order, starts,   leads,        automatic,
+          row.enter.data(),       row.leave.data(), all,        row.rest, row.actuation};
 }
 
 std::uint32_t place_of(const SymbolRow& symbol) noexcept {

@@ -205,8 +205,8 @@ void Engine::turn_round(std::uint32_t unit, const UnitRow& row, const TypeIndex&
   state.transition = transition;
   state.flags &= static_cast<std::uint8_t>(~kStanding);
   const Time forth = state.mark;
-  state.mark = takes(row, transition != kNoTransition ? transition
-                                                      : way_without_command(type, state.state, state.target));
+  state.mark =
+      takes(row, transition != kNoTransition ? transition : way_without_command(type, state.state, state.target));
   stepped(unit);
   time(unit, time_back(state.mark, forth - remaining, forth));
   queue(unit);

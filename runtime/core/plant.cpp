@@ -9,7 +9,9 @@
 namespace symplant::core {
 namespace {
 
-bool bit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept { return ((plane[bit / 64] >> (bit % 64)) & 1) != 0; }
+bool bit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
+  return ((plane[bit / 64] >> (bit % 64)) & 1) != 0;
+}
 
 }  // namespace
 
@@ -63,7 +65,8 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   if (!moving) return {state.state, state.state, false, 0, 0.0};
   const Time remaining = (state.flags & kStanding) != 0 ? state.due : std::max<Time>(state.due - now(), 0);
   const double whole = static_cast<double>(state.mark);
-  return {state.state, state.target, true, remaining, state.mark == 0 ? 1.0 : 1.0 - static_cast<double>(remaining) / whole};
+  return {state.state, state.target, true, remaining,
+          state.mark == 0 ? 1.0 : 1.0 - static_cast<double>(remaining) / whole};
 }
 
 }  // namespace symplant::core

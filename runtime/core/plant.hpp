@@ -22,10 +22,10 @@ struct WordChange {
 /// The net effect of all that happened at one time. Valid only while the observer is called.
 struct Instant {
   Time time;
-  std::span<const std::uint32_t> units;           ///< that made a step, in no order
-  std::span<const WordChange> operations;         ///< by word, in no order
+  std::span<const std::uint32_t> units;    ///< that made a step, in no order
+  std::span<const WordChange> operations;  ///< by word, in no order
   std::span<const WordChange> events;
-  std::span<const std::uint32_t> operation_slots; ///< values that changed
+  std::span<const std::uint32_t> operation_slots;  ///< values that changed
   std::span<const std::uint32_t> event_slots;
 };
 
@@ -43,8 +43,8 @@ struct UnitView {
   std::uint8_t state;   ///< settled in, or moving from
   std::uint8_t target;  ///< moving to; `state` where it is settled
   bool moving;
-  Time remaining;       ///< of the move, ns
-  double progress;      ///< of the move, 0 to 1; 0 where it is settled
+  Time remaining;   ///< of the move, ns
+  double progress;  ///< of the move, 0 to 1; 0 where it is settled
 };
 
 /// A plant of the tables given, in the memory given (memory_size() bytes, aligned for any type).

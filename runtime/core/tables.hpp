@@ -58,17 +58,27 @@ struct UnitRow {
   std::uint32_t type;
   std::uint32_t operation_bit;  ///< of its operation 0; all its operations lie in one 64-bit word
   std::uint32_t event_bit;      ///< of its event 0; all its events lie in one 64-bit word
-  std::uint32_t times;          ///< of its first entry in PlantTables::times: the default travel, then a transition each
+  std::uint32_t times;  ///< of its first entry in PlantTables::times: the default travel, then a transition each
   std::uint8_t initial;
 };
 
 /// IEC 61131-3 elementary types that an I/O symbol may have. The order is fixed: files and digests hold the numbers.
 enum class DataType : std::uint8_t {
   boolean,
-  sint, int_, dint, lint,
-  usint, uint, udint, ulint,
-  byte, word, dword, lword,
-  real, lreal,
+  sint,
+  int_,
+  dint,
+  lint,
+  usint,
+  uint,
+  udint,
+  ulint,
+  byte,
+  word,
+  dword,
+  lword,
+  real,
+  lreal,
 };
 
 /// Seen from the PLC: it writes operations, it reads events.
@@ -76,21 +86,21 @@ enum class Direction : std::uint8_t { operation, event };
 
 /// How a symbol's address gives its number on a link.
 enum class AddressForm : std::uint8_t {
-  none,        ///< no address: the symbol is on no link
-  number,      ///< a plain index (X0001, %IX1, %IW5), or byte.bit (%IX0.1), whose number is 8 * byte + bit
-  other,       ///< has no number of its own on a link: those are packed in list order
+  none,    ///< no address: the symbol is on no link
+  number,  ///< a plain index (X0001, %IX1, %IW5), or byte.bit (%IX0.1), whose number is 8 * byte + bit
+  other,   ///< has no number of its own on a link: those are packed in list order
 };
 
 /// One I/O symbol, modelled or not. Rows stand in the order of the symbol list.
 struct SymbolRow {
-  std::uint32_t index;    ///< BOOL: its bit in its direction's bit plane; else its slot in that direction's value plane
-  std::uint32_t unit;     ///< the unit that it is an operation or event of, or kNoUnit
-  std::uint32_t number;   ///< of its address, meaningful with AddressForm::number
-  std::uint32_t row;      ///< line in the symbol list, counted from 1
+  std::uint32_t index;   ///< BOOL: its bit in its direction's bit plane; else its slot in that direction's value plane
+  std::uint32_t unit;    ///< the unit that it is an operation or event of, or kNoUnit
+  std::uint32_t number;  ///< of its address, meaningful with AddressForm::number
+  std::uint32_t row;     ///< line in the symbol list, counted from 1
   DataType type;
   Direction direction;
   AddressForm form;
-  bool moved;             ///< an event that its unit moves, or an operation that moves its unit
+  bool moved;  ///< an event that its unit moves, or an operation that moves its unit
 };
 
 /// A starting value other than off or zero, of a bit or slot that no unit sets at the start.
@@ -115,7 +125,7 @@ struct PlantTables {
   std::span<const SymbolRow> symbols;
   std::span<const InitialValue> initial_values;
   std::span<const SharedAddress> shared_addresses;
-  std::uint32_t operation_bits;   ///< size of the bit planes, in bits: a multiple of 64
+  std::uint32_t operation_bits;  ///< size of the bit planes, in bits: a multiple of 64
   std::uint32_t event_bits;
   std::uint32_t operation_slots;  ///< size of the value planes, in 64-bit slots
   std::uint32_t event_slots;

@@ -16,9 +16,9 @@ namespace symplant::core {
 
 /// What changes in one unit. All bits zero is a unit settled in state 0, in no wheel.
 struct UnitState {
-  Time due;                  ///< in the wheel: when it becomes due; standing still: the time remaining
-  Time mark;                 ///< settled: since when; moving: the whole time of the move
-  std::uint32_t next;        ///< in its bucket
+  Time due;            ///< in the wheel: when it becomes due; standing still: the time remaining
+  Time mark;           ///< settled: since when; moving: the whole time of the move
+  std::uint32_t next;  ///< in its bucket
   std::uint32_t previous;
   std::uint16_t transition;  ///< under way; kNoTransition on a spring's way without a command
   std::uint8_t state;        ///< settled in, or moving from
@@ -47,8 +47,8 @@ class Wheel {
   void insert(UnitState* units, std::uint32_t unit, Time due) noexcept;
   void remove(UnitState* units, std::uint32_t unit) noexcept;
 
-  /// The earliest due time up to and including `limit`, or kNever. Nothing before `limit` may be inserted afterwards that
-  /// lies before what this gives (or before `limit`, where it gives kNever).
+  /// The earliest due time up to and including `limit`, or kNever. Nothing before `limit` may be inserted afterwards
+  /// that lies before what this gives (or before `limit`, where it gives kNever).
   Time earliest(UnitState* units, Time limit) noexcept;
   /// The earliest due time of all, or kNever; changes nothing. O(units of one bucket).
   Time peek(const UnitState* units) const noexcept;
@@ -67,9 +67,9 @@ class Wheel {
   std::uint32_t lowest_digit(std::uint32_t level) const noexcept;
   Time bucket_minimum(const UnitState* units, std::uint32_t bucket) const noexcept;
 
-  Time last_;                     ///< no entry lies before it
-  Time bound_;                    ///< nor before this: an idle look costs one compare
-  std::uint64_t levels_;          ///< bit l: occupied_[l] is not empty
+  Time last_;             ///< no entry lies before it
+  Time bound_;            ///< nor before this: an idle look costs one compare
+  std::uint64_t levels_;  ///< bit l: occupied_[l] is not empty
   std::array<std::uint64_t, kLevels> occupied_;
   std::array<std::uint32_t, kLevels * std::size_t{64}> heads_;
 };

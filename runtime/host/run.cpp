@@ -103,7 +103,8 @@ void run_virtual(core::Plant& plant, const RunOptions& options, Tracing& tracing
       } else if (nothing_left) {
         out << fmt::format("ended at {}: nothing more is due\n", seconds(plant.now()));
       } else {
-        out << fmt::format("ended at {} of plant time: the plant would go on for ever; --until says how long\n", seconds(end));
+        out << fmt::format("ended at {} of plant time: the plant would go on for ever; --until says how long\n",
+                           seconds(end));
       }
       return;
     }
@@ -128,7 +129,8 @@ void run_real(core::Plant& plant, const RunOptions& options, std::vector<std::un
   exec::CycleOptions cycle;
   cycle.cycle = options.cycle;
   cycle.until = options.until.value_or(core::kNever);
-  const exec::CycleStatistics done = exec::run_cycles(plant, exchanges, cycle, clock, tracing.observer(), stop_requested);
+  const exec::CycleStatistics done =
+      exec::run_cycles(plant, exchanges, cycle, clock, tracing.observer(), stop_requested);
   tracing.stop_thread();
 
   out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost, latest start {} us late\n", seconds(plant.now()),
@@ -145,9 +147,11 @@ void run_real(core::Plant& plant, const RunOptions& options, std::vector<std::un
 
 int run(const core::PlantTables& tables, const RunOptions& options, std::ostream& out, std::ostream& err,
         const std::vector<std::string>& more) {
-  const bool linked = std::any_of(options.links.begin(), options.links.end(), [](const auto& l) { return l != "loop:"; });
+  const bool linked =
+      std::any_of(options.links.begin(), options.links.end(), [](const auto& l) { return l != "loop:"; });
   if (linked && options.clock == RunOptions::Clock::virtual_time) {
-    err << "error: virtual time with a link to a PLC makes no sense, since the PLC's time is real: leave `--clock virtual` "
+    err << "error: virtual time with a link to a PLC makes no sense, since the PLC's time is real: leave `--clock "
+           "virtual` "
            "away\n";
     return kBadInput;
   }
@@ -180,7 +184,8 @@ int run(const core::PlantTables& tables, const RunOptions& options, std::ostream
   }
   tracing.finish();
   if (!tracing.error().empty()) err << "warning: " << tracing.error() << "\n";
-  if (tracing.lost() != 0) err << fmt::format("warning: {} changes are missing in the trace: the disk was too slow\n", tracing.lost());
+  if (tracing.lost() != 0)
+    err << fmt::format("warning: {} changes are missing in the trace: the disk was too slow\n", tracing.lost());
   return kGood;
 }
 

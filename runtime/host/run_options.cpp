@@ -14,7 +14,8 @@ namespace {
 core::Time duration(const std::string& text, const char* option) {
   const auto time = core::parse_duration(text);
   if (!time) {
-    throw CLI::ValidationError(option, "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
+    throw CLI::ValidationError(option,
+                               "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
   }
   return *time;
 }

@@ -10,6 +10,7 @@
 namespace symplant::host {
 
 /// What was read, what can move, and what nobody moves. `more` are further lines, told behind the first.
-std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more = {});
+std::string summary(const core::PlantTables& tables, std::uint64_t model_hash,
+                    const std::vector<std::string>& more = {});
 
 }  // namespace symplant::host

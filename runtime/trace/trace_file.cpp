@@ -32,8 +32,8 @@ std::string json_value(core::DataType type, std::uint64_t value) {
   if (type == core::DataType::boolean) return value != 0 ? "true" : "false";
   if (type == core::DataType::real || type == core::DataType::lreal) {
     const double number = std::bit_cast<double>(value);
-    const std::string text = type == core::DataType::real ? fmt::format("{}", static_cast<float>(number))
-                                                          : fmt::format("{}", number);
+    const std::string text =
+        type == core::DataType::real ? fmt::format("{}", static_cast<float>(number)) : fmt::format("{}", number);
     return std::isfinite(number) ? text : '"' + text + '"';
   }
   const auto as_signed = static_cast<std::int64_t>(value);

@@ -54,8 +54,8 @@ void limit_grid(benchmark::State& state) {
   }
   motions = 0;
   for (auto _ : state) scan();
-  state.counters["ns_per_motion"] =
-      benchmark::Counter(static_cast<double>(motions) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_per_motion"] = benchmark::Counter(static_cast<double>(motions) * 1e-9,
+                                                       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["motions"] = static_cast<double>(motions);
 }
 
@@ -92,8 +92,8 @@ void engine_grid(benchmark::State& state) {
   }
   motions = 0;
   for (auto _ : state) scan();
-  state.counters["ns_per_motion"] =
-      benchmark::Counter(static_cast<double>(motions) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_per_motion"] = benchmark::Counter(static_cast<double>(motions) * 1e-9,
+                                                       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["motions"] = static_cast<double>(motions);
 }
 
@@ -124,8 +124,8 @@ void engine_distinct(benchmark::State& state) {
   for (std::uint32_t d = 0; d < 2 * devices; ++d) arrival();
   motions = 0;
   for (auto _ : state) arrival();
-  state.counters["ns_per_motion"] =
-      benchmark::Counter(static_cast<double>(motions) * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_per_motion"] = benchmark::Counter(static_cast<double>(motions) * 1e-9,
+                                                       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["motions"] = static_cast<double>(motions);
 }
 

@@ -13,8 +13,13 @@ namespace symplant::bench {
 class LimitPlant {
  public:
   LimitPlant(std::uint32_t devices, std::uint32_t travel_ticks)
-      : travel_(travel_ticks), operations(words(devices)), last_(words(devices)), events(words(devices)),
-        changed(words(devices)), state_(devices), next_(devices) {
+      : travel_(travel_ticks),
+        operations(words(devices)),
+        last_(words(devices)),
+        events(words(devices)),
+        changed(words(devices)),
+        state_(devices),
+        next_(devices) {
     wheel_.fill(kNone);
     for (std::uint32_t d = 0; d < devices; ++d) events[d / 32] |= std::uint64_t{1} << (2 * (d % 32));
   }

@@ -1,13 +1,15 @@
 // SP303 address-used-twice: several symbols stand on one address.
 #include <fmt/format.h>
 
-#include "check/rules.hpp"
 #include <algorithm>
+
+#include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Two symbols have one address. That may be meant (two names for one signal), but more often a row was copied and its address
+constexpr std::string_view kPage =
+    R"(Two symbols have one address. That may be meant (two names for one signal), but more often a row was copied and its address
 not changed.
 
 **What the model loses.** Symbols of one address are kept equal: whatever writes one writes all. Where a unit moves one of
@@ -22,17 +24,20 @@ void check_address_used_twice(const Rule& rule, const model::PlantModel& plant, 
     const model::Symbol& leader = plant.symbols[symbol.leader];
     const auto moved_twice = [&](const auto& pair) { return &plant.symbols[pair[0]] == &symbol; };
     if (std::any_of(plant.moved_twice.begin(), plant.moved_twice.end(), moved_twice)) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` stands on {} as `{}` does: they are kept equal; correct the address if they are two "
-                                "signals",
-                                symbol.name(), symbol.written_address(), leader.name()),
-                    place_of(plant, *symbol.row, symbol.written_address()),
-                    {{place_of(plant, *leader.row, leader.written_address()), "the symbol that it follows"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` stands on {} as `{}` does: they are kept equal; correct the address if they are two "
+                    "signals",
+                    symbol.name(), symbol.written_address(), leader.name()),
+        place_of(plant, *symbol.row, symbol.written_address()),
+        {{place_of(plant, *leader.row, leader.written_address()), "the symbol that it follows"}});
   }
 }
 
 }  // namespace
 
-const Rule kAddressUsedTwice{{"SP303", "address-used-twice", diag::Severity::warning, "several symbols stand on one address", kPage}, check_address_used_twice};
+const Rule kAddressUsedTwice{
+    {"SP303", "address-used-twice", diag::Severity::warning, "several symbols stand on one address", kPage},
+    check_address_used_twice};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(The direction in a symbol's name contradicts its address: `..._I_...` stands on an output (Y, `%Q`), or `..._O_...` on an
+constexpr std::string_view kPage =
+    R"(The direction in a symbol's name contradicts its address: `..._I_...` stands on an output (Y, `%Q`), or `..._O_...` on an
 input (X, `%I`).
 
 **What the model loses.** The address wins, since it is wired; the symbol is taken as what its address says. If the
@@ -20,18 +21,20 @@ void check_direction_against_address(const Rule& rule, const model::PlantModel& 
     if (!symbol.address || symbol.reading.fault != name::NameFault::none) continue;
     const bool name_says_operation = symbol.reading.direction == name::Direction::operation;
     if (name_says_operation == (symbol.direction == core::Direction::operation)) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` is an {} by its name and an {} by its address {}: the address counts; correct one of "
-                                "them",
-                                symbol.name(), name_says_operation ? "operation" : "event",
-                                direction_text(symbol.direction), symbol.written_address()),
-                    place_of(plant, symbol),
-                    {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` is an {} by its name and an {} by its address {}: the address counts; correct one of "
+                    "them",
+                    symbol.name(), name_says_operation ? "operation" : "event", direction_text(symbol.direction),
+                    symbol.written_address()),
+        place_of(plant, symbol), {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
   }
 }
 
 }  // namespace
 
-const Rule kDirectionAgainstAddress{{"SP305", "direction-against-address", diag::Severity::warning, "a name says one direction, its address the other", kPage}, check_direction_against_address};
+const Rule kDirectionAgainstAddress{{"SP305", "direction-against-address", diag::Severity::warning,
+                                     "a name says one direction, its address the other", kPage},
+                                    check_direction_against_address};
 
 }  // namespace symplant::check

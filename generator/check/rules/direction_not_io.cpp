@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(The level of a symbol's name that tells its direction holds another word than the naming rule knows. Under the built-in
+constexpr std::string_view kPage =
+    R"(The level of a symbol's name that tells its direction holds another word than the naming rule knows. Under the built-in
 rule it is `I` (the PLC reads it: an event of the plant) or `O` (the PLC writes it: an operation).
 
 **What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same, in
@@ -22,7 +23,8 @@ void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, di
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(rule.info,
-                    fmt::format("`{}` says `{}` where its direction should stand, `{}` wants I or O: nothing moves it; write the one that its address has",
+                    fmt::format("`{}` says `{}` where its direction should stand, `{}` wants I or O: nothing moves it; "
+                                "write the one that its address has",
                                 symbol.name(), faulty_part(symbol), plant.rule->pattern),
                     place);
   }
@@ -30,6 +32,8 @@ void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, di
 
 }  // namespace
 
-const Rule kDirectionNotIo{{"SP203", "direction-not-io", diag::Severity::warning, "the direction level is neither I nor O", kPage}, check_direction_not_io};
+const Rule kDirectionNotIo{
+    {"SP203", "direction-not-io", diag::Severity::warning, "the direction level is neither I nor O", kPage},
+    check_direction_not_io};
 
 }  // namespace symplant::check

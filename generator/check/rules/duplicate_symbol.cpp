@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Two rows of the list declare one name, with the same address and type. Names are compared without regard to the case of
+constexpr std::string_view kPage =
+    R"(Two rows of the list declare one name, with the same address and type. Names are compared without regard to the case of
 ASCII letters, as PLC tools do.
 
 **What the model loses.** Nothing: the first row counts, the second is left out.
@@ -17,16 +18,19 @@ ASCII letters, as PLC tools do.
 void check_duplicate_symbol(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (!duplicate.same) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` is declared again, with the same address and type: this row is left out; delete it",
-                                duplicate.second->name),
-                    place_of(plant, *duplicate.second, duplicate.second->name),
-                    {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` is declared again, with the same address and type: this row is left out; delete it",
+                    duplicate.second->name),
+        place_of(plant, *duplicate.second, duplicate.second->name),
+        {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
   }
 }
 
 }  // namespace
 
-const Rule kDuplicateSymbol{{"SP301", "duplicate-symbol", diag::Severity::warning, "a symbol is declared twice in the same way", kPage}, check_duplicate_symbol};
+const Rule kDuplicateSymbol{
+    {"SP301", "duplicate-symbol", diag::Severity::warning, "a symbol is declared twice in the same way", kPage},
+    check_duplicate_symbol};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A symbol's name has two separators side by side, or one at its beginning or end, so that one of its levels is empty.
+constexpr std::string_view kPage =
+    R"(A symbol's name has two separators side by side, or one at its beginning or end, so that one of its levels is empty.
 
 **What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same.
 
@@ -18,15 +19,18 @@ void check_empty_level(const Rule& rule, const model::PlantModel& plant, diag::D
     if (symbol.reading.fault != name::NameFault::empty_level) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` has an empty level: nothing moves it; write the missing word or take the surplus separator away",
-                                symbol.name()),
-                    place);
+    diagnostics.add(
+        rule.info,
+        fmt::format(
+            "`{}` has an empty level: nothing moves it; write the missing word or take the surplus separator away",
+            symbol.name()),
+        place);
   }
 }
 
 }  // namespace
 
-const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kPage}, check_empty_level};
+const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kPage},
+                       check_empty_level};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Two events stand on one address, and different devices move them. The PLC reads one bit there; the plant would have two
+constexpr std::string_view kPage =
+    R"(Two events stand on one address, and different devices move them. The PLC reads one bit there; the plant would have two
 answers for it.
 
 **What the model loses.** It cannot be built.
@@ -28,6 +29,8 @@ void check_event_moved_twice(const Rule& rule, const model::PlantModel& plant, d
 
 }  // namespace
 
-const Rule kEventMovedTwice{{"SP304", "event-moved-twice", diag::Severity::error, "two devices move events on one address", kPage}, check_event_moved_twice};
+const Rule kEventMovedTwice{
+    {"SP304", "event-moved-twice", diag::Severity::error, "two devices move events on one address", kPage},
+    check_event_moved_twice};
 
 }  // namespace symplant::check

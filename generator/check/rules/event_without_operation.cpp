@@ -1,13 +1,15 @@
 // SP402 event-without-operation: a device reports a state that it can never reach.
 #include <fmt/format.h>
 
-#include "check/rules.hpp"
 #include <algorithm>
+
+#include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A device has an event for a task, but no operation for it, and nothing else that was inferred leads there: it is neither
+constexpr std::string_view kPage =
+    R"(A device has an event for a task, but no operation for it, and nothing else that was inferred leads there: it is neither
 the rest state of a spring nor the next one of a numbered sequence.
 
 **What the model loses.** The event never comes on by itself. A program that waits for it waits for ever.
@@ -25,17 +27,20 @@ void check_event_without_operation(const Rule& rule, const model::PlantModel& pl
       if (state.event == model::kNone || state.operation != model::kNone || unit.reaches(s)) continue;
       if (std::find(ambiguous.begin(), ambiguous.end(), s) != ambiguous.end()) continue;  // SP409 tells
       const model::Symbol& symbol = event_of(plant, unit, state.event);
-      diagnostics.add(rule.info,
-                      fmt::format("`{}` reports {} of {}, but no operation leads there: add an operation with task {}, or "
-                                  "number the tasks if it comes by itself",
-                                  symbol.name(), state.name, unit.path, state.name),
-                      place_of(plant, symbol));
+      diagnostics.add(
+          rule.info,
+          fmt::format("`{}` reports {} of {}, but no operation leads there: add an operation with task {}, or "
+                      "number the tasks if it comes by itself",
+                      symbol.name(), state.name, unit.path, state.name),
+          place_of(plant, symbol));
     }
   }
 }
 
 }  // namespace
 
-const Rule kEventWithoutOperation{{"SP402", "event-without-operation", diag::Severity::warning, "a device reports a state that it can never reach", kPage}, check_event_without_operation};
+const Rule kEventWithoutOperation{{"SP402", "event-without-operation", diag::Severity::warning,
+                                   "a device reports a state that it can never reach", kPage},
+                                  check_event_without_operation};
 
 }  // namespace symplant::check

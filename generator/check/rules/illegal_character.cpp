@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A symbol's name holds a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a
+constexpr std::string_view kPage =
+    R"(A symbol's name holds a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a
 bracket. Letters and digits of every script are welcome.
 
 **What the model loses.** The name cannot be cut into levels, so the symbol is in no unit: nothing moves it, and it moves
@@ -22,7 +23,8 @@ void check_illegal_character(const Rule& rule, const model::PlantModel& plant, d
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(rule.info,
-                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: nothing moves it; take it away or write `_` for it",
+                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: nothing moves it; "
+                                "take it away or write `_` for it",
                                 symbol.name(), faulty_part(symbol)),
                     place);
   }
@@ -30,6 +32,8 @@ void check_illegal_character(const Rule& rule, const model::PlantModel& plant, d
 
 }  // namespace
 
-const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning, "a name holds a character that no level may hold", kPage}, check_illegal_character};
+const Rule kIllegalCharacter{
+    {"SP204", "illegal-character", diag::Severity::warning, "a name holds a character that no level may hold", kPage},
+    check_illegal_character};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Inference 3. A numbered state of a device has an event and no operation leading to it (`O_RUN2`, `I_RUN2`, `I_IDLE1`). It is
+constexpr std::string_view kPage =
+    R"(Inference 3. A numbered state of a device has an event and no operation leading to it (`O_RUN2`, `I_RUN2`, `I_IDLE1`). It is
 reached by itself from the state with the next lower number, the lowest from the highest: after RUN2 has lasted the default
 time (1 s), the device is back in IDLE1.
 )";
@@ -17,8 +18,8 @@ void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, d
       if (transition.origin != model::Origin::inferred) continue;
       const model::State& to = unit.states[transition.to];
       diagnostics.add(rule.info,
-                      fmt::format("{} has no operation for {}: it goes there by itself from {} (inference 3)", unit.path,
-                                  to.name, unit.states[transition.from].name),
+                      fmt::format("{} has no operation for {}: it goes there by itself from {} (inference 3)",
+                                  unit.path, to.name, unit.states[transition.from].name),
                       place_of(plant, event_of(plant, unit, to.event)));
     }
   }
@@ -26,6 +27,8 @@ void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, d
 
 }  // namespace
 
-const Rule kInferredSequence{{"SP503", "inferred-sequence", diag::Severity::note, "a device goes on to a numbered state by itself", kPage}, check_inferred_sequence};
+const Rule kInferredSequence{
+    {"SP503", "inferred-sequence", diag::Severity::note, "a device goes on to a numbered state by itself", kPage},
+    check_inferred_sequence};
 
 }  // namespace symplant::check

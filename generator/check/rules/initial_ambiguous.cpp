@@ -1,8 +1,9 @@
 // SP408 initial-ambiguous: several events of a device are on at the start.
 #include <fmt/format.h>
 
-#include "check/rules.hpp"
 #include <vector>
+
+#include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
@@ -37,6 +38,8 @@ void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, d
 
 }  // namespace
 
-const Rule kInitialAmbiguous{{"SP408", "initial-ambiguous", diag::Severity::warning, "several events of a device are on at the start", kPage}, check_initial_ambiguous};
+const Rule kInitialAmbiguous{
+    {"SP408", "initial-ambiguous", diag::Severity::warning, "several events of a device are on at the start", kPage},
+    check_initial_ambiguous};
 
 }  // namespace symplant::check

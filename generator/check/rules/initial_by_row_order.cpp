@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Neither an Initial TRUE, nor a rest state, nor a sequence number says in which state a device starts. It starts in the one
+constexpr std::string_view kPage =
+    R"(Neither an Initial TRUE, nor a rest state, nor a sequence number says in which state a device starts. It starts in the one
 whose symbol comes first in the list.
 
 **What the model loses.** The device may start at the wrong end; the PLC then sees an input on that should be off.
@@ -17,15 +18,18 @@ whose symbol comes first in the list.
 void check_initial_by_row_order(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
     if (unit.initial_from != model::InitialFrom::row_order) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("{} starts in {}, only because its row comes first: Initial TRUE with an event says it better",
-                                unit.path, unit.states[unit.initial].name),
-                    place_of(plant, first_symbol_of(plant, unit)));
+    diagnostics.add(
+        rule.info,
+        fmt::format("{} starts in {}, only because its row comes first: Initial TRUE with an event says it better",
+                    unit.path, unit.states[unit.initial].name),
+        place_of(plant, first_symbol_of(plant, unit)));
   }
 }
 
 }  // namespace
 
-const Rule kInitialByRowOrder{{"SP410", "initial-by-row-order", diag::Severity::note, "only the order of rows says where a device starts", kPage}, check_initial_by_row_order};
+const Rule kInitialByRowOrder{
+    {"SP410", "initial-by-row-order", diag::Severity::note, "only the order of rows says where a device starts", kPage},
+    check_initial_by_row_order};
 
 }  // namespace symplant::check

@@ -7,7 +7,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(The Initial cell of a symbol is no value of its type: BOOL wants TRUE or FALSE (or 1, 0), numbers are written like 5, -3,
+constexpr std::string_view kPage =
+    R"(The Initial cell of a symbol is no value of its type: BOOL wants TRUE or FALSE (or 1, 0), numbers are written like 5, -3,
 16#1F, K5, H1F or 1.5, and must fit their type.
 
 **What the model loses.** The symbol starts off, or at 0. Where it was to say in which state a device starts, the device
@@ -29,6 +30,8 @@ void check_initial_not_understood(const Rule& rule, const model::PlantModel& pla
 
 }  // namespace
 
-const Rule kInitialNotUnderstood{{"SP310", "initial-not-understood", diag::Severity::warning, "an initial value cannot be read", kPage}, check_initial_not_understood};
+const Rule kInitialNotUnderstood{
+    {"SP310", "initial-not-understood", diag::Severity::warning, "an initial value cannot be read", kPage},
+    check_initial_not_understood};
 
 }  // namespace symplant::check

@@ -1,13 +1,15 @@
 // SP309 no-address: I/O symbols have no address.
 #include <fmt/format.h>
 
-#include "check/rules.hpp"
 #include <vector>
+
+#include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Some symbols have neither a vendor's nor an IEC address; their direction is taken from their names.
+constexpr std::string_view kPage =
+    R"(Some symbols have neither a vendor's nor an IEC address; their direction is taken from their names.
 
 **What the model loses.** Nothing within the plant: they are modelled and traced. But they are on no link, so no PLC writes
 or reads them.
@@ -24,15 +26,15 @@ void check_no_address(const Rule& rule, const model::PlantModel& plant, diag::Di
   std::vector<diag::Related> others;
   for (std::size_t i = 1; i < found.size() && i <= 5; ++i) others.push_back({place_of(plant, *found[i]), "likewise"});
   diagnostics.add(rule.info,
-                  found.size() == 1
-                      ? fmt::format("`{}` has no address: it is on no link", found[0]->name())
-                      : fmt::format("`{}` and {} more have no address: they are on no link", found[0]->name(),
-                                    found.size() - 1),
+                  found.size() == 1 ? fmt::format("`{}` has no address: it is on no link", found[0]->name())
+                                    : fmt::format("`{}` and {} more have no address: they are on no link",
+                                                  found[0]->name(), found.size() - 1),
                   place_of(plant, *found[0]), std::move(others));
 }
 
 }  // namespace
 
-const Rule kNoAddress{{"SP309", "no-address", diag::Severity::note, "I/O symbols have no address", kPage}, check_no_address};
+const Rule kNoAddress{{"SP309", "no-address", diag::Severity::note, "I/O symbols have no address", kPage},
+                      check_no_address};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air, doors).
+constexpr std::string_view kPage =
+    R"(A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air, doors).
 
 **What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
 person sets them. A program that waits for healthy contacts never starts on them.
@@ -18,19 +19,21 @@ void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::
   for (const model::Unit& unit : plant.units) {
     if (!unit.operations.empty()) continue;
     const model::Symbol& symbol = first_symbol_of(plant, unit);
-    const std::string names = unit.events.size() == 1
-                                  ? fmt::format("`{}`", symbol.name())
-                                  : fmt::format("`{}` and {} more of {}", symbol.name(), unit.events.size() - 1, unit.path);
-    diagnostics.add(rule.info,
-                    fmt::format("{}: no operation, so nobody moves {}; Initial TRUE says that a contact is on in a healthy "
-                                "plant",
-                                names, unit.events.size() == 1 ? "it" : "them"),
-                    place_of(plant, symbol));
+    const std::string names = unit.events.size() == 1 ? fmt::format("`{}`", symbol.name())
+                                                      : fmt::format("`{}` and {} more of {}", symbol.name(),
+                                                                    unit.events.size() - 1, unit.path);
+    diagnostics.add(
+        rule.info,
+        fmt::format("{}: no operation, so nobody moves {}; Initial TRUE says that a contact is on in a healthy "
+                    "plant",
+                    names, unit.events.size() == 1 ? "it" : "them"),
+        place_of(plant, symbol));
   }
 }
 
 }  // namespace
 
-const Rule kNobodyMoves{{"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kPage}, check_nobody_moves};
+const Rule kNobodyMoves{{"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kPage},
+                        check_nobody_moves};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(An operation (a PLC output) of type BOOL has Initial TRUE. Operations are the PLC's to write: in the plant they start off
+constexpr std::string_view kPage =
+    R"(An operation (a PLC output) of type BOOL has Initial TRUE. Operations are the PLC's to write: in the plant they start off
 until a PLC, a scenario or a person sets them.
 
 **What the model loses.** Nothing, if the PLC writes its outputs as every PLC does.
@@ -18,13 +19,16 @@ void check_operation_initial_ignored(const Rule& rule, const model::PlantModel& 
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.direction != core::Direction::operation || symbol.type != core::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
-    diagnostics.add(rule.info, fmt::format("`{}` starts off in the plant: operations are the PLC's to write", symbol.name()),
+    diagnostics.add(rule.info,
+                    fmt::format("`{}` starts off in the plant: operations are the PLC's to write", symbol.name()),
                     place_of(plant, *symbol.row, symbol.row->initial));
   }
 }
 
 }  // namespace
 
-const Rule kOperationInitialIgnored{{"SP311", "operation-initial-ignored", diag::Severity::note, "an operation has an initial value", kPage}, check_operation_initial_ignored};
+const Rule kOperationInitialIgnored{
+    {"SP311", "operation-initial-ignored", diag::Severity::note, "an operation has an initial value", kPage},
+    check_operation_initial_ignored};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A device has an operation for a task and reports on other tasks, but has no event for this one: `O_P2` without `I_P2`.
+constexpr std::string_view kPage =
+    R"(A device has an operation for a task and reports on other tasks, but has no event for this one: `O_P2` without `I_P2`.
 
 **What the model loses.** The device moves to that state and nothing tells the PLC. A program that waits for the report
 waits for ever. Most often the event is missing in the list, or its task is spelled in another way.
@@ -21,17 +22,20 @@ void check_operation_without_event(const Rule& rule, const model::PlantModel& pl
     for (const model::State& state : unit.states) {
       if (state.operation == model::kNone || state.event != model::kNone) continue;
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
-      diagnostics.add(rule.info,
-                      fmt::format("`{}` commands {} of {}, but no event tells the PLC that it is reached: add an event with "
-                                  "task {}",
-                                  symbol.name(), state.name, unit.path, state.name),
-                      place_of(plant, symbol));
+      diagnostics.add(
+          rule.info,
+          fmt::format("`{}` commands {} of {}, but no event tells the PLC that it is reached: add an event with "
+                      "task {}",
+                      symbol.name(), state.name, unit.path, state.name),
+          place_of(plant, symbol));
     }
   }
 }
 
 }  // namespace
 
-const Rule kOperationWithoutEvent{{"SP401", "operation-without-event", diag::Severity::warning, "the PLC commands a state and is never told that it is reached", kPage}, check_operation_without_event};
+const Rule kOperationWithoutEvent{{"SP401", "operation-without-event", diag::Severity::warning,
+                                   "the PLC commands a state and is never told that it is reached", kPage},
+                                  check_operation_without_event};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list does not tell: no row has both a
+constexpr std::string_view kPage =
+    R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list does not tell: no row has both a
 MELSEC and an IEC address that would prove it, and numbers occur for which it makes a difference.
 
 **What the model loses.** Nothing within the plant. On a link, `X0010` is place 16 in hexadecimal and place 8 in octal.
@@ -26,6 +27,8 @@ void check_radix_assumed(const Rule& rule, const model::PlantModel& plant, diag:
 
 }  // namespace
 
-const Rule kRadixAssumed{{"SP308", "radix-assumed", diag::Severity::note, "whether X and Y count in hexadecimal is assumed", kPage}, check_radix_assumed};
+const Rule kRadixAssumed{
+    {"SP308", "radix-assumed", diag::Severity::note, "whether X and Y count in hexadecimal is assumed", kPage},
+    check_radix_assumed};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A numbered state has an event and no operation, so it should be reached by itself from the state with the next lower
+constexpr std::string_view kPage =
+    R"(A numbered state has an event and no operation, so it should be reached by itself from the state with the next lower
 number; but several states have that number.
 
 **What the model loses.** Nothing leads to the state: its event never comes on by itself.
@@ -18,17 +19,20 @@ void check_sequence_ambiguous(const Rule& rule, const model::PlantModel& plant, 
   for (const model::Unit& unit : plant.units) {
     for (const std::uint32_t state : unit.ambiguous_sequence) {
       const model::Symbol& symbol = event_of(plant, unit, unit.states[state].event);
-      diagnostics.add(rule.info,
-                      fmt::format("several states of {} could come before {}: nothing leads there; give each a number of its "
-                                  "own",
-                                  unit.path, unit.states[state].name),
-                      place_of(plant, symbol));
+      diagnostics.add(
+          rule.info,
+          fmt::format("several states of {} could come before {}: nothing leads there; give each a number of its "
+                      "own",
+                      unit.path, unit.states[state].name),
+          place_of(plant, symbol));
     }
   }
 }
 
 }  // namespace
 
-const Rule kSequenceAmbiguous{{"SP409", "sequence-ambiguous", diag::Severity::warning, "several states could come before a numbered one", kPage}, check_sequence_ambiguous};
+const Rule kSequenceAmbiguous{
+    {"SP409", "sequence-ambiguous", diag::Severity::warning, "several states could come before a numbered one", kPage},
+    check_sequence_ambiguous};
 
 }  // namespace symplant::check

@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Two rows of the list declare one name, but their addresses or types differ. Names are compared without regard to the case
+constexpr std::string_view kPage =
+    R"(Two rows of the list declare one name, but their addresses or types differ. Names are compared without regard to the case
 of ASCII letters, as PLC tools do.
 
 **What the model loses.** It cannot be built: whichever row counted, the PLC program may mean the other.
@@ -14,20 +15,24 @@ of ASCII letters, as PLC tools do.
 **How to mend it.** Rename one of the symbols, or delete the row that is wrong.
 )";
 
-void check_symbol_declared_differently(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_symbol_declared_differently(const Rule& rule, const model::PlantModel& plant,
+                                       diag::Diagnostics& diagnostics) {
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (duplicate.same) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` is declared again with another address or type: rename it, or delete the row that is "
-                                "wrong",
-                                duplicate.second->name),
-                    place_of(plant, *duplicate.second, duplicate.second->name),
-                    {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` is declared again with another address or type: rename it, or delete the row that is "
+                    "wrong",
+                    duplicate.second->name),
+        place_of(plant, *duplicate.second, duplicate.second->name),
+        {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
   }
 }
 
 }  // namespace
 
-const Rule kSymbolDeclaredDifferently{{"SP302", "symbol-declared-differently", diag::Severity::error, "a symbol is declared twice with different addresses or types", kPage}, check_symbol_declared_differently};
+const Rule kSymbolDeclaredDifferently{{"SP302", "symbol-declared-differently", diag::Severity::error,
+                                       "a symbol is declared twice with different addresses or types", kPage},
+                                      check_symbol_declared_differently};
 
 }  // namespace symplant::check

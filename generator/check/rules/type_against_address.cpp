@@ -7,7 +7,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A symbol's type and its address have different sizes: a BOOL on `%IW5`, an INT on `X0010`.
+constexpr std::string_view kPage =
+    R"(A symbol's type and its address have different sizes: a BOOL on `%IW5`, an INT on `X0010`.
 
 **What the model loses.** The symbol is in the model, but on no link: where it would stand there is anybody's guess, and
 might be another symbol's place.
@@ -21,17 +22,20 @@ void check_type_against_address(const Rule& rule, const model::PlantModel& plant
     if (!symbol.address) continue;
     const int bits = model::data_type_bits(symbol.type);
     if (bits == static_cast<int>(symbol.address->size)) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` is {}, {} bit{}, but its address {} has {}: it is on no link; correct type or address",
-                                symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s",
-                                symbol.written_address(), static_cast<int>(symbol.address->size)),
-                    place_of(plant, *symbol.row, symbol.row->type),
-                    {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` is {}, {} bit{}, but its address {} has {}: it is on no link; correct type or address",
+                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s",
+                    symbol.written_address(), static_cast<int>(symbol.address->size)),
+        place_of(plant, *symbol.row, symbol.row->type),
+        {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
   }
 }
 
 }  // namespace
 
-const Rule kTypeAgainstAddress{{"SP306", "type-against-address", diag::Severity::warning, "a type needs another size of address", kPage}, check_type_against_address};
+const Rule kTypeAgainstAddress{
+    {"SP306", "type-against-address", diag::Severity::warning, "a type needs another size of address", kPage},
+    check_type_against_address};
 
 }  // namespace symplant::check

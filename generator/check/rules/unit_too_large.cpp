@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A device has more than 64 operations, 64 events or 250 states. That is no device; most often the level of the name that
+constexpr std::string_view kPage =
+    R"(A device has more than 64 operations, 64 events or 250 states. That is no device; most often the level of the name that
 should tell devices apart is the same for all of them.
 
 **What the model loses.** All its symbols are in no unit: nothing moves them. They are served all the same.
@@ -16,17 +17,20 @@ should tell devices apart is the same for all of them.
 
 void check_unit_too_large(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::TooLarge& large : plant.too_large) {
-    diagnostics.add(rule.info,
-                    fmt::format("{} has {} operations, {} events and {} states, a device has at most {}, {} and {}: nothing "
-                                "moves them; is {} really one device?",
-                                large.path, large.operations, large.events, large.states, core::kMaxOperations,
-                                core::kMaxEvents, core::kMaxStates, large.path),
-                    place_of(plant, plant.symbols[large.symbols.front()]));
+    diagnostics.add(
+        rule.info,
+        fmt::format("{} has {} operations, {} events and {} states, a device has at most {}, {} and {}: nothing "
+                    "moves them; is {} really one device?",
+                    large.path, large.operations, large.events, large.states, core::kMaxOperations, core::kMaxEvents,
+                    core::kMaxStates, large.path),
+        place_of(plant, plant.symbols[large.symbols.front()]));
   }
 }
 
 }  // namespace
 
-const Rule kUnitTooLarge{{"SP406", "unit-too-large", diag::Severity::warning, "a device has more symbols or states than a device may have", kPage}, check_unit_too_large};
+const Rule kUnitTooLarge{{"SP406", "unit-too-large", diag::Severity::warning,
+                          "a device has more symbols or states than a device may have", kPage},
+                         check_unit_too_large};
 
 }  // namespace symplant::check

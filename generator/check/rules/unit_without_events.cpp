@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A device has operations and no event at all: a lamp, a horn, a motor without contacts.
+constexpr std::string_view kPage =
+    R"(A device has operations and no event at all: a lamp, a horn, a motor without contacts.
 
 **What the model loses.** Nothing, if the device is like that. It moves, and the PLC is never told.
 
@@ -23,6 +24,8 @@ void check_unit_without_events(const Rule& rule, const model::PlantModel& plant,
 
 }  // namespace
 
-const Rule kUnitWithoutEvents{{"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kPage}, check_unit_without_events};
+const Rule kUnitWithoutEvents{
+    {"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kPage},
+    check_unit_without_events};
 
 }  // namespace symplant::check

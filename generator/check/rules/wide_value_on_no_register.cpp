@@ -7,7 +7,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A numeric symbol is of 8, 32 or 64 bits. Registers have 16; how wider values lie in several of them is not settled yet in
+constexpr std::string_view kPage =
+    R"(A numeric symbol is of 8, 32 or 64 bits. Registers have 16; how wider values lie in several of them is not settled yet in
 this version, so the symbol is in the images and on no register.
 
 **What the model loses.** The PLC can neither write nor read the symbol over Modbus.
@@ -28,6 +29,8 @@ void check_wide_value_on_no_register(const Rule& rule, const model::PlantModel& 
 
 }  // namespace
 
-const Rule kWideValueOnNoRegister{{"SP312", "wide-value-on-no-register", diag::Severity::note, "a numeric symbol is not of 16 bits and on no register", kPage}, check_wide_value_on_no_register};
+const Rule kWideValueOnNoRegister{{"SP312", "wide-value-on-no-register", diag::Severity::note,
+                                   "a numeric symbol is not of 16 bits and on no register", kPage},
+                                  check_wide_value_on_no_register};
 
 }  // namespace symplant::check

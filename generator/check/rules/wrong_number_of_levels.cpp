@@ -6,7 +6,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(A symbol's name has another number of levels than the naming rule asks for. The built-in rule is
+constexpr std::string_view kPage =
+    R"(A symbol's name has another number of levels than the naming rule asks for. The built-in rule is
 `LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, parted by `_`.
 
 **What the model loses.** Nobody can tell which device the symbol belongs to, so it is in no unit: nothing moves it, and
@@ -21,16 +22,20 @@ void check_wrong_number_of_levels(const Rule& rule, const model::PlantModel& pla
     if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` has {} level{}, `{}` wants {}: without them its device is unknown and nothing moves it; rename it",
-                                symbol.name(), symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s",
-                                plant.rule->pattern, plant.rule->levels.size()),
-                    place);
+    diagnostics.add(
+        rule.info,
+        fmt::format(
+            "`{}` has {} level{}, `{}` wants {}: without them its device is unknown and nothing moves it; rename it",
+            symbol.name(), symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern,
+            plant.rule->levels.size()),
+        place);
   }
 }
 
 }  // namespace
 
-const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has more or fewer levels than the rule", kPage}, check_wrong_number_of_levels};
+const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning,
+                                 "a name has more or fewer levels than the rule", kPage},
+                                check_wrong_number_of_levels};
 
 }  // namespace symplant::check

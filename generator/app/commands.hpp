@@ -1,0 +1,17 @@
+// The commands, a file each: what they take, and what they do.
+#pragma once
+
+#include "app/tool.hpp"
+
+namespace symplant::app {
+
+void add_check(CLI::App& app, Context& context);
+void add_explain(CLI::App& app, Context& context);
+void add_rules(CLI::App& app, Context& context);
+void add_generate(CLI::App& app, Context& context);
+void add_model(CLI::App& app, Context& context);
+void add_map(CLI::App& app, Context& context);
+void add_run(CLI::App& app, Context& context);
+void add_completion(CLI::App& app, Context& context);
+
+}  // namespace symplant::app

@@ -1,0 +1,98 @@
+// symplant check: naming and model diagnostics.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "diag/json.hpp"
+#include "diag/text.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> plants;
+  PlantOptions plant;
+  std::string format = "text";
+  std::string output;
+  std::string fail_on = "error";
+};
+
+bool reaches(const diag::Diagnostics& diagnostics, const std::string& fail_on) {
+  std::size_t count = diagnostics.count(diag::Severity::error);
+  if (fail_on != "error") count += diagnostics.count(diag::Severity::warning);
+  if (fail_on == "note") count += diagnostics.count(diag::Severity::note);
+  return count != 0;
+}
+
+/// How many names follow the rule, and what that makes of the plant.
+std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& diagnostics) {
+  const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
+    return symbol.reading.fault == name::NameFault::none;
+  });
+  return fmt::format("{}: {} of {} I/O names follow {}, {} device{}; {}\n", list, named, plant.symbols.size(),
+                     plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
+                     count_text(diagnostics));
+}
+
+void by_place(std::vector<diag::Diagnostic>& findings) {
+  std::stable_sort(findings.begin(), findings.end(), [](const diag::Diagnostic& a, const diag::Diagnostic& b) {
+    return a.place.source == b.place.source && a.place.span.begin < b.place.span.begin;
+  });
+}
+
+void check(const CheckOptions& options, Context& context) {
+  std::string text;
+  std::vector<diag::Diagnostic> all;
+  for (const std::string& list : options.plants) {
+    diag::Diagnostics diagnostics;
+    int code = host::kGood;
+    {
+      Progress progress(context.err, context.progress);
+      const auto plant = analyse({list, options.plant.read, options.plant.xy}, context.files, progress, diagnostics);
+      if (plant && options.plant.verbose) tell_decisions(context, *plant);
+      if (!plant) {
+        code = host::kBadInput;
+      } else if (reaches(diagnostics, options.fail_on)) {
+        code = host::kFindings;
+      }
+      std::vector<diag::Diagnostic> findings(diagnostics.all().begin(), diagnostics.all().end());
+      by_place(findings);
+      if (options.format == "text") {
+        text += diag::render_text(findings, {context.colour_out && options.output.empty(),
+                                             options.plant.verbose ? std::size_t{0} : std::size_t{20}});
+        if (plant) text += result_line(list, *plant, diagnostics);
+      }
+      all.insert(all.end(), findings.begin(), findings.end());
+    }
+    context.exit_code = std::max(context.exit_code, code);
+  }
+  if (options.format == "json") text = diag::render_json(all) + "\n";
+  write_result(context, options.output, text);
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Context& context) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Check names and models; say what the model loses by each fault");
+  command->add_option("PLANT", options->plants, "symbol lists, each a plant of its own")->required();
+  command->add_option("--format", options->format, "text for people, json for programs")
+      ->check(CLI::IsMember({"text", "json"}));
+  command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
+  command->add_option("--fail-on", options->fail_on, "the severity from which on the exit code is 1 (default: error)")
+      ->check(CLI::IsMember({"error", "warning", "note"}));
+  add_plant_options(*command, options->plant);
+  command->footer(
+      "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv");
+  command->callback([options, &context] { check(*options, context); });
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,111 @@
+// symplant generate: the plant as C++.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/depfile.hpp"
+#include "app/options.hpp"
+#include "emit/emit.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct GenerateOptions {
+  std::string plant;
+  PlantOptions plant_options;
+  std::string folder;
+  std::string depfile;
+  std::string templates;
+  bool check = false;
+};
+
+std::string in_folder(const GenerateOptions& options, const std::string& name) {
+  return (std::filesystem::path(options.folder) / name).string();
+}
+
+/// --check: tells what is missing or differs, writes nothing.
+void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
+  for (const emit::EmittedFile& file : emitted.files) {
+    const std::string path = in_folder(options, file.name);
+    const auto there = context.files.read(path);
+    if (there && *there == file.content) continue;
+    context.out << path << (there ? " is out of date" : " is missing") << "\n";
+    context.exit_code = host::kFindings;
+  }
+  context.out << (context.exit_code == host::kGood ? "up to date: " : "run symplant generate again: ") << options.folder
+              << "\n";
+}
+
+void write(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
+  std::size_t changed = 0;
+  for (const emit::EmittedFile& file : emitted.files) {
+    const auto written = context.files.write(in_folder(options, file.name), file.content);
+    if (!written) {
+      context.err << "error: " << written.error().message << "\n";
+      context.exit_code = host::kEnvironment;
+      return;
+    }
+    if (*written) ++changed;
+  }
+  if (!options.depfile.empty()) {  // last: whoever sees it sees the rest
+    std::vector<std::string> inputs{options.plant};
+    inputs.insert(inputs.end(), emitted.inputs.begin(), emitted.inputs.end());
+    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs))) return;
+  }
+  context.out << fmt::format("{}: {} files, {} of them new or changed\n", options.folder, emitted.files.size(),
+                             changed);
+}
+
+void generate(const GenerateOptions& options, Context& context) {
+  const auto compiled = compile_for(context, options.plant, options.plant_options);
+  if (!compiled) return;
+  if (!options.templates.empty() && !std::filesystem::is_directory(options.templates)) {
+    context.err << "error: `" << options.templates
+                << "` is no folder: --templates wants the folder with your templates\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  const emit::EmitResult emitted = emit::emit(compiled->plant, compiled->tables, {options.templates}, context.files);
+  if (!emitted.errors.empty()) {
+    for (const std::string& error : emitted.errors) context.err << "error: " << error << "\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  if (options.check) {
+    compare(options, emitted, context);
+  } else {
+    write(options, emitted, context);
+  }
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Context& context) {
+  auto options = std::make_shared<GenerateOptions>();
+  CLI::App* command =
+      app.add_subcommand("generate", "Write the plant as C++ classes, tables, a main and a CMakeLists.txt");
+  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("-o,--output-dir", options->folder, "the folder for the generated files")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--depfile", options->depfile, "write what the files were made from, for make and ninja")
+      ->type_name("FILE");
+  command
+      ->add_option("--templates", options->templates, "a folder with templates that take the place of the tool's own")
+      ->type_name("DIR");
+  command->add_flag("--check", options->check, "write nothing; exit code 1 if the folder is out of date");
+  add_plant_options(*command, options->plant_options);
+  command->footer(
+      "The generated code is your own: the licence of symplant does not extend to it.\n"
+      "Examples:\n  symplant generate symbols.csv -o plant\n  symplant generate symbols.csv -o plant --check");
+  command->callback([options, &context] { generate(*options, context); });
+}
+
+}  // namespace symplant::app

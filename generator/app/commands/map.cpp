@@ -1,0 +1,102 @@
+// symplant map: the I/O map.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct Row {
+  std::array<std::string, 7> cells;
+};
+
+std::string table_text(const std::vector<Row>& rows) {
+  std::array<std::size_t, 7> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row.cells[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      fmt::format_to(std::back_inserter(line), "{:<{}}  ", row.cells[i], widths[i]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string notes(const link::IoMap& map) {
+  std::string text;
+  for (std::size_t t = 0; t < link::kTables; ++t) {
+    if (map.sizes[t] == 0) continue;
+    fmt::format_to(std::back_inserter(text), "{}s: {} places{}\n", link::table_name(static_cast<link::Table>(t)),
+                   map.sizes[t],
+                   map.packed[t] ? ", packed in list order, since an address has no number below 65536" : "");
+  }
+  const auto count = [&](const std::vector<std::uint32_t>& symbols, std::string_view why) {
+    if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
+  };
+  count(map.without_address, "without a usable address");
+  count(map.too_wide, "of other than 16 bits");
+  count(map.too_many, "beyond the 65536 places of a table");
+  return text;
+}
+
+void show(const std::string& plant, const PlantOptions& options, Context& context) {
+  const auto compiled = compile_for(context, plant, options);
+  if (!compiled) return;
+  const core::PlantTables tables = compiled->tables.tables();
+  const link::IoMap map = link::make_io_map(tables);
+  std::vector<const link::IoPoint*> points(tables.symbols.size());
+  for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
+
+  std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "moved by"}}};
+  for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
+    const model::Symbol& symbol = compiled->plant.symbols[i];
+    const link::IoPoint* point = points[i];
+    std::string mover = "nobody";
+    if (symbol.direction == core::Direction::operation) {
+      mover = tables.symbols[i].moved ? fmt::format("the PLC, moves {}", compiled->plant.units[symbol.unit].path)
+                                      : "the PLC, moves nothing";
+    } else if (tables.symbols[i].moved) {
+      mover = compiled->plant.units[symbol.unit].path;
+    } else if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved) {
+      mover = compiled->plant.units[compiled->plant.symbols[symbol.leader].unit].path;
+    }
+    rows.push_back(
+        {{std::to_string(symbol.row->line), std::string(symbol.name()), std::string(symbol.row->vendor_address),
+          std::string(symbol.row->iec_address),
+          point == nullptr ? "-" : fmt::format("{} {}", link::table_name(point->table), point->number),
+          point == nullptr ? "-" : fmt::format("{:05}", link::modicon_number(point->table, point->number)), mover}});
+  }
+  context.out << table_text(rows) << notes(map);
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Context& context) {
+  struct Options {
+    std::string plant;
+    PlantOptions plant_options;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("map", "Show where each I/O symbol stands on a link, and who moves it");
+  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  add_plant_options(*command, options->plant_options);
+  command->footer("Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv");
+  command->callback([options, &context] { show(options->plant, options->plant_options, context); });
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,62 @@
+// symplant model: the derived models.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/model_json.hpp"
+#include "app/model_table.hpp"
+#include "app/options.hpp"
+#include "base/pattern.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct ModelOptions {
+  std::string plant;
+  PlantOptions plant_options;
+  std::string format = "table";
+  std::string device = "*";
+  std::string output;
+};
+
+void show(const ModelOptions& options, Context& context) {
+  const auto compiled = compile_for(context, options.plant, options.plant_options);
+  if (!compiled) return;
+  std::vector<std::uint32_t> units;
+  for (std::uint32_t u = 0; u < compiled->plant.units.size(); ++u) {
+    if (base::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
+  }
+  if (units.empty() && options.device != "*") {
+    context.err << "error: no device matches `" << options.device
+                << "`: `*` stands for any text, `?` for one character\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  const std::string text = options.format == "json" ? model_json(compiled->plant, compiled->tables, units)
+                                                    : model_table(compiled->plant, units);
+  write_result(context, options.output, text);
+}
+
+}  // namespace
+
+void add_model(CLI::App& app, Context& context) {
+  auto options = std::make_shared<ModelOptions>();
+  CLI::App* command =
+      app.add_subcommand("model", "Show the derived models: I, O, S and the five functions of each device");
+  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("--format", options->format, "table for people, json for programs")
+      ->check(CLI::IsMember({"table", "json"}));
+  command->add_option("--device", options->device, "only the devices that match; * and ? allowed")
+      ->type_name("PATTERN");
+  command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");
+  add_plant_options(*command, options->plant_options);
+  command->footer(
+      "Examples:\n  symplant model symbols.csv\n  symplant model symbols.csv --device 'EXLINE_*' --format json");
+  command->callback([options, &context] { show(*options, context); });
+}
+
+}  // namespace symplant::app

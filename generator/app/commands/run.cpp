@@ -1,0 +1,67 @@
+// symplant run: the plant without a compiler.
+#include "symplant/host/run.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "symplant/host/run_options.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct Options {
+  std::string plant;
+  PlantOptions plant_options;
+  host::RunOptions run;
+};
+
+/// What the tables do not hold: the rows that are no I/O, and the symbols that are in no device.
+std::vector<std::string> more(const model::PlantModel& plant) {
+  std::vector<std::string> lines;
+  std::string internal;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < model::kInternalReasons; ++i) {
+    if (plant.internal[i] == 0) continue;
+    count += plant.internal[i];
+    internal += fmt::format("{}{} {}", internal.empty() ? "" : ", ", plant.internal[i],
+                            model::internal_reason_text(static_cast<model::InternalReason>(i)));
+  }
+  if (count != 0) lines.push_back(fmt::format("internal: {} rows ({})", count, internal));
+  const auto unmodelled = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
+    return symbol.unmodelled != model::Unmodelled::modelled;
+  });
+  if (unmodelled != 0) {
+    lines.push_back(
+        fmt::format("in no device: {} I/O symbols, served all the same; `symplant check` says why", unmodelled));
+  }
+  return lines;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("run", "Run the plant, beside a PLC or in virtual time; no compiler is needed");
+  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  host::add_run_options(*command, options->run);
+  add_plant_options(*command, options->plant_options);
+  command->footer(
+      "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
+      "  symplant run symbols.csv --until 10s --trace trace.jsonl");
+  command->callback([options, &context] {
+    const auto compiled = compile_for(context, options->plant, options->plant_options);
+    if (!compiled) return;
+    context.exit_code =
+        host::run(compiled->tables.tables(), options->run, context.out, context.err, more(compiled->plant));
+  });
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,12 @@
+// Dependency files, as make and ninja read them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace symplant::app {
+
+/// `target: input input ...`, blanks and other special characters escaped.
+std::string depfile(const std::string& target, const std::vector<std::string>& inputs);
+
+}  // namespace symplant::app

@@ -1,0 +1,26 @@
+// The tool symplant.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+#include "app/tool.hpp"
+#include "base/file_system.hpp"
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  symplant::base::DiskFileSystem files;
+  const bool colour_wanted = std::getenv("NO_COLOR") == nullptr;
+  symplant::app::Context context{files, std::cout, std::cerr};
+  context.colour_out = colour_wanted && isatty(fileno(stdout)) != 0;
+  context.colour_err = colour_wanted && isatty(fileno(stderr)) != 0;
+  context.progress = isatty(fileno(stderr)) != 0;
+  const int code = symplant::app::run_tool(argc, argv, context);
+  std::cout.flush();
+  if (!std::cout) {
+    std::cerr << "error: the output could not be written (a full disk, or a reader that went away)\n";
+    return 3;
+  }
+  return code;
+}

@@ -1,0 +1,106 @@
+// Options and messages that several commands share.
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <ostream>
+#include <vector>
+
+#include "diag/text.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+base::Encoding encoding_of(const std::string& name) {
+  std::string known;
+  for (const base::Encoding encoding : {base::Encoding::utf8, base::Encoding::utf16le, base::Encoding::utf16be}) {
+    if (base::encoding_name(encoding) == name) return encoding;
+    known.append(known.empty() ? "" : ", ").append(base::encoding_name(encoding));
+  }
+  throw CLI::ValidationError("--encoding", "`" + name + "` is no encoding: write one of " + known);
+}
+
+}  // namespace
+
+void add_plant_options(CLI::App& command, PlantOptions& options) {
+  command
+      .add_option("--input-format", options.read.input_format, "the kind of list, instead of what is sniffed: gx-iec")
+      ->type_name("FORMAT");
+  command
+      .add_option_function<std::string>(
+          "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },
+          "the list's encoding, instead of what is sniffed: utf-8, utf-16le, utf-16be")
+      ->type_name("ENCODING");
+  command
+      .add_option_function<std::string>(
+          "--xy",
+          [&options](const std::string& text) {
+            if (text != "hex" && text != "octal") {
+              throw CLI::ValidationError("--xy", "`" + text + "` is no way to count X and Y: write hex or octal");
+            }
+            options.xy = text == "hex" ? address::Radix::hexadecimal : address::Radix::octal;
+          },
+          "how X and Y count where no row proves it (default: hex)")
+      ->type_name("hex|octal");
+  command.add_flag("--verbose", options.verbose, "tell what was decided and why, notes included");
+}
+
+void tell_decisions(Context& context, const model::PlantModel& plant) {
+  for (const std::string& decision : plant.list->decisions) context.err << "decided: " << decision << "\n";
+  const std::string_view radix = plant.radix.radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
+  switch (plant.radix.by) {
+    case model::RadixChoice::By::rows:
+      context.err << fmt::format("decided: X and Y count in {}, as line {} proves\n", radix, plant.radix.proof->line);
+      break;
+    case model::RadixChoice::By::option:
+      context.err << fmt::format("decided: X and Y count in {}, as --xy says\n", radix);
+      break;
+    case model::RadixChoice::By::nothing:
+      context.err << fmt::format("decided: X and Y count in {}, since nothing says otherwise\n", radix);
+      break;
+  }
+}
+
+std::string count_text(const diag::Diagnostics& diagnostics) {
+  std::string text;
+  for (const diag::Severity severity : {diag::Severity::error, diag::Severity::warning, diag::Severity::note}) {
+    const std::size_t count = diagnostics.count(severity);
+    if (count == 0) continue;
+    text +=
+        fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, diag::severity_name(severity), count == 1 ? "" : "s");
+  }
+  return text.empty() ? "no findings" : text;
+}
+
+std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options) {
+  diag::Diagnostics diagnostics;
+  Progress progress(context.err, context.progress);
+  auto compiled = compile({plant, options.read, options.xy}, context.files, progress, diagnostics);
+  std::vector<diag::Diagnostic> shown;
+  for (const diag::Diagnostic& finding : diagnostics.all()) {
+    if (options.verbose || finding.rule->severity != diag::Severity::note) shown.push_back(finding);
+  }
+  context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
+  if (compiled && options.verbose) tell_decisions(context, compiled->plant);
+  if (!compiled) context.exit_code = host::kBadInput;
+  return compiled;
+}
+
+bool write_result(Context& context, const std::string& file, const std::string& text) {
+  if (file.empty()) {
+    context.out << text;
+    return true;
+  }
+  const auto written = context.files.write(file, text);
+  if (written) return true;
+  context.err << "error: " << written.error().message << "\n";
+  context.exit_code = host::kEnvironment;
+  return false;
+}
+
+}  // namespace symplant::app

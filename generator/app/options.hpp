@@ -1,0 +1,34 @@
+// Options and messages that several commands share.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/pipeline.hpp"
+#include "app/tool.hpp"
+
+namespace symplant::app {
+
+/// What every command that reads a plant takes: --input-format, --encoding, --xy, --verbose.
+struct PlantOptions {
+  read::ReadOptions read;
+  std::optional<address::Radix> xy;
+  bool verbose = false;
+};
+void add_plant_options(CLI::App& command, PlantOptions& options);
+
+/// compile() for a command: shows errors and warnings on `context.err` (notes with --verbose) and sets the exit code to
+/// 2 where there is nothing to go on with.
+std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
+
+/// Tells what the reader decided, for --verbose.
+void tell_decisions(Context& context, const model::PlantModel& plant);
+
+/// Writes a result: to the file where one is named, else to `context.out`. False, and the exit code set, where it
+/// fails.
+bool write_result(Context& context, const std::string& file, const std::string& text);
+
+/// "3 warnings, 1 note".
+std::string count_text(const diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::app

@@ -1,0 +1,37 @@
+// The whole road of the tool.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "address/address.hpp"
+#include "app/progress.hpp"
+#include "base/file_system.hpp"
+#include "diag/diagnostic.hpp"
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+#include "read/readers.hpp"
+
+namespace symplant::app {
+
+struct CompileOptions {
+  std::string list;
+  read::ReadOptions read;
+  std::optional<address::Radix> xy;
+};
+
+struct Compiled {
+  model::PlantModel plant;
+  lower::EngineTables tables;
+};
+
+/// Reads a list, derives the model and checks it. Nothing where the list cannot be read; findings are in `diagnostics`.
+std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
+                                         Progress& progress, diag::Diagnostics& diagnostics);
+
+/// analyse(), then the engine's tables. Nothing where an error stands. O(rows).
+std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
+                                diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::app

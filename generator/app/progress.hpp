@@ -1,0 +1,29 @@
+// A line on a terminal that says what takes so long.
+#pragma once
+
+#include <chrono>
+#include <iosfwd>
+#include <string>
+
+namespace symplant::app {
+
+/// Says nothing in the first second, and nothing at all without a terminal.
+class Progress {
+ public:
+  Progress(std::ostream& err, bool terminal);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void stage(const std::string& what);
+
+ private:
+  void clear();
+
+  std::ostream& err_;
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace symplant::app

@@ -1,0 +1,46 @@
+// The tool as a function.
+#include "app/tool.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "symplant/core/version.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+constexpr std::array kCommands{&add_check, &add_explain, &add_rules, &add_generate,
+                               &add_model, &add_map,     &add_run,   &add_completion};
+
+}  // namespace
+
+void build_commands(CLI::App& app, Context& context) {
+  app.description("symplant makes running plants from PLC symbol lists, to test PLC programs against.");
+  app.set_version_flag("--version", "symplant " + std::string(core::version()));
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 good; 1 findings or failed expectations; 2 bad input or usage; 3 the environment (a port in use, "
+      "no "
+      "permission).\nThe code that symplant generates is your own.");
+  for (const auto add : kCommands) add(app, context);
+}
+
+int run_tool(int argc, char** argv, Context& context) {
+  CLI::App app;
+  app.name("symplant");
+  build_commands(app, context);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error, context.out, context.err);
+    return code == 0 ? host::kGood : host::kBadInput;
+  }
+  return context.exit_code;
+}
+
+}  // namespace symplant::app

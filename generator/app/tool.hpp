@@ -1,0 +1,30 @@
+// The tool as a function: its world comes in as parameters.
+#pragma once
+
+#include <iosfwd>
+
+#include "base/file_system.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace symplant::app {
+
+struct Context {
+  base::FileSystem& files;
+  std::ostream& out;  ///< results
+  std::ostream& err;  ///< messages
+  bool colour_out = false;
+  bool colour_err = false;
+  bool progress = false;  ///< a terminal is there for a progress line
+  int exit_code = 0;      ///< what the command came to
+};
+
+/// Runs one command line. Gives the exit code.
+int run_tool(int argc, char** argv, Context& context);
+
+/// The whole option tree, its callbacks bound to `context`; all that a command parses lives in the tree.
+void build_commands(CLI::App& app, Context& context);
+
+}  // namespace symplant::app

@@ -1,0 +1,33 @@
+// Patterns with * and ?.
+#include "base/pattern.hpp"
+
+#include <cstddef>
+
+#include "base/ascii.hpp"
+
+namespace symplant::base {
+
+bool matches_pattern(std::string_view text, std::string_view pattern) {
+  std::size_t t = 0;
+  std::size_t p = 0;
+  std::size_t star = pattern.npos;  // the last one passed, and how far it reached
+  std::size_t reached = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      reached = t;
+    } else if (p < pattern.size() && (pattern[p] == '?' || upper(pattern[p]) == upper(text[t]))) {
+      ++p;
+      ++t;
+    } else if (star != pattern.npos) {
+      p = star + 1;
+      t = ++reached;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+}  // namespace symplant::base

@@ -1,0 +1,30 @@
+# Installs the tool, the runtime and the package that finds both.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
+set(targets symplant_core symplant_share symplant_exec symplant_link symplant_trace symplant_host symplant_runtime)
+if(SYMPLANT_BUILD_GENERATOR)
+  list(APPEND targets symplant)
+endif()
+install(
+  TARGETS ${targets}
+  EXPORT symplantTargets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT symplantTargets NAMESPACE symplant:: DESTINATION ${package_dir})
+foreach(floor core share exec link trace host)
+  install(
+    DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/${floor}
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/symplant
+    FILES_MATCHING
+    PATTERN "*.hpp")
+endforeach()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConfig.cmake.in
+                              ${PROJECT_BINARY_DIR}/symplantConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/symplantConfig.cmake ${PROJECT_BINARY_DIR}/symplantConfigVersion.cmake
+              generator/cmake/SymplantAddPlant.cmake DESTINATION ${package_dir})
