@@ -57,8 +57,9 @@ std::optional<Time> parse_duration(std::string_view text) noexcept {
 
   Time value = 0;
   for (const char c : whole) {
-    if (value > (kNever - 9) / 10) return std::nullopt;
-    value = value * 10 + (c - '0');
+    const Time digit = c - '0';
+    if (value > (kNever - digit) / 10) return std::nullopt;
+    value = value * 10 + digit;
   }
   if (value > kNever / length) return std::nullopt;
   value *= length;

@@ -1,0 +1,89 @@
+// Plants built by hand, for tests of the engine alone.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "symplant/core/owned_plant.hpp"
+
+namespace symplant::test {
+
+/// One way of a unit, with its times.
+struct Way {
+  std::uint8_t from;
+  std::uint8_t to;
+  std::uint8_t on;  ///< core::kNoOperation: automatic
+  core::Time after;
+  core::Time takes;
+};
+
+/// A unit whose states 0 .. n-1 have an event each, of the same number.
+struct HandUnit {
+  std::uint8_t states;
+  std::vector<std::uint8_t> operation_targets;  ///< an operation each: the state of its name, or core::kNoState
+  std::vector<Way> ways;
+  core::Actuation actuation = core::Actuation::latched;
+  std::uint8_t rest = core::kNoState;
+  std::uint8_t initial = 0;
+  core::Time travel = core::kSecond;
+};
+
+/// Every unit has a type of its own and begins a word of its own: unit u has bits 64 u ... in both planes.
+class HandPlant {
+ public:
+  explicit HandPlant(const std::vector<HandUnit>& units) {
+    types_.reserve(units.size());
+    for (const HandUnit& unit : units) add(unit);
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const HandUnit& unit = units[i];
+      Parts& parts = parts_[i];
+      types_.push_back({static_cast<std::uint8_t>(unit.operation_targets.size()), unit.states, unit.states, unit.rest,
+                        unit.actuation, parts.transitions, parts.masks, parts.masks, parts.targets});
+    }
+    tables.types = types_;
+    tables.units = rows_;
+    tables.times = times_;
+    tables.operation_bits = tables.event_bits = static_cast<std::uint32_t>(64 * units.size());
+    plant = std::make_unique<core::OwnedPlant>(tables);
+  }
+
+  void set(std::uint32_t unit, std::uint32_t operation, bool on) { plant->set_operation(64 * unit + operation, on); }
+  bool event(std::uint32_t unit, std::uint32_t event) const { return plant->event(64 * unit + event); }
+  core::UnitView unit(std::uint32_t u) const { return plant->unit(u); }
+  void to(core::Time time, core::Observer* observer = nullptr) { plant->advance_to(time, observer); }
+
+  core::PlantTables tables{};
+  std::unique_ptr<core::OwnedPlant> plant;
+
+ private:
+  struct Parts {
+    std::vector<core::Transition> transitions;
+    std::vector<std::uint64_t> masks;
+    std::vector<std::uint8_t> targets;
+  };
+
+  void add(const HandUnit& unit) {
+    const auto bit = static_cast<std::uint32_t>(64 * rows_.size());
+    rows_.push_back(
+        {static_cast<std::uint32_t>(rows_.size()), bit, bit, static_cast<std::uint32_t>(times_.size()), unit.initial});
+    times_.push_back({0, unit.travel});
+    Parts& parts = parts_[rows_.size() - 1];
+    for (const Way& way : unit.ways) {
+      parts.transitions.push_back({way.from, way.to, way.on});
+      times_.push_back({way.after, way.takes});
+    }
+    for (std::uint8_t s = 0; s < unit.states; ++s) parts.masks.push_back(std::uint64_t{1} << s);
+    parts.targets = unit.operation_targets;
+  }
+
+  std::map<std::size_t, Parts> parts_;  // nodes stay where they are
+  std::vector<core::TypeRow> types_;
+  std::vector<core::UnitRow> rows_;
+  std::vector<core::TransitionTimes> times_;
+};
+
+}  // namespace symplant::test
