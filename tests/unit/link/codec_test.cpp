@@ -212,7 +212,7 @@ TEST_CASE("writing registers (16) at every boundary, all or nothing") {
       CAPTURE(address, quantity);
       Bytes bytes = request(16, {address, quantity});
       bytes.push_back(static_cast<std::uint8_t>(2 * quantity));
-      for (std::uint32_t i = 0; i < std::min(quantity, 123U); ++i) put(bytes, 0x8001 + 3 * i);
+      for (std::uint32_t i = 0; i < std::min(quantity, 124U); ++i) put(bytes, 0x8001 + 3 * i);
       const int exception = expected_exception(address, quantity, 123, kRegisters);
       if (exception != 0) {
         check_refused(memory, bytes, exception);

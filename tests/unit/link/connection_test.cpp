@@ -175,3 +175,21 @@ TEST_CASE("one who sends and never reads is not listened to for ever, and is ser
   CHECK_FALSE(bench.connection.room().empty());
   CHECK(bench.connection.requests() == 3 * sent.size());
 }
+
+TEST_CASE("answers taken in odd parts, over and over, are never counted as waiting when they are gone") {
+  Bench bench;
+  std::vector<Bytes> sent;
+  for (int round = 0; round < 100; ++round) {
+    bench.peer.window = 5;
+    for (int i = 0; i < 3; ++i) {
+      sent.push_back(frame(round, {3, static_cast<std::uint8_t>(i)}));
+      bench.feed(sent.back());
+    }
+    bench.peer.window = 7;
+    bench.connection.resume(bench.echo, bench.peer);
+    bench.peer.window = SIZE_MAX;
+    bench.connection.resume(bench.echo, bench.peer);
+  }
+  CHECK(bench.echo.refusals == 0);
+  CHECK(bench.peer.taken == join(sent));
+}
