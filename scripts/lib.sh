@@ -1,0 +1,95 @@
+# What the scripts share: words to the user, packages, the build by a preset. To be sourced, in the project's root.
+# shellcheck shell=bash
+
+readonly EXIT_USAGE=2 EXIT_ENVIRONMENT=3
+
+say() { printf '== %s\n' "$*"; }
+
+usage_error() { # WHAT
+  printf '%s: %s; --help tells what there is\n' "${0##*/}" "$1" >&2
+  exit "$EXIT_USAGE"
+}
+
+environment_error() { # WHAT
+  printf '%s: %s\n' "${0##*/}" "$1" >&2
+  exit "$EXIT_ENVIRONMENT"
+}
+
+# The packages by whose names Debian 12 and Ubuntu 24.04 have what the build, the tests and the demo need.
+# shellcheck disable=SC2034 # for the scripts that source this
+readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libcli11-dev
+  catch2 libkainjow-mustache-dev libmodbus-dev)
+
+# "-14" for clang 14, on which the project is tried; nothing, for the system's own clang, where there is no such package.
+clang_suffix() {
+  if command -v clang++-14 >/dev/null || apt-cache show clang-14 >/dev/null 2>&1; then echo "-14"; fi
+}
+
+require_known_system() {
+  local id="" version=""
+  if [[ -r /etc/os-release ]]; then
+    id=$(. /etc/os-release && echo "${ID-}")
+    version=$(. /etc/os-release && echo "${VERSION_ID-}")
+  fi
+  case $id in
+    debian) [[ -z $version ]] || dpkg --compare-versions "$version" ge 12 && return ;;
+    ubuntu) dpkg --compare-versions "$version" ge 24.04 && return ;;
+  esac
+  environment_error "made for Debian 12 and Ubuntu 24.04 or later, and this is ${id:-another system} $version: install \
+g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, CLI11, Catch2, mustache, libmodbus by hand, \
+then: cmake --workflow --preset release"
+}
+
+# A program may come from elsewhere than its package.
+is_installed() { # PACKAGE
+  case $1 in
+    g++ | cmake | make | pkg-config | mbpoll | clang-format-14 | clang-tidy-14) command -v "$1" >/dev/null && return ;;
+    ninja-build) command -v ninja >/dev/null && return ;;
+  esac
+  [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
+}
+
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# Installs by apt what is missing of the packages named; asks for nothing and touches nothing where none is.
+install_missing() { # PACKAGE...
+  local missing=() package
+  for package; do is_installed "$package" || missing+=("$package"); done
+  ((${#missing[@]} > 0)) || return 0
+
+  local by_hand="install them as root: apt-get install ${missing[*]}"
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || environment_error "packages are missing, and there is no sudo: $by_hand"
+    [[ -t 0 ]] || sudo -n true 2>/dev/null ||
+      environment_error "packages are missing, and sudo wants a password but there is no terminal: $by_hand"
+  fi
+  say "installing ${missing[*]}"
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  as_root "${apt[@]}" update || environment_error "apt-get update failed; $by_hand"
+  as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
+    environment_error "apt-get install failed; $by_hand"
+}
+
+parallel_jobs() { echo "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"; }
+
+configure() { # PRESET [ARGUMENT]...
+  local preset=$1
+  shift
+  # A folder configured before keeps its generator.
+  [[ -e build/$preset/CMakeCache.txt ]] || ! command -v ninja >/dev/null || set -- -G Ninja "$@"
+  say "configuring build/$preset"
+  cmake --preset "$preset" "$@"
+}
+
+build() { # PRESET [ARGUMENT]...
+  local preset=$1
+  shift
+  say "building build/$preset"
+  cmake --build --preset "$preset" --parallel "$(parallel_jobs)" "$@"
+}
