@@ -1,0 +1,200 @@
+// The rules of the house on its sources.
+#include "arch/arch_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace symplant::arch {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLines = 400;
+constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes included
+
+// Lowest first; a floor may use what stands before it.
+constexpr std::array<std::string_view, 10> kGenerator = {"base",  "diag",  "address", "read", "name",
+                                                         "model", "lower", "check",   "emit", "app"};
+constexpr std::array<std::string_view, 7> kRuntime = {"core", "condition", "share", "exec", "link", "trace", "host"};
+
+/// How much of the runtime a floor of the generator may use: its first so many floors.
+struct RuntimeUse {
+  std::string_view floor;
+  std::size_t floors;
+};
+constexpr std::array kRuntimeUse = {RuntimeUse{"model", 2}, RuntimeUse{"lower", 2}, RuntimeUse{"check", 1},
+                                    RuntimeUse{"emit", 1}, RuntimeUse{"app", kRuntime.size()}};
+
+/// Where a third party's headers may be included.
+struct ThirdParty {
+  std::string_view include;  ///< how its includes begin
+  std::array<std::string_view, 3> folders;
+};
+constexpr std::array kThirdParties = {
+    ThirdParty{"<boost/spirit", {"generator/name/", "runtime/condition/"}},
+    ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
+    ThirdParty{"<kainjow/", {"generator/emit/"}},
+};
+
+struct Include {
+  std::size_t line;
+  std::string_view what;  ///< with its quotes or brackets
+};
+
+std::vector<std::string_view> lines(std::string_view text) {
+  std::vector<std::string_view> all;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    all.push_back(text.substr(0, end));
+    text.remove_prefix(end == text.npos ? text.size() : end + 1);
+  }
+  return all;
+}
+
+std::string_view without_blanks(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  return begin == text.npos ? std::string_view() : text.substr(begin);
+}
+
+std::vector<Include> includes(std::string_view text) {
+  std::vector<Include> found;
+  std::size_t number = 0;
+  for (std::string_view line : lines(text)) {
+    ++number;
+    line = without_blanks(line);
+    if (!line.starts_with('#')) continue;
+    line = without_blanks(line.substr(1));
+    if (!line.starts_with("include")) continue;
+    line = without_blanks(line.substr(7));
+    if (line.empty()) continue;
+    const std::size_t end = line.find(line.front() == '<' ? '>' : '"', 1);
+    if (end != line.npos) found.push_back({number, line.substr(0, end + 1)});
+  }
+  return found;
+}
+
+std::optional<std::size_t> place(std::span<const std::string_view> floors, std::string_view floor) {
+  const auto at = std::find(floors.begin(), floors.end(), floor);
+  if (at == floors.end()) return std::nullopt;
+  return static_cast<std::size_t>(at - floors.begin());
+}
+
+std::string_view first_part(std::string_view path) { return path.substr(0, path.find('/')); }
+
+std::string_view behind_first_part(std::string_view path) {
+  const std::size_t slash = path.find('/');
+  return slash == path.npos ? std::string_view() : path.substr(slash + 1);
+}
+
+std::size_t runtime_floors_for(std::string_view generator_floor) {
+  for (const RuntimeUse& use : kRuntimeUse) {
+    if (use.floor == generator_floor) return use.floors;
+  }
+  return 0;
+}
+
+/// What is wrong with an include, by a file of the floor given; nothing where all is well.
+std::string fault_of(std::string_view what, bool in_generator, std::string_view floor) {
+  const std::string_view header = what.substr(1, what.size() - 2);
+  const bool of_runtime = first_part(header) == "symplant";
+  if (what.front() == '<') return of_runtime ? "is the project's own: write it in quotes" : "";
+
+  const std::string_view used = first_part(of_runtime ? behind_first_part(header) : header);
+  const auto at = of_runtime ? place(kRuntime, used) : place(kGenerator, used);
+  if (!at) return "is on no floor";
+  if (!of_runtime && !in_generator) return "is the generator's: the runtime stands alone";
+  const std::size_t allowed = of_runtime ? (in_generator ? runtime_floors_for(floor) : *place(kRuntime, floor) + 1)
+                                         : *place(kGenerator, floor) + 1;
+  return *at < allowed ? "" : "climbs: `" + std::string(floor) + "` may not use it";
+}
+
+std::string fault(const File& file, std::size_t line, std::string_view what) {
+  return file.path + ":" + std::to_string(line) + ": " + std::string(what);
+}
+
+bool in_house(const File& file) { return file.path.starts_with("generator/") || file.path.starts_with("runtime/"); }
+
+bool is_source(const fs::path& path) { return path.extension() == ".hpp" || path.extension() == ".cpp"; }
+
+}  // namespace
+
+Tree read_tree(const std::string& root, const std::vector<std::string>& folders) {
+  Tree tree;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(root) / folder)) {
+      if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+      std::ifstream file(entry.path(), std::ios::binary);
+      tree.push_back({fs::relative(entry.path(), root).generic_string(),
+                      std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>())});
+    }
+  }
+  std::sort(tree.begin(), tree.end(), [](const File& a, const File& b) { return a.path < b.path; });
+  return tree;
+}
+
+Faults climbing_includes(const Tree& tree) {
+  Faults faults;
+  for (const File& file : tree) {
+    if (!in_house(file)) continue;
+    const bool in_generator = file.path.starts_with("generator/");
+    const std::string_view floor = first_part(behind_first_part(file.path));
+    if (!(in_generator ? place(kGenerator, floor) : place(kRuntime, floor))) {
+      faults.push_back(fault(file, 1, "stands on no floor"));
+      continue;
+    }
+    for (const Include& include : includes(file.text)) {
+      const std::string what = fault_of(include.what, in_generator, floor);
+      if (!what.empty()) faults.push_back(fault(file, include.line, std::string(include.what) + " " + what));
+    }
+  }
+  return faults;
+}
+
+Faults stray_third_parties(const Tree& tree) {
+  Faults faults;
+  for (const File& file : tree) {
+    if (!in_house(file)) continue;
+    for (const Include& include : includes(file.text)) {
+      for (const ThirdParty& party : kThirdParties) {
+        if (!include.what.starts_with(party.include)) continue;
+        const bool allowed = std::any_of(party.folders.begin(), party.folders.end(), [&](std::string_view folder) {
+          return !folder.empty() && file.path.starts_with(folder);
+        });
+        if (!allowed) faults.push_back(fault(file, include.line, std::string(include.what) + " is not for this floor"));
+      }
+      if (include.what == "<nlohmann/json.hpp>" && file.path.ends_with(".hpp")) {
+        faults.push_back(fault(file, include.line, "a header takes <nlohmann/json_fwd.hpp>"));
+      }
+    }
+  }
+  return faults;
+}
+
+Faults missing_heads(const Tree& tree) {
+  Faults faults;
+  for (const File& file : tree) {
+    const std::string_view head = std::string_view(file.text).substr(0, file.text.find('\n'));
+    if (!head.starts_with("// ") || head.size() < kLeastHead) {
+      faults.push_back(fault(file, 1, "the first line does not say what the file is for"));
+    }
+  }
+  return faults;
+}
+
+Faults long_files(const Tree& tree) {
+  Faults faults;
+  for (const File& file : tree) {
+    const std::size_t count = lines(file.text).size();
+    if (count > kMostLines) faults.push_back(fault(file, kMostLines + 1, std::to_string(count) + " lines"));
+  }
+  return faults;
+}
+
+}  // namespace symplant::arch
