@@ -15,9 +15,16 @@ person sets them. A program that waits for healthy contacts never starts on them
 **How to mend it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant.
 )";
 
+/// Whether an event follows another on its address that a unit moves.
+bool follows_a_moved_one(const model::PlantModel& plant, std::uint32_t event) {
+  const std::uint32_t leader = plant.symbols[event].leader;
+  if (leader == model::kNone || plant.symbols[leader].unit == model::kNone) return false;
+  return plant.units[plant.symbols[leader].unit].moves();
+}
+
 void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
-    if (!unit.operations.empty()) continue;
+    if (!unit.operations.empty() || follows_a_moved_one(plant, unit.events.front())) continue;
     const model::Symbol& symbol = first_symbol_of(plant, unit);
     const std::string names = unit.events.size() == 1 ? fmt::format("`{}`", symbol.name())
                                                       : fmt::format("`{}` and {} more of {}", symbol.name(),

@@ -1,0 +1,142 @@
+// The closed loops that are measured: a plant on a load, and the controller that answers it.
+//
+// A motion is: command, leave, travel, arrive, the controller's answer. The controller is the same for all: for every
+// event that came on it takes back the command that led there and gives the other one.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bench/limit.hpp"
+#include "bench/two_state_plant.hpp"
+
+namespace symplant::bench {
+
+inline constexpr std::uint32_t kTicks = 100;  // of 10 ms: every travel takes a second, arrivals spread over all of them
+inline constexpr core::Time kTick = 10 * core::kMillisecond;
+
+/// Answers arrivals: `write(bit, on)` sets an operation. Gives their number.
+template <class Write>
+std::int64_t answer(std::uint32_t word, std::uint64_t arrived, Write write) {
+  const std::int64_t motions = std::popcount(arrived);
+  for (; arrived != 0; arrived &= arrived - 1) {
+    const std::uint32_t bit = word * 64 + static_cast<std::uint32_t>(std::countr_zero(arrived));
+    write(bit, false);
+    write(bit ^ 1, true);
+  }
+  return motions;
+}
+
+/// *grid* on the hand-written limit: a step is a scan of 10 ms.
+class LimitGrid {
+ public:
+  explicit LimitGrid(std::uint32_t devices) : plant_(devices, kTicks) {
+    for (std::uint32_t tick = 0; tick < kTicks; ++tick) {  // a hundredth of the devices starts in each tick
+      for (std::uint32_t d = tick; d < devices; d += kTicks) write(2 * d + 1, true);
+      step();
+    }
+  }
+
+  /// Gives the motions that ended in it.
+  std::int64_t step() {
+    std::int64_t motions = 0;
+    plant_.tick();
+    for (std::uint32_t word = 0; word < plant_.changed.size(); ++word) {
+      const std::uint64_t arrived = plant_.changed[word];
+      plant_.changed[word] = 0;
+      motions += answer(word, arrived, [this](std::uint32_t bit, bool on) { write(bit, on); });
+    }
+    return motions;
+  }
+
+ private:
+  void write(std::uint32_t bit, bool on) {
+    const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
+    std::uint64_t& word = plant_.operations[bit / 64];
+    word = on ? word | mask : word & ~mask;
+  }
+
+  LimitPlant plant_;
+};
+
+/// A plant of the engine with the controller's look at what it changed.
+class EngineLoop {
+ public:
+  EngineLoop(std::uint32_t devices, const std::vector<core::Time>& travels)
+      : made_(devices, travels), seen_(made_.tables.event_bits / 64) {
+    plant().advance_to(0);
+    for (std::uint32_t word = 0; word < seen_.size(); ++word) seen_[word] = plant().events()[word];
+  }
+
+ protected:
+  core::Plant& plant() { return *made_.plant; }
+
+  std::int64_t answer_plant() {
+    std::int64_t motions = 0;
+    for (const std::uint32_t word : plant().changed_events()) {
+      const std::uint64_t now = plant().events()[word];
+      const std::uint64_t arrived = now & ~seen_[word];
+      seen_[word] = now;
+      motions += answer(word, arrived, [this](std::uint32_t bit, bool on) { plant().set_operation(bit, on); });
+    }
+    plant().forget_changed_events();
+    return motions;
+  }
+
+ private:
+  TwoStatePlant made_;
+  std::vector<std::uint64_t> seen_;
+};
+
+/// *grid*: arrivals fall on a 10 ms scan; a step is a scan.
+class EngineGrid : public EngineLoop {
+ public:
+  explicit EngineGrid(std::uint32_t devices) : EngineLoop(devices, {kTicks * kTick}) {
+    for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
+      for (std::uint32_t d = tick; d < devices; d += kTicks) plant().set_operation(2 * d + 1, true);
+      step();
+    }
+  }
+
+  std::int64_t step() {
+    plant().advance_to(now_);
+    now_ += kTick;
+    return answer_plant();
+  }
+
+ private:
+  core::Time now_ = 0;
+};
+
+/// *distinct*: every arrival an instant of its own, the answer another; a step is both.
+class EngineDistinct : public EngineLoop {
+ public:
+  explicit EngineDistinct(std::uint32_t devices) : EngineLoop(devices, travels(devices)) {
+    core::Time now = 1;
+    for (std::uint32_t d = 0; d < devices; ++d) {
+      plant().set_operation(2 * d + 1, true);
+      plant().advance_to(now += 10'007);
+      answer_plant();
+    }
+    for (std::uint32_t d = 0; d < 2 * devices; ++d) step();
+  }
+
+  std::int64_t step() {
+    plant().advance_to(plant().next_due());
+    const std::int64_t motions = answer_plant();
+    plant().advance_to(plant().now() + 1);
+    return motions + answer_plant();
+  }
+
+ private:
+  /// Travels that differ by a prime number of nanoseconds: hardly two arrivals coincide.
+  static std::vector<core::Time> travels(std::uint32_t devices) {
+    std::vector<core::Time> times;
+    for (std::uint32_t d = 0; d < devices; ++d) times.push_back(core::kSecond + 7919 * core::Time{d});
+    return times;
+  }
+};
+
+}  // namespace symplant::bench

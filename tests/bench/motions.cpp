@@ -1,0 +1,37 @@
+// Runs a closed loop a given number of steps, so that callgrind can count instructions: the difference of two run
+// lengths, divided by the difference of their motions, is what a motion costs.
+//
+//   motions limit|grid|distinct DEVICES STEPS
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "bench/loops.hpp"
+
+namespace {
+
+template <class Loop>
+long long run(std::uint32_t devices, long steps) {
+  Loop loop(devices);
+  long long motions = 0;
+  for (long i = 0; i < steps; ++i) motions += loop.step();
+  return motions;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace symplant::bench;
+  if (argc != 4) {
+    std::fputs("usage: motions limit|grid|distinct DEVICES STEPS\n", stderr);
+    return 2;
+  }
+  const std::string_view load = argv[1];
+  const auto devices = static_cast<std::uint32_t>(std::atol(argv[2]));
+  const long steps = std::atol(argv[3]);
+  const long long motions = load == "limit"  ? run<LimitGrid>(devices, steps)
+                            : load == "grid" ? run<EngineGrid>(devices, steps)
+                                             : run<EngineDistinct>(devices, steps);
+  std::printf("%lld motions\n", motions);
+  return 0;
+}

@@ -1,0 +1,67 @@
+// What the tool takes for a list: read + parse + derive + lower, the checks, the emission.
+#include <benchmark/benchmark.h>
+
+#include <sstream>
+
+#include "app/pipeline.hpp"
+#include "bench/list_text.hpp"
+#include "check/check_plant.hpp"
+#include "emit/emit.hpp"
+#include "lower/lower.hpp"
+#include "model/build_plant.hpp"
+#include "name/named_table.hpp"
+#include "support/memory_file_system.hpp"
+
+namespace symplant::bench {
+namespace {
+
+test::MemoryFileSystem files_with(std::int64_t rows) {
+  test::MemoryFileSystem files;
+  files.files["list.csv"] = list_text(static_cast<int>(rows / 4), 10);
+  return files;
+}
+
+app::Compiled compiled(const test::MemoryFileSystem& files) {
+  diag::Diagnostics diagnostics;
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  return std::move(*app::compile({"list.csv", {}, {}}, files, progress, diagnostics));
+}
+
+void read_parse_derive_lower(benchmark::State& state) {
+  const auto files = files_with(state.range(0));
+  for (auto _ : state) {
+    diag::Diagnostics diagnostics;
+    const auto list = std::make_shared<const read::SymbolTable>(
+        std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
+    const auto named = name::read_names(*list, name::built_in_rule());
+    const auto plant = model::build_plant(list, named, {"list", {}});
+    benchmark::DoNotOptimize(lower::lower(plant));
+  }
+  state.counters["ns_a_row"] =
+      benchmark::Counter(static_cast<double>(state.range(0)) * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void check(benchmark::State& state) {
+  const auto files = files_with(state.range(0));
+  const app::Compiled plant = compiled(files);
+  for (auto _ : state) {
+    diag::Diagnostics diagnostics;
+    check::check_plant(plant.plant, diagnostics);
+    benchmark::DoNotOptimize(diagnostics);
+  }
+}
+
+void generate(benchmark::State& state) {
+  const auto files = files_with(state.range(0));
+  const app::Compiled plant = compiled(files);
+  for (auto _ : state) benchmark::DoNotOptimize(emit::emit(plant.plant, plant.tables, {}, files));
+}
+
+BENCHMARK(read_parse_derive_lower)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(check)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(generate)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace symplant::bench
