@@ -30,9 +30,13 @@ class SymbolCollector {
       return;
     }
     const RowAddress address = row_address(row, plant_.radix.radix);
-    if (!address.bad_cell.empty()) plant_.bad_addresses.push_back({&row, address.bad_cell});
     auto result = classify(row, reading, address);
-    if (const auto* reason = std::get_if<InternalReason>(&result)) {
+    const auto* reason = std::get_if<InternalReason>(&result);
+    // What is internal for another reason may stand where it likes.
+    if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
+      plant_.bad_addresses.push_back({&row, address.bad_cell});
+    }
+    if (reason != nullptr) {
       ++plant_.internal[static_cast<std::size_t>(*reason)];
     } else {
       plant_.symbols.push_back(std::get<Symbol>(std::move(result)));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/classify.hpp"
+
 namespace symplant::model {
 namespace {
 
@@ -13,6 +15,11 @@ struct HashAddress {
     return static_cast<std::size_t>((a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind);
   }
 };
+
+/// Where type and address differ in size the symbol has no place there (a check tells), so that it shares none.
+bool has_place(const Symbol& symbol) {
+  return symbol.address && static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
+}
 
 bool moved(const PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
@@ -30,7 +37,7 @@ void find_shared_addresses(PlantModel& plant) {
   bool any = false;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
-    if (!symbol.address) continue;
+    if (!has_place(symbol)) continue;
     const auto [found, added] = leaders.try_emplace(*symbol.address, i);
     if (added) continue;
     any = true;
@@ -44,7 +51,7 @@ void find_shared_addresses(PlantModel& plant) {
   if (!any) return;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (!symbol.address) continue;
+    if (!has_place(symbol)) continue;
     const std::uint32_t leader = leaders.find(*symbol.address)->second;
     if (leader != i) symbol.leader = leader;
   }

@@ -2,8 +2,10 @@
 #define BOOST_SPIRIT_X3_UNICODE
 #include "name/name_parser.hpp"
 
+#include <algorithm>
 #include <boost/regex/pending/unicode_iterator.hpp>
 #include <boost/spirit/home/x3.hpp>
+#include <utility>
 #include <vector>
 
 #include "base/ascii.hpp"
@@ -19,6 +21,29 @@ using Piece = boost::iterator_range<CodePoints>;
 std::string_view text_of(const Piece& piece) {
   const char* begin = piece.begin().base();
   return {begin, static_cast<std::size_t>(piece.end().base() - begin)};
+}
+
+const DirectionWord* direction_word(const NamingRule& rule, std::string_view text) {
+  for (const DirectionWord& word : rule.directions) {
+    if (base::equal_ignoring_case(word.word, text)) return &word;
+  }
+  return nullptr;
+}
+
+/// First and last of the levels that are too many: those that push the direction back where just one level holds its
+/// word, else those beyond the last.
+std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const std::vector<Piece>& pieces) {
+  const std::size_t wanted = rule.levels.size();
+  const auto direction = std::find(rule.levels.begin(), rule.levels.end(), Level::direction);
+  const auto place = static_cast<std::size_t>(direction - rule.levels.begin());
+  std::size_t found = pieces.size();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (direction_word(rule, text_of(pieces[i])) == nullptr) continue;
+    if (found != pieces.size()) return {wanted, pieces.size() - 1};
+    found = i;
+  }
+  if (found > place && found - place <= pieces.size() - wanted) return {place, found - 1};
+  return {wanted, pieces.size() - 1};
 }
 
 }  // namespace
@@ -70,7 +95,11 @@ NameReading NameParser::parse(std::string_view name) {
   }
   if (pieces.size() != wanted) {
     reading.fault = NameFault::wrong_number_of_levels;
-    reading.where = pieces.size() > wanted ? span_of(wanted, pieces.size() - 1) : base::Span{0, name.size()};
+    reading.where = {0, name.size()};
+    if (pieces.size() > wanted) {
+      const auto [first, last_surplus] = surplus_levels(rule_, pieces);
+      reading.where = span_of(first, last_surplus);
+    }
     return reading;
   }
 
@@ -92,10 +121,7 @@ NameReading NameParser::parse(std::string_view name) {
         reading.task = text;
         break;
       case Level::direction: {
-        const DirectionWord* found = nullptr;
-        for (const DirectionWord& word : rule_.directions) {
-          if (base::equal_ignoring_case(word.word, text)) found = &word;
-        }
+        const DirectionWord* found = direction_word(rule_, text);
         if (found == nullptr) {
           reading.fault = NameFault::direction_not_io;
           reading.where = span_of(i, i);

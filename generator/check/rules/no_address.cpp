@@ -20,7 +20,7 @@ or reads them.
 void check_no_address(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   std::vector<const model::Symbol*> found;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (!symbol.address) found.push_back(&symbol);
+    if (!symbol.address && symbol.written_address().empty()) found.push_back(&symbol);  // else SP307 tells
   }
   if (found.empty()) return;
   std::vector<diag::Related> others;

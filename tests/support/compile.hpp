@@ -1,0 +1,112 @@
+// From a list as text to what each stage makes of it, in memory.
+#pragma once
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/pipeline.hpp"
+#include "support/memory_file_system.hpp"
+
+namespace symplant::test {
+
+/// One row of a list. `address` is a vendor's, `iec` an IEC one.
+struct Row {
+  std::string name;
+  std::string address = {};
+  std::string type = "BOOL";
+  std::string initial = "FALSE";
+  std::string iec = {};
+  std::string klass = "VAR_GLOBAL";
+};
+
+inline std::string list_text(const std::vector<Row>& rows) {
+  std::string text = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+  for (const Row& row : rows) {
+    text += row.klass + "," + row.name + "," + row.address + "," + row.iec + "," + row.type + "," + row.initial + "\n";
+  }
+  return text;
+}
+
+/// BOOL rows of these names, each with an IEC address of its own: `%QX` where the name holds `_O_`, else `%IX`. A `*`
+/// behind a name gives it Initial TRUE.
+inline std::vector<Row> bits(const std::vector<std::string>& names) {
+  std::vector<Row> rows;
+  for (std::string name : names) {
+    const bool on = name.back() == '*';
+    if (on) name.pop_back();
+    const bool operation = name.find("_O_") != std::string::npos || name.find("_o_") != std::string::npos;
+    rows.push_back(
+        {name, "", "BOOL", on ? "TRUE" : "FALSE", (operation ? "%QX" : "%IX") + std::to_string(rows.size())});
+  }
+  return rows;
+}
+
+struct Analysed {
+  std::optional<model::PlantModel> plant;
+  diag::Diagnostics diagnostics;
+
+  const model::PlantModel& model() const { return *plant; }
+  /// How often a rule has fired.
+  std::size_t count(std::string_view slug) const {
+    std::size_t count = 0;
+    for (const diag::Diagnostic& finding : diagnostics.all()) count += finding.rule->slug == slug ? 1U : 0U;
+    return count;
+  }
+  /// Every rule that fired, in order, with blanks between.
+  std::string fired() const {
+    std::string text;
+    for (const diag::Diagnostic& finding : diagnostics.all()) {
+      text += (text.empty() ? "" : " ") + std::string(finding.rule->slug);
+    }
+    return text;
+  }
+  /// The findings of at least this severity.
+  std::string fired(diag::Severity least) const {
+    std::string text;
+    for (const diag::Diagnostic& finding : diagnostics.all()) {
+      if (finding.rule->severity < least) continue;
+      text += (text.empty() ? "" : " ") + std::string(finding.rule->slug);
+    }
+    return text;
+  }
+};
+
+inline Analysed analyse_text(const std::string& text, std::optional<address::Radix> xy = {},
+                             const std::string& name = "symbols.csv") {
+  MemoryFileSystem files;
+  files.files[name] = text;
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  Analysed result;
+  result.plant = app::analyse({name, {}, xy}, files, progress, result.diagnostics);
+  return result;
+}
+
+inline Analysed analyse_rows(const std::vector<Row>& rows, std::optional<address::Radix> xy = {}) {
+  return analyse_text(list_text(rows), xy);
+}
+
+struct CompiledText {
+  std::optional<app::Compiled> compiled;
+  diag::Diagnostics diagnostics;
+
+  const model::PlantModel& plant() const { return compiled->plant; }
+  const lower::EngineTables& tables() const { return compiled->tables; }
+};
+
+inline CompiledText compile_text(const std::string& text, const std::string& name = "symbols.csv") {
+  MemoryFileSystem files;
+  files.files[name] = text;
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  CompiledText result;
+  result.compiled = app::compile({name, {}, {}}, files, progress, result.diagnostics);
+  return result;
+}
+
+inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_text(list_text(rows)); }
+
+}  // namespace symplant::test

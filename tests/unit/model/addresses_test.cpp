@@ -1,0 +1,124 @@
+// What addresses decide: direction, how X and Y count, and symbols that share one.
+#include "model_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using address::Radix;
+using model::RadixChoice;
+
+TEST_CASE("The address says the direction where name and address disagree, and a warning says so") {
+  const Analysed list = analyse_rows({{"L_P_D_O_A", "X1"}, {"L_P_E_I_A", "", "BOOL", "", "%QX1"}});
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::event);
+  CHECK(symbol_of(list, "L_P_E_I_A").direction == core::Direction::operation);
+  CHECK(unit_of(list).events.size() == 1);
+  CHECK(list.count("direction-against-address") == 2);
+  CHECK(list.fired(diag::Severity::warning) == "direction-against-address direction-against-address");
+}
+
+TEST_CASE("A symbol without an address has the direction of its name, and a note") {
+  const Analysed list = analyse_rows({{"L_P_D_O_A"}, {"L_P_D_I_A"}});
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::operation);
+  CHECK(symbol_of(list, "L_P_D_I_A").direction == core::Direction::event);
+  CHECK(list.count("no-address") == 1);
+  CHECK(list.fired(diag::Severity::warning) == "");
+}
+
+TEST_CASE("A cell that is no address is told once, and the name gives the direction") {
+  const Analysed list = analyse_rows({{"L_P_D_O_A", "?Q?"}, {"L_P_D_I_A", "X1"}});
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::operation);
+  CHECK(list.count("address-not-understood") == 1);
+  CHECK(list.count("no-address") == 0);
+  CHECK(place_text(finding_of(list, "address-not-understood")) == "?Q?");
+}
+
+TEST_CASE("Rows with both addresses prove that X and Y count in hexadecimal or in octal") {
+  const Analysed hex = analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX16"}});
+  CHECK(hex.model().radix.radix == Radix::hexadecimal);
+  CHECK(hex.model().radix.by == RadixChoice::By::rows);
+  const Analysed octal = analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_E_I_A", "X0020"}});
+  CHECK(octal.model().radix.radix == Radix::octal);
+  CHECK(symbol_of(octal, "L_P_E_I_A").address->number == 16);
+  CHECK(octal.count("radix-assumed") == 0);
+}
+
+TEST_CASE("What rows prove stands over the option") {
+  const Analysed list =
+      analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_E_I_A", "X0020"}}, Radix::hexadecimal);
+  CHECK(list.model().radix.radix == Radix::octal);
+  CHECK(symbol_of(list, "L_P_E_I_A").address->number == 16);
+}
+
+TEST_CASE("Where no row proves it, the option counts, without a note") {
+  const Analysed list = analyse_rows({{"L_P_D_I_A", "X0010"}}, Radix::octal);
+  CHECK(list.model().radix.by == RadixChoice::By::option);
+  CHECK(symbol_of(list, "L_P_D_I_A").address->number == 8);
+  CHECK(list.count("radix-assumed") == 0);
+}
+
+TEST_CASE("Without proof and option it is hexadecimal, with a note where a number from 10 on makes a difference") {
+  const Analysed list = analyse_rows({{"L_P_D_I_A", "X0001"}, {"L_P_D_O_A", "Y0010"}, {"L_P_E_I_A", "X20"}});
+  CHECK(list.model().radix.radix == Radix::hexadecimal);
+  CHECK(symbol_of(list, "L_P_D_O_A").address->number == 16);
+  CHECK(place_text(finding_of(list, "radix-assumed")) == "Y0010");
+  CHECK(analyse_rows({{"L_P_D_I_A", "X7"}, {"L_P_D_O_A", "Y0007"}}).count("radix-assumed") == 0);
+  // Rows that agree in both systems prove nothing.
+  CHECK(analyse_rows({{"L_P_D_I_A", "X7", "BOOL", "", "%IX7"}, {"L_P_D_O_A", "Y10"}}).count("radix-assumed") == 1);
+}
+
+TEST_CASE("A digit that octal has not leaves nothing to assume") {
+  CHECK(analyse_rows({{"L_P_D_I_A", "X001F"}, {"L_P_D_O_A", "Y0010"}}).model().radix.radix == Radix::hexadecimal);
+}
+
+TEST_CASE("Two operations on one address are kept equal, with a warning") {
+  const Analysed list = analyse_rows({{"L_P_D_O_A", "Y1"}, {"L_P_E_O_A", "Y1"}, {"L_P_E_I_A", "X1"}});
+  CHECK(symbol_of(list, "L_P_E_O_A").leader == 0);
+  CHECK(symbol_of(list, "L_P_D_O_A").leader == model::kNone);
+  CHECK(list.fired(diag::Severity::warning) == "address-used-twice");
+  CHECK(list.model().units.size() == 2);
+}
+
+TEST_CASE("Of an event and an unmodelled symbol on one address the event leads, wherever it stands") {
+  const Analysed list = analyse_rows({{"BUTTON", "X1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}});
+  CHECK(symbol_of(list, "BUTTON").leader == 1);
+  CHECK(symbol_of(list, "L_P_D_I_A").leader == model::kNone);
+  CHECK(list.count("address-used-twice") == 1);
+  CHECK_FALSE(list.diagnostics.has_errors());
+}
+
+TEST_CASE("Two events on one address that different units move are an error, and only that") {
+  const Analysed list =
+      analyse_rows({{"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}, {"L_P_E_I_A", "X1"}, {"L_P_E_O_A", "Y2"}});
+  CHECK(list.fired(diag::Severity::warning) == "event-moved-twice");
+  CHECK(list.diagnostics.has_errors());
+  const diag::Diagnostic& finding = finding_of(list, "event-moved-twice");
+  CHECK(finding.place.source->position(finding.place.span.begin).line == 4);
+}
+
+TEST_CASE("An event that nobody moves may share the address of one that a unit moves") {
+  const Analysed list = analyse_rows({{"L_P_B_I_ON", "X1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}});
+  CHECK(list.fired(diag::Severity::warning) == "address-used-twice");
+  CHECK(symbol_of(list, "L_P_B_I_ON").leader == 1);
+}
+
+TEST_CASE("Two events of one unit on one address are a warning") {
+  const Analysed list =
+      analyse_rows({{"L_P_D_I_A1", "X1"}, {"L_P_D_I_B2", "X1"}, {"L_P_D_O_A1", "Y1"}, {"L_P_D_O_B2", "Y2"}});
+  CHECK(list.fired(diag::Severity::warning) == "address-used-twice");
+}
+
+TEST_CASE("One place written in two notations is one address") {
+  const Analysed list = analyse_rows({{"L_P_D_O_A", "Y1F"}, {"L_P_E_O_A", "", "BOOL", "", "%QX31"}});
+  CHECK(list.count("address-used-twice") == 1);
+}
+
+TEST_CASE("A BOOL and a number on one address are not kept equal: the number has no place there") {
+  const Analysed list =
+      analyse_rows({{"L_P_D_I_A", "X10"}, {"L_P_D_O_A", "Y1"}, {"LEVEL", "X10", "INT", "0"}}, Radix::hexadecimal);
+  CHECK(list.fired(diag::Severity::warning) == "wrong-number-of-levels type-against-address");
+  CHECK(symbol_of(list, "LEVEL").leader == model::kNone);
+  CHECK(symbol_of(list, "L_P_D_I_A").leader == model::kNone);
+}
+
+}  // namespace
+}  // namespace symplant::test

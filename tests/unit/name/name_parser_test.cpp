@@ -1,0 +1,196 @@
+// The built-in naming rule: five levels, each fault at its exact bytes.
+#include "name/name_parser.hpp"
+
+#include <string>
+
+#include "base/source_file.hpp"
+#include "support/catch.hpp"
+
+namespace symplant::name {
+namespace {
+
+struct Read {
+  std::string name;  ///< the reading's views point into it
+  NameReading reading;
+
+  explicit Read(std::string text) : name(std::move(text)) {
+    NameParser parser(built_in_rule());
+    reading = parser.parse(name);
+  }
+  std::string faulty() const { return name.substr(reading.where.begin, reading.where.end - reading.where.begin); }
+  /// As an editor counts: from 1, in characters.
+  std::size_t column() const { return base::SourceFile("list", name).position(reading.where.begin).column; }
+};
+
+TEST_CASE("A name by the rule gives its levels, and its device's path") {
+  const Read read("EXLINE_MB_AGV_I_P1");
+  CHECK(read.reading.fault == NameFault::none);
+  CHECK(read.reading.levels == 5);
+  CHECK(read.reading.line == "EXLINE");
+  CHECK(read.reading.process == "MB");
+  CHECK(read.reading.device == "AGV");
+  CHECK(read.reading.task == "P1");
+  CHECK(read.reading.device_path == "EXLINE_MB_AGV");
+  CHECK(read.reading.direction == Direction::event);
+  CHECK(Read("BB_S301_RBT3_O_WELD").reading.direction == Direction::operation);
+}
+
+TEST_CASE("The direction is read whatever its case") {
+  CHECK(Read("A_B_C_i_P1").reading.direction == Direction::event);
+  CHECK(Read("A_B_C_o_P1").reading.direction == Direction::operation);
+  CHECK(Read("A_B_C_o_P1").reading.fault == NameFault::none);
+}
+
+TEST_CASE("A word that begins with I or O is no direction") {
+  for (const char* word : {"OPEN", "IN", "OUT", "II", "IO", "O1", "X", "1", "0"}) {
+    const Read read("EXLINE_MB_DOOR_" + std::string(word) + "_P1");
+    INFO(read.name);
+    CHECK(read.reading.fault == NameFault::direction_not_io);
+    CHECK(read.faulty() == word);
+    CHECK(read.column() == 16);
+  }
+}
+
+TEST_CASE("Words like OPEN are tasks and devices as any other") {
+  const Read task("EXLINE_MB_DOOR_O_OPEN");
+  CHECK(task.reading.fault == NameFault::none);
+  CHECK(task.reading.task == "OPEN");
+  const Read levels("I_O_I_O_I");
+  CHECK(levels.reading.fault == NameFault::none);
+  CHECK(levels.reading.direction == Direction::operation);
+  CHECK(levels.reading.task == "I");
+}
+
+TEST_CASE("A letter that only looks like I or O is no direction") {
+  for (const char* word : {"\xCE\x99", "\xD0\x9E", "\xEF\xBC\xA9", "\xC4\xB1", "\xC3\x96"}) {  // Ι О Ｉ ı Ö
+    const Read read("A_B_C_" + std::string(word) + "_P1");
+    INFO(read.name);
+    CHECK(read.reading.fault == NameFault::direction_not_io);
+    CHECK(read.faulty() == word);
+  }
+}
+
+TEST_CASE("Letters and digits of every script make levels") {
+  for (const char* word : {"Ä", "ß", "Łódź", "設備", "공정", "Конвейер", "Ωμέγα", "١٢", "日本語2"}) {
+    const Read read("LINE_" + std::string(word) + "_" + word + "_I_" + word);
+    INFO(read.name);
+    CHECK(read.reading.fault == NameFault::none);
+    CHECK(read.reading.process == word);
+    CHECK(read.reading.task == word);
+  }
+}
+
+TEST_CASE("A character that is neither letter nor digit is the fault, whole and alone") {
+  struct Case {
+    const char* name;
+    const char* part;
+    std::size_t begin;
+    std::size_t column;
+  };
+  for (const Case& c : {Case{"EXLINE-MB_AGV_I_P1", "-", 6, 7}, Case{"EXLINE_MB_AGV_I_P 1", " ", 17, 18},
+                        Case{"EXLINE_MB_AGV_I_P1.", ".", 18, 19}, Case{"Ä_MB-AGV_I_P1", "-", 5, 5},
+                        Case{"공정_MB_AGV.I_P1", ".", 13, 10}, Case{"L_🤖_AGV_I_P1", "🤖", 2, 3},
+                        Case{"Ä공🤖_MB_AGV_I_P1", "🤖", 5, 3}, Case{".", ".", 0, 1},
+                        Case{"A_B_C_I_P\xE2\x80\xAE"
+                             "1",
+                             "\xE2\x80\xAE", 9, 10},
+                        Case{"A_B_C_I_P1\t", "\t", 10, 11}}) {
+    const Read read(c.name);
+    INFO(c.name);
+    CHECK(read.reading.fault == NameFault::illegal_character);
+    CHECK(read.reading.where.begin == c.begin);
+    CHECK(read.faulty() == c.part);
+    CHECK(read.column() == c.column);
+  }
+}
+
+TEST_CASE("Of several illegal characters the first is told") { CHECK(Read("A.B-C_I_P1").reading.where.begin == 1); }
+
+TEST_CASE("Too few levels: the whole name is the fault") {
+  for (const char* name : {"EXLINE_AGV_I_P1", "START", "A_B", "A_B_C", "Ä_I_P1"}) {
+    const Read read(name);
+    INFO(name);
+    CHECK(read.reading.fault == NameFault::wrong_number_of_levels);
+    CHECK(read.faulty() == name);
+  }
+  CHECK(Read("EXLINE_AGV_I_P1").reading.levels == 4);
+  CHECK(Read("START").reading.levels == 1);
+}
+
+TEST_CASE("Too many levels: the surplus ones are the fault, where the direction shows which they are") {
+  const Read behind("EXLINE_MB_AGV_I_P1_OLD_X");
+  CHECK(behind.reading.fault == NameFault::wrong_number_of_levels);
+  CHECK(behind.reading.levels == 7);
+  CHECK(behind.faulty() == "OLD_X");
+  const Read before("EXLINE_MB_AGV_FAST_O_P2");
+  CHECK(before.faulty() == "FAST");
+  CHECK(before.column() == 15);
+  const Read multi_byte("공정_MB_Ä_빠른_O_P2");
+  CHECK(multi_byte.faulty() == "빠른");
+  CHECK(multi_byte.column() == 9);
+  CHECK(Read("A_B_C_D_E_F").faulty() == "F");  // no direction anywhere: those beyond the last
+}
+
+TEST_CASE("An empty level is told at its place") {
+  struct Case {
+    const char* name;
+    std::size_t begin;
+  };
+  for (const Case& c : {Case{"EXLINE__AGV_I_P1", 7}, Case{"_MB_AGV_I_P1", 0}, Case{"EXLINE_MB_AGV_I_", 16},
+                        Case{"EXLINE_MB_AGV__P1", 14}, Case{"_EXLINE_MB_AGV_I_P1", 0}, Case{"EXLINE_MB_AGV_I_P1_", 19},
+                        Case{"EXLINE_MB__AGV_I_P1", 10}, Case{"Ä__AGV_I_P1", 3}, Case{"____", 0}}) {
+    const Read read(c.name);
+    INFO(c.name);
+    CHECK(read.reading.fault == NameFault::empty_level);
+    CHECK(read.reading.where.begin == c.begin);
+    CHECK(read.reading.where.end == c.begin);
+  }
+}
+
+TEST_CASE("An empty name and separators alone are faults, not crashes") {
+  CHECK(Read("").reading.fault == NameFault::wrong_number_of_levels);
+  CHECK(Read("_").reading.fault == NameFault::wrong_number_of_levels);
+  CHECK(Read("________________").reading.fault != NameFault::none);
+}
+
+TEST_CASE("Names of 20,000 characters are read") {
+  const std::string word(19'990, 'W');
+  const Read read("A_B_" + word + "_I_P1");
+  CHECK(read.reading.fault == NameFault::none);
+  CHECK(read.reading.device == word);
+  const Read levels(std::string(20'000, '_'));
+  CHECK(levels.reading.fault != NameFault::none);
+  std::string many;
+  for (int i = 0; i < 10'000; ++i) many += "A_";
+  CHECK(Read(many + "A").reading.levels == 10'001);
+  std::string wide = "A_B_";
+  for (int i = 0; i < 20'000; ++i) wide += "공";
+  const Read dot(wide + "._I_P1");
+  CHECK(dot.reading.fault == NameFault::illegal_character);
+  CHECK(dot.column() == 20'005);
+}
+
+TEST_CASE("Every single ASCII character is judged") {
+  for (int c = 1; c < 128; ++c) {
+    const Read read("A_B_C_I_P" + std::string(1, static_cast<char>(c)));
+    INFO("character " << c);
+    const bool alnum = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (c == '_') {
+      CHECK(read.reading.fault == NameFault::empty_level);
+    } else {
+      CHECK(read.reading.fault == (alnum ? NameFault::none : NameFault::illegal_character));
+    }
+  }
+}
+
+TEST_CASE("A reader keeps nothing of the name before") {
+  NameParser parser(built_in_rule());
+  const std::string bad = "A_B_C_D_E_F_G";
+  const std::string good = "A_B_C_I_P1";
+  CHECK(parser.parse(bad).fault == NameFault::wrong_number_of_levels);
+  CHECK(parser.parse(good).fault == NameFault::none);
+  CHECK(parser.parse(good).levels == 5);
+}
+
+}  // namespace
+}  // namespace symplant::name
