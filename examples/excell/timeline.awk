@@ -27,7 +27,7 @@ function meaning(s,    d, is) {
 function show(s,    verb, what) {
   verb = value[s] == "true" ? "sets" : value[s] == "false" ? "clears" : "writes"
   what = meaning(s)
-  printf "%8.2f s  %-5s %-6s  ", now / 1e9, operation[s] ? "PLC" : (s in operation) ? "plant" : "?", verb
+  printf "%8.2f s  %-5s %-6s  ", now / 1e9, operation[s] ? "PLC" : (s in device) ? "plant" : "?", verb
   if (what == "") print s
   else printf "%-" width "s  %s\n", s, what
 }
@@ -48,7 +48,7 @@ function end_instant(    i, s, part) {
       if (part == (operation[s] ? 1 : 3) + (value[s] != "false")) show(s)
     }
   }
-  for (i = 1; i <= count; i++) if (!operation[changed[i]]) note_event(changed[i])
+  for (i = 1; i <= count; i++) if ((changed[i] in device) && !operation[changed[i]]) note_event(changed[i])
   if (moved > 0 && !away) {
     away = 1
     left = now

@@ -1,0 +1,60 @@
+# What the tests of the examples share: a plant in the background, waiting for a condition. To be sourced.
+# shellcheck shell=bash
+
+work=$(mktemp -d)
+plant="" controller=""
+
+clean_up() {
+  local pid
+  for pid in $controller $plant; do kill -KILL "$pid" 2>/dev/null || true; done
+  wait 2>/dev/null || true
+  rm -rf "$work"
+}
+trap clean_up EXIT
+
+fail() { # WHAT
+  printf 'FAILED: %s\n' "$1"
+  local file
+  for file in "$work"/*; do
+    [[ ! -f $file ]] || { printf -- '--- %s\n' "${file##*/}" && tail -n 60 "$file"; }
+  done
+  exit 1
+}
+
+# Tries a command until it succeeds, for a minute: nothing is said about how fast this machine is.
+wait_until() { # WHAT COMMAND...
+  local what=$1 try
+  shift
+  for ((try = 0; try < 1200; try++)); do
+    "$@" && return
+    sleep 0.05
+  done
+  fail "waited in vain: $what"
+}
+
+listening() { port=$(sed -n 's,^link modbus-tcp-server://127\.0\.0\.1:\([0-9]*\)$,\1,p' "$work/plant.log") && [[ -n $port ]]; }
+
+# Starts a plant as a server on a free port; sets plant and port, leaves plant.log and trace.jsonl in $work.
+start_plant() { # COMMAND...
+  "$@" --link modbus-tcp-server://127.0.0.1:0 --trace "$work/trace.jsonl" >"$work/plant.log" 2>&1 &
+  plant=$!
+  wait_until "the plant says where it listens" listening
+}
+
+stop_plant() {
+  local code=0
+  kill -TERM "$plant"
+  wait "$plant" || code=$?
+  plant=""
+  ((code == 0)) || fail "the plant ended with exit code $code"
+}
+
+# The plant time at which it ended, in milliseconds.
+ended_at() { sed -n 's/^ended at \([0-9.e+-]*\) s.*/\1/p' "$work/plant.log" | awk '{ printf "%d\n", $1 * 1000 }'; }
+
+# The plant time of the last change in the trace, in milliseconds.
+last_change() { sed -n 's/^{"t":\([0-9]*\),.*/\1/p' "$work/trace.jsonl" | tail -n 1 | awk '{ printf "%d\n", $1 / 1e6 }'; }
+
+count() { # PATTERN: so many lines of the trace have it
+  grep -c -- "$1" "$work/trace.jsonl" || true
+}

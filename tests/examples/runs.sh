@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# A plant runs for a while in virtual time, and does the same compiled as interpreted. usage: runs.sh PLANT SYMPLANT LIST
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+binary=$1 tool=$2 list=$3
+
+"$binary" --until 5s --clock virtual --trace "$work/compiled.jsonl" >"$work/compiled.log" || fail "the plant does not run"
+"$tool" run "$list" --until 5s --clock virtual --trace "$work/interpreted.jsonl" >"$work/interpreted.log" ||
+  fail "symplant run does not run it"
+
+grep -q '^can move: [1-9]' "$work/compiled.log" || fail "nothing can move"
+grep -q '^ended at 5 s' "$work/compiled.log" || fail "it does not end when asked"
+grep -q '"t":0,.*"value":true' "$work/compiled.jsonl" || fail "no device reports its state at the start"
+cmp "$work/compiled.jsonl" "$work/interpreted.jsonl" || fail "the traces differ"
+[[ $(sed -n 's/.*model //p' "$work/compiled.log") == "$(sed -n 's/.*model //p' "$work/interpreted.log")" ]] ||
+  fail "the model's hashes differ"
+
+"$binary" --until never >"$work/usage.log" 2>&1 && fail "an until that is no time is taken"
+[[ $("$binary" --until never >/dev/null 2>&1; echo $?) == 2 ]] || fail "bad usage is not exit code 2"
