@@ -18,27 +18,24 @@ class LimitPlant {
         last_(words(devices)),
         events(words(devices)),
         changed(words(devices)),
-        state_(devices),
-        next_(devices) {
+        devices_(devices) {
     wheel_.fill(kNone);
     for (std::uint32_t d = 0; d < devices; ++d) events[d / 32] |= std::uint64_t{1} << (2 * (d % 32));
   }
 
   void tick() {
     ++now_;
-    std::uint32_t d = wheel_[now_ % 128];
-    wheel_[now_ % 128] = kNone;
-    while (d != kNone) {
-      const std::uint64_t bit = std::uint64_t{1} << (2 * (d % 32) + (state_[d] & 1));
-      events[d / 32] |= bit;
-      changed[d / 32] |= bit;
-      state_[d] &= 1;
-      d = next_[d];
-    }
-    for (std::uint32_t word = 0; word < operations.size(); ++word) {
-      std::uint64_t risen = (operations[word] ^ last_[word]) & operations[word];
-      last_[word] = operations[word];
-      for (; risen != 0; risen &= risen - 1) start(word, static_cast<std::uint32_t>(std::countr_zero(risen)));
+    arrive();
+    const auto words = static_cast<std::uint32_t>(operations.size());
+    std::uint64_t* const seen = last_.data();
+    const std::uint64_t* const given = operations.data();
+    for (std::uint32_t word = 0; word < words; ++word) {
+      const std::uint64_t changed_bits = given[word] ^ seen[word];
+      if (changed_bits == 0) continue;
+      seen[word] = given[word];
+      for (std::uint64_t risen = changed_bits & given[word]; risen != 0; risen &= risen - 1) {
+        start(word, static_cast<std::uint32_t>(std::countr_zero(risen)));
+      }
     }
   }
 
@@ -47,16 +44,38 @@ class LimitPlant {
  private:
   static std::size_t words(std::uint32_t devices) { return (devices + 31) / 32; }
 
+  void arrive() {
+    std::uint32_t d = wheel_[now_ % 128];
+    wheel_[now_ % 128] = kNone;
+    std::uint64_t* const on = events.data();
+    std::uint64_t* const came = changed.data();
+    Device* const devices = devices_.data();
+    while (d != kNone) {
+      Device& device = devices[d];
+      device.state &= 1;
+      const std::uint64_t bit = std::uint64_t{1} << (2 * (d % 32) + device.state);
+      on[d / 32] |= bit;
+      came[d / 32] |= bit;
+      d = device.next;
+    }
+  }
+
   void start(std::uint32_t word, std::uint32_t bit) {
     const std::uint32_t d = word * 32 + bit / 2;
-    const auto target = static_cast<std::uint8_t>(bit & 1);
-    if (state_[d] == target || state_[d] > 1) return;
+    const std::uint32_t target = bit & 1;
+    Device& device = devices_[d];
+    if (device.state == target || device.state > 1) return;
     events[word] &= ~(std::uint64_t{1} << (bit ^ 1));
-    state_[d] = static_cast<std::uint8_t>(2 | target);
+    device.state = 2 | target;
     std::uint32_t& head = wheel_[(now_ + travel_) % 128];
-    next_[d] = head;
+    device.next = head;
     head = d;
   }
+
+  struct Device {
+    std::uint32_t next;
+    std::uint32_t state;  ///< bit 0: state or target, bit 1: moving
+  };
 
   std::uint32_t travel_;
   std::uint32_t now_ = 0;
@@ -69,8 +88,7 @@ class LimitPlant {
   std::vector<std::uint64_t> changed;  ///< events that came on since the controller last looked
 
  private:
-  std::vector<std::uint8_t> state_;  ///< bit 0: state or target, bit 1: moving
-  std::vector<std::uint32_t> next_;
+  std::vector<Device> devices_;
 };
 
 }  // namespace symplant::bench

@@ -17,14 +17,13 @@ namespace symplant::bench {
 inline constexpr std::uint32_t kTicks = 100;  // of 10 ms: every travel takes a second, arrivals spread over all of them
 inline constexpr core::Time kTick = 10 * core::kMillisecond;
 
-/// Answers arrivals: `write(bit, on)` sets an operation. Gives their number.
-template <class Write>
-std::int64_t answer(std::uint32_t word, std::uint64_t arrived, Write write) {
+/// Answers arrivals: `give(bit)` gives the command of that bit and takes back the other one of its device. Gives their
+/// number.
+template <class Give>
+std::int64_t answer(std::uint32_t word, std::uint64_t arrived, Give give) {
   const std::int64_t motions = std::popcount(arrived);
   for (; arrived != 0; arrived &= arrived - 1) {
-    const std::uint32_t bit = word * 64 + static_cast<std::uint32_t>(std::countr_zero(arrived));
-    write(bit, false);
-    write(bit ^ 1, true);
+    give(word * 64 + (static_cast<std::uint32_t>(std::countr_zero(arrived)) ^ 1));
   }
   return motions;
 }
@@ -34,7 +33,7 @@ class LimitGrid {
  public:
   explicit LimitGrid(std::uint32_t devices) : plant_(devices, kTicks) {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {  // a hundredth of the devices starts in each tick
-      for (std::uint32_t d = tick; d < devices; d += kTicks) write(2 * d + 1, true);
+      for (std::uint32_t d = tick; d < devices; d += kTicks) give(plant_.operations.data(), 2 * d + 1);
       step();
     }
   }
@@ -43,19 +42,23 @@ class LimitGrid {
   std::int64_t step() {
     std::int64_t motions = 0;
     plant_.tick();
-    for (std::uint32_t word = 0; word < plant_.changed.size(); ++word) {
-      const std::uint64_t arrived = plant_.changed[word];
-      plant_.changed[word] = 0;
-      motions += answer(word, arrived, [this](std::uint32_t bit, bool on) { write(bit, on); });
+    std::uint64_t* const operations = plant_.operations.data();
+    std::uint64_t* const changed = plant_.changed.data();
+    const auto words = static_cast<std::uint32_t>(plant_.changed.size());
+    for (std::uint32_t word = 0; word < words; ++word) {
+      const std::uint64_t arrived = changed[word];
+      if (arrived == 0) continue;
+      changed[word] = 0;
+      motions += answer(word, arrived, [operations](std::uint32_t bit) { give(operations, bit); });
     }
     return motions;
   }
 
  private:
-  void write(std::uint32_t bit, bool on) {
-    const std::uint64_t mask = std::uint64_t{1} << (bit % 64);
-    std::uint64_t& word = plant_.operations[bit / 64];
-    word = on ? word | mask : word & ~mask;
+  static void give(std::uint64_t* operations, std::uint32_t bit) {
+    const std::uint64_t both = std::uint64_t{3} << (bit % 64 & ~1U);
+    std::uint64_t& word = operations[bit / 64];
+    word = (word & ~both) | (std::uint64_t{1} << (bit % 64));
   }
 
   LimitPlant plant_;
@@ -79,7 +82,10 @@ class EngineLoop {
       const std::uint64_t now = plant().events()[word];
       const std::uint64_t arrived = now & ~seen_[word];
       seen_[word] = now;
-      motions += answer(word, arrived, [this](std::uint32_t bit, bool on) { plant().set_operation(bit, on); });
+      motions += answer(word, arrived, [this](std::uint32_t bit) {
+        plant().set_operation(bit ^ 1, false);
+        plant().set_operation(bit, true);
+      });
     }
     plant().forget_changed_events();
     return motions;
