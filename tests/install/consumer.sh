@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# A project outside the tree builds a plant and its own program around it. usage: consumer.sh CMAKE SOURCE CONFIGURE-ARGUMENT...
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cmake=$1 source=$2
+shift 2
+
+cp -r "$source" "$work/source"
+"$cmake" -S "$work/source" -B "$work/build" "$@" >"$work/configure.log" 2>&1 || fail "configuring" "$work/configure.log"
+build "$cmake" "$work/build.log"
+"$work/build/press" --until 1s --clock virtual || fail "the plant does not run"
+"$work/build/consumer" || fail "the plant as a library"

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs a build to a fresh folder and looks at what came. usage: install.sh CMAKE BUILD PREFIX
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cmake=$1 build_dir=$2 prefix=$3
+
+rm -rf "$prefix"
+"$cmake" --install "$build_dir" --prefix "$prefix" >"$work/log" || fail "cmake --install" "$work/log"
+"$prefix/bin/symplant" --version || fail "the installed tool does not run"
+[[ -n $(find "$prefix" -name symplantConfig.cmake) ]] || fail "no package file"
+[[ -n $(find "$prefix" -path '*/symplant/core/plant.hpp') ]] || fail "no headers"
+[[ -n $(find "$prefix" -name LICENSE) ]] || fail "no licence"
+if grep -rlF "$build_dir" "$prefix" --include='*.cmake' --include='*.hpp'; then fail "the package names the build's folder"; fi
