@@ -23,5 +23,5 @@ check --trace symplant run --tr
 check --depfile symplant generate list.csv --dep
 check "" symplant run --no-such
 check "" symplant no-such
-check "$tool" symplant run "${tool%?}"
+check "$0" symplant run "${0%?}"
 ((failures == 0))
