@@ -1,0 +1,77 @@
+// A Modbus server's memory and requests to it, for the tests of the codec.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "symplant/link/modbus/codec.hpp"
+
+namespace symplant::test {
+
+using namespace symplant::link::modbus;
+using Bytes = std::vector<std::uint8_t>;
+
+/// A server's memory, filled with what tells one place from another.
+struct Memory {
+  std::vector<std::uint64_t> coils, discrete, holding, input;
+  std::array<std::uint32_t, 4> sizes;
+
+  explicit Memory(std::uint32_t bits, std::uint32_t registers)
+      : coils(bit_words(bits)),
+        discrete(bit_words(bits)),
+        holding(register_words(registers)),
+        input(register_words(registers)),
+        sizes{bits, bits, registers, registers} {
+    for (std::uint32_t i = 0; i < bits; ++i) {
+      set_bit(coils, i, i % 3 == 0);
+      set_bit(discrete, i, i % 5 < 2);
+    }
+    for (std::uint32_t i = 0; i < registers; ++i) {
+      set_register(holding, i, static_cast<std::uint16_t>(i * 7 + 1));
+      set_register(input, i, static_cast<std::uint16_t>(0xF000 + i));
+    }
+  }
+
+  Tables tables() { return {{coils, sizes[0]}, {discrete, sizes[1]}, {holding, sizes[2]}, {input, sizes[3]}}; }
+  bool operator==(const Memory&) const = default;
+};
+
+inline void put(Bytes& bytes, std::uint32_t value) {
+  bytes.push_back(static_cast<std::uint8_t>(value >> 8));
+  bytes.push_back(static_cast<std::uint8_t>(value & 0xFF));
+}
+
+inline Bytes request(std::uint8_t code, std::initializer_list<std::uint32_t> fields) {
+  Bytes bytes = {code};
+  for (const std::uint32_t field : fields) put(bytes, field);
+  return bytes;
+}
+
+struct Reply {
+  Bytes bytes;
+  Answer answer;
+};
+
+inline Reply ask(Memory& memory, const Bytes& bytes) {
+  std::array<std::uint8_t, kMaxPdu> reply{};
+  const Answer answer = answer_request(bytes, memory.tables(), reply);
+  return {Bytes(reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)), answer};
+}
+
+/// Demands an exception, and that nothing else has changed.
+inline void check_refused(Memory& memory, const Bytes& bytes, int exception) {
+  const Memory before = memory;
+  const Reply reply = ask(memory, bytes);
+  CHECK(reply.bytes == Bytes{static_cast<std::uint8_t>(bytes[0] | 0x80), static_cast<std::uint8_t>(exception)});
+  CHECK(static_cast<int>(reply.answer.exception) == exception);
+  CHECK(reply.answer.count == 0);
+  CHECK(memory == before);
+}
+
+inline constexpr std::uint32_t kBits = 2016;
+inline constexpr std::uint32_t kRegisters = 160;
+
+}  // namespace symplant::test
