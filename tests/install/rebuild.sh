@@ -6,7 +6,7 @@ cmake=$1 source=$2
 shift 2
 
 cp -r "$source" "$work/source"
-list="$work/source/symbol lists/press line.csv"
+list="$work/source/symbol lists/press_line.csv"
 "$cmake" -S "$work/source" -B "$work/build" "$@" >"$work/configure.log" 2>&1 || fail "configuring" "$work/configure.log"
 build "$cmake" "$work/first.log"
 
