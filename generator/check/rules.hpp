@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "check/rule.hpp"
 
@@ -74,5 +77,27 @@ inline constexpr std::array<const Rule*, 29> kRules{
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
 void narrow(diag::Place& place, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
+/// What a symbol loses that is in no device: "nothing moves it", "it moves nothing".
+std::string_view consequence(const model::Symbol& symbol);
+
+/// Two symbols of one device with one task and direction: since names are unique, the address of one overruled its
+/// name.
+struct TaskClaim {
+  std::uint32_t overruled;
+  std::uint32_t other;
+  bool other_dropped;  ///< it is the other one that is in no device, its row being the later one
+};
+std::vector<TaskClaim> task_claims(const model::PlantModel& plant);
+
+/// Whether the name of a symbol that its address overruled says this task and direction of a unit: a fault that SP305
+/// or SP407 tells, so that nobody else need miss the symbol. O(symbols) to make.
+class OverruledNames {
+ public:
+  explicit OverruledNames(const model::PlantModel& plant);
+  bool has(const model::Unit& unit, const model::State& state, name::Direction direction) const;
+
+ private:
+  std::set<std::string> names_;
+};
 
 }  // namespace symplant::check

@@ -20,7 +20,8 @@ std::string as_markdown() {
       "alone.\n\n"
       "| rule | name | severity | what it says |\n|---|---|---|---|\n";
   for (const diag::RuleInfo* rule : check::catalogue()) {
-    text += fmt::format("| {} | [{}](#{}-{}) | {} | {} |\n", rule->id, rule->slug, rule->id, rule->slug,
+    // Markdown's own anchors are in lower case.
+    text += fmt::format("| {} | [{}](#sp{}-{}) | {} | {} |\n", rule->id, rule->slug, rule->id.substr(2), rule->slug,
                         diag::severity_name(rule->severity), rule->summary);
   }
   for (const diag::RuleInfo* rule : check::catalogue()) {

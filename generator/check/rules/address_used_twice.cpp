@@ -26,7 +26,7 @@ void check_address_used_twice(const Rule& rule, const model::PlantModel& plant, 
     if (std::any_of(plant.moved_twice.begin(), plant.moved_twice.end(), moved_twice)) continue;
     diagnostics.add(
         rule.info,
-        fmt::format("`{}` stands on {} as `{}` does: they are kept equal; correct the address if they are two "
+        fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "
                     "signals",
                     symbol.name(), symbol.written_address(), leader.name()),
         place_of(plant, *symbol.row, symbol.written_address()),

@@ -23,9 +23,12 @@ void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, di
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(rule.info,
-                    fmt::format("`{}` says `{}` where its direction should stand, `{}` wants I or O: nothing moves it; "
-                                "write the one that its address has",
-                                symbol.name(), faulty_part(symbol), plant.rule->pattern),
+                    fmt::format("`{}` says `{}` where its direction should stand, `{}` wants `I` or `O`: {}; "
+                                "write {}",
+                                symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol),
+                                symbol.direction == core::Direction::event
+                                    ? fmt::format("`I`, as its address `{}` says", symbol.written_address())
+                                    : fmt::format("`O`, as its address `{}` says", symbol.written_address())),
                     place);
   }
 }

@@ -19,11 +19,12 @@ void check_event_moved_twice(const Rule& rule, const model::PlantModel& plant, d
   for (const auto& [second, first] : plant.moved_twice) {
     const model::Symbol& a = plant.symbols[first];
     const model::Symbol& b = plant.symbols[second];
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` stands on {} as `{}` does, and different devices move them: correct one address",
-                                b.name(), b.written_address(), a.name()),
-                    place_of(plant, *b.row, b.written_address()),
-                    {{place_of(plant, *a.row, a.written_address()), "the other one"}});
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` stands on `{}` as `{}` does, and different devices move them: correct one address", b.name(),
+                    b.written_address(), a.name()),
+        place_of(plant, *b.row, b.written_address()),
+        {{place_of(plant, *a.row, a.written_address()), "the other one"}});
   }
 }
 

@@ -19,17 +19,19 @@ device goes on to this one by itself.
 )";
 
 void check_event_without_operation(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const OverruledNames overruled(plant);
   for (const model::Unit& unit : plant.units) {
     if (unit.operations.empty() || unit.two_words) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
       const auto& ambiguous = unit.ambiguous_sequence;
       if (state.event == model::kNone || state.operation != model::kNone || unit.reaches(s)) continue;
+      if (overruled.has(unit, state, name::Direction::operation)) continue;               // SP305 or SP407 tells
       if (std::find(ambiguous.begin(), ambiguous.end(), s) != ambiguous.end()) continue;  // SP409 tells
       const model::Symbol& symbol = event_of(plant, unit, state.event);
       diagnostics.add(
           rule.info,
-          fmt::format("`{}` reports {} of {}, but no operation leads there: add an operation with task {}, or "
+          fmt::format("`{}` reports `{}` of `{}`, but no operation leads there: add an operation with task `{}`, or "
                       "number the tasks if it comes by itself",
                       symbol.name(), state.name, unit.path, state.name),
           place_of(plant, symbol));

@@ -23,9 +23,9 @@ void check_illegal_character(const Rule& rule, const model::PlantModel& plant, d
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(rule.info,
-                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: nothing moves it; "
+                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: {}; "
                                 "take it away or write `_` for it",
-                                symbol.name(), faulty_part(symbol)),
+                                symbol.name(), faulty_part(symbol), consequence(symbol)),
                     place);
   }
 }

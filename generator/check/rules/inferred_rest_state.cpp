@@ -16,8 +16,8 @@ void check_inferred_rest_state(const Rule& rule, const model::PlantModel& plant,
   for (const model::Unit& unit : plant.units) {
     if (!unit.rest_added) continue;
     diagnostics.add(rule.info,
-                    fmt::format("{} has the one task {}: it was given the rest state {}{} (inference 1)", unit.path,
-                                unit.states[1].name, unit.states[0].name,
+                    fmt::format("`{}` has the one task `{}`: it was given the rest state `{}`{} (inference 1)",
+                                unit.path, unit.states[1].name, unit.states[0].name,
                                 unit.operations.empty() ? "" : " and returns to it like a spring"),
                     place_of(plant, first_symbol_of(plant, unit)));
   }

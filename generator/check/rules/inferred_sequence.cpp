@@ -18,7 +18,7 @@ void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, d
       if (transition.origin != model::Origin::inferred) continue;
       const model::State& to = unit.states[transition.to];
       diagnostics.add(rule.info,
-                      fmt::format("{} has no operation for {}: it goes there by itself from {} (inference 3)",
+                      fmt::format("`{}` has no operation for `{}`: it goes there by itself from `{}` (inference 3)",
                                   unit.path, to.name, unit.states[transition.from].name),
                       place_of(plant, event_of(plant, unit, to.event)));
     }

@@ -17,7 +17,7 @@ void check_inferred_single_solenoid(const Rule& rule, const model::PlantModel& p
     if (!unit.single_solenoid) continue;
     diagnostics.add(
         rule.info,
-        fmt::format("{} has an operation for {} alone: it was taken as a single solenoid that returns to {} "
+        fmt::format("`{}` has an operation for `{}` alone: it was taken as a single solenoid that returns to `{}` "
                     "(inference 2)",
                     unit.path, unit.states[1 - unit.rest].name, unit.states[unit.rest].name),
         place_of(plant, first_symbol_of(plant, unit)));

@@ -29,10 +29,11 @@ void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, d
         others.push_back({place_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
       }
     }
-    diagnostics.add(rule.info,
-                    fmt::format("{} events of {} start TRUE, so that none counts: it starts in {}; leave TRUE with one",
-                                unit.initial_candidates, unit.path, unit.states[unit.initial].name),
-                    place_of(plant, *first->row, first->row->initial), std::move(others));
+    diagnostics.add(
+        rule.info,
+        fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
+                    unit.initial_candidates, unit.path, unit.states[unit.initial].name),
+        place_of(plant, *first->row, first->row->initial), std::move(others));
   }
 }
 

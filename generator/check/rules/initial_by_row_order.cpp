@@ -20,8 +20,9 @@ void check_initial_by_row_order(const Rule& rule, const model::PlantModel& plant
     if (unit.initial_from != model::InitialFrom::row_order) continue;
     diagnostics.add(
         rule.info,
-        fmt::format("{} starts in {}, only because its row comes first: Initial TRUE with an event says it better",
-                    unit.path, unit.states[unit.initial].name),
+        fmt::format(
+            "`{}` starts in `{}`, only because its row comes first: write Initial TRUE with the event that is on then",
+            unit.path, unit.states[unit.initial].name),
         place_of(plant, first_symbol_of(plant, unit)));
   }
 }

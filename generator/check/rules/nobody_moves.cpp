@@ -27,12 +27,12 @@ void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::
     if (!unit.operations.empty() || follows_a_moved_one(plant, unit.events.front())) continue;
     const model::Symbol& symbol = first_symbol_of(plant, unit);
     const std::string names = unit.events.size() == 1 ? fmt::format("`{}`", symbol.name())
-                                                      : fmt::format("`{}` and {} more of {}", symbol.name(),
+                                                      : fmt::format("`{}` and {} more of `{}`", symbol.name(),
                                                                     unit.events.size() - 1, unit.path);
     diagnostics.add(
         rule.info,
-        fmt::format("{}: no operation, so nobody moves {}; Initial TRUE says that a contact is on in a healthy "
-                    "plant",
+        fmt::format("{}: nobody moves {}, since the device has no operation; write Initial TRUE with a contact that "
+                    "is on in a healthy plant",
                     names, unit.events.size() == 1 ? "it" : "them"),
         place_of(plant, symbol));
   }

@@ -20,7 +20,8 @@ void check_operation_initial_ignored(const Rule& rule, const model::PlantModel& 
     if (symbol.direction != core::Direction::operation || symbol.type != core::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
     diagnostics.add(rule.info,
-                    fmt::format("`{}` starts off in the plant: operations are the PLC's to write", symbol.name()),
+                    fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",
+                                symbol.name()),
                     place_of(plant, *symbol.row, symbol.row->initial));
   }
 }

@@ -17,15 +17,17 @@ meant by this rule.
 )";
 
 void check_operation_without_event(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const OverruledNames overruled(plant);
   for (const model::Unit& unit : plant.units) {
     if (unit.events.empty() || unit.two_words) continue;
     for (const model::State& state : unit.states) {
       if (state.operation == model::kNone || state.event != model::kNone) continue;
+      if (overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407 tells
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
       diagnostics.add(
           rule.info,
-          fmt::format("`{}` commands {} of {}, but no event tells the PLC that it is reached: add an event with "
-                      "task {}",
+          fmt::format("`{}` commands `{}` of `{}`, but no event tells the PLC that it is reached: add an event with "
+                      "task `{}`",
                       symbol.name(), state.name, unit.path, state.name),
           place_of(plant, symbol));
     }

@@ -21,7 +21,7 @@ void check_sequence_ambiguous(const Rule& rule, const model::PlantModel& plant, 
       const model::Symbol& symbol = event_of(plant, unit, unit.states[state].event);
       diagnostics.add(
           rule.info,
-          fmt::format("several states of {} could come before {}: nothing leads there; give each a number of its "
+          fmt::format("several states of `{}` could come before `{}`: nothing leads there; give each a number of its "
                       "own",
                       unit.path, unit.states[state].name),
           place_of(plant, symbol));

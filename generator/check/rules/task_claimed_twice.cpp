@@ -8,21 +8,30 @@ namespace {
 
 constexpr std::string_view kPage =
     R"(Two symbols of one device have the same task and the same direction. Since names are unique, the direction of one of them
-comes from an address that overruled its name.
+comes from an address that overruled its name (the address wins, since it is wired).
 
-**What the model loses.** The first keeps the task; the other is in no unit.
+**What the model loses.** The first row keeps the task; the other symbol is in no unit: it is served all the same, but
+moves nothing and is not moved.
 
 **How to mend it.** Correct the name or the address of one of them.
 )";
 
 void check_task_claimed_twice(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.unmodelled != model::Unmodelled::task_taken) continue;
+  for (const TaskClaim& claim : task_claims(plant)) {
+    const model::Symbol& symbol = plant.symbols[claim.overruled];
+    const model::Symbol& other = plant.symbols[claim.other];
+    const std::string_view direction = direction_text(symbol.direction);
     diagnostics.add(
         rule.info,
-        fmt::format("`{}` is a second {} with task {} of {}: it is in no device; correct its name or its address",
-                    symbol.name(), direction_text(symbol.direction), symbol.reading.task, symbol.reading.device_path),
-        place_of(plant, symbol));
+        claim.other_dropped
+            ? fmt::format("`{}` is an {} by its address `{}`, and takes the task from `{}`, which is in no device now: "
+                          "correct its name or its address",
+                          symbol.name(), direction, symbol.written_address(), other.name())
+            : fmt::format("`{}` is an {} by its address `{}`, and `{}` has that task already, so that it is in no "
+                          "device: correct its name or its address",
+                          symbol.name(), direction, symbol.written_address(), other.name()),
+        place_of(plant, *symbol.row, symbol.written_address()),
+        {{place_of(plant, other), "the symbol that has the task by its name"}});
   }
 }
 

@@ -19,10 +19,10 @@ void check_unit_too_large(const Rule& rule, const model::PlantModel& plant, diag
   for (const model::TooLarge& large : plant.too_large) {
     diagnostics.add(
         rule.info,
-        fmt::format("{} has {} operations, {} events and {} states, a device has at most {}, {} and {}: nothing "
-                    "moves them; is {} really one device?",
+        fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "
+                    "symbols are in no device; see whether the device level of their names tells devices apart",
                     large.path, large.operations, large.events, large.states, core::kMaxOperations, core::kMaxEvents,
-                    core::kMaxStates, large.path),
+                    core::kMaxStates),
         place_of(plant, plant.symbols[large.symbols.front()]));
   }
 }

@@ -18,16 +18,17 @@ it moves nothing. It is served all the same: it is in the images, on the links a
 )";
 
 void check_wrong_number_of_levels(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const std::size_t wanted = plant.rule->levels.size();
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(
         rule.info,
-        fmt::format(
-            "`{}` has {} level{}, `{}` wants {}: without them its device is unknown and nothing moves it; rename it",
-            symbol.name(), symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern,
-            plant.rule->levels.size()),
+        fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
+                    symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
+                    consequence(symbol),
+                    symbol.reading.levels > wanted ? "take a level out or join two" : "write the missing ones"),
         place);
   }
 }

@@ -1,0 +1,64 @@
+// The catalogue: ids and slugs that never change, pages for every rule, and the published page.
+#include "check/catalogue.hpp"
+
+#include <set>
+#include <sstream>
+
+#include "app/tool.hpp"
+#include "check/rules.hpp"
+#include "read/rules.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/memory_file_system.hpp"
+#include "support/tool.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("Rules stand by id, each id and slug once") {
+  std::set<std::string_view> slugs;
+  std::string_view before;
+  for (const diag::RuleInfo* rule : check::catalogue()) {
+    INFO(rule->id);
+    CHECK(before < rule->id);
+    before = rule->id;
+    CHECK(slugs.insert(rule->slug).second);
+  }
+  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size());
+}
+
+TEST_CASE("Every rule has a summary without a full stop and a page that says what to do") {
+  for (const diag::RuleInfo* rule : check::catalogue()) {
+    INFO(rule->id);
+    CHECK_FALSE(rule->summary.empty());
+    CHECK(rule->summary.back() != '.');
+    CHECK(rule->page.size() > 80);
+    CHECK(rule->page.back() == '\n');
+  }
+  for (const check::Rule* rule : check::kRules) {
+    if (rule->info.severity == diag::Severity::note) continue;
+    INFO(rule->info.id);
+    CHECK(rule->info.page.find("**What the model loses.**") != std::string_view::npos);
+    CHECK(rule->info.page.find("**How to mend it.**") != std::string_view::npos);
+  }
+}
+
+TEST_CASE("A rule is found by id and by slug, whatever the case") {
+  for (const diag::RuleInfo* rule : check::catalogue()) {
+    CHECK(check::find_rule(rule->id) == rule);
+    CHECK(check::find_rule(rule->slug) == rule);
+  }
+  CHECK(check::find_rule("sp201") == check::find_rule("Wrong-Number-Of-Levels"));
+  CHECK(check::find_rule("SP999") == nullptr);
+  CHECK(check::find_rule("") == nullptr);
+}
+
+TEST_CASE("docs/rules.md is what the tool says") {
+  const ToolRun run = run_tool({"rules"});
+  CHECK(run.code == 0);
+  CHECK(run.err.empty());
+  check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/docs/rules.md", run.out);
+}
+
+}  // namespace
+}  // namespace symplant::test

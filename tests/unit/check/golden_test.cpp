@@ -1,0 +1,72 @@
+// Every rule is fired by a golden list, and says what stands there.
+#include "support/golden.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "check/catalogue.hpp"
+#include "diag/json.hpp"
+#include "diag/text.hpp"
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+
+namespace symplant::test {
+namespace {
+
+const std::string kFolder = std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/check/";
+
+std::set<std::string> cases() {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+    if (entry.is_directory()) names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+Analysed analyse_case(const std::string& name) {
+  MemoryFileSystem files;
+  const std::string list = kFolder + name + "/symbols.csv";
+  if (std::filesystem::exists(list)) files.files["symbols.csv"] = read_bytes(list);
+  app::CompileOptions options{"symbols.csv", {}, {}};
+  if (name == "unknown-input-format") options.read.input_format = "tape";
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  Analysed result;
+  result.plant = app::analyse(options, files, progress, result.diagnostics);
+  return result;
+}
+
+TEST_CASE("Every rule has a golden, and every golden is of a rule") {
+  std::set<std::string> rules{"clean"};
+  for (const diag::RuleInfo* rule : check::catalogue()) rules.insert(std::string(rule->slug));
+  CHECK(cases() == rules);
+}
+
+TEST_CASE("Every golden fires its rule and says what it should") {
+  for (const std::string& name : cases()) {
+    INFO("case " << name);
+    const Analysed analysed = analyse_case(name);
+    if (name != "clean") CHECK(analysed.count(name) >= 1);
+    check_golden(kFolder + name + "/expected.txt", diag::render_text(analysed.diagnostics.all()));
+    check_golden(kFolder + name + "/expected.json", diag::render_json(analysed.diagnostics.all()) + "\n");
+  }
+}
+
+TEST_CASE("Messages keep the house's wording") {
+  for (const std::string& name : cases()) {
+    const Analysed analysed = analyse_case(name);
+    for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
+      INFO(finding.message);
+      CHECK_FALSE(finding.message.empty());
+      CHECK(finding.message.back() != '.');
+      CHECK(finding.message.find('\n') == std::string::npos);
+      // What begins with a capital is the user's own text, in back-ticks.
+      CHECK((finding.message.front() < 'A' || finding.message.front() > 'Z'));
+    }
+  }
+}
+
+TEST_CASE("A clean list fires nothing") { CHECK(analyse_case("clean").fired() == ""); }
+
+}  // namespace
+}  // namespace symplant::test
