@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "diag/visible_text.hpp"
+
 namespace symplant::app {
 namespace {
 
@@ -24,7 +26,8 @@ void add_side(std::string& text, char element, const std::vector<std::uint32_t>&
       address.append(" ").append(symbol.row->iec_address);
     }
     fmt::format_to(std::back_inserter(text), "  {:<10}{}  {}  {}:{}\n", first ? std::string(1, element) : "",
-                   symbol.name(), address.empty() ? "no address" : address, plant.list_name(), symbol.row->line);
+                   symbol.name(), address.empty() ? "no address" : diag::visible(address), plant.list_name(),
+                   symbol.row->line);
     first = false;
   }
   if (first) fmt::format_to(std::back_inserter(text), "  {:<10}none\n", element);

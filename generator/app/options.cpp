@@ -6,7 +6,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <array>
 #include <ostream>
 #include <vector>
 
@@ -17,12 +16,8 @@ namespace symplant::app {
 namespace {
 
 base::Encoding encoding_of(const std::string& name) {
-  std::string known;
-  for (const base::Encoding encoding : {base::Encoding::utf8, base::Encoding::utf16le, base::Encoding::utf16be}) {
-    if (base::encoding_name(encoding) == name) return encoding;
-    known.append(known.empty() ? "" : ", ").append(base::encoding_name(encoding));
-  }
-  throw CLI::ValidationError("--encoding", "`" + name + "` is no encoding: write one of " + known);
+  if (const auto encoding = base::encoding_of_name(name)) return *encoding;
+  throw CLI::ValidationError("--encoding", "`" + name + "` is no encoding: write utf-8, utf-16le or utf-16be");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <memory>
@@ -11,6 +12,8 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "base/utf8.hpp"
+#include "diag/visible_text.hpp"
 #include "symplant/link/io_map.hpp"
 
 namespace symplant::app {
@@ -20,16 +23,28 @@ struct Row {
   std::array<std::string, 7> cells;
 };
 
+/// Columns on a terminal.
+std::size_t width_of(std::string_view text) {
+  std::size_t width = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const base::CodePoint point = base::code_point_at(text, at);
+    width += static_cast<std::size_t>(diag::display_width(point.value));
+    at += point.length;
+  }
+  return width;
+}
+
 std::string table_text(const std::vector<Row>& rows) {
   std::array<std::size_t, 7> widths{};
   for (const Row& row : rows) {
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row.cells[i].size());
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row.cells[i]));
   }
   std::string text;
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-      fmt::format_to(std::back_inserter(line), "{:<{}}  ", row.cells[i], widths[i]);
+      line += row.cells[i];
+      line.append(widths[i] - width_of(row.cells[i]) + 2, ' ');
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
@@ -68,16 +83,16 @@ void show(const std::string& plant, const PlantOptions& options, Context& contex
     const link::IoPoint* point = points[i];
     std::string mover = "nobody";
     if (symbol.direction == core::Direction::operation) {
-      mover = tables.symbols[i].moved ? fmt::format("the PLC, moves {}", compiled->plant.units[symbol.unit].path)
-                                      : "the PLC, moves nothing";
-    } else if (tables.symbols[i].moved) {
+      mover = tables.symbols[i].moved() ? fmt::format("the PLC, moves {}", compiled->plant.units[symbol.unit].path)
+                                        : "the PLC, moves nothing";
+    } else if (tables.symbols[i].moved()) {
       mover = compiled->plant.units[symbol.unit].path;
-    } else if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved) {
+    } else if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved()) {
       mover = compiled->plant.units[compiled->plant.symbols[symbol.leader].unit].path;
     }
     rows.push_back(
-        {{std::to_string(symbol.row->line), std::string(symbol.name()), std::string(symbol.row->vendor_address),
-          std::string(symbol.row->iec_address),
+        {{std::to_string(symbol.row->line), diag::visible(symbol.name()), diag::visible(symbol.row->vendor_address),
+          diag::visible(symbol.row->iec_address),
           point == nullptr ? "-" : fmt::format("{} {}", link::table_name(point->table), point->number),
           point == nullptr ? "-" : fmt::format("{:05}", link::modicon_number(point->table, point->number)), mover}});
   }

@@ -1,0 +1,87 @@
+// symplant check: exit codes, severities, outputs.
+#include <nlohmann/json.hpp>
+
+#include "app_support.hpp"
+#include "base/file_system.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("check: the exit code is 1 where a finding reaches --fail-on, else 0") {
+  struct Case {
+    const char* list;
+    int note;
+    int warning;
+    int error;
+  };
+  for (const Case& c : {Case{"clean.csv", 0, 0, 0}, Case{"note.csv", 1, 0, 0}, Case{"warning.csv", 1, 1, 0},
+                        Case{"error.csv", 1, 1, 1}}) {
+    INFO(c.list);
+    CHECK(run_lists({"check", c.list, "--fail-on", "note"}).code == c.note);
+    CHECK(run_lists({"check", c.list, "--fail-on", "warning"}).code == c.warning);
+    CHECK(run_lists({"check", c.list, "--fail-on", "error"}).code == c.error);
+    CHECK(run_lists({"check", c.list}).code == c.error);
+  }
+}
+
+TEST_CASE("check: a file that cannot be read is 2, whatever --fail-on says, and is named") {
+  for (const std::string& list : kUnreadable) {
+    for (const char* fail_on : {"note", "error"}) {
+      INFO(list);
+      const ToolRun run = run_lists({"check", list, "--fail-on", fail_on});
+      CHECK(run.code == 2);
+      CHECK(contains(run.out, list));
+      CHECK(contains(run.out, "error: "));
+    }
+  }
+}
+
+TEST_CASE("check: each PLANT is a plant of its own, and the highest code counts") {
+  CHECK(run_lists({"check", "clean.csv", "excell.csv"}).code == 0);
+  CHECK(run_lists({"check", "clean.csv", "error.csv", "clean.csv"}).code == 1);
+  const ToolRun run = run_lists({"check", "error.csv", "missing.csv", "clean.csv"});
+  CHECK(run.code == 2);
+  CHECK(contains(run.out, "error.csv:3"));
+  CHECK(contains(run.out, "clean.csv: 8 of 8 I/O names follow"));
+}
+
+TEST_CASE("check: JSON holds every finding of all plants, and parses") {
+  const ToolRun run = run_lists({"check", "--format", "json", "warning.csv", "error.csv", "missing.csv"});
+  CHECK(run.code == 2);
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json.at("symplant-diagnostics") == 1);
+  CHECK(json.at("findings").size() >= 3);
+  CHECK(json.at("counts").at("error") == 2);
+}
+
+TEST_CASE("check: --output writes a file, and nothing to standard output") {
+  MemoryFileSystem files = lists();
+  const ToolRun run = run_tool({"check", "warning.csv", "--output", "result.txt"}, files);
+  CHECK(run.code == 0);
+  CHECK(run.out.empty());
+  CHECK(contains(files.files["result.txt"], "SP201"));
+  CHECK_FALSE(contains(files.files["result.txt"], "\x1B"));
+}
+
+TEST_CASE("check: an output that cannot be written is 3") {
+  MemoryFileSystem files = lists();
+  files.faults["result.txt"] = "no space left";
+  const ToolRun run = run_tool({"check", "warning.csv", "--output", "result.txt"}, files);
+  CHECK(run.code == 3);
+  CHECK(contains(run.err, "result.txt"));
+}
+
+TEST_CASE("check on disk: a folder, a missing file, a file without permission") {
+  base::DiskFileSystem files;
+  const TemporaryFolder folder;
+  CHECK(run_tool({"check", folder.path()}, files).code == 2);
+  CHECK(run_tool({"check", folder / "missing.csv"}, files).code == 2);
+  const std::string secret = folder.write("secret.csv", excell());
+  std::filesystem::permissions(secret, std::filesystem::perms::none);
+  if (!std::ifstream(secret).good()) CHECK(run_tool({"check", secret}, files).code == 2);  // root may read all
+  CHECK(run_tool({"check", folder.write("good.csv", excell())}, files).code == 0);
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,101 @@
+// The command line: help, versions, usage faults, completion.
+#include "app_support.hpp"
+#include "check/catalogue.hpp"
+
+namespace symplant::test {
+namespace {
+
+const std::vector<std::string> kCommands{"check", "explain", "rules", "generate", "model", "map", "run", "completion"};
+
+TEST_CASE("Every command has help with examples") {
+  for (const std::string& command : kCommands) {
+    INFO(command);
+    const ToolRun run = run_lists({command, "--help"});
+    CHECK(run.code == 0);
+    CHECK(contains(run.out, "Examples:"));
+    CHECK(contains(run.out, "symplant " + command));
+    CHECK(run.err.empty());
+  }
+}
+
+TEST_CASE("The tool's own help names every command, and its version is told") {
+  const ToolRun help = run_lists({"--help"});
+  CHECK(help.code == 0);
+  for (const std::string& command : kCommands) CHECK(contains(help.out, command));
+  const ToolRun version = run_lists({"--version"});
+  CHECK(version.code == 0);
+  CHECK(contains(version.out, "symplant "));
+}
+
+TEST_CASE("What is no command line is 2, with a message") {
+  const std::vector<std::vector<std::string>> lines{
+      {},
+      {"dance"},
+      {"check"},
+      {"check", "clean.csv", "--fail-on", "sometimes"},
+      {"check", "clean.csv", "--format", "pdf"},
+      {"check", "clean.csv", "--colour"},
+      {"explain"},
+      {"rules", "--format", "pdf"},
+      {"generate", "clean.csv"},
+      {"generate", "-o", "plant"},
+      {"model", "clean.csv", "--format", "yaml"},
+      {"model"},
+      {"map"},
+      {"run"},
+      {"completion", "fish"},
+      {"run", "clean.csv", "--clock", "sundial"},
+      {"run", "clean.csv", "--cycle", "soon"},
+      {"run", "clean.csv", "--cycle", "0"},
+      {"run", "clean.csv", "--cycle", "-1ms"},
+      {"run", "clean.csv", "--until", "later"},
+      {"run", "clean.csv", "--until", "-1s"},
+      {"run", "clean.csv", "--seed", "many"},
+      {"run", "clean.csv", "--link", "carrier-pigeon:"},
+      {"check", "clean.csv", "--xy", "decimal"},
+      {"check", "clean.csv", "--encoding", "morse"},
+      {"check", "clean.csv", "--input-format", "tape"},
+      {"model", "clean.csv", "--xy", "decimal"},
+      {"map", "clean.csv", "--encoding", "morse"},
+      {"run", "clean.csv", "--input-format", "tape"},
+      {"explain", "SP999"},
+      {"model", "clean.csv", "--device", "NOTHING*"},
+  };
+  for (const auto& line : lines) {
+    std::string shown;
+    for (const std::string& word : line) shown += word + " ";
+    INFO("symplant " << shown);
+    const ToolRun run = run_lists(line);
+    CHECK(run.code == 2);
+    CHECK_FALSE((run.err + run.out).empty());
+  }
+}
+
+TEST_CASE("Encodings are named in any case") {
+  CHECK(run_lists({"check", "clean.csv", "--encoding", "UTF-8"}).code == 0);
+  CHECK(run_lists({"check", "clean.csv", "--encoding", "utf-8"}).code == 0);
+}
+
+TEST_CASE("explain shows the page of every rule, by id and by slug") {
+  for (const diag::RuleInfo* rule : check::catalogue()) {
+    const ToolRun by_id = run_lists({"explain", std::string(rule->id)});
+    CHECK(by_id.code == 0);
+    CHECK(contains(by_id.out, rule->page));
+    CHECK(run_lists({"explain", std::string(rule->slug)}).out == by_id.out);
+  }
+}
+
+TEST_CASE("Completion knows every command and option") {
+  for (const char* shell : {"bash", "zsh"}) {
+    const ToolRun run = run_lists({"completion", shell});
+    CHECK(run.code == 0);
+    for (const std::string& command : kCommands) CHECK(contains(run.out, command));
+    for (const char* option : {"--fail-on", "--depfile", "--device", "--until", "--xy"}) {
+      INFO(option);
+      CHECK(contains(run.out, option));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,117 @@
+// symplant run: what it says first, how it ends, its exit codes.
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cstring>
+
+#include "app_support.hpp"
+#include "base/file_system.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// A port of this machine that somebody listens on.
+class TakenPort {
+ public:
+  TakenPort() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    REQUIRE(socket_ >= 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    sockaddr plain{};
+    std::memcpy(&plain, &address, sizeof plain);
+    REQUIRE(::bind(socket_, &plain, sizeof address) == 0);
+    REQUIRE(::listen(socket_, 1) == 0);
+    socklen_t size = sizeof plain;
+    REQUIRE(::getsockname(socket_, &plain, &size) == 0);
+    std::memcpy(&address, &plain, sizeof address);
+    port_ = ntohs(address.sin_port);
+  }
+  ~TakenPort() { ::close(socket_); }
+  TakenPort(const TakenPort&) = delete;
+  TakenPort& operator=(const TakenPort&) = delete;
+  std::string url() const { return "modbus-tcp-server://127.0.0.1:" + std::to_string(port_); }
+
+ private:
+  int socket_;
+  unsigned port_ = 0;
+};
+
+TEST_CASE("run begins by saying what it read, what can move and what nobody moves") {
+  MemoryFileSystem files = lists();
+  files.files["list.csv"] = list_text({{"L_P_D_O_A1", "Y1"},
+                                       {"L_P_D_I_A1", "X1"},
+                                       {"L_P_D_I_B2", "X2"},
+                                       {"START", "X3"},
+                                       {"L_P_E_I_ON", "X4"},
+                                       {"TEMP", "D100", "INT", "0"}});
+  const ToolRun run = run_tool({"run", "list.csv"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "5 I/O symbols from list.csv (1 operation, 4 events)"));
+  CHECK(contains(run.out, "internal: 1 rows (1 memory addresses)"));
+  CHECK(contains(run.out, "can move: 1 of 2 devices, by 1 of 1 operation"));
+  CHECK(contains(run.out, "nobody moves: 2 of 4 events: START, L_P_E_I_ON"));
+  CHECK(contains(run.out, "in no device: 1 I/O symbol"));
+}
+
+TEST_CASE("run in virtual time ends where nothing is due, and says so") {
+  const ToolRun run = run_lists({"run", "excell.csv"});
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "ended at 0 s: nothing more is due"));
+}
+
+TEST_CASE("run --until ends then") {
+  CHECK(contains(run_lists({"run", "excell.csv", "--until", "2500ms"}).out, "ended at 2.5 s"));
+}
+
+TEST_CASE("run: a plant that never rests ends after an hour of its time, with a note") {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(bits({"L_P_D_O_A1", "L_P_D_I_B2", "L_P_D_I_C3", "L_P_D_I_A1*"}));
+  // B2 and C3 follow by themselves; A1 has an operation, so that C3 is the end.
+  CHECK(contains(run_tool({"run", "list.csv"}, files).out, "ended at 2 s: nothing more is due"));
+}
+
+TEST_CASE("run: errors and unreadable lists are 2, a warning is 0") {
+  CHECK(run_lists({"run", "warning.csv"}).code == 0);
+  CHECK(run_lists({"run", "error.csv"}).code == 2);
+  for (const std::string& list : kUnreadable) CHECK(run_lists({"run", list}).code == 2);
+}
+
+TEST_CASE("run: virtual time with a link to a PLC is refused, with loop: it is not") {
+  const ToolRun refused = run_lists({"run", "excell.csv", "--clock", "virtual", "--link", TakenPort().url()});
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.err, "virtual"));
+  CHECK(run_lists({"run", "excell.csv", "--clock", "virtual", "--link", "loop:"}).code == 0);
+  CHECK(run_lists({"run", "excell.csv", "--link", "loop:"}).code == 0);
+}
+
+TEST_CASE("run: a port in use is 3, and said") {
+  const TakenPort taken;
+  const ToolRun run = run_lists({"run", "excell.csv", "--link", taken.url()});
+  CHECK(run.code == 3);
+  CHECK(contains(run.err, "in use"));
+}
+
+TEST_CASE("run --trace: a header, then a line a change") {
+  const TemporaryFolder folder;
+  CHECK(run_lists({"run", "excell.csv", "--until", "1s", "--trace", folder / "trace.jsonl", "--seed", "7"}).code == 0);
+  const std::string text = read_bytes(folder / "trace.jsonl");
+  CHECK(contains(text, "{\"symplant-trace\":1,\"plant\":\"excell\",\"model_hash\":\""));
+  CHECK(contains(text,
+                 "\"seed\":7}\n{\"t\":0,\"symbol\":\"EXLINE_MB_AGV_I_P1\",\"value\":true}\n"
+                 "{\"t\":0,\"symbol\":\"EXLINE_MB_MC_I_IDLE1\",\"value\":true}\n"));
+  CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+}
+
+TEST_CASE("run: a trace that cannot be written is 3") {
+  const TemporaryFolder folder;
+  const ToolRun run = run_lists({"run", "excell.csv", "--trace", folder / "none/trace.jsonl"});
+  CHECK(run.code == 3);
+  CHECK(contains(run.err, "none/trace.jsonl"));
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,53 @@
+// The worked example of the model's page, on tables made at run time.
+#include "support/worked_example.hpp"
+
+#include "app_support.hpp"
+#include "support/temporary_folder.hpp"
+#include "symplant/core/digest.hpp"
+#include "symplant/core/owned_plant.hpp"
+#include "symplant/trace/trace_file.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("The paper's cell runs as the worked example has it, every change and every state") {
+  const CompiledText text = compile_text(excell(), "excell.csv");
+  REQUIRE(text.compiled);
+  const core::PlantTables tables = text.tables().tables();
+  core::OwnedPlant plant(tables);
+
+  const TemporaryFolder folder;
+  std::string expected;
+  {
+    trace::TraceFile file(folder / "trace.jsonl", tables, core::model_hash(tables), 0);
+    check_worked_example(plant, [&](const trace::Change& change) { file.write(change); });
+    CHECK(file.error().empty());
+  }
+  const std::string trace = read_bytes(folder / "trace.jsonl");
+  const std::size_t lines = trace.find('\n') + 1;
+  for (const ExampleRow& row : worked_example()) {
+    const std::string time = std::to_string(row.milliseconds * core::kMillisecond);
+    std::string_view changes = row.changes;
+    while (!changes.empty()) {
+      const std::string_view change = changes.substr(0, changes.find(' '));
+      changes.remove_prefix(std::min(changes.size(), change.size() + 1));
+      const std::string name(change.substr(0, change.size() - 2));
+      expected += "{\"t\":" + time + ",\"symbol\":\"EXLINE_MB_" + name +
+                  "\",\"value\":" + (change.back() == '1' ? "true" : "false") + "}\n";
+    }
+  }
+  CHECK(trace.substr(lines) == expected);
+}
+
+TEST_CASE("The worked example runs alike after a reset") {
+  const CompiledText text = compile_text(excell(), "excell.csv");
+  REQUIRE(text.compiled);
+  const core::PlantTables tables = text.tables().tables();
+  core::OwnedPlant plant(tables);
+  check_worked_example(plant);
+  plant.reset();
+  check_worked_example(plant);
+}
+
+}  // namespace
+}  // namespace symplant::test
