@@ -52,6 +52,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["type_rows"] = type_rows(classes, texts["namespace"]);
   texts["unit_rows"] = unit_rows(tables, plant);
   texts["time_rows"] = time_rows(tables);
+  texts["kind_rows"] = kind_rows(tables);
   texts["symbol_rows"] = symbol_rows(tables, plant);
   texts["initial_rows"] = initial_rows(tables);
   texts["shared_rows"] = shared_rows(tables);

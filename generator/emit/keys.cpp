@@ -57,6 +57,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"type_rows", kTablesFile, false, "the classes' rows"},
     {"unit_rows", kTablesFile, false, "rows of core::UnitRow"},
     {"time_rows", kTablesFile, false, "rows of core::TransitionTimes"},
+    {"kind_rows", kTablesFile, false, "a constant for each kind of symbol"},
     {"symbol_rows", kTablesFile, false, "rows of core::SymbolRow"},
     {"initial_rows", kTablesFile, false, "rows of core::InitialValue"},
     {"shared_rows", kTablesFile, false, "rows of core::SharedAddress"},

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <concepts>
+#include <map>
 #include <string_view>
 
 #include "base/identifier.hpp"
@@ -49,10 +50,27 @@ class RowWriter {
   std::string out_;
 };
 
-constexpr std::array<std::string_view, 15> kTypeNames{"T::boolean", "T::sint",  "T::int_",  "T::dint",  "T::lint",
-                                                      "T::usint",   "T::uint",  "T::udint", "T::ulint", "T::byte",
-                                                      "T::word",    "T::dword", "T::lword", "T::real",  "T::lreal"};
-constexpr std::array<std::string_view, 3> kFormNames{"kNone", "kNumber", "kOther"};
+constexpr std::array<std::string_view, 15> kTypeNames{"boolean", "sint",  "int_",  "dint",  "lint",
+                                                      "usint",   "uint",  "udint", "ulint", "byte",
+                                                      "word",    "dword", "lword", "real",  "lreal"};
+constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
+
+/// The name of a kind's constant: direction, type, form of the address, moved or free.
+std::string kind_name(const core::SymbolRow& row) {
+  std::string name = row.direction() == core::Direction::operation ? "kOperation_" : "kEvent_";
+  name += kTypeNames[static_cast<std::size_t>(row.type())];
+  name.append("_").append(kFormNames[static_cast<std::size_t>(row.form())]);
+  return name.append(row.moved() ? "_moved" : "_free");
+}
+
+std::map<core::SymbolKind, std::string> kind_names(const lower::EngineTables& tables) {
+  std::map<core::SymbolKind, std::string> names;
+  for (const core::SymbolRow& row : tables.symbols) {
+    std::string& name = names[row.kind];
+    if (name.empty()) name = kind_name(row);
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -75,8 +93,21 @@ std::string time_rows(const lower::EngineTables& tables) {
   return rows.take();
 }
 
+std::string kind_rows(const lower::EngineTables& tables) {
+  RowWriter rows;
+  for (const auto& [kind, name] : kind_names(tables)) {
+    const core::SymbolRow row{0, 0, 0, 0, kind};
+    rows.text("constexpr auto ").text(name).text(" = core::symbol_kind(core::DataType::");
+    rows.text(kTypeNames[static_cast<std::size_t>(row.type())]).text(", core::Direction::");
+    rows.text(row.direction() == core::Direction::operation ? "operation" : "event").text(", core::AddressForm::");
+    rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true);\n" : ", false);\n");
+  }
+  return rows.take_or("");
+}
+
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
+  auto kinds = kind_names(tables);
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& row = tables.symbols[i];
     rows.text("    {").number(row.index).text(", ");
@@ -86,9 +117,7 @@ std::string symbol_rows(const lower::EngineTables& tables, const model::PlantMod
       rows.number(row.unit);
     }
     rows.text(", ").number(row.number).text(", ").number(row.row).text(", ");
-    rows.text(kTypeNames[static_cast<std::size_t>(row.type)]).text(", ");
-    rows.text(row.direction == core::Direction::operation ? "kOperation, " : "kEvent, ");
-    rows.text(kFormNames[static_cast<std::size_t>(row.form)]).text(row.moved ? ", true},  // " : ", false},  // ");
+    rows.text(kinds[row.kind]).text("},  // ");
     rows.comment(plant.symbols[i].name()).text(", ").comment(tables.list).text(":").number(row.row).text("\n");
   }
   return rows.take();

@@ -13,6 +13,8 @@ namespace symplant::emit {
 // is, it gets one row of zeros that no count includes. O(rows).
 std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string time_rows(const lower::EngineTables& tables);
+/// A constant for each kind of symbol that the plant has.
+std::string kind_rows(const lower::EngineTables& tables);
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string initial_rows(const lower::EngineTables& tables);
 std::string shared_rows(const lower::EngineTables& tables);

@@ -91,12 +91,10 @@ class Lowering {
       core::SymbolRow row{};
       row.index = index_of(i);
       row.unit = symbol.unit == kNone ? core::kNoUnit : symbol.unit;
-      row.form = form_of(symbol);
-      row.number = row.form == core::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
+      const core::AddressForm form = form_of(symbol);
+      row.number = form == core::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
       row.row = symbol.row->line;
-      row.type = symbol.type;
-      row.direction = symbol.direction;
-      row.moved = moved(i);
+      row.kind = core::symbol_kind(symbol.type, symbol.direction, form, moved(i));
       tables_.symbols.push_back(row);
       tables_.symbol_names.append(symbol.name()).push_back('\0');
       tables_.symbol_names.append(symbol.written_address()).push_back('\0');

@@ -35,10 +35,7 @@ void add_symbol(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
   hash.u32(symbol.index);
   hash.u32(symbol.unit);
   hash.u32(symbol.number);
-  hash.byte(static_cast<std::uint8_t>(symbol.type));
-  hash.byte(static_cast<std::uint8_t>(symbol.direction));
-  hash.byte(static_cast<std::uint8_t>(symbol.form));
-  hash.byte(symbol.moved ? 1 : 0);
+  hash.u32(static_cast<std::uint32_t>(symbol.kind));
 }
 
 }  // namespace

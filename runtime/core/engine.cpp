@@ -92,8 +92,8 @@ void Engine::reset() noexcept {
   }
   for (const InitialValue& initial : tables_.initial_values) {
     const SymbolRow& symbol = tables_.symbols[initial.symbol];
-    const bool is_bit = symbol.type == DataType::boolean;
-    if (symbol.direction == Direction::event) {
+    const bool is_bit = symbol.type() == DataType::boolean;
+    if (symbol.direction() == Direction::event) {
       if (is_bit) {
         write_event_bits(symbol.index / 64, bit_in_word(symbol.index), initial.value != 0);
       } else {

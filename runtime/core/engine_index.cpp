@@ -47,7 +47,7 @@ TypeIndex make_type(const TypeRow& row, Arena& arena) noexcept {
 }
 
 std::uint32_t place_of(const SymbolRow& symbol) noexcept {
-  return symbol.type == DataType::boolean ? symbol.index : kSharedSlot + symbol.index;
+  return symbol.type() == DataType::boolean ? symbol.index : kSharedSlot + symbol.index;
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ std::uint32_t place_of(const SymbolRow& symbol) noexcept {
 void SharedPlaces::build(const PlantTables& tables, Direction direction, Arena& arena) noexcept {
   std::size_t count = 0;
   for (const SharedAddress& shared : tables.shared_addresses) {
-    if (tables.symbols[shared.symbol].direction == direction) ++count;
+    if (tables.symbols[shared.symbol].direction() == direction) ++count;
   }
   auto* by_place = arena.take<SharedPlace>(2 * count);  // at most as many leaders as followers
   auto* by_leader = arena.take<SharedPlace>(2 * count);
@@ -63,7 +63,7 @@ void SharedPlaces::build(const PlantTables& tables, Direction direction, Arena& 
   std::size_t size = 0;
   for (const SharedAddress& shared : tables.shared_addresses) {
     const SymbolRow& symbol = tables.symbols[shared.symbol];
-    if (symbol.direction != direction) continue;
+    if (symbol.direction() != direction) continue;
     const std::uint32_t leader = place_of(tables.symbols[shared.leader]);
     by_place[size++] = {place_of(symbol), leader};
     by_place[size++] = {leader, leader};

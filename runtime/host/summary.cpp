@@ -26,17 +26,17 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   std::vector<std::string_view> unmoved;
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& symbol = tables.symbols[i];
-    if (symbol.direction == core::Direction::operation) {
+    if (symbol.direction() == core::Direction::operation) {
       ++operations;
-      if (symbol.moved) ++moving_operations;
-    } else if (!symbol.moved) {
+      if (symbol.moved()) ++moving_operations;
+    } else if (!symbol.moved()) {
       unmoved.push_back(names[2 * i]);
     }
   }
   const std::size_t events = tables.symbols.size() - operations;
   std::vector<bool> moves(tables.units.size());
   for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit != core::kNoUnit && symbol.moved) moves[symbol.unit] = true;
+    if (symbol.unit != core::kNoUnit && symbol.moved()) moves[symbol.unit] = true;
   }
 
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", tables.name,

@@ -16,18 +16,18 @@ bool is_16_bits(core::DataType type) {
 }
 
 Table table_of(const core::SymbolRow& symbol) {
-  const bool bit = symbol.type == core::DataType::boolean;
-  if (symbol.direction == core::Direction::operation) return bit ? Table::coil : Table::holding_register;
+  const bool bit = symbol.type() == core::DataType::boolean;
+  if (symbol.direction() == core::Direction::operation) return bit ? Table::coil : Table::holding_register;
   return bit ? Table::discrete_input : Table::input_register;
 }
 
 /// The table a symbol belongs on, or none with the reason noted in `map`.
 std::optional<Table> sort_out(const core::SymbolRow& symbol, std::uint32_t index, IoMap& map) {
-  if (symbol.form == core::AddressForm::none) {
+  if (symbol.form() == core::AddressForm::none) {
     map.without_address.push_back(index);
     return std::nullopt;
   }
-  if (symbol.type != core::DataType::boolean && !is_16_bits(symbol.type)) {
+  if (symbol.type() != core::DataType::boolean && !is_16_bits(symbol.type())) {
     map.too_wide.push_back(index);
     return std::nullopt;
   }
@@ -72,7 +72,7 @@ IoMap make_io_map(const core::PlantTables& tables) {
     const core::SymbolRow& symbol = tables.symbols[index];
     const auto table = sort_out(symbol, index, map);
     table_of_symbol.push_back(table);
-    const bool fits = symbol.form == core::AddressForm::number && symbol.number < kPlaces;
+    const bool fits = symbol.form() == core::AddressForm::number && symbol.number < kPlaces;
     if (table && !fits) map.packed[static_cast<std::size_t>(*table)] = true;
   }
 

@@ -14,7 +14,7 @@ std::vector<std::uint64_t> initial_operations(const core::PlantTables& tables) {
   std::vector<std::uint64_t> words(tables.operation_bits / kWordBits + tables.operation_slots, 0);
   for (const core::InitialValue& initial : tables.initial_values) {
     const core::SymbolRow& symbol = tables.symbols[initial.symbol];
-    if (symbol.direction != core::Direction::operation || symbol.type == core::DataType::boolean) continue;
+    if (symbol.direction() != core::Direction::operation || symbol.type() == core::DataType::boolean) continue;
     words[tables.operation_bits / kWordBits + symbol.index] = initial.value;
   }
   return words;
@@ -34,7 +34,7 @@ LoopLink::LoopLink(const core::PlantTables& tables)
 bool LoopLink::is(std::uint32_t symbol, core::Direction direction, bool bit) const noexcept {
   if (symbol >= tables_.symbols.size()) return false;
   const core::SymbolRow& row = tables_.symbols[symbol];
-  return row.direction == direction && (row.type == core::DataType::boolean) == bit;
+  return row.direction() == direction && (row.type() == core::DataType::boolean) == bit;
 }
 
 std::uint32_t LoopLink::leader(std::uint32_t symbol) const noexcept {
@@ -46,7 +46,7 @@ std::uint32_t LoopLink::leader(std::uint32_t symbol) const noexcept {
 
 template <class Write>
 void LoopLink::write_all_of_address(std::uint32_t symbol, Write write) noexcept {
-  const bool bit = tables_.symbols[symbol].type == core::DataType::boolean;
+  const bool bit = tables_.symbols[symbol].type() == core::DataType::boolean;
   const auto write_one = [&](std::uint32_t row) {
     if (is(row, core::Direction::operation, bit)) write(tables_.symbols[row].index);
   };

@@ -17,8 +17,8 @@ Recorder::Recorder(const core::PlantTables& tables, std::size_t capacity)
       mask_(ring_.size() - 1) {
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& symbol = tables.symbols[i];
-    const bool is_bit = symbol.type == core::DataType::boolean;
-    const bool operation = symbol.direction == core::Direction::operation;
+    const bool is_bit = symbol.type() == core::DataType::boolean;
+    const bool operation = symbol.direction() == core::Direction::operation;
     auto& map = is_bit ? (operation ? symbol_of_operation_ : symbol_of_event_)
                        : (operation ? symbol_of_operation_slot_ : symbol_of_event_slot_);
     map[symbol.index] = i;
@@ -49,9 +49,9 @@ void Recorder::instant(const core::Instant& instant) noexcept {
     }
     const std::uint32_t index = changed_[i];
     const core::SymbolRow& symbol = tables_.symbols[index];
-    const bool operation = symbol.direction == core::Direction::operation;
+    const bool operation = symbol.direction() == core::Direction::operation;
     std::uint64_t value = 0;
-    if (symbol.type == core::DataType::boolean) {
+    if (symbol.type() == core::DataType::boolean) {
       value = (operation ? plant_->operation(symbol.index) : plant_->event(symbol.index)) ? 1 : 0;
     } else {
       value = operation ? plant_->operation_value(symbol.index) : plant_->event_value(symbol.index);

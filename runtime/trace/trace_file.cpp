@@ -70,7 +70,7 @@ void TraceFile::write(const Change& change) {
   if (!file_) return;
   line_.clear();
   fmt::format_to(std::back_inserter(line_), "{{\"t\":{},\"symbol\":{},\"value\":{}}}\n", change.time,
-                 names_[change.symbol], json_value(tables_.symbols[change.symbol].type, change.value));
+                 names_[change.symbol], json_value(tables_.symbols[change.symbol].type(), change.value));
   put(line_);
 }
 

@@ -66,7 +66,7 @@ Trace random_trace(const core::PlantTables& tables, unsigned seed) {
   Trace trace;
   std::vector<const core::SymbolRow*> operations;
   for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.direction == core::Direction::operation) operations.push_back(&symbol);
+    if (symbol.direction() == core::Direction::operation) operations.push_back(&symbol);
   }
   std::mt19937_64 random(seed);
   core::Time now = 0;
@@ -74,7 +74,7 @@ Trace random_trace(const core::PlantTables& tables, unsigned seed) {
   for (int step = 0; step < 2000; ++step) {
     now += static_cast<core::Time>(random() % (random() % 2 == 0 ? 400'000'000 : 3'000'000'000));
     const core::SymbolRow& symbol = *operations[random() % operations.size()];
-    if (symbol.type == core::DataType::boolean) {
+    if (symbol.type() == core::DataType::boolean) {
       plant.set_operation(symbol.index, random() % 2 == 0);
     } else {
       plant.set_operation_value(symbol.index, random() % 1000);

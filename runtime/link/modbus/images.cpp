@@ -97,7 +97,7 @@ void Images::apply_registers(core::Plant& plant, std::size_t word, std::uint64_t
     if (static_cast<std::uint16_t>(changed >> (16 * i)) == 0) continue;
     const auto value = static_cast<std::uint16_t>(now >> (16 * i));
     for (const std::uint32_t row : holding_registers_.at(static_cast<std::uint32_t>(word) * kRegistersPerWord + i)) {
-      plant.set_operation_value(tables_.symbols[row].index, widen(value, tables_.symbols[row].type));
+      plant.set_operation_value(tables_.symbols[row].index, widen(value, tables_.symbols[row].type()));
     }
   }
 }

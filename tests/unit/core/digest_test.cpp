@@ -22,7 +22,8 @@ struct Sample {
   std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
   std::vector<core::TransitionTimes> times{{0, 5}, {0, 6}, {7, 0}};
   std::vector<core::SymbolRow> symbols{
-      {0, 0, 3, 2, core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true}};
+      {0, 0, 3, 2,
+       core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true)}};
   std::vector<core::InitialValue> initial{{0, 1}};
   std::vector<core::SharedAddress> shared{{0, 0}};
   std::uint8_t rest = core::kNoState;
@@ -61,10 +62,22 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.symbols[0].index = 1; },
       [](Sample& s) { s.symbols[0].unit = core::kNoUnit; },
       [](Sample& s) { s.symbols[0].number = 4; },
-      [](Sample& s) { s.symbols[0].type = core::DataType::int_; },
-      [](Sample& s) { s.symbols[0].direction = core::Direction::event; },
-      [](Sample& s) { s.symbols[0].form = core::AddressForm::none; },
-      [](Sample& s) { s.symbols[0].moved = false; },
+      [](Sample& s) {
+        s.symbols[0].kind =
+            core::symbol_kind(core::DataType::int_, core::Direction::operation, core::AddressForm::number, true);
+      },
+      [](Sample& s) {
+        s.symbols[0].kind =
+            core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
+      },
+      [](Sample& s) {
+        s.symbols[0].kind =
+            core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::none, true);
+      },
+      [](Sample& s) {
+        s.symbols[0].kind =
+            core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, false);
+      },
       [](Sample& s) { s.initial[0].value = 0; },
       [](Sample& s) { s.initial[0].symbol = 1; },
       [](Sample& s) { s.shared[0].leader = 1; },

@@ -23,14 +23,14 @@ struct SharedPlant {
   std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
   std::vector<core::TransitionTimes> times{{0, 10}, {0, 10}, {0, 10}};
   std::vector<core::SymbolRow> symbols{
-      {1, 0, 1, 1, DataType::boolean, Direction::operation, AddressForm::number, true},
-      {2, kNoUnit, 1, 2, DataType::boolean, Direction::operation, AddressForm::number, false},
-      {1, 0, 1, 3, DataType::boolean, Direction::event, AddressForm::number, true},
-      {2, kNoUnit, 1, 4, DataType::boolean, Direction::event, AddressForm::number, false},
-      {3, kNoUnit, 2, 5, DataType::boolean, Direction::event, AddressForm::number, false},
-      {0, kNoUnit, 5, 6, DataType::int_, Direction::operation, AddressForm::number, false},
-      {1, kNoUnit, 5, 7, DataType::int_, Direction::operation, AddressForm::number, false},
-      {0, kNoUnit, 6, 8, DataType::int_, Direction::event, AddressForm::number, false}};
+      {1, 0, 1, 1, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, true)},
+      {2, kNoUnit, 1, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, false)},
+      {1, 0, 1, 3, core::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, true)},
+      {2, kNoUnit, 1, 4, core::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
+      {3, kNoUnit, 2, 5, core::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
+      {0, kNoUnit, 5, 6, core::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
+      {1, kNoUnit, 5, 7, core::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
+      {0, kNoUnit, 6, 8, core::symbol_kind(DataType::int_, Direction::event, AddressForm::number, false)}};
   std::vector<core::InitialValue> initial{{4, 1}, {7, 7}};
   std::vector<core::SharedAddress> shared{{1, 0}, {3, 2}, {6, 5}};
   core::PlantTables tables{"shared", types, units, times, symbols, initial, shared, 64, 64, 2, 1, {}, {}, {}, {}};

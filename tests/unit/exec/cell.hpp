@@ -51,10 +51,7 @@ constexpr core::SymbolRow symbol(std::uint32_t index, std::uint32_t unit, core::
           .unit = unit,
           .number = index + 1,  // X0001 and Y0001 are the first
           .row = row,
-          .type = core::DataType::boolean,
-          .direction = direction,
-          .form = core::AddressForm::number,
-          .moved = true};
+          .kind = core::symbol_kind(core::DataType::boolean, direction, core::AddressForm::number, true)};
 }
 inline constexpr auto kIn = core::Direction::event;
 inline constexpr auto kOut = core::Direction::operation;

@@ -31,10 +31,7 @@ class SymbolList {
                      .unit = core::kNoUnit,
                      .number = number,
                      .row = row + 1,
-                     .type = type,
-                     .direction = direction,
-                     .form = form,
-                     .moved = false});
+                     .kind = core::symbol_kind(type, direction, form, false)});
     names_ += name;
     names_ += '\0';
     names_ += '\0';
