@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Runs every command of a page: the lines of its ```sh blocks, each of which must end with exit code 0.
+# A block behind a line `<!-- run by .ci/run -->` is left out, since .ci/run runs it.
+#
+#   run_commands.sh SYMPLANT SOURCE_DIR PAGE
+set -euo pipefail
+symplant=$1 source_dir=$2 page=$3
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin"
+ln -s "$symplant" "$work/bin/symplant"
+cp -r "$source_dir/examples" "$work/examples"
+PATH="$work/bin:$PATH"
+
+awk '
+  /<!-- run by .ci\/run -->/ { skip = 1; next }
+  /^```sh$/ && !skip { inside = 1; next }
+  /^```/ { inside = 0; if ($0 != "```sh") skip = 0; next }
+  inside && NF { print }
+' "$source_dir/$page" >"$work/commands"
+if [ ! -s "$work/commands" ]; then
+  echo "$page holds no command: has its form changed?"
+  exit 1
+fi
+
+cd "$work"
+count=0
+while IFS= read -r command; do
+  echo "+ $command"
+  if ! bash -c "$command" >output 2>&1 </dev/null; then
+    cat output
+    echo "$page: this command fails: $command"
+    exit 1
+  fi
+  count=$((count + 1))
+done <commands
+echo "$page: $count commands"
