@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
 #include <map>
 
@@ -12,15 +11,12 @@
 #include "emit/keys.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
+#include "emit/taken_namespaces.hpp"
 #include "emit/type_view.hpp"
 #include "symplant/core/version.hpp"
 
 namespace symplant::emit {
 namespace {
-
-/// Names that CMake keeps for itself as targets, or C++ as namespaces.
-constexpr std::array<std::string_view, 12> kTakenNamespaces{"std", "symplant", "core",    "posix",   "main", "test",
-                                                            "all", "clean",    "install", "package", "help", "CLI"};
 
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
   const std::vector<std::string> classes = class_names(tables, plant);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
+#include <optional>
+#include <vector>
 
 #include "emit/keys.hpp"
 
@@ -22,41 +24,50 @@ mustache::data to_data(const View& view) {
   return data;
 }
 
-/// The library leaves unknown keys empty; a template of the user's with a slip in it must not be taken for good.
-const TemplateError* unknown_key(const Template& text, TemplateError& error) {
+/// What is wrong with a template's tags; nothing where all is well. The library leaves unknown keys empty and knows no
+/// lines; a template of the user's with a slip in it must not be taken for good.
+std::optional<TemplateError> fault_of(const Template& text) {
+  struct Section {
+    std::string key;
+    std::size_t line;
+  };
+  std::vector<Section> open_sections;
   std::string_view rest = text.text;
   for (std::size_t open = rest.find("{{"); open != rest.npos; open = rest.find("{{")) {
-    const auto line = [&] {
-      const auto before = text.text.substr(0, static_cast<std::size_t>(rest.data() - text.text.data()));
-      return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    };
     rest.remove_prefix(open + 2);
+    const auto before = text.text.substr(0, static_cast<std::size_t>(rest.data() - text.text.data()));
+    const auto line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t close = rest.find("}}");
-    if (close == rest.npos) {
-      error = {line(), "a tag is opened and not closed: write `}}` behind its key"};
-      return &error;
-    }
+    if (close == rest.npos) return TemplateError{line, "a tag is opened and not closed: write `}}` behind its key"};
     std::string_view key = rest.substr(0, close);
     rest.remove_prefix(close + 2);
-    if (!key.empty() && key.front() == '!') continue;
-    while (!key.empty() && (key.front() == '{' || key.front() == '#' || key.front() == '^' || key.front() == '/' ||
-                            key.front() == '&' || key.front() == ' ')) {
-      key.remove_prefix(1);
-    }
+    const char kind = key.empty() ? ' ' : key.front();
+    if (kind == '!') continue;
+    if (std::string_view("{#^/& ").find(kind) != std::string_view::npos && !key.empty()) key.remove_prefix(1);
+    while (!key.empty() && key.front() == ' ') key.remove_prefix(1);
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
-    if (is_key(text.name, key)) continue;
-    error = {line(),
-             "`" + std::string(key) + "` is no key of this template: see templates/README.md for those that are"};
-    return &error;
+    const std::string name(key);
+    if (!is_key(text.name, key)) {
+      return TemplateError{line,
+                           "`" + name + "` is no key of this template: see templates/README.md for those that are"};
+    }
+    if (kind == '#' || kind == '^') open_sections.push_back({name, line});
+    if (kind != '/') continue;
+    if (open_sections.empty() || open_sections.back().key != name) {
+      return TemplateError{line, "`{{/" + name + "}}` closes what is not open: write `{{#" + name + "}}` before it"};
+    }
+    open_sections.pop_back();
   }
-  return nullptr;
+  if (open_sections.empty()) return std::nullopt;
+  const Section& section = open_sections.back();
+  return TemplateError{section.line,
+                       "`" + section.key + "` is opened and not closed: write `{{/" + section.key + "}}` behind it"};
 }
 
 }  // namespace
 
 base::Result<std::string, TemplateError> render(const Template& text, const View& view) {
-  TemplateError error;
-  if (unknown_key(text, error) != nullptr) return error;
+  if (auto fault = fault_of(text)) return *fault;
   mustache::mustache made{std::string(text.text)};
   if (!made.is_valid()) return TemplateError{1, made.error_message()};
   made.set_custom_escape([](const std::string& encoded) { return encoded; });

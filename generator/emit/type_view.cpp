@@ -15,9 +15,43 @@ namespace {
 using model::kNone;
 
 /// Names that a class must not have: those that the generated files themselves use.
-constexpr std::array<std::string_view, 17> kTaken{
-    "Plant", "Device", "Symbol",     "Operation", "Event",      "State", "core",  "tables", "symplant",
-    "std",   "main",   "make_plant", "row",       "OwnedPlant", "d_ext", "d_int", "l_enter"};
+constexpr std::array<std::string_view, 37> kTaken{"Plant",
+                                                  "Device",
+                                                  "Symbol",
+                                                  "Operation",
+                                                  "Event",
+                                                  "State",
+                                                  "core",
+                                                  "tables",
+                                                  "symplant",
+                                                  "std",
+                                                  "main",
+                                                  "make_plant",
+                                                  "row",
+                                                  "OwnedPlant",
+                                                  "d_ext",
+                                                  "d_int",
+                                                  "l_enter",
+                                                  "l_leave",
+                                                  "l_disable",
+                                                  "kI",
+                                                  "kO",
+                                                  "kS",
+                                                  "kEnter",
+                                                  "kLeave",
+                                                  "kTargets",
+                                                  "kTransitions",
+                                                  "kTypes",
+                                                  "kUnits",
+                                                  "kTimes",
+                                                  "kSymbols",
+                                                  "kTables",
+                                                  "kFree",
+                                                  "kInitialValues",
+                                                  "kSharedAddresses",
+                                                  "kUnitNames",
+                                                  "kStateNames",
+                                                  "kSymbolNames"};
 constexpr std::size_t kDevicesShown = 20;
 
 std::string joined(const std::vector<std::string>& parts, std::string_view prefix = "") {

@@ -1,0 +1,94 @@
+// The templates: a contract of keys, and faults that are told.
+#include <set>
+
+#include "emit/keys.hpp"
+#include "emit/render.hpp"
+#include "emit_support.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace symplant::test {
+namespace {
+
+std::string key_table() {
+  std::string text = "| key | where | holds |\n|---|---|---|\n";
+  for (const emit::Key& key : emit::keys()) {
+    text.append("| `").append(key.key).append("` | ").append(key.where == "*" ? "every template" : key.where);
+    text.append(" | ").append(key.list ? "a list: " : "").append(key.meaning).append(" |\n");
+  }
+  return text;
+}
+
+TEST_CASE("templates/README.md is the contract: its table is made of the keys") {
+  const std::string path = kSource + "/templates/README.md";
+  const std::string begin_mark = "<!-- keys -->\n";
+  const std::string end_mark = "<!-- end of keys -->";
+  const std::string readme = read_bytes(path);
+  const std::size_t begin = readme.find(begin_mark);
+  const std::size_t end = readme.find(end_mark);
+  REQUIRE(begin != std::string::npos);
+  REQUIRE(end != std::string::npos);
+  check_golden(path, readme.substr(0, begin + begin_mark.size()) + "\n" + key_table() + "\n" + readme.substr(end));
+}
+
+TEST_CASE("The templates in the tool are the files in templates/") {
+  CHECK(emit::embedded_templates().size() == 6);
+  for (const emit::Template& own : emit::embedded_templates()) {
+    INFO(own.name);
+    CHECK(own.text == read_bytes(kSource + "/templates/" + std::string(own.name) + ".mustache"));
+  }
+}
+
+TEST_CASE("Every key of one template is used in it") {
+  for (const emit::Key& key : emit::keys()) {
+    if (key.where == "*") continue;
+    INFO(key.where << ": " << key.key);
+    bool used = false;
+    for (const emit::Template& own : emit::embedded_templates()) {
+      if (own.name != key.where) continue;
+      for (const char* opening : {"{{", "{{{", "{{#"})
+        used = used || contains(own.text, opening + std::string(key.key) + "}}");
+    }
+    CHECK(used);
+  }
+}
+
+/// What an own template for main_gen.cpp gives, or its error.
+std::string with_template(const std::string& text) {
+  const CompiledText compiled = compile_rows(bits({"L_P_D_O_A1", "L_P_D_I_A1"}));
+  const TemporaryFolder folder;
+  const std::string path = folder.write("main_gen.cpp.mustache", text);
+  base::DiskFileSystem files;
+  const emit::EmitResult result = emit::emit(compiled.plant(), compiled.tables(), {folder.path()}, files);
+  if (result.errors.empty()) {
+    CHECK(result.inputs == std::vector<std::string>{path});
+    return file_of(result, "main_gen.cpp");
+  }
+  CHECK(result.errors.size() == 1);
+  CHECK(result.errors[0].find(path) == 0);
+  return result.errors[0].substr(path.size());
+}
+
+TEST_CASE("A template may use keys, comments and braces") {
+  CHECK(with_template("{{! mine }}{{plant}} {{ unit_count }} {{{list}}} {{&namespace}} {{open}}{{close}}") ==
+        "symbols 1 symbols.csv symbols {}");
+}
+
+TEST_CASE("A key that is unknown, of another template, or misspelt is told with file and line") {
+  CHECK(with_template("a\nb\n{{planet}}").find(":3: `planet` is no key of this template") == 0);
+  CHECK(with_template("{{symbol_rows}}").find(":1: `symbol_rows` is no key") == 0);
+  CHECK(with_template("{{Plant}}").find(":1: `Plant`") == 0);
+  CHECK(with_template("{{}}").find(":1: ") == 0);
+  CHECK(with_template("\n{{#planets}}{{/planets}}").find(":2: `planets`") == 0);
+  CHECK(with_template("\n\n{{> part}}").find(":3: ") == 0);
+}
+
+TEST_CASE("A tag that is not closed is told with its line") { CHECK(with_template("\n\n{{plant").find(":3: ") == 0); }
+
+TEST_CASE("A list that is not closed, or closed without being open, is told with its line") {
+  CHECK(with_template("\n{{#plant}}").find(":2: `plant` is opened and not closed") == 0);
+  CHECK(with_template("\n\n{{/plant}}").find(":3: `{{/plant}}` closes what is not open") == 0);
+  CHECK(with_template("{{#plant}}\n{{#list}}\n{{/plant}}{{/list}}").find(":3: ") == 0);
+}
+
+}  // namespace
+}  // namespace symplant::test

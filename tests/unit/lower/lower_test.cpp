@@ -1,0 +1,164 @@
+// From the plant model to the engine's tables.
+#include "lower/lower.hpp"
+
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+#include "symplant/core/digest.hpp"
+#include "symplant/core/names.hpp"
+
+namespace symplant::test {
+namespace {
+
+std::vector<std::string> device(const std::string& path, const std::vector<std::string>& tasks) {
+  std::vector<std::string> names;
+  for (const std::string& task : tasks) names.push_back(path + "_" + task);
+  return names;
+}
+
+std::vector<std::string> operator+(std::vector<std::string> a, const std::vector<std::string>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+const std::vector<std::string> kRobot{"O_A1", "O_B2", "O_C3", "I_A1", "I_B2", "I_C3"};
+
+CompiledText compile_bits(const std::vector<std::string>& names) {
+  CompiledText text = compile_rows(bits(names));
+  REQUIRE(text.compiled);
+  return text;
+}
+
+TEST_CASE("All bits of a unit lie in one word of each plane") {
+  std::vector<std::string> names;
+  for (int size = 1; size <= 40; ++size) {
+    std::vector<std::string> tasks;
+    for (int i = 0; i < size; ++i) {
+      tasks.push_back("O_T" + std::to_string(i));
+      if (i % 3 != 0) tasks.push_back("I_T" + std::to_string(i));
+    }
+    names = names + device("L_P_D" + std::to_string(size), tasks);
+  }
+  const CompiledText text = compile_bits(names);
+  for (const core::UnitRow& unit : text.tables().units) {
+    const core::TypeRow& type = text.tables().type_rows[unit.type];
+    CHECK(unit.operation_bit / 64 == (unit.operation_bit + type.operations - 1U) / 64);
+    if (type.events != 0) CHECK(unit.event_bit / 64 == (unit.event_bit + type.events - 1U) / 64);
+    CHECK(unit.operation_bit + type.operations <= text.tables().operation_bits);
+  }
+}
+
+TEST_CASE("Bits are packed: units share words as far as they fit, and what is unmodelled follows") {
+  std::vector<std::string> names;
+  for (int i = 0; i < 21; ++i) names = names + device("L_P_R" + std::to_string(i), kRobot);
+  const CompiledText exact = compile_bits(names + std::vector<std::string>{"START"});
+  CHECK(exact.tables().event_bits == 64);  // 21 * 3 and one
+  CHECK(exact.tables().operation_bits == 64);
+  const CompiledText more = compile_bits(names + device("L_P_R99", kRobot));
+  CHECK(more.tables().event_bits == 128);
+  CHECK(more.tables().units.back().event_bit == 64);
+}
+
+TEST_CASE("Planes are whole words; a plant without symbols of a kind has none") {
+  const CompiledText text = compile_rows({{"LEVEL", "", "INT", "0", "%IW1"}, {"SPEED", "", "WORD", "7", "%QW1"}});
+  CHECK(text.tables().operation_bits == 0);
+  CHECK(text.tables().event_bits == 0);
+  CHECK(text.tables().operation_slots == 1);
+  CHECK(text.tables().event_slots == 1);
+}
+
+TEST_CASE("Every symbol has a bit or slot of its own, also those on one address") {
+  const CompiledText text = compile_rows({{"L_P_D_O_A", "Y1"},
+                                          {"L_P_E_O_A", "Y1"},
+                                          {"LAMP", "Y1"},
+                                          {"L_P_D_I_A", "X1"},
+                                          {"START", "X2"},
+                                          {"N1", "", "INT", "0", "%IW1"},
+                                          {"N2", "", "INT", "0", "%IW1"}});
+  REQUIRE(text.compiled);
+  const lower::EngineTables& tables = text.tables();
+  std::set<std::uint32_t> operations{tables.symbols[0].index, tables.symbols[1].index, tables.symbols[2].index};
+  CHECK(operations.size() == 3);
+  CHECK(tables.symbols[3].index != tables.symbols[4].index);
+  CHECK(tables.symbols[5].index != tables.symbols[6].index);
+  CHECK(tables.shared_addresses.size() == 3);
+}
+
+TEST_CASE("Units of equal structure and names share a type and its times") {
+  const CompiledText text = compile_bits(device("L_P_R1", kRobot) + device("L_P_R2", kRobot) +
+                                         device("L_Q_OTHER", kRobot) + device("L_P_V", {"O_ADV", "I_ADV", "I_RET"}));
+  CHECK(text.tables().types.size() == 2);
+  CHECK(text.tables().units[0].type == text.tables().units[2].type);
+  CHECK(text.tables().units[0].times == text.tables().units[1].times);
+  // Six transitions of the robot, one of the valve, each type's default travel before them.
+  CHECK(text.tables().times.size() == 7 + 2);
+}
+
+TEST_CASE("The order of rows within a device makes no difference of structure where S is the same") {
+  const CompiledText text =
+      compile_bits(device("L_P_R1", kRobot) + device("L_P_R2", {"O_A1", "O_B2", "O_C3", "I_A1", "I_B2", "I_C3"}));
+  CHECK(text.tables().types.size() == 1);
+}
+
+TEST_CASE("Units that differ in a task's name, in its case, in actuation or in an event share no type") {
+  const auto types = [](const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    return compile_bits(device("L_P_R1", a) + device("L_P_R2", b)).tables().types.size();
+  };
+  CHECK(types({"O_A1", "I_A1", "O_B2", "I_B2"}, {"O_A1", "I_A1", "O_C2", "I_C2"}) == 2);
+  CHECK(types({"O_Run1", "I_Run1", "O_B2"}, {"O_RUN1", "I_RUN1", "O_B2"}) == 2);
+  CHECK(types({"O_A1", "I_A1", "O_B2", "I_B2"}, {"O_A1", "I_A1", "O_B2"}) == 2);
+  CHECK(types({"O_ADV", "I_ADV", "I_RET"}, {"O_ADV", "I_ADV", "I_RET1"}) == 2);
+}
+
+TEST_CASE("The initial state is a unit's own: it does not part types") {
+  const CompiledText text = compile_bits(device("L_P_R1", {"O_A1", "I_A1", "O_B2", "I_B2"}) +
+                                         device("L_P_R2", {"O_A1", "I_A1", "O_B2", "I_B2*"}));
+  CHECK(text.tables().types.size() == 1);
+  CHECK(text.tables().units[0].initial == 0);
+  CHECK(text.tables().units[1].initial == 1);
+}
+
+TEST_CASE("Two events of one unit on one address are set and reset together") {
+  const CompiledText text =
+      compile_rows({{"L_P_D_I_A1", "X1"}, {"L_P_D_I_B2", "X1"}, {"L_P_D_O_A1", "Y1"}, {"L_P_D_O_B2", "Y2"}});
+  const lower::Type& type = text.tables().types[0];
+  CHECK(type.enter == std::vector<std::uint64_t>{3, 3});
+  CHECK(type.leave == std::vector<std::uint64_t>{3, 3});
+}
+
+TEST_CASE("Starting values are those of numeric symbols and unmodelled inputs alone") {
+  const CompiledText text = compile_rows({{"L_P_D_I_ON", "X1", "BOOL", "TRUE"},
+                                          {"AIR", "X2", "BOOL", "TRUE"},
+                                          {"LAMP", "Y1", "BOOL", "TRUE"},
+                                          {"LEVEL", "", "INT", "-5", "%IW1"},
+                                          {"SPEED", "", "WORD", "7", "%QW1"},
+                                          {"ZERO", "", "WORD", "0", "%QW2"}});
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> values;
+  for (const core::InitialValue& value : text.tables().initial_values) values.emplace_back(value.symbol, value.value);
+  CHECK(values ==
+        std::vector<std::pair<std::uint32_t, std::uint64_t>>{{1, 1}, {3, static_cast<std::uint64_t>(-5)}, {4, 7}});
+}
+
+TEST_CASE("Names stand in blobs in the order of their rows") {
+  const CompiledText text = compile_rows({{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"START"}, {"LAMP", "Y2"}});
+  const auto names = core::split_names(text.tables().symbol_names);
+  CHECK(names == std::vector<std::string_view>{"L_P_D_O_A", "Y1", "L_P_D_I_A", "X1", "LAMP", "Y2"});
+  CHECK(text.tables().unit_names == std::string("L_P_D\0", 6));
+  CHECK(text.tables().state_names == std::string("NOT_A\0A\0", 8));
+}
+
+TEST_CASE("Lowering twice gives one model_hash, and the place in the list does not count in it") {
+  const std::vector<Row> rows = bits(device("L_P_R1", kRobot) + device("L_P_V", {"O_ADV", "I_ADV", "I_RET"}));
+  const auto hash = [](const std::string& list, const char* name) {
+    return core::model_hash(compile_text(list, name).tables().tables());
+  };
+  const std::string list = list_text(rows);
+  CHECK(hash(list, "a.csv") == hash(list, "a.csv"));
+  std::string with_gap = list;
+  with_gap.insert(with_gap.find('\n') + 1, "\n\n");
+  CHECK(hash(with_gap, "a.csv") == hash(list, "a.csv"));
+}
+
+}  // namespace
+}  // namespace symplant::test
