@@ -107,6 +107,7 @@ TEST_CASE("Units that differ in a task's name, in its case, in actuation or in a
   };
   CHECK(types({"O_A1", "I_A1", "O_B2", "I_B2"}, {"O_A1", "I_A1", "O_C2", "I_C2"}) == 2);
   CHECK(types({"O_Run1", "I_Run1", "O_B2"}, {"O_RUN1", "I_RUN1", "O_B2"}) == 2);
+  CHECK(types({"O_Run1", "I_RUN1", "O_B2"}, {"I_RUN1", "O_Run1", "O_B2"}) == 2);  // the first row names the state
   CHECK(types({"O_A1", "I_A1", "O_B2", "I_B2"}, {"O_A1", "I_A1", "O_B2"}) == 2);
   CHECK(types({"O_ADV", "I_ADV", "I_RET"}, {"O_ADV", "I_ADV", "I_RET1"}) == 2);
 }

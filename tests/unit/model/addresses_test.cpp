@@ -118,6 +118,10 @@ TEST_CASE("A BOOL and a number on one address are not kept equal: the number has
   CHECK(list.fired(diag::Severity::warning) == "wrong-number-of-levels type-against-address");
   CHECK(symbol_of(list, "LEVEL").leader == model::kNone);
   CHECK(symbol_of(list, "L_P_D_I_A").leader == model::kNone);
+  const Analysed number_first =
+      analyse_rows({{"LEVEL", "X10", "INT", "0"}, {"L_P_B_I_ON", "X10"}, {"START", "X10"}}, Radix::hexadecimal);
+  CHECK(symbol_of(number_first, "L_P_B_I_ON").leader == model::kNone);
+  CHECK(symbol_of(number_first, "START").leader == 1);
 }
 
 }  // namespace
