@@ -102,6 +102,10 @@ void set_number(Address& address, const Parts& parts) {
   } else {
     Key key;
     for (std::size_t i = 0; i < parts.count; ++i) key.add(values[i]);
+    if (address.area != Area::memory && address.size != Size::bit && parts.count == 2) {
+      key.add(static_cast<std::uint64_t>(address.size));  // %IW5.3 is a bit of a word, and not the bit %IX5.3
+      address.size = Size::bit;
+    }
     address.number = key.value();
     address.plain = false;
   }

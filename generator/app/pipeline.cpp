@@ -27,6 +27,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
 
   progress.stage("checking");
   check::check_plant(plant, diagnostics);
+  diagnostics.sort_by_place();
   return plant;
 }
 

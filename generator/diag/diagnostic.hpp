@@ -45,10 +45,13 @@ struct Diagnostic {
   std::vector<Related> related;
 };
 
-/// Everything found so far, in the order of finding.
+/// Everything found so far.
 class Diagnostics {
  public:
   void add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related = {});
+
+  /// In the order of their places in the file, those without a place first; of one place in the order of finding.
+  void sort_by_place();
 
   std::span<const Diagnostic> all() const { return all_; }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }

@@ -42,12 +42,6 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
                      count_text(diagnostics));
 }
 
-void by_place(std::vector<diag::Diagnostic>& findings) {
-  std::stable_sort(findings.begin(), findings.end(), [](const diag::Diagnostic& a, const diag::Diagnostic& b) {
-    return a.place.source == b.place.source && a.place.span.begin < b.place.span.begin;
-  });
-}
-
 void check(const CheckOptions& options, Context& context) {
   std::string text;
   std::vector<diag::Diagnostic> all;
@@ -63,8 +57,7 @@ void check(const CheckOptions& options, Context& context) {
       } else if (reaches(diagnostics, options.fail_on)) {
         code = host::kFindings;
       }
-      std::vector<diag::Diagnostic> findings(diagnostics.all().begin(), diagnostics.all().end());
-      by_place(findings);
+      const auto findings = diagnostics.all();
       if (options.format == "text") {
         text += diag::render_text(findings, {context.colour_out && options.output.empty(),
                                              options.plant.verbose ? std::size_t{0} : std::size_t{20}});

@@ -39,6 +39,18 @@ TEST_CASE("%M is memory") {
   CHECK(parse_iec("%MX0.500") != parse_iec("%MX0.501"));
 }
 
+TEST_CASE("A bit of a word is a bit that no link numbers, and not the bit of a byte") {
+  const auto word_bit = parse_iec("%IW5.12");
+  REQUIRE(word_bit.has_value());
+  CHECK(word_bit->size == Size::bit);
+  CHECK(word_bit->area == Area::input);
+  CHECK_FALSE(word_bit->plain);
+  CHECK(*word_bit == *parse_iec("%IW5.12"));
+  CHECK_FALSE(*word_bit == *parse_iec("%IX5.12"));
+  CHECK_FALSE(*word_bit == *parse_iec("%IW5.13"));
+  CHECK(parse_iec("%MW0.500")->size == Size::word);  // in memory it is area and number
+}
+
 TEST_CASE("An address with more parts than a link can number is not plain, and still tells itself apart") {
   for (const char* text : {"%IX1.2.3", "%IX3.12", "%IW5.3", "%IX0.0.0", "%QX1.8"}) {
     INFO(text);
