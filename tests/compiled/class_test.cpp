@@ -7,6 +7,7 @@
 #include "compiled_excell/types_gen.hpp"
 #include "compiled_mixed/types_gen.hpp"
 #include "support/catch.hpp"
+#include "support/worked_example.hpp"
 
 namespace symplant::test {
 namespace {
@@ -41,6 +42,13 @@ TEST_CASE("the factory makes a plant whose devices and symbols go by name") {
   plant->advance_to(core::kSecond);
   plant->advance_to(2 * core::kSecond);
   CHECK(static_cast<AGV::State>(plant->unit(device).state) == AGV::State::kP2);
+}
+
+TEST_CASE("the worked example holds for the generated plant, exactly, and again after a reset") {
+  const auto plant = excell::make_plant();
+  check_worked_example(*plant);
+  plant->reset();
+  check_worked_example(*plant);
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+// The recorder: what it keeps, in which order, and what it does when its ring is full.
+#include "symplant/trace/recorder.hpp"
+
+#include <thread>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "symplant/core/owned_plant.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::AddressForm;
+using core::DataType;
+using core::Direction;
+
+/// Free symbols alone: two BOOL operations whose rows stand the other way round than their bits, and an INT between.
+struct FreePlant {
+  std::vector<core::SymbolRow> symbols{
+      {1, core::kNoUnit, 0, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
+      {0, core::kNoUnit, 0, 3, core::symbol_kind(DataType::int_, Direction::operation, AddressForm::none, false)},
+      {0, core::kNoUnit, 0, 4, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
+  core::PlantTables tables{"free", {}, {}, {}, symbols, {}, {}, 64, 64, 1, 0, {}, {}, {}, {}};
+  core::OwnedPlant plant{tables};
+};
+
+std::vector<trace::Change> drained(trace::Recorder& recorder) {
+  std::vector<trace::Change> changes;
+  recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
+  return changes;
+}
+
+TEST_CASE("within an instant changes stand in the order of the list") {
+  FreePlant p;
+  trace::Recorder recorder(p.tables, 16);
+  recorder.attach(p.plant);
+  p.plant.set_operation(0, true);
+  p.plant.set_operation_value(0, 7);
+  p.plant.set_operation(1, true);
+  p.plant.advance_to(5, &recorder);
+  const auto changes = drained(recorder);
+  REQUIRE(changes.size() == 3);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    CHECK(changes[i].symbol == i);
+    CHECK(changes[i].time == 5);
+  }
+  CHECK(changes[1].value == 7);
+  CHECK(drained(recorder).empty());
+}
+
+TEST_CASE("what does not fit into the ring is counted, and what came first is kept") {
+  FreePlant p;
+  trace::Recorder recorder(p.tables, 4);
+  recorder.attach(p.plant);
+  for (int i = 1; i <= 10; ++i) {
+    p.plant.set_operation(0, i % 2 == 1);
+    p.plant.advance_to(i, &recorder);
+  }
+  const auto changes = drained(recorder);
+  REQUIRE(changes.size() == 4);
+  CHECK(changes.front().time == 1);
+  CHECK(recorder.lost() == 6);
+  p.plant.set_operation(0, true);
+  p.plant.advance_to(20, &recorder);
+  CHECK(drained(recorder).size() == 1);  // there is room again
+}
+
+TEST_CASE("a thread may drain while the plant runs: every change comes once, in order") {
+  FreePlant p;
+  trace::Recorder recorder(p.tables, 1 << 12);
+  recorder.attach(p.plant);
+  std::vector<trace::Change> changes;
+  std::jthread reader([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
+    recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
+  });
+  constexpr int kSteps = 200'000;
+  for (int i = 1; i <= kSteps; ++i) {
+    p.plant.set_operation(0, i % 2 == 1);
+    p.plant.advance_to(i, &recorder);
+  }
+  reader.request_stop();
+  reader.join();
+  CHECK(changes.size() + recorder.lost() == kSteps);
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    if (changes[i].time <= changes[i - 1].time) FAIL("change " << i << " is out of order");
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test
