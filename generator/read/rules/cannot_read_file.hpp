@@ -11,14 +11,13 @@ inline constexpr diag::RuleInfo kCannotReadFile{
     .severity = diag::Severity::error,
     .summary = "a file cannot be read",
     .page =
-        R"page(The file that was named could not be opened or read: it is missing, it is a directory, its permissions
-forbid it, or the disk failed. The message gives the reason.
+        R"page(The list that was named cannot be opened or read: it does not exist, it is a folder, its permissions forbid it, or the
+disk failed. The message gives the reason.
 
-**What the model loses**: everything that stands in the file; nothing is written.
+**What the model loses.** It cannot be built: no row is known, and nothing is written.
 
-**How to mend it**: check the path (it counts from the folder the tool was started in, or, inside a
-description, from the description's folder) and the permissions (`ls -l`). Give the list itself, not the
-folder it lies in.
+**How to mend it.** Correct the path, which counts from the folder that the tool was started in, or the permissions
+(`ls -l`). Give the list itself, not the folder that it lies in.
 )page"};
 
 }  // namespace symplant::read

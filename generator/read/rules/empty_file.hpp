@@ -10,12 +10,12 @@ inline constexpr diag::RuleInfo kEmptyFile{
     .slug = "empty-file",
     .severity = diag::Severity::error,
     .summary = "a list is empty",
-    .page = R"page(The file is empty, or holds only blanks and line ends. Mostly an export was broken off, or the list
-was exported without having been opened in the engineering tool.
+    .page =
+        R"page(The file is empty, or holds only blanks and line ends. Most often an export was broken off.
 
-**What the model loses**: all of it: there is no symbol, so there is no plant; nothing is written.
+**What the model loses.** It cannot be built: without symbols there is no plant. Nothing is written.
 
-**How to mend it**: export the list again and look at its size.
+**How to mend it.** Export the list again, and look at its size before it is used.
 )page"};
 
 }  // namespace symplant::read

@@ -10,13 +10,13 @@ inline constexpr diag::RuleInfo kHeaderAlone{
     .slug = "header-alone",
     .severity = diag::Severity::error,
     .summary = "a list has a header and no symbol",
-    .page = R"page(The list's header was recognised, but no row below it declares a symbol: there is none, or every one
-was left out because it has no identifier (SP109 tells which).
+    .page =
+        R"page(The columns of the list are known, but no row gives a symbol: below the header there is no row, or each was left out
+because it has no identifier (SP109 names those).
 
-**What the model loses**: all of it: there is no symbol, so there is no plant; nothing is written.
+**What the model loses.** It cannot be built: without symbols there is no plant. Nothing is written.
 
-**How to mend it**: export the list again with its rows; some tools export only the selected rows, or only
-those with an address.
+**How to mend it.** Export the list again with its rows. If SP109 names rows, give these their identifiers.
 )page"};
 
 }  // namespace symplant::read

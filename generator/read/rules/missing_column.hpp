@@ -11,13 +11,13 @@ inline constexpr diag::RuleInfo kMissingColumn{
     .severity = diag::Severity::error,
     .summary = "a list has no column of identifiers",
     .page =
-        R"page(The header was recognised by other columns (class, address, type ...), but none of them holds the names
-of the symbols. The name is what the model is derived from: nothing can stand for it.
+        R"page(A header was found by at least three of its columns (class, addresses, type ...), but none of its columns is one of
+identifiers. A device and its states are read from the names of its symbols, so nothing can stand in for them.
 
-**What the model loses**: everything that stands in the file; nothing is written.
+**What the model loses.** It cannot be built, and nothing is written.
 
-**How to mend it**: export the list with its identifiers, or rename their column. `Identifier`,
-`Label Name`, `Variable` and `Name` are understood, whatever their case.
+**How to mend it.** Export the list with its identifiers, or name their column `Identifier`, `Label Name`, `Variable` or
+`Name`, in whatever case.
 )page"};
 
 }  // namespace symplant::read

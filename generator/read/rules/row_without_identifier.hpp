@@ -11,13 +11,14 @@ inline constexpr diag::RuleInfo kRowWithoutIdentifier{
     .severity = diag::Severity::warning,
     .summary = "a row has no identifier",
     .page =
-        R"page(The row's cell in the column of identifiers is empty while others are not. Titles, footers and separating
-lines between the rows look like this, and so does an address that was reserved but not named.
+        R"page(A row has something in its cells, but nothing in the column of identifiers. Titles, footers and page numbers between the
+rows look like this, and so does an address that was reserved and never named.
 
-**What the model loses**: the row is left out: no symbol is made of it, and its address is served by nobody.
+**What the model loses.** The row is left out: it gives no symbol, and its address is not served unless another row has
+it.
 
-**How to mend it**: name the symbol, or take the row out of the list. Where many rows are reported, look at
-`--verbose`: perhaps the column of identifiers is another one than was taken.
+**How to mend it.** Name the symbol, or delete the row. Where many rows are reported, look with `--verbose` at which
+column was taken for the identifiers.
 )page"};
 
 }  // namespace symplant::read

@@ -11,14 +11,13 @@ inline constexpr diag::RuleInfo kTextAfterQuote{
     .severity = diag::Severity::warning,
     .summary = "text follows the closing quote of a cell",
     .page =
-        R"page(A quoted cell ends at the next single `"`; only blanks may follow before the delimiter. Mostly a quote
-inside the cell was not doubled (`"the 5" valve"`), which some tools export so. It may also be that a quote
-further up was never closed and this is the beginning of another cell.
+        R"page(A quoted cell ends at the next `"` that is not doubled, and only blanks may stand between that and the delimiter. Here
+there is more. Most often a quote within the cell was not doubled: `"the 5" valve"`.
 
-**What the model loses**: the text after the quote is left out; the cell is what stands between the quotes.
-Where a name or an address is cut so, the symbol is another one than meant.
+**What the model loses.** The text after the quote is left out, so a comment, or a name, is shorter than it was meant.
+Where a delimiter stands in that text, the text ends there, and the cells after it are shifted.
 
-**How to mend it**: write a quote inside a quoted cell twice: `"the 5"" valve"`.
+**How to mend it.** Write a quote within a quoted cell twice: `"the 5"" valve"`.
 )page"};
 
 }  // namespace symplant::read

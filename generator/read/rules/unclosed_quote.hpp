@@ -11,14 +11,13 @@ inline constexpr diag::RuleInfo kUnclosedQuote{
     .severity = diag::Severity::error,
     .summary = "a quoted cell is never closed",
     .page =
-        R"page(A cell that begins with `"` ends at the next single `"`. Here there is none, so the cell would swallow the
-rest of the list. The place is where the quote opens; where several cells are at fault, the fault that
-begins it all may stand further up (see SP110).
+        R"page(A cell that begins with `"` goes on, over line ends too, up to the next `"` that is not doubled. Here there is none: the
+cell would swallow the rest of the list. The place is where its quote opens. The fault itself may stand further up,
+where a quote too many made all that follow change sides; SP110 then often shows the row.
 
-**What the model loses**: nothing is read and nothing is written, since which rows are meant is not known.
+**What the model loses.** It cannot be built: it is not known which rows are meant. Nothing is written.
 
-**How to mend it**: close the quote, or take it out. A quote inside a quoted cell is written twice:
-`"the 5"" valve"`.
+**How to mend it.** Close the quote, or take it away. A quote within a quoted cell is written twice: `"the 5"" valve"`.
 )page"};
 
 }  // namespace symplant::read

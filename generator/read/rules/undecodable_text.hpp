@@ -10,17 +10,17 @@ inline constexpr diag::RuleInfo kUndecodableText{
     .slug = "undecodable-text",
     .severity = diag::Severity::error,
     .summary = "a file is no text in a known encoding",
-    .page = R"page(The file is neither UTF-8 nor UTF-16, or it holds characters that no text has (NUL, many control
-characters). The place is the first byte that does not fit.
+    .page =
+        R"page(The file is neither UTF-8 nor UTF-16, or it holds characters that no text has (NUL, or many control characters). Either
+the list is in the code page of the machine that exported it (Western, Korean, Japanese ...), or the file is no text at
+all: a workbook, a project file, an archive. The place is that of the first character that does not fit.
 
-Two causes are common. The list is in the code page of the machine it was exported on (Western, Korean,
-Japanese ...): such a file is refused and not guessed at, since a wrong guess would quietly spoil names.
-Or the file is no text at all: a workbook, a project file, an archive.
+**What the model loses.** It cannot be built, and nothing is written. A code page is not guessed at: a wrong guess would
+spoil names and nobody would notice.
 
-**What the model loses**: everything that stands in the file; nothing is written.
-
-**How to mend it**: export the list as Unicode text, or open it in an editor and save it as UTF-8. Where
-UTF-16 without a byte order mark was not recognised, say so with `--encoding utf-16le` or `utf-16be`.
+**How to mend it.** Export the list as Unicode text, or open it in an editor and save it as UTF-8. Text in UTF-16
+without a byte order mark may need `--encoding utf-16le` or `--encoding utf-16be`; where `--encoding` is given, try
+without it.
 )page"};
 
 }  // namespace symplant::read

@@ -11,17 +11,15 @@ inline constexpr diag::RuleInfo kUnknownFormat{
     .severity = diag::Severity::error,
     .summary = "a file is no known symbol list",
     .page =
-        R"page(Among the first rows there is neither a header that names a column of identifiers and one of class, type
-or address, nor a cell with a class such as `VAR_GLOBAL`. So it is not known what the columns mean.
+        R"page(Nothing among the first 64 rows tells what the columns mean. There is no header that names a column of identifiers and
+one of classes, addresses or types (`Name` and `Type` alone could be any table's), and no row with a class such as
+`VAR_GLOBAL` and something beside it.
 
-**What the model loses**: everything that stands in the file; nothing is written.
+**What the model loses.** It cannot be built, and nothing is written.
 
-**How to mend it**: export the global variables as delimited text (comma, semicolon or TAB), or put a header
-above the rows:
-
-    Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial,Comment
-
-Only `Identifier` and one of the others are needed, in any order.
+**How to mend it.** Export the global variables as text, parted by comma, semicolon or TAB. Or put a header above the
+rows, with the names in the order of the columns: `Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial,Comment`.
+`Identifier` and one of `Class`, `MIT-Addr.`, `IEC-Addr.` and `Type` must be there, the others may be missing.
 )page"};
 
 }  // namespace symplant::read

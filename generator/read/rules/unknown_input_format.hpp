@@ -10,12 +10,14 @@ inline constexpr diag::RuleInfo kUnknownInputFormat{
     .slug = "unknown-input-format",
     .severity = diag::Severity::error,
     .summary = "--input-format names no known format",
-    .page = R"page(The name after `--input-format` is none of the formats that can be read. The message lists them.
+    .page =
+        R"page(The word after `--input-format` is no format of a list that can be read. The message names those that are; they are
+written in lower case.
 
-**What the model loses**: everything: the file was not even opened, and nothing is written.
+**What the model loses.** It cannot be built: the list is not even opened, and nothing is written.
 
-**How to mend it**: use one of the names listed, or leave the option out: the format is then recognised by
-the content of the file.
+**How to mend it.** Write one of the names in the message, or leave the option out: the format is then told by what
+stands in the file.
 )page"};
 
 }  // namespace symplant::read
