@@ -11,7 +11,7 @@ namespace symplant::check {
 struct Rule {
   diag::RuleInfo info;
   /// Adds a finding for every place where the rule is broken: one root cause, one finding.
-  void (*check)(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics);
+  void (*check)(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) = nullptr;
 };
 
 /// Where a cell of a row stands: the cell itself, or the whole row where the cell is not in the file as it is.

@@ -98,7 +98,7 @@ class Lowering {
       tables_.symbols.push_back(row);
       tables_.symbol_names.append(symbol.name()).push_back('\0');
       tables_.symbol_names.append(symbol.written_address()).push_back('\0');
-      if (symbol.leader != kNone) tables_.shared_addresses.push_back({i, symbol.leader});
+      if (follows(symbol)) tables_.shared_addresses.push_back({i, symbol.leader});
       if (keeps_initial(symbol)) tables_.initial_values.push_back({i, symbol.initial});
     }
   }
@@ -123,9 +123,15 @@ class Lowering {
     return (operation ? operations_ : events_).take(1);
   }
 
+  /// Kept equal by the engine. Numbers of different types on one address are told apart by the links, which know how
+  /// each type reads the same register.
+  bool follows(const model::Symbol& symbol) const {
+    return symbol.leader != kNone && plant_.symbols[symbol.leader].type == symbol.type;
+  }
+
   /// Numeric symbols and unmodelled BOOL events stand at their Initial, unless they follow another.
-  static bool keeps_initial(const model::Symbol& symbol) {
-    if (symbol.initial == 0 || symbol.leader != kNone) return false;
+  bool keeps_initial(const model::Symbol& symbol) const {
+    if (symbol.initial == 0 || follows(symbol)) return false;
     if (symbol.type != core::DataType::boolean) return true;
     return symbol.direction == core::Direction::event && symbol.unit == kNone;
   }

@@ -39,7 +39,7 @@ class SymbolCollector {
     if (reason != nullptr) {
       ++plant_.internal[static_cast<std::size_t>(*reason)];
     } else {
-      plant_.symbols.push_back(std::get<Symbol>(std::move(result)));
+      plant_.symbols.push_back(std::get<Symbol>(result));
     }
   }
 

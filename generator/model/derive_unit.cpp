@@ -148,6 +148,10 @@ void derive_unit(Unit& unit, const std::vector<Symbol>& symbols) {
   }
   derive_commanded(unit);
   infer_sequence(unit);
+  // Where the other word is reached by itself, it is no slip (O_RUN1, I_DONE2).
+  for (std::uint32_t s = 0; unit.two_words && s < 2; ++s) {
+    if (unit.states[s].operation == kNone && unit.reaches(s)) unit.two_words = false;
+  }
   choose_initial(unit, symbols);
 }
 

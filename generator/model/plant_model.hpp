@@ -44,10 +44,10 @@ enum class Unmodelled : std::uint8_t {
 
 /// One I/O symbol. Views point into the list.
 struct Symbol {
-  const read::ListRow* row;
+  const read::ListRow* row = nullptr;
   name::NameReading reading;
-  core::Direction direction;
-  core::DataType type;
+  core::Direction direction{};
+  core::DataType type{};
   std::optional<address::Address> address;
   bool initial_known = true;  ///< false: its Initial could not be read
   std::uint64_t initial = 0;  ///< as core::InitialValue has it; 0 where the list says nothing
@@ -146,7 +146,7 @@ struct BadAddress {
 struct PlantModel {
   std::string name;
   std::shared_ptr<const read::SymbolTable> list;  ///< rows that the model points to
-  const name::NamingRule* rule;
+  const name::NamingRule* rule = nullptr;
   std::vector<Symbol> symbols;  ///< I/O symbols, in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
   std::array<std::size_t, kInternalReasons> internal{};
@@ -154,7 +154,7 @@ struct PlantModel {
   std::vector<Duplicate> duplicates;
   std::vector<TooLarge> too_large;
   std::vector<BadAddress> bad_addresses;
-  /// Pairs of events that different moving units put on one address: second, first.
+  /// Pairs of events that different moving units put on one address: second, first; by the second.
   std::vector<std::array<std::uint32_t, 2>> moved_twice;
 
   std::string list_name() const;  ///< the list's file name without its folders

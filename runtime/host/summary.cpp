@@ -17,6 +17,23 @@ std::string plural(std::size_t count, std::string_view word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+/// A name as a terminal may show it: control and direction-changing characters as `?`.
+std::string shown(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    const std::string_view three = name.substr(i, 3);
+    const bool changes_direction = three.starts_with("\xE2\x80") || three.starts_with("\xE2\x81");
+    if (changes_direction && three.size() == 3) {
+      text += '?';
+      i += 2;
+    } else {
+      text += byte < 0x20 || byte == 0x7F ? '?' : name[i];
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more) {
@@ -39,15 +56,15 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
     if (symbol.unit != core::kNoUnit && symbol.moved()) moves[symbol.unit] = true;
   }
 
-  std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", tables.name,
-                                 plural(tables.symbols.size(), "I/O symbol"), tables.list,
+  std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),
+                                 plural(tables.symbols.size(), "I/O symbol"), shown(tables.list),
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
   for (const std::string& line : more) text += line + "\n";
   text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
   text += fmt::format("nobody moves: {} of {}", unmoved.size(), plural(events, "event"));
   for (std::size_t i = 0; i < unmoved.size() && i < kNamesShown; ++i) {
-    text += fmt::format("{} {}", i == 0 ? ":" : ",", unmoved[i]);
+    text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(unmoved[i]));
   }
   if (unmoved.size() > kNamesShown) text += fmt::format(" and {} more", unmoved.size() - kNamesShown);
   return text + "\n";

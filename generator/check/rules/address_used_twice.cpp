@@ -22,8 +22,10 @@ void check_address_used_twice(const Rule& rule, const model::PlantModel& plant, 
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.leader == model::kNone) continue;
     const model::Symbol& leader = plant.symbols[symbol.leader];
-    const auto moved_twice = [&](const auto& pair) { return &plant.symbols[pair[0]] == &symbol; };
-    if (std::any_of(plant.moved_twice.begin(), plant.moved_twice.end(), moved_twice)) continue;
+    const auto index = static_cast<std::uint32_t>(&symbol - plant.symbols.data());
+    const auto found = std::lower_bound(plant.moved_twice.begin(), plant.moved_twice.end(), index,
+                                        [](const auto& pair, std::uint32_t i) { return pair[0] < i; });
+    if (found != plant.moved_twice.end() && (*found)[0] == index) continue;  // SP304 tells
     diagnostics.add(
         rule.info,
         fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "

@@ -85,6 +85,13 @@ TEST_CASE("Every symbol has a bit or slot of its own, also those on one address"
   CHECK(tables.shared_addresses.size() == 3);
 }
 
+TEST_CASE("Numbers of different types on one address are not kept equal bit by bit: links know each type") {
+  const CompiledText text = compile_rows({{"N1", "", "INT", "-1", "%QW1"}, {"N2", "", "WORD", "5", "%QW1"}});
+  REQUIRE(text.compiled);
+  CHECK(text.tables().shared_addresses.empty());
+  CHECK(text.tables().initial_values.size() == 2);
+}
+
 TEST_CASE("Units of equal structure and names share a type and its times") {
   const CompiledText text = compile_bits(device("L_P_R1", kRobot) + device("L_P_R2", kRobot) +
                                          device("L_Q_OTHER", kRobot) + device("L_P_V", {"O_ADV", "I_ADV", "I_RET"}));

@@ -126,6 +126,12 @@ TEST_CASE("Two words, one with an operation alone, the other with an event alone
   CHECK(list.fired(diag::Severity::warning) == "two-words-one-state");
 }
 
+TEST_CASE("Two numbered words of which the second comes by itself are no slip") {
+  const Analysed list = analyse_bits({"L_P_D_O_RUN1", "L_P_D_I_DONE2"});
+  CHECK(list.count("two-words-one-state") == 0);
+  CHECK(list.count("inferred-sequence") == 1);
+}
+
 TEST_CASE("An operation alone beside a state with both is no question") {
   const Analysed list = analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET"});
   CHECK_FALSE(springs(unit_of(list)));

@@ -1,0 +1,89 @@
+// Running a plant: how virtual time ends, what goes wrong and with which exit code.
+#include "symplant/host/run.hpp"
+
+#include <sstream>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/host/run_options.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// One unit that goes round by itself, a second a state.
+struct Clockwork {
+  std::vector<core::Transition> transitions{{0, 1, core::kNoOperation}, {1, 0, core::kNoOperation}};
+  std::vector<std::uint64_t> masks{1, 2};
+  std::vector<core::TypeRow> types{{0, 2, 2, core::kNoState, core::Actuation::latched, transitions, masks, masks, {}}};
+  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
+  std::vector<core::TransitionTimes> times{{0, core::kSecond}, {core::kSecond, 0}, {core::kSecond, 0}};
+  core::PlantTables tables{"clockwork", types, units, times, {}, {}, {}, 0, 64, 0, 0, {}, {}, {}, "none"};
+};
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+Outcome run(const core::PlantTables& tables, const host::RunOptions& options) {
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = host::run(tables, options, out, err);
+  return {code, out.str(), err.str()};
+}
+
+TEST_CASE("virtual time without an end goes on for an hour of plant time, and says so") {
+  const Clockwork plant;
+  const Outcome outcome = run(plant.tables, {});
+  CHECK(outcome.code == host::kGood);
+  CHECK(contains(outcome.out, "ended at 3600 s of plant time"));
+  CHECK(contains(outcome.out, "--until"));
+}
+
+TEST_CASE("virtual time ends where it was asked to") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.until = 2500 * core::kMillisecond;
+  CHECK(contains(run(plant.tables, options).out, "ended at 2.5 s, as asked"));
+}
+
+TEST_CASE("virtual time ends when nothing more is due") {
+  const core::PlantTables empty{"empty", {}, {}, {}, {}, {}, {}, 0, 0, 0, 0, {}, {}, {}, "none"};
+  CHECK(contains(run(empty, {}).out, "nothing more is due"));
+}
+
+TEST_CASE("virtual time with a link is refused, with the loop it is not") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.clock = host::RunOptions::Clock::virtual_time;
+  options.links = {"modbus-tcp-server://127.0.0.1:0"};
+  CHECK(run(plant.tables, options).code == host::kBadInput);
+  options.links = {"loop:"};
+  options.until = core::kSecond;
+  CHECK(run(plant.tables, options).code == host::kGood);
+}
+
+TEST_CASE("a trace that cannot be written is the environment's fault") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.trace = "/no/such/folder/trace.jsonl";
+  const Outcome outcome = run(plant.tables, options);
+  CHECK(outcome.code == host::kEnvironment);
+  CHECK(contains(outcome.err, "/no/such/folder/trace.jsonl"));
+}
+
+TEST_CASE("real time keeps its end, and tells of its cycles") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.clock = host::RunOptions::Clock::real_time;
+  options.until = 50 * core::kMillisecond;
+  const Outcome outcome = run(plant.tables, options);
+  CHECK(outcome.code == host::kGood);
+  CHECK(contains(outcome.out, "ended at 0.05 s"));
+}
+
+}  // namespace
+}  // namespace symplant::test

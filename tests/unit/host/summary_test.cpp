@@ -1,0 +1,38 @@
+// What a plant is told as.
+#include "symplant/host/summary.hpp"
+
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+#include "symplant/core/digest.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::AddressForm;
+using core::DataType;
+using core::Direction;
+
+TEST_CASE("the summary says what can move and names what nobody moves") {
+  const std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}, {0, 1, 1, 0, 0}};
+  const auto event = [](std::uint32_t index, std::uint32_t unit, bool moved) {
+    return core::SymbolRow{index, unit, 0, 2,
+                           core::symbol_kind(DataType::boolean, Direction::event, AddressForm::none, moved)};
+  };
+  const std::vector<core::SymbolRow> symbols{
+      {0, 0, 0, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, true)},
+      event(0, 0, true),
+      event(1, 1, false),
+      event(2, core::kNoUnit, false)};
+  const std::string names{"OP\0\0EV\0\0PB\0\0\x1b[31m\xE2\x80\xAE!\0\0", 24};
+  const core::PlantTables tables{"cell", {}, units, {}, symbols, {}, {}, 64, 64, 0, 0, {}, {}, names, "cell.csv"};
+  const std::string text = host::summary(tables, 0x1234, {"a further line"});
+  CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
+  CHECK(contains(text, "a further line\n"));
+  CHECK(contains(text, "can move: 1 of 2 devices, by 1 of 1 operation\n"));
+  CHECK(contains(text, "nobody moves: 2 of 3 events: PB, ?[31m?!\n"));  // nothing gets at the terminal
+}
+
+}  // namespace
+}  // namespace symplant::test
