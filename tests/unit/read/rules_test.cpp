@@ -18,8 +18,8 @@ TEST_CASE("Rules of reading stand by id, have a name each and a whole manual pag
     CHECK(rule->id.size() == 5);
     CHECK(slugs.insert(rule->slug).second);
     CHECK_FALSE(rule->summary.empty());
-    CHECK(test::contains(rule->page, "**What the model loses**"));
-    CHECK(test::contains(rule->page, "**How to mend it**"));
+    CHECK(test::contains(rule->page, "**What the model loses.**"));
+    CHECK(test::contains(rule->page, "**How to mend it.**"));
     CHECK(rule->page.back() == '\n');
     last = rule->id;
   }
