@@ -26,7 +26,7 @@ struct Template {
 std::span<const Template> embedded_templates();
 
 struct TemplateError {
-  std::size_t line;
+  std::size_t line = 0;
   std::string message;
 };
 

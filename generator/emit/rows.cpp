@@ -21,7 +21,7 @@ class RowWriter {
   }
   template <std::integral Number>
   RowWriter& number(Number value) {
-    std::array<char, 24> digits;
+    std::array<char, 24> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     out_.append(digits.data(), end);
     return *this;

@@ -62,6 +62,7 @@ std::string joined(const std::vector<std::string>& parts, std::string_view prefi
 
 std::string masks(const std::vector<std::uint64_t>& masks) {
   std::vector<std::string> parts;
+  parts.reserve(masks.size());
   for (const std::uint64_t mask : masks) parts.push_back(fmt::format("{:#x}", mask));
   return joined(parts);
 }

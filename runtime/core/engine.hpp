@@ -71,6 +71,7 @@ class Engine {
   DirtySet changed_events;  ///< since the link last asked
 
  private:
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): place() sets what is not set here
   explicit Engine(const PlantTables& tables) noexcept : tables_(tables) {}
   void place(Arena& arena) noexcept;
 

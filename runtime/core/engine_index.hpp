@@ -55,8 +55,8 @@ class SharedPlaces {
 struct EngineIndex {
   void build(const PlantTables& tables, Arena& arena) noexcept;
 
-  const TypeIndex* types;
-  const std::uint32_t* unit_of_operation;  ///< an operation's bit -> its unit, or kNoUnit
+  const TypeIndex* types = nullptr;
+  const std::uint32_t* unit_of_operation = nullptr;  ///< an operation's bit -> its unit, or kNoUnit
   SharedPlaces shared_operations;
   SharedPlaces shared_events;
 };
