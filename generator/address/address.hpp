@@ -23,7 +23,8 @@ struct Address {
   /// Counted in units of `size`. Of byte.bit notation (%IX3.5) it is 8 * byte + bit. In `memory` and where the address
   /// is not `plain` it only tells one address from another.
   std::uint64_t number = 0;
-  /// False where the notation has more parts than a link's number can tell (%IX1.2.3, a bit beyond 7, a word's bit %IW5.3).
+  /// False where the notation has more parts than a link's number can tell (%IX1.2.3, a bit beyond 7, a word's bit
+  /// %IW5.3).
   bool plain = true;
 
   friend bool operator==(const Address&, const Address&) = default;

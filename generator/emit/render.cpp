@@ -1,6 +1,8 @@
 // Templates by kainjow's mustache, which is seen here only.
 #include "emit/render.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 #include <optional>
@@ -54,7 +56,8 @@ std::optional<TemplateError> fault_of(const Template& text) {
     if (kind == '#' || kind == '^') open_sections.push_back({name, line});
     if (kind != '/') continue;
     if (open_sections.empty() || open_sections.back().key != name) {
-      return TemplateError{line, "`{{/" + name + "}}` closes what is not open: write `{{#" + name + "}}` before it"};
+      return TemplateError{line,
+                           fmt::format("`{{{{/{0}}}}}` closes what is not open: write `{{{{#{0}}}}}` before it", name)};
     }
     open_sections.pop_back();
   }

@@ -71,7 +71,8 @@ class Engine {
   DirtySet changed_events;  ///< since the link last asked
 
  private:
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): place() sets what is not set here
+  // What is not set here place() sets.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   explicit Engine(const PlantTables& tables) noexcept : tables_(tables) {}
   void place(Arena& arena) noexcept;
 

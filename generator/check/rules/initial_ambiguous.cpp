@@ -29,6 +29,7 @@ void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, d
         others.push_back({place_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
       }
     }
+    if (first == nullptr) continue;  // never: the candidates are among the events
     diagnostics.add(
         rule.info,
         fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
