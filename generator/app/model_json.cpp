@@ -99,7 +99,7 @@ std::string model_json(const model::PlantModel& plant, const lower::EngineTables
       {"list", plant.list_name()},           {"model_hash", fmt::format("{:016x}", core::model_hash(tables.tables()))},
       {"units", std::move(devices)},         {"symbols", std::move(symbols)},
       {"internal_rows", std::move(internal)}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace symplant::app

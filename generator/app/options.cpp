@@ -86,11 +86,24 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   return compiled;
 }
 
-bool write_result(Context& context, const std::string& file, const std::string& text) {
+bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code unknown;  // files that are not there are not the same
+    if (!std::filesystem::equivalent(output, input, unknown) || unknown) continue;
+    context.err << "error: `" << output << "` is an input: writing there would destroy it; name another file\n";
+    context.exit_code = host::kBadInput;
+    return true;
+  }
+  return false;
+}
+
+bool write_result(Context& context, const std::string& file, const std::string& text,
+                  const std::vector<std::string>& inputs) {
   if (file.empty()) {
     context.out << text;
     return true;
   }
+  if (overwrites(context, file, inputs)) return false;
   const auto written = context.files.write(file, text);
   if (written) return true;
   context.err << "error: " << written.error().message << "\n";

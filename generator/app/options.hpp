@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/pipeline.hpp"
 #include "app/tool.hpp"
@@ -24,9 +25,13 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
 /// Tells what the reader decided, for --verbose.
 void tell_decisions(Context& context, const model::PlantModel& plant);
 
+/// Whether an output would take the place of an input; says so and sets the exit code.
+bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs);
+
 /// Writes a result: to the file where one is named, else to `context.out`. False, and the exit code set, where it
-/// fails.
-bool write_result(Context& context, const std::string& file, const std::string& text);
+/// fails or the file is one of `inputs`.
+bool write_result(Context& context, const std::string& file, const std::string& text,
+                  const std::vector<std::string>& inputs);
 
 /// "3 warnings, 1 note".
 std::string count_text(const diag::Diagnostics& diagnostics);

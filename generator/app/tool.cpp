@@ -5,6 +5,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <array>
+#include <exception>
 #include <ostream>
 
 #include "app/commands.hpp"
@@ -39,6 +40,9 @@ int run_tool(int argc, char** argv, Context& context) {
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error, context.out, context.err);
     return code == 0 ? host::kGood : host::kBadInput;
+  } catch (const std::exception& error) {  // memory, or what a library thinks impossible
+    context.err << "error: " << error.what() << "\n";
+    return host::kEnvironment;
   }
   return context.exit_code;
 }

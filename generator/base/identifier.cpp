@@ -63,6 +63,21 @@ constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
                             "xor"sv,          "xor_eq"sv};
 static_assert(std::is_sorted(kTaken.begin(), kTaken.end()));
 
+/// Words that system headers define as macros by the hundred: E... for errno, and families told by their ends.
+bool is_macro_like(std::string_view text) {
+  const auto capital = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+  if (!std::all_of(text.begin(), text.end(), capital)) return false;
+  if (text.size() > 2 && text[0] == 'E' && text.find('_') == text.npos) return true;
+  constexpr std::array kBeginnings{"ADJ_"sv,  "ATOMIC_"sv, "CLOCK_"sv,   "CLONE_"sv,  "CPU_"sv,   "FD_"sv,
+                                   "LC_"sv,   "MOD_"sv,    "PTHREAD_"sv, "RENAME_"sv, "SCHED_"sv, "SEEK_"sv,
+                                   "SIG"sv,   "STA_"sv,    "SYS_"sv,     "TIME_"sv,   "TIMER_"sv, "WCONT"sv,
+                                   "WEOF"sv,  "WEXIT"sv,   "WIF"sv,      "WNO"sv,     "WSTOP"sv,  "WTERM"sv,
+                                   "WUNTR"sv, "CSIGNAL"sv, "NFDBITS"sv,  "NZERO"sv};
+  constexpr std::array kEnds{"_MAX"sv, "_MIN"sv, "_WIDTH"sv, "_BIT"sv, "_ENDIAN"sv, "_OK"sv, "_FILENO"sv, "_C"sv};
+  return std::any_of(kBeginnings.begin(), kBeginnings.end(), [&](auto part) { return text.starts_with(part); }) ||
+         std::any_of(kEnds.begin(), kEnds.end(), [&](auto part) { return text.ends_with(part); });
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char32_t c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
@@ -118,7 +133,7 @@ std::string identifier(std::string_view utf8_name) {
   std::string body = legal_body(utf8_name);
   if (body.empty()) return "unnamed";
   if (is_digit(body.front())) body.insert(body.begin(), 'n');
-  if (std::binary_search(kTaken.begin(), kTaken.end(), std::string_view(body))) body += '_';
+  if (std::binary_search(kTaken.begin(), kTaken.end(), std::string_view(body)) || is_macro_like(body)) body += '_';
   return body;
 }
 

@@ -27,6 +27,7 @@ extern const Rule kNoAddress;                  // SP309
 extern const Rule kInitialNotUnderstood;       // SP310
 extern const Rule kOperationInitialIgnored;    // SP311
 extern const Rule kWideValueOnNoRegister;      // SP312
+extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -42,7 +43,7 @@ extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 29> kRules{
+inline constexpr std::array<const Rule*, 30> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -59,6 +60,7 @@ inline constexpr std::array<const Rule*, 29> kRules{
     &kInitialNotUnderstood,
     &kOperationInitialIgnored,
     &kWideValueOnNoRegister,
+    &kTypeOfNoIo,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

@@ -1,6 +1,8 @@
 // Device types.
 #include "lower/type_table.hpp"
 
+#include <algorithm>
+
 namespace symplant::lower {
 namespace {
 
@@ -8,7 +10,8 @@ using model::kNone;
 
 std::uint64_t bit(std::uint32_t place) { return std::uint64_t{1} << place; }
 
-/// The events that stand on the address of `event`, among the unit's own: they come on and go off together.
+/// The events that stand on the address of `event`, among the unit's own: they come on and go off together. None where
+/// they follow another unit's event: that one alone says what is there.
 std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
   const auto leader_of = [&](std::uint32_t place) {
     const std::uint32_t symbol = unit.events[place];
@@ -16,6 +19,7 @@ std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& uni
     return leader == kNone ? symbol : leader;
   };
   const std::uint32_t leader = leader_of(event);
+  if (std::find(unit.events.begin(), unit.events.end(), leader) == unit.events.end()) return 0;
   std::uint64_t events = 0;
   for (std::uint32_t other = 0; other < unit.events.size(); ++other) {
     if (leader_of(other) == leader) events |= bit(other);

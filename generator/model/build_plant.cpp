@@ -36,6 +36,9 @@ class SymbolCollector {
     if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
       plant_.bad_addresses.push_back({&row, address.bad_cell});
     }
+    if (reason != nullptr && *reason == InternalReason::type && address.address) {
+      plant_.typeless_io.push_back({&row, address.cell});
+    }
     if (reason != nullptr) {
       ++plant_.internal[static_cast<std::size_t>(*reason)];
     } else {

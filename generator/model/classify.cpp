@@ -114,19 +114,22 @@ std::optional<std::uint64_t> initial_value(std::string_view text, DataType type)
 
 RowAddress row_address(const read::ListRow& row, address::Radix radix) {
   RowAddress result;
+  const auto take = [&](std::string_view cell, const std::optional<address::Address>& address) {
+    if (address) {
+      result.address = address;
+      result.cell = cell;
+    } else {
+      result.bad_cell = cell;
+    }
+  };
   if (!row.vendor_address.empty()) {
-    result.address = address::parse_melsec(row.vendor_address, radix);
-    if (!result.address) result.address = address::parse_iec(row.vendor_address);
-    if (!result.address) result.bad_cell = row.vendor_address;
+    const auto melsec = address::parse_melsec(row.vendor_address, radix);
+    take(row.vendor_address, melsec ? melsec : address::parse_iec(row.vendor_address));
   }
-  if (!row.iec_address.empty()) {
+  if (!row.iec_address.empty()) {  // its number is decimal beyond doubt, so it counts before the vendor's
     auto iec = address::parse_iec(row.iec_address);
     if (!iec && row.vendor_address.empty()) iec = address::parse_melsec(row.iec_address, radix);
-    if (iec) {
-      result.address = iec;  // its number is decimal beyond doubt
-    } else {
-      result.bad_cell = row.iec_address;
-    }
+    take(row.iec_address, iec);
   }
   return result;
 }
@@ -154,6 +157,7 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   symbol.reading = reading;
   symbol.type = *type;
   symbol.address = address.address;
+  symbol.address_cell = address.cell;
   symbol.unit = kNone;
   symbol.leader = kNone;
   if (address.address) {

@@ -22,6 +22,7 @@ std::optional<std::uint64_t> initial_value(std::string_view text, core::DataType
 /// What one row is.
 struct RowAddress {
   std::optional<address::Address> address;
+  std::string_view cell;      ///< the one that counts; empty without an address
   std::string_view bad_cell;  ///< an address cell that is no address; empty where all are
 };
 RowAddress row_address(const read::ListRow& row, address::Radix radix);

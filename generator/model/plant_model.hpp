@@ -49,8 +49,9 @@ struct Symbol {
   core::Direction direction{};
   core::DataType type{};
   std::optional<address::Address> address;
-  bool initial_known = true;  ///< false: its Initial could not be read
-  std::uint64_t initial = 0;  ///< as core::InitialValue has it; 0 where the list says nothing
+  std::string_view address_cell;  ///< the cell that it was read from; empty without one
+  bool initial_known = true;      ///< false: its Initial could not be read
+  std::uint64_t initial = 0;      ///< as core::InitialValue has it; 0 where the list says nothing
   Unmodelled unmodelled = Unmodelled::modelled;
   std::uint32_t unit = kNone;
   std::uint32_t leader = kNone;  ///< the symbol whose value it follows, on one address; kNone where it leads itself
@@ -137,6 +138,12 @@ struct RadixChoice {
   const read::ListRow* matters_in = nullptr;  ///< the first row in which it makes a difference; null where in none
 };
 
+/// A row with an address of the PLC's inputs or outputs whose type is none of an I/O symbol's.
+struct TypelessIo {
+  const read::ListRow* row;
+  std::string_view address_cell;
+};
+
 /// An address cell that is no address.
 struct BadAddress {
   const read::ListRow* row;
@@ -154,6 +161,7 @@ struct PlantModel {
   std::vector<Duplicate> duplicates;
   std::vector<TooLarge> too_large;
   std::vector<BadAddress> bad_addresses;
+  std::vector<TypelessIo> typeless_io;
   /// Pairs of events that different moving units put on one address: second, first; by the second.
   std::vector<std::array<std::uint32_t, 2>> moved_twice;
 

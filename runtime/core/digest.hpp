@@ -28,7 +28,7 @@ class Fnv1a64 {
 };
 
 /// What a plant is, as one number: the same for equal tables wherever they were made, another as soon as any row or
-/// name differs. Lines in the symbol list and the list's file name do not count. O(tables).
+/// name differs. Lines in the symbol list and the list's file name do not count; the plant's name does. O(tables).
 std::uint64_t model_hash(const PlantTables& tables) noexcept;
 
 }  // namespace symplant::core

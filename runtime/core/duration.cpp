@@ -77,6 +77,7 @@ std::optional<Time> parse_duration(std::string_view text) noexcept {
   const Time part = digits_after / (ten_to_their_number / common) * (length / common);
   if (value > kNever - part) return std::nullopt;
   value += part;
+  if (value == kNever) return std::nullopt;
   return value;
 }
 

@@ -9,7 +9,7 @@
 namespace symplant::core {
 
 /// A number, blanks or none, and one of ns us ms s min h; decimal fractions are exact. Nothing where the text is none,
-/// is negative, has a part below 1 ns, or passes the 292 years that 64 bits hold.
+/// is negative, has a part below 1 ns, or is not below the 292 years that 64 bits hold.
 std::optional<Time> parse_duration(std::string_view text) noexcept;
 
 }  // namespace symplant::core

@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::uint64_t bit_in_word(std::uint32_t bit) noexcept { return std::uint64_t{1} << (bit % 64); }
 
+/// Sets a slot, and all that share its address.
+void set_all(std::uint64_t* values, const SharedPlaces& shared, std::uint32_t slot, std::uint64_t value) noexcept {
+  values[slot] = value;
+  for (const SharedPlace& other : shared.with(kSharedSlot + slot)) values[other.place - kSharedSlot] = value;
+}
+
 }  // namespace
 
 void DirtySet::take(Arena& arena, std::size_t places) noexcept {
@@ -97,10 +103,11 @@ void Engine::reset() noexcept {
       if (is_bit) {
         write_event_bits(symbol.index / 64, bit_in_word(symbol.index), initial.value != 0);
       } else {
-        event_values[symbol.index] = initial.value;
+        set_all(event_values, index_.shared_events, symbol.index, initial.value);
       }
     } else if (!is_bit) {
-      written_values[symbol.index] = operation_values[symbol.index] = initial.value;
+      set_all(written_values, index_.shared_operations, symbol.index, initial.value);
+      set_all(operation_values, index_.shared_operations, symbol.index, initial.value);
     }
   }
 }
@@ -140,11 +147,11 @@ void Engine::advance_to(Time target, Observer* observer) noexcept {
   for (;;) {
     const Time due = head->wheel.earliest(units, target);
     const bool written = (written_words.list.size | written_slots.list.size) != 0;
-    if (due < target) {
+    if (due != kNever && due < target) {
       queue_due(due);
       instant(due, false, observer);
-    } else if (due == target || written) {
-      if (due == target) queue_due(due);
+    } else if ((due != kNever && due == target) || written) {
+      if (due != kNever && due == target) queue_due(due);
       instant(target, true, observer);
     } else {
       head->now = target;

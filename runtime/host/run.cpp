@@ -47,15 +47,19 @@ std::string seconds(Time time) { return fmt::format("{} s", static_cast<double>(
 /// The trace of a run: recorder and file; nothing where none was asked for.
 class Tracing {
  public:
-  Tracing(const core::PlantTables& tables, const RunOptions& options, std::uint64_t model_hash)
-      : recorder_(tables, options.trace.empty() ? 0 : std::max(kRingCapacity, 2 * tables.symbols.size())) {
-    if (!options.trace.empty()) {
-      file_ = std::make_unique<trace::TraceFile>(options.trace, tables, model_hash, options.seed);
-    }
+  Tracing(const core::PlantTables& tables, const RunOptions& options)
+      : tables_(tables),
+        options_(options),
+        recorder_(tables, options.trace.empty() ? 0 : std::max(kRingCapacity, 2 * tables.symbols.size())) {}
+
+  /// Opens the file; what was recorded before goes into it, too.
+  void open(std::uint64_t model_hash) {
+    if (options_.trace.empty()) return;
+    file_ = std::make_unique<trace::TraceFile>(options_.trace, tables_, model_hash, options_.seed);
   }
 
   void attach(const core::Plant& plant) { recorder_.attach(plant); }
-  core::Observer* observer() { return file_ ? &recorder_ : nullptr; }
+  core::Observer* observer() { return options_.trace.empty() ? nullptr : &recorder_; }
   std::string error() const { return file_ ? file_->error() : std::string(); }
   std::uint64_t lost() const { return recorder_.lost(); }
 
@@ -85,6 +89,8 @@ class Tracing {
   }
 
  private:
+  const core::PlantTables& tables_;
+  const RunOptions& options_;
   trace::Recorder recorder_;
   std::unique_ptr<trace::TraceFile> file_;
   std::jthread thread_;
@@ -101,7 +107,7 @@ void run_virtual(core::Plant& plant, const RunOptions& options, Tracing& tracing
       if (options.until) {
         out << fmt::format("ended at {}, as asked\n", seconds(end));
       } else if (nothing_left) {
-        out << fmt::format("ended at {}: nothing more is due\n", seconds(plant.now()));
+        out << fmt::format("ended at {}: nothing more is due; --link lets a PLC move it\n", seconds(plant.now()));
       } else {
         out << fmt::format("ended at {} of plant time: the plant would go on for ever; --until says how long\n",
                            seconds(end));
@@ -159,23 +165,26 @@ int run(const core::PlantTables& tables, const RunOptions& options, std::ostream
   const std::uint64_t hash = core::model_hash(tables);
   catch_signals();
 
+  // The plant stands where it starts before anybody is answered.
+  core::OwnedPlant plant(tables);
+  Tracing tracing(tables, options);
+  tracing.attach(plant);
+  plant.advance_to(0, tracing.observer());
+
   std::vector<std::unique_ptr<link::Link>> links;
   for (const std::string& url : options.links) {
-    auto opened = link::open_link(url, tables);
+    auto opened = link::open_link(url, tables, &plant);
     if (const auto* error = std::get_if<link::LinkError>(&opened)) {
       err << "error: " << error->message << "\n";
       return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
     }
     links.push_back(std::get<std::unique_ptr<link::Link>>(std::move(opened)));
   }
-  Tracing tracing(tables, options, hash);
+  tracing.open(hash);
   if (!tracing.error().empty()) {
     err << "error: " << tracing.error() << "\n";
     return kEnvironment;
   }
-
-  core::OwnedPlant plant(tables);
-  tracing.attach(plant);
   out << summary(tables, hash, more);
   if (real) {
     run_real(plant, options, links, tracing, out);

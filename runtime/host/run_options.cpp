@@ -11,6 +11,10 @@
 namespace symplant::host {
 namespace {
 
+// Far from where 64 bits of nanoseconds end, so that deadlines cannot overflow.
+constexpr core::Time kLongestCycle = 3600 * core::kSecond;
+constexpr core::Time kLatestEnd = 876'000 * (3600 * core::kSecond);
+
 core::Time duration(const std::string& text, const char* option) {
   const auto time = core::parse_duration(text);
   if (!time) {
@@ -34,14 +38,22 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "virtual: as fast as it goes; real: in step with the wall clock (default: real with a link other than loop:)")
       ->type_name("virtual|real");
   app.add_option_function<std::string>(
-         "--until", [&options](const std::string& text) { options.until = duration(text, "--until"); },
+         "--until",
+         [&options](const std::string& text) {
+           options.until = duration(text, "--until");
+           if (*options.until > kLatestEnd) {
+             throw CLI::ValidationError("--until", "`" + text + "` is too late: 100 years (876000h) are the most");
+           }
+         },
          "end at this plant time, what happens at it included")
       ->type_name("T");
   app.add_option_function<std::string>(
          "--cycle",
          [&options](const std::string& text) {
            options.cycle = duration(text, "--cycle");
-           if (options.cycle == 0) throw CLI::ValidationError("--cycle", "a cycle must be longer than 0");
+           if (options.cycle == 0 || options.cycle > kLongestCycle) {
+             throw CLI::ValidationError("--cycle", "`" + text + "` is no cycle: it is longer than 0 and at most 1h");
+           }
          },
          "in real time: from one exchange with the PLC to the next (default: 10ms)")
       ->type_name("T");

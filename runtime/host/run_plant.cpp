@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <exception>
 #include <iostream>
 
 #include "symplant/core/version.hpp"
@@ -28,7 +29,12 @@ int run_plant(int argc, char** argv, const core::PlantTables& tables) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kGood : kBadInput;
   }
-  return run(tables, options, std::cout, std::cerr);
+  try {
+    return run(tables, options, std::cout, std::cerr);
+  } catch (const std::exception& error) {  // memory, say
+    std::cerr << "error: " << error.what() << "\n";
+    return kEnvironment;
+  }
 }
 
 }  // namespace symplant::host

@@ -10,7 +10,7 @@ namespace symplant::link {
 
 namespace {
 
-LinkResult open_loop(std::string_view rest, const core::PlantTables& tables) {
+LinkResult open_loop(std::string_view rest, const core::PlantTables& tables, const core::Plant* /*plant*/) {
   if (!rest.empty()) return LinkError{LinkError::Kind::usage, "`loop:` takes nothing behind the colon"};
   return std::make_unique<LoopLink>(tables);
 }
@@ -19,7 +19,7 @@ LinkResult open_loop(std::string_view rest, const core::PlantTables& tables) {
 struct Scheme {
   std::string_view name;
   std::string_view form;
-  LinkResult (*open)(std::string_view rest, const core::PlantTables& tables);
+  LinkResult (*open)(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant);
 };
 
 constexpr std::array kSchemes = {
@@ -38,11 +38,11 @@ std::string known_forms() {
 
 }  // namespace
 
-LinkResult open_link(std::string_view url, const core::PlantTables& tables) {
+LinkResult open_link(std::string_view url, const core::PlantTables& tables, const core::Plant* plant) {
   const std::size_t colon = url.find(':');
   for (const Scheme& scheme : kSchemes) {
     if (colon == std::string_view::npos || url.substr(0, colon) != scheme.name) continue;
-    return scheme.open(url.substr(colon + 1), tables);
+    return scheme.open(url.substr(colon + 1), tables, plant);
   }
   return LinkError{LinkError::Kind::usage, "`" + std::string(url) + "` names no link: give one of " + known_forms()};
 }

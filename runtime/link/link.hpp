@@ -38,7 +38,7 @@ class Link : public exec::Exchange {
 using LinkResult = std::variant<std::unique_ptr<Link>, LinkError>;
 
 /// Makes and starts the link that a URL names: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any that is free).
-/// Tables must outlive it.
-LinkResult open_link(std::string_view url, const core::PlantTables& tables);
+/// Tables must outlive it. With `plant` given the link has its events before it answers anybody.
+LinkResult open_link(std::string_view url, const core::PlantTables& tables, const core::Plant* plant = nullptr);
 
 }  // namespace symplant::link

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <ostream>
 
 #include "app/commands.hpp"
@@ -37,8 +38,10 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
     return symbol.reading.fault == name::NameFault::none;
   });
-  return fmt::format("{}: {} of {} I/O names follow {}, {} device{}; {}\n", list, named, plant.symbols.size(),
+  const std::size_t internal = std::accumulate(plant.internal.begin(), plant.internal.end(), std::size_t{0});
+  return fmt::format("{}: {} of {} I/O names follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
                      plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
+                     internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
                      count_text(diagnostics));
 }
 
@@ -68,7 +71,7 @@ void check(const CheckOptions& options, Context& context) {
     context.exit_code = std::max(context.exit_code, code);
   }
   if (options.format == "json") text = diag::render_json(all) + "\n";
-  write_result(context, options.output, text);
+  write_result(context, options.output, text, options.plants);
 }
 
 }  // namespace

@@ -39,11 +39,12 @@ std::string command_names(const CLI::App& app) {
 std::string bash(const CLI::App& app) {
   return "# bash completion for symplant: put this line into ~/.bashrc:\n#   source <(symplant completion bash)\n"
          "_symplant() {\n  local word=\"${COMP_WORDS[COMP_CWORD]}\" command=\"${COMP_WORDS[1]}\" options=\"\"\n"
-         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    COMPREPLY=($(compgen -W \"" +
-         command_names(app) + " " + long_options(app) +
-         "\" -- \"$word\"))\n    return\n  fi\n  case \"$command\" in\n" + cases(app) +
-         "  esac\n  case \"$word\" in\n    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
-         "    *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n  esac\n}\ncomplete -o filenames -F _symplant symplant\n";
+         "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n    mapfile -t COMPREPLY < <(compgen -W \"" +
+         command_names(app) + " " + long_options(app) + "\" -- \"$word\")\n    return\n  fi\n  case \"$command\" in\n" +
+         cases(app) +
+         "  esac\n  case \"$word\" in\n    -*) mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\") ;;\n"
+         "    *) mapfile -t COMPREPLY < <(compgen -f -- \"$word\") ;;\n  esac\n}\ncomplete -o filenames -F _symplant "
+         "symplant\n";
 }
 
 std::string zsh(const CLI::App& app) {

@@ -57,7 +57,9 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, Cont
   if (!options.depfile.empty()) {  // last: whoever sees it sees the rest
     std::vector<std::string> inputs{options.plant};
     inputs.insert(inputs.end(), emitted.inputs.begin(), emitted.inputs.end());
-    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs))) return;
+    if (!options.templates.empty()) inputs.push_back(options.templates);  // its own time tells of templates that come
+    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs), {options.plant}))
+      return;
   }
   context.out << fmt::format("{}: {} files, {} of them new or changed\n", options.folder, emitted.files.size(),
                              changed);
@@ -66,7 +68,8 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, Cont
 void generate(const GenerateOptions& options, Context& context) {
   const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return;
-  if (!options.templates.empty() && !std::filesystem::is_directory(options.templates)) {
+  std::error_code unknown;
+  if (!options.templates.empty() && !std::filesystem::is_directory(options.templates, unknown)) {
     context.err << "error: `" << options.templates
                 << "` is no folder: --templates wants the folder with your templates\n";
     context.exit_code = host::kBadInput;

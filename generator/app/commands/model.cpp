@@ -38,7 +38,7 @@ void show(const ModelOptions& options, Context& context) {
   }
   const std::string text = options.format == "json" ? model_json(compiled->plant, compiled->tables, units)
                                                     : model_table(compiled->plant, units);
-  write_result(context, options.output, text);
+  write_result(context, options.output, text, {options.plant});
 }
 
 }  // namespace

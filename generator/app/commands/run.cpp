@@ -34,13 +34,17 @@ std::vector<std::string> more(const model::PlantModel& plant) {
                             model::internal_reason_text(static_cast<model::InternalReason>(i)));
   }
   if (count != 0) lines.push_back(fmt::format("internal: {} rows ({})", count, internal));
-  const auto unmodelled = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
-    return symbol.unmodelled != model::Unmodelled::modelled;
-  });
-  if (unmodelled != 0) {
-    lines.push_back(
-        fmt::format("in no device: {} I/O symbols, served all the same; `symplant check` says why", unmodelled));
+  std::size_t numeric = 0;
+  std::size_t faulty = 0;
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.unmodelled == model::Unmodelled::modelled) continue;
+    ++(symbol.unmodelled == model::Unmodelled::numeric ? numeric : faulty);
   }
+  if (numeric != 0)
+    lines.push_back(fmt::format("in no device: {} numeric, since states come from BOOL; served all the same", numeric));
+  if (faulty != 0)
+    lines.push_back(
+        fmt::format("in no device: {} by their names; served all the same; `symplant check` says why", faulty));
   return lines;
 }
 
@@ -58,7 +62,7 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run symbols.csv --until 10s --trace trace.jsonl");
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);
-    if (!compiled) return;
+    if (!compiled || overwrites(context, options->run.trace, {options->plant})) return;
     context.exit_code =
         host::run(compiled->tables.tables(), options->run, context.out, context.err, more(compiled->plant));
   });

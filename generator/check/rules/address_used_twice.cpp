@@ -30,9 +30,9 @@ void check_address_used_twice(const Rule& rule, const model::PlantModel& plant, 
         rule.info,
         fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "
                     "signals",
-                    symbol.name(), symbol.written_address(), leader.name()),
-        place_of(plant, *symbol.row, symbol.written_address()),
-        {{place_of(plant, *leader.row, leader.written_address()), "the symbol that it follows"}});
+                    symbol.name(), symbol.address_cell, leader.name()),
+        place_of(plant, *symbol.row, symbol.address_cell),
+        {{place_of(plant, *leader.row, leader.address_cell), "the symbol that it follows"}});
   }
 }
 

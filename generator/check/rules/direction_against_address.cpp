@@ -29,8 +29,8 @@ void check_direction_against_address(const Rule& rule, const model::PlantModel& 
         fmt::format("`{}` is an {} by its name and an {} by its address `{}`: the address counts; correct one of "
                     "them",
                     symbol.name(), name_says_operation ? "operation" : "event", direction_text(symbol.direction),
-                    symbol.written_address()),
-        place_of(plant, symbol), {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
+                    symbol.address_cell),
+        place_of(plant, symbol), {{place_of(plant, *symbol.row, symbol.address_cell), "the address"}});
   }
 }
 

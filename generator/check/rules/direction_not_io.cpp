@@ -27,8 +27,8 @@ void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, di
                                 "write {}",
                                 symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol),
                                 symbol.direction == core::Direction::event
-                                    ? fmt::format("`I`, as its address `{}` says", symbol.written_address())
-                                    : fmt::format("`O`, as its address `{}` says", symbol.written_address())),
+                                    ? fmt::format("`I`, as its address `{}` says", symbol.address_cell)
+                                    : fmt::format("`O`, as its address `{}` says", symbol.address_cell)),
                     place);
   }
 }

@@ -22,9 +22,8 @@ void check_event_moved_twice(const Rule& rule, const model::PlantModel& plant, d
     diagnostics.add(
         rule.info,
         fmt::format("`{}` stands on `{}` as `{}` does, and different devices move them: correct one address", b.name(),
-                    b.written_address(), a.name()),
-        place_of(plant, *b.row, b.written_address()),
-        {{place_of(plant, *a.row, a.written_address()), "the other one"}});
+                    b.address_cell, a.name()),
+        place_of(plant, *b.row, b.address_cell), {{place_of(plant, *a.row, a.address_cell), "the other one"}});
   }
 }
 

@@ -17,7 +17,9 @@ whose symbol comes first in the list.
 
 void check_initial_by_row_order(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
-    if (unit.initial_from != model::InitialFrom::row_order) continue;
+    // Without an event there is nothing to write TRUE with; of several that are TRUE, SP408 tells.
+    if (unit.initial_from != model::InitialFrom::row_order || unit.events.empty()) continue;
+    if (unit.initial_candidates > 1) continue;
     diagnostics.add(
         rule.info,
         fmt::format(

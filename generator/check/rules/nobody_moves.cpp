@@ -26,14 +26,24 @@ void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::
   for (const model::Unit& unit : plant.units) {
     if (!unit.operations.empty() || follows_a_moved_one(plant, unit.events.front())) continue;
     const model::Symbol& symbol = first_symbol_of(plant, unit);
-    const std::string names = unit.events.size() == 1 ? fmt::format("`{}`", symbol.name())
-                                                      : fmt::format("`{}` and {} more of `{}`", symbol.name(),
-                                                                    unit.events.size() - 1, unit.path);
+    if (unit.events.size() > 1) {
+      diagnostics.add(
+          rule.info,
+          fmt::format("`{}` and {} more of `{}`: nobody moves them, since the device has no operation; they "
+                      "stay as they start",
+                      symbol.name(), unit.events.size() - 1, unit.path),
+          place_of(plant, symbol));
+      continue;
+    }
     diagnostics.add(
         rule.info,
-        fmt::format("{}: nobody moves {}, since the device has no operation; write Initial TRUE with a contact that "
-                    "is on in a healthy plant",
-                    names, unit.events.size() == 1 ? "it" : "them"),
+        symbol.initial != 0
+            ? fmt::format("`{}`: nobody moves it, since the device has no operation; it stays on, as Initial "
+                          "says",
+                          symbol.name())
+            : fmt::format("`{}`: nobody moves it, since the device has no operation; it stays off; if it is "
+                          "a contact that is on in a healthy plant, write Initial TRUE",
+                          symbol.name()),
         place_of(plant, symbol));
   }
 }

@@ -26,11 +26,11 @@ void check_task_claimed_twice(const Rule& rule, const model::PlantModel& plant, 
         claim.other_dropped
             ? fmt::format("`{}` is an {} by its address `{}`, and takes the task from `{}`, which is in no device now: "
                           "correct its name or its address",
-                          symbol.name(), direction, symbol.written_address(), other.name())
+                          symbol.name(), direction, symbol.address_cell, other.name())
             : fmt::format("`{}` is an {} by its address `{}`, and `{}` has that task already, so that it is in no "
                           "device: correct its name or its address",
-                          symbol.name(), direction, symbol.written_address(), other.name()),
-        place_of(plant, *symbol.row, symbol.written_address()),
+                          symbol.name(), direction, symbol.address_cell, other.name()),
+        place_of(plant, *symbol.row, symbol.address_cell),
         {{place_of(plant, other), "the symbol that has the task by its name"}});
   }
 }

@@ -25,10 +25,10 @@ void check_type_against_address(const Rule& rule, const model::PlantModel& plant
     diagnostics.add(
         rule.info,
         fmt::format("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
-                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s",
-                    symbol.written_address(), static_cast<int>(symbol.address->size)),
+                    symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell,
+                    static_cast<int>(symbol.address->size)),
         place_of(plant, *symbol.row, symbol.row->type),
-        {{place_of(plant, *symbol.row, symbol.written_address()), "the address"}});
+        {{place_of(plant, *symbol.row, symbol.address_cell), "the address"}});
   }
 }
 

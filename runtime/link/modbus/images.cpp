@@ -60,8 +60,10 @@ Images::Images(const core::PlantTables& tables, const IoMap& map)
       events_written_(tables.event_bits / kPlaneWordBits, 0),
       operations_(applied_),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
+  std::vector<bool> seen(size_of(map, Table::input_register));
   for (const IoPoint& point : map.points) {
-    if (point.table != Table::input_register) continue;
+    if (point.table != Table::input_register || seen[point.number]) continue;
+    seen[point.number] = true;  // of several symbols on one register the first speaks
     input_registers_.push_back({tables.symbols[point.symbol].index, point.number});
   }
 }
@@ -69,11 +71,14 @@ Images::Images(const core::PlantTables& tables, const IoMap& map)
 std::vector<std::uint64_t> Images::initial_operations(const IoMap& map) const {
   std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
   for (const core::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
+  for (const core::SharedAddress& shared : tables_.shared_addresses) initial[shared.symbol] = initial[shared.leader];
+  std::vector<bool> seen(size_of(map, Table::holding_register));
   std::vector<std::uint64_t> words(coil_words_ + register_words(size_of(map, Table::holding_register)), 0);
   // Bit operations start off whatever their list says; numbers stand at their initial value, so that the register a
   // PLC reads before it ever wrote shows what the plant has.
   for (const IoPoint& point : map.points) {
-    if (point.table != Table::holding_register) continue;
+    if (point.table != Table::holding_register || seen[point.number]) continue;
+    seen[point.number] = true;
     const auto registers = std::span(words).subspan(coil_words_);
     set_register(registers, point.number, static_cast<std::uint16_t>(initial[point.symbol]));
   }
@@ -85,9 +90,9 @@ void Images::apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
     const bool on = (now >> bit & 1) != 0;
-    for (const std::uint32_t row : coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit)) {
-      plant.set_operation(tables_.symbols[row].index, on);
-    }
+    // All symbols of a place have one address, so that the first one's write is everybody's.
+    const auto rows = coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit);
+    if (!rows.empty()) plant.set_operation(tables_.symbols[rows.front()].index, on);
   }
 }
 
@@ -96,8 +101,14 @@ void Images::apply_registers(core::Plant& plant, std::size_t word, std::uint64_t
   for (std::uint32_t i = 0; i < kRegistersPerWord; ++i) {
     if (static_cast<std::uint16_t>(changed >> (16 * i)) == 0) continue;
     const auto value = static_cast<std::uint16_t>(now >> (16 * i));
+    // One write for each type that reads the register: symbols of one type and address are kept equal by the plant.
+    std::uint32_t types_written = 0;
     for (const std::uint32_t row : holding_registers_.at(static_cast<std::uint32_t>(word) * kRegistersPerWord + i)) {
-      plant.set_operation_value(tables_.symbols[row].index, widen(value, tables_.symbols[row].type()));
+      const core::DataType type = tables_.symbols[row].type();
+      const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(type);
+      if ((types_written & bit) != 0) continue;
+      types_written |= bit;
+      plant.set_operation_value(tables_.symbols[row].index, widen(value, type));
     }
   }
 }

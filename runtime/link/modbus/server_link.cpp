@@ -53,10 +53,10 @@ class ImageResponder final : public Responder {
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const core::PlantTables& tables, Listener listener)
+  ServerLink(const core::PlantTables& tables, Listener listener, const core::Plant* plant)
       : bound_(std::move(listener.bound)),
         images_(tables, make_io_map(tables)),
-        responder_(images_),
+        responder_(filled(images_, plant)),
         server_(std::move(listener.socket), responder_) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
@@ -70,6 +70,12 @@ class ServerLink final : public Link {
   }
 
  private:
+  /// The images with the plant's events, before the server's thread begins to answer from them.
+  static Images& filled(Images& images, const core::Plant* plant) {
+    if (plant != nullptr) images.write_events(*plant);
+    return images;
+  }
+
   HostPort bound_;
   Images images_;
   ImageResponder responder_;
@@ -78,7 +84,7 @@ class ServerLink final : public Link {
 
 }  // namespace
 
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables) {
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant) {
   if (rest.substr(0, 2) != "//") {
     return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
                                                  ":` is no address: give //HOST:PORT"};
@@ -88,7 +94,7 @@ LinkResult open_server_link(std::string_view rest, const core::PlantTables& tabl
   auto listener = listen_on(std::get<HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   try {
-    return std::make_unique<ServerLink>(tables, std::move(std::get<Listener>(listener)));
+    return std::make_unique<ServerLink>(tables, std::move(std::get<Listener>(listener)), plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
   }

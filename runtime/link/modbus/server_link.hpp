@@ -8,6 +8,6 @@
 namespace symplant::link::modbus {
 
 /// Makes and starts the server on `rest`, which is `//HOST:PORT`. Tables must outlive the link.
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables);
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant);
 
 }  // namespace symplant::link::modbus

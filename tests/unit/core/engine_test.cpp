@@ -201,6 +201,16 @@ TEST_CASE("a time beyond all time is never due") {
   CHECK(plant.plant->next_due() == core::kNever);
 }
 
+TEST_CASE("advancing to the end of all time ends") {
+  HandPlant plant({double_solenoid(), machine()});
+  plant.to(0);
+  plant.set(1, 0, true);
+  plant.to(1);
+  plant.to(core::kNever);
+  CHECK(plant.unit(1).state == 0);
+  CHECK(plant.plant->now() == core::kNever);
+}
+
 TEST_CASE("a thousand plants in one process do not know of each other") {
   std::vector<std::unique_ptr<HandPlant>> plants;
   for (int i = 0; i < 1000; ++i) plants.push_back(std::make_unique<HandPlant>(std::vector{double_solenoid()}));

@@ -84,8 +84,8 @@ TEST_CASE("beyond the rounded size there is no place") {
 
 TEST_CASE("a coil that several operations stand on writes them all") {
   SymbolList list;
-  list.add("A", SymbolList::kOut, 5);
-  list.add("B", SymbolList::kOut, 5);
+  const std::uint32_t first = list.add("A", SymbolList::kOut, 5);
+  list.share(list.add("B", SymbolList::kOut, 5), first);
   list.add("C", SymbolList::kOut, 6);
   Bench bench(list.tables());
   bench.ask({5, 0, 5, 0xFF, 0});
@@ -94,6 +94,23 @@ TEST_CASE("a coil that several operations stand on writes them all") {
   bench.ask({5, 0, 5, 0, 0});
   bench.cycle();
   CHECK(bench.plant->operations()[0] == 0);
+}
+
+TEST_CASE(
+    "numbers that share a register start at the value of the one that leads, and an odd type gets its own reading") {
+  SymbolList list;
+  const std::uint32_t first = list.add("A", SymbolList::kOut, 3, DataType::int_);
+  list.share(list.add("B", SymbolList::kOut, 3, DataType::int_), first);
+  list.add("W", SymbolList::kOut, 3, DataType::word);
+  list.start_at(first, 7);
+  Bench bench(list.tables());
+  CHECK(bench.ask({3, 0, 3, 0, 1}) == Bytes{3, 2, 0, 7});
+  CHECK(bench.plant->operation_value(1) == 7);
+  bench.ask({6, 0, 3, 0xFF, 0xFE});
+  bench.cycle();
+  CHECK(static_cast<std::int64_t>(bench.plant->operation_value(0)) == -2);
+  CHECK(static_cast<std::int64_t>(bench.plant->operation_value(1)) == -2);
+  CHECK(bench.plant->operation_value(2) == 0xFFFE);
 }
 
 TEST_CASE("holding registers reach the plant as numbers of their type") {

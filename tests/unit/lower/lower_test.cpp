@@ -85,6 +85,20 @@ TEST_CASE("Every symbol has a bit or slot of its own, also those on one address"
   CHECK(tables.shared_addresses.size() == 3);
 }
 
+TEST_CASE("An event that follows another unit's is switched by that unit alone") {
+  const CompiledText text = compile_rows({{"L_P_A_O_P1", "Y1"},
+                                          {"L_P_A_O_P2", "Y2"},
+                                          {"L_P_A_I_P1", "X1"},
+                                          {"L_P_A_I_P2", "X2"},
+                                          {"L_P_B_I_P1", "X2"},
+                                          {"L_P_B_I_P2", "X3"}});
+  REQUIRE(text.compiled);
+  const lower::EngineTables& tables = text.tables();
+  const lower::Type& follower = tables.types[tables.units[1].type];
+  CHECK(follower.enter == std::vector<std::uint64_t>{0, 2});
+  CHECK(follower.leave == std::vector<std::uint64_t>{0, 2});
+}
+
 TEST_CASE("Numbers of different types on one address are not kept equal bit by bit: links know each type") {
   const CompiledText text = compile_rows({{"N1", "", "INT", "-1", "%QW1"}, {"N2", "", "WORD", "5", "%QW1"}});
   REQUIRE(text.compiled);

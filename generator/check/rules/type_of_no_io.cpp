@@ -1,0 +1,36 @@
+// SP313 type-of-no-io: an input or output has a type that no I/O symbol has.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A row has an address of the PLC's inputs or outputs (X, Y, `%I`, `%Q`), but its type is none that an I/O symbol may have: BOOL,
+SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL, LREAL. Most often the type is misspelt, or cells of the row have moved.
+
+**What the model loses.** The whole symbol: the row counts as internal. It is in no image and on no link, and its device lacks a
+command or a report.
+
+**How to mend it.** Write the type, or put the row's cells back into their columns.
+)";
+
+void check_type_of_no_io(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  for (const model::TypelessIo& io : plant.typeless_io) {
+    diagnostics.add(
+        rule.info,
+        fmt::format("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the "
+                    "number's type",
+                    io.row->type, io.row->name, io.address_cell),
+        place_of(plant, *io.row, io.row->type));
+  }
+}
+
+}  // namespace
+
+const Rule kTypeOfNoIo{
+    {"SP313", "type-of-no-io", diag::Severity::warning, "an input or output has a type that no I/O symbol has", kPage},
+    check_type_of_no_io};
+
+}  // namespace symplant::check

@@ -1,0 +1,12 @@
+# Takes the first ```cpp block out of a page; its plant is called docs_excell here. -DPAGE=... -DOUTPUT=...
+file(READ ${PAGE} text)
+string(FIND "${text}" "```cpp\n" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "${PAGE} holds no program")
+endif()
+math(EXPR begin "${begin} + 7")
+string(SUBSTRING "${text}" ${begin} -1 text)
+string(FIND "${text}" "\n```" end)
+string(SUBSTRING "${text}" 0 ${end} text)
+string(REPLACE "\"excell/" "\"docs_excell/" text "${text}")
+file(WRITE ${OUTPUT} "${text}\n")
