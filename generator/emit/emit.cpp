@@ -62,8 +62,12 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
 }  // namespace
 
 std::string namespace_of(const std::string& plant_name) {
+  std::string words = plant_name;  // what parts words in file names reads best as `_`
+  for (char& c : words) {
+    if (c == ' ' || c == '-' || c == '.') c = '_';
+  }
   base::IdentifierScope scope(kTakenNamespaces);
-  return scope.unique(plant_name);
+  return scope.unique(words);
 }
 
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,

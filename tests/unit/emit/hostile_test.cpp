@@ -59,6 +59,8 @@ TEST_CASE("String literals escape what would end or change them") {
 
 TEST_CASE("A plant's name becomes a namespace that nobody else has") {
   CHECK(emit::namespace_of("excell") == "excell");
+  CHECK(emit::namespace_of("press line-2.v1") == "press_line_2_v1");
+  CHECK(emit::namespace_of("EBUSY") == "EBUSY_");
   for (const char* name : {"std", "symplant", "class", "NULL", "1st", "two words", "공정", "", "core", "errno"}) {
     const std::string made = emit::namespace_of(name);
     INFO(name);
