@@ -37,15 +37,40 @@ Json names(const std::vector<std::uint32_t>& side, const model::PlantModel& plan
   return list;
 }
 
+/// Nanoseconds, or how they are drawn.
+Json time_json(const model::Duration& time) {
+  switch (time.kind) {
+    case model::Duration::Kind::fixed:
+      break;
+    case model::Duration::Kind::uniform:
+      return {{"min", time.a}, {"max", time.b}};
+    case model::Duration::Kind::normal:
+      return {{"mean", time.a}, {"sigma", time.b}};
+  }
+  return time.a;
+}
+
+std::string_view origin_text(model::Origin origin) {
+  switch (origin) {
+    case model::Origin::given:
+      return "given";
+    case model::Origin::derived:
+      return "derived";
+    case model::Origin::inferred:
+      return "inferred";
+  }
+  return "";
+}
+
 Json unit_json(const model::Unit& unit, const model::PlantModel& plant) {
   Json d_ext = Json::array();
   Json d_int = Json::array();
   for (const model::Transition& t : unit.transitions) {
     Json row{{"from", unit.states[t.from].name}, {"to", unit.states[t.to].name}};
     if (t.on != kNone) row["on"] = plant.symbols[unit.operations[t.on]].name();
-    row["after"] = t.after;
-    row["takes"] = t.takes;
-    row["origin"] = t.origin == model::Origin::derived ? "derived" : "inferred";
+    row["after"] = time_json(t.after);
+    row["takes"] = time_json(t.takes);
+    row["origin"] = origin_text(t.origin);
     (t.on != kNone ? d_ext : d_int).push_back(std::move(row));
   }
   Json states = Json::array();
@@ -55,8 +80,9 @@ Json unit_json(const model::Unit& unit, const model::PlantModel& plant) {
     if (state.event != kNone) lambda[state.name] = Json::array({plant.symbols[unit.events[state.event]].name()});
   }
   const bool springs = unit.actuation == core::Actuation::spring;
-  Json json{
-      {"path", unit.path}, {"actuation", springs ? "spring" : "latched"}, {"initial", unit.states[unit.initial].name}};
+  Json json{{"path", unit.path},
+            {"actuation", model::actuation_name(unit.actuation)},
+            {"initial", unit.states[unit.initial].name}};
   if (springs) json["rest"] = unit.states[unit.rest].name;
   json["I"] = names(unit.operations, plant);
   json["O"] = names(unit.events, plant);

@@ -13,8 +13,16 @@ namespace {
 
 using model::kNone;
 
-std::string_view actuation_text(core::Actuation actuation) {
-  return actuation == core::Actuation::spring ? "spring" : "latched";
+std::string times_text(const model::Duration& time) {
+  switch (time.kind) {
+    case model::Duration::Kind::fixed:
+      break;
+    case model::Duration::Kind::uniform:
+      return duration_text(time.a) + " to " + duration_text(time.b);
+    case model::Duration::Kind::normal:
+      return duration_text(time.a) + " (sigma " + duration_text(time.b) + ")";
+  }
+  return duration_text(time.a);
 }
 
 void add_side(std::string& text, char element, const std::vector<std::uint32_t>& side, const model::PlantModel& plant) {
@@ -43,10 +51,10 @@ void add_transitions(std::string& text, const model::Unit& unit, const model::Pl
       const std::string& to = unit.states[t.to].name;
       if (commanded) {
         fmt::format_to(std::back_inserter(text), "  {:<10}({}, O_{}) -> {}, takes {}\n", label, from,
-                       plant.symbols[unit.operations[t.on]].reading.task, to, duration_text(t.takes));
+                       plant.symbols[unit.operations[t.on]].reading.task, to, times_text(t.takes));
       } else {
         fmt::format_to(std::back_inserter(text), "  {:<10}({}) -> {}, after {}\n", label, from, to,
-                       duration_text(t.after));
+                       times_text(t.after));
       }
       first = false;
     }
@@ -55,11 +63,11 @@ void add_transitions(std::string& text, const model::Unit& unit, const model::Pl
 }
 
 void add_unit(std::string& text, const model::Unit& unit, const model::PlantModel& plant) {
-  fmt::format_to(std::back_inserter(text), "{}: {}, starts in {}", unit.path, actuation_text(unit.actuation),
+  fmt::format_to(std::back_inserter(text), "{}: {}, starts in {}", unit.path, model::actuation_name(unit.actuation),
                  unit.states[unit.initial].name);
   if (unit.actuation == core::Actuation::spring) {
     fmt::format_to(std::back_inserter(text), ", returns to {} in {}", unit.states[unit.rest].name,
-                   duration_text(model::kDefaultTravel));
+                   duration_text(unit.travel));
   }
   text += "\n";
   add_side(text, 'I', unit.operations, plant);

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 
 #include "base/identifier.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
+#include "emit/table_views.hpp"
 #include "emit/taken_namespaces.hpp"
 #include "emit/type_view.hpp"
 #include "symplant/core/version.hpp"
@@ -30,31 +30,14 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["namespace"] = namespace_of(tables.name);
   texts["open"] = "{";
   texts["close"] = "}";
-  texts["plant_literal"] = string_literal(tables.name);
-  texts["list_literal"] = string_literal(tables.list);
-  const std::pair<const char*, std::size_t> counts[] = {{"unit_count", tables.units.size()},
-                                                        {"symbol_count", tables.symbols.size()},
-                                                        {"type_count", tables.types.size()},
-                                                        {"time_count", tables.times.size()},
-                                                        {"initial_count", tables.initial_values.size()},
-                                                        {"shared_count", tables.shared_addresses.size()},
-                                                        {"operation_bits", tables.operation_bits},
-                                                        {"event_bits", tables.event_bits},
-                                                        {"operation_slots", tables.operation_slots},
-                                                        {"event_slots", tables.event_slots}};
-  for (const auto& [key, count] : counts) texts[key] = std::to_string(count);
+  texts["unit_count"] = std::to_string(tables.units.size());
+  texts["symbol_count"] = std::to_string(tables.symbols.size());
+  texts["type_count"] = std::to_string(tables.types.size());
   texts["device_rows"] = device_rows(plant);
   texts["symbol_constant_rows"] = symbol_constant_rows(plant);
   texts["type_rows"] = type_rows(classes, texts["namespace"]);
-  texts["unit_rows"] = unit_rows(tables, plant);
-  texts["time_rows"] = time_rows(tables);
   texts["kind_rows"] = kind_rows(tables);
-  texts["symbol_rows"] = symbol_rows(tables, plant);
-  texts["initial_rows"] = initial_rows(tables);
-  texts["shared_rows"] = shared_rows(tables);
-  texts["unit_names"] = name_rows(tables.unit_names, 1);
-  texts["state_names"] = name_rows(tables.state_names, 8);
-  texts["symbol_names"] = name_rows(tables.symbol_names, 2);
+  add_tables(view, tables, plant);
   view.lists["types"] = type_views(tables, plant, classes);
   return view;
 }

@@ -12,7 +12,8 @@ namespace symplant::emit {
 void append_comment(std::string& out, std::string_view utf8) {
   for (std::size_t at = 0; at < utf8.size();) {
     const char c = utf8[at];
-    if (c >= ' ' && c <= '~' && c != '\\') {
+    const bool second_question_mark = c == '?' && !out.empty() && out.back() == '?';
+    if (c >= ' ' && c <= '~' && c != '\\' && !second_question_mark) {
       out += c;
       ++at;
       continue;

@@ -6,8 +6,8 @@
 
 namespace symplant::emit {
 
-/// For the inside of a `//` comment: printable ASCII, every other character and every backslash as <U+XXXX>, so that no
-/// comment can end early or swallow the next line.
+/// For the inside of a `//` comment: printable ASCII, every other character, every backslash and the second of two `?`
+/// (`?\?/` at a line's end is a trigraph of a backslash) as <U+XXXX>, so that no comment can swallow the next line.
 std::string comment_text(std::string_view utf8);
 
 /// A C++ string literal with its quotes: octal escapes of three digits, never `\x`, no trigraph.

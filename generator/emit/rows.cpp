@@ -2,53 +2,15 @@
 #include "emit/rows.hpp"
 
 #include <array>
-#include <charconv>
-#include <concepts>
 #include <map>
 #include <string_view>
 
 #include "base/identifier.hpp"
-#include "emit/encode.hpp"
+#include "emit/model_text.hpp"
+#include "emit/row_writer.hpp"
 
 namespace symplant::emit {
 namespace {
-
-class RowWriter {
- public:
-  RowWriter& text(std::string_view text) {
-    out_.append(text);
-    return *this;
-  }
-  template <std::integral Number>
-  RowWriter& number(Number value) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    out_.append(digits.data(), end);
-    return *this;
-  }
-  RowWriter& comment(std::string_view utf8) {
-    append_comment(out_, utf8);
-    return *this;
-  }
-  RowWriter& literal(std::string_view bytes) {
-    append_literal(out_, bytes);
-    return *this;
-  }
-  /// All rows; `{}` where there is none.
-  std::string take() {
-    if (out_.empty()) return "    {},";
-    out_.pop_back();
-    return std::move(out_);
-  }
-  std::string take_or(std::string_view none) {
-    if (out_.empty()) return std::string(none);
-    out_.pop_back();
-    return std::move(out_);
-  }
-
- private:
-  std::string out_;
-};
 
 constexpr std::array<std::string_view, 15> kTypeNames{"boolean", "sint",  "int_",  "dint",  "lint",
                                                       "usint",   "uint",  "udint", "ulint", "byte",
@@ -78,8 +40,8 @@ std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel
   RowWriter rows;
   for (std::size_t i = 0; i < tables.units.size(); ++i) {
     const core::UnitRow& row = tables.units[i];
-    rows.text("    {").number(row.type).text(", ").number(row.operation_bit).text(", ").number(row.event_bit);
-    rows.text(", ").number(row.times).text(", ").number(static_cast<unsigned>(row.initial)).text("},  // ");
+    rows.text("    {").numbers(unsigned{row.type}, unsigned{row.initial}, unsigned{row.rich}, row.operation_bit);
+    rows.text(", ").numbers(row.event_bit, row.times).text("},  // ");
     rows.comment(plant.units[i].path).text("\n");
   }
   return rows.take();
@@ -102,7 +64,7 @@ std::string kind_rows(const lower::EngineTables& tables) {
     rows.text(row.direction() == core::Direction::operation ? "operation" : "event").text(", core::AddressForm::");
     rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true);\n" : ", false);\n");
   }
-  return rows.take_or("");
+  return rows.take();
 }
 
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -123,18 +85,21 @@ std::string symbol_rows(const lower::EngineTables& tables, const model::PlantMod
   return rows.take();
 }
 
-std::string initial_rows(const lower::EngineTables& tables) {
+std::string initial_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (const core::InitialValue& row : tables.initial_values) {
-    rows.text("    {").number(row.symbol).text(", ").number(row.value).text("U},\n");
+    rows.text("    {").number(row.symbol).text(", ").number(row.value).text("U},  // ");
+    rows.comment(plant.symbols[row.symbol].name()).text("\n");
   }
   return rows.take();
 }
 
-std::string shared_rows(const lower::EngineTables& tables) {
+std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (const core::SharedAddress& row : tables.shared_addresses) {
-    rows.text("    {").number(row.symbol).text(", ").number(row.leader).text("},\n");
+    rows.text("    {").numbers(row.symbol, row.leader).text("},  // ");
+    rows.comment(plant.symbols[row.symbol].name()).text(" follows ").comment(plant.symbols[row.leader].name());
+    rows.text("\n");
   }
   return rows.take();
 }
@@ -142,24 +107,52 @@ std::string shared_rows(const lower::EngineTables& tables) {
 std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space) {
   RowWriter rows;
   for (const std::string& name : classes) rows.text("    ::").text(name_space).text("::").text(name).text("::row(),\n");
-  return rows.take_or("");
+  return rows.take();
+}
+
+std::string random_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  const std::vector<std::string> readers = random_time_readers(tables, plant);
+  for (std::size_t i = 0; i < tables.random_times.size(); ++i) {
+    const core::RandomTime& row = tables.random_times[i];
+    rows.text("    {core::RandomTime::Kind::").text(row.kind == core::RandomTime::Kind::uniform ? "uniform" : "normal");
+    rows.text(", ").numbers(row.a, row.b).text("},  // -").number(i + 1).text(": ").comment(readers[i]).text("\n");
+  }
+  return rows.take();
+}
+
+std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const core::DisableRow& row : tables.disables) {
+    const model::Unit& by = plant.units[row.by];
+    rows.text("    {").numbers(row.by, row.unit, unsigned{row.state}).text("},  // l_disable of ").comment(by.path);
+    rows.text(" in ").comment(by.states[row.state].name).text(": ").comment(plant.units[row.unit].path).text("\n");
+  }
+  return rows.take();
 }
 
 std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant) {
   RowWriter rows;
-  for (std::size_t i = 0; i < type.transitions.size(); ++i) {
-    const core::Transition& row = type.transitions[i];
-    rows.text("      {").number(static_cast<unsigned>(row.from)).text(", ").number(static_cast<unsigned>(row.to));
-    rows.text(", ");
+  for (const core::Transition& row : type.transitions) {
+    rows.text("      {").numbers(unsigned{row.from}, unsigned{row.to}).text(", ");
     if (row.on == core::kNoOperation) {
-      rows.text("symplant::core::kNoOperation},  // d_int(").comment(example.states[row.from].name);
+      rows.text("symplant::core::kNoOperation");
+    } else if (row.on == core::kSpringWay) {
+      rows.text("symplant::core::kSpringWay");
     } else {
-      rows.number(static_cast<unsigned>(row.on)).text("},  // d_ext(").comment(example.states[row.from].name);
-      rows.text(", O_").comment(plant.symbols[example.operations[row.on]].reading.task);
+      rows.number(unsigned{row.on});
     }
-    rows.text(") = ").comment(example.states[row.to].name).text("\n");
+    const bool guarded = row.when != core::kNoCondition;
+    if (row.once || guarded || row.timed) {
+      rows.text(row.once ? ", true, " : ", false, ");
+      guarded ? rows.number(row.when) : rows.text("symplant::core::kNoCondition");
+      if (row.timed) rows.text(", true");
+    }
+    rows.text("},  // ").comment(transition_text(row, example, plant)).text(row.once ? ", once" : "");
+    if (guarded) rows.text(", when condition ").number(row.when).text(" of the device holds");
+    rows.text("\n");
   }
-  return rows.take_or("");
+  return rows.take();
 }
 
 std::string name_rows(const std::string& blob, int per_line) {
@@ -181,7 +174,7 @@ std::string device_rows(const model::PlantModel& plant) {
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     rows.text("  ").text(scope.unique(plant.units[i].path, "k")).text(" = ").number(i).text(",\n");
   }
-  return rows.take_or("");
+  return rows.take();
 }
 
 std::string symbol_constant_rows(const model::PlantModel& plant) {
@@ -190,7 +183,7 @@ std::string symbol_constant_rows(const model::PlantModel& plant) {
   for (std::size_t i = 0; i < plant.symbols.size(); ++i) {
     rows.text("  ").text(scope.unique(plant.symbols[i].name(), "k")).text(" = ").number(i).text(",\n");
   }
-  return rows.take_or("");
+  return rows.take();
 }
 
 }  // namespace symplant::emit

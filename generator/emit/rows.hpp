@@ -1,4 +1,4 @@
-// The one writer of rows: tables as C++ initialisers, a row a line, each citing its place in the symbol list.
+// The one writer of rows: tables as C++ initialisers, a row a line, each citing what it is.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace symplant::emit {
 
-// Every function gives all rows without a line end behind the last. An array must not be empty in C++: where a table
-// is, it gets one row of zeros that no count includes. O(rows).
+// Every function gives all rows without a line end behind the last; nothing where a table has none. O(rows).
 std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string time_rows(const lower::EngineTables& tables);
+std::string random_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 /// A constant for each kind of symbol that the plant has.
 std::string kind_rows(const lower::EngineTables& tables);
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
-std::string initial_rows(const lower::EngineTables& tables);
-std::string shared_rows(const lower::EngineTables& tables);
+std::string initial_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space);
 std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant);
 

@@ -7,6 +7,7 @@
 
 #include "base/identifier.hpp"
 #include "emit/encode.hpp"
+#include "emit/row_writer.hpp"
 #include "emit/rows.hpp"
 
 namespace symplant::emit {
@@ -15,43 +16,57 @@ namespace {
 using model::kNone;
 
 /// Names that a class must not have: those that the generated files themselves use.
-constexpr std::array<std::string_view, 37> kTaken{"Plant",
-                                                  "Device",
-                                                  "Symbol",
-                                                  "Operation",
-                                                  "Event",
-                                                  "State",
-                                                  "core",
-                                                  "tables",
-                                                  "symplant",
-                                                  "std",
-                                                  "main",
-                                                  "make_plant",
-                                                  "row",
-                                                  "OwnedPlant",
-                                                  "d_ext",
-                                                  "d_int",
-                                                  "l_enter",
-                                                  "l_leave",
-                                                  "l_disable",
-                                                  "kI",
-                                                  "kO",
-                                                  "kS",
-                                                  "kEnter",
-                                                  "kLeave",
-                                                  "kTargets",
-                                                  "kTransitions",
-                                                  "kTypes",
-                                                  "kUnits",
-                                                  "kTimes",
-                                                  "kSymbols",
-                                                  "kTables",
-                                                  "kFree",
-                                                  "kInitialValues",
-                                                  "kSharedAddresses",
-                                                  "kUnitNames",
-                                                  "kStateNames",
-                                                  "kSymbolNames"};
+constexpr auto kTaken = std::to_array<std::string_view>({"Plant",
+                                                         "Device",
+                                                         "Symbol",
+                                                         "Operation",
+                                                         "Event",
+                                                         "State",
+                                                         "core",
+                                                         "tables",
+                                                         "symplant",
+                                                         "std",
+                                                         "main",
+                                                         "make_plant",
+                                                         "row",
+                                                         "OwnedPlant",
+                                                         "d_ext",
+                                                         "d_int",
+                                                         "l_enter",
+                                                         "l_leave",
+                                                         "l_disable",
+                                                         "kI",
+                                                         "kO",
+                                                         "kS",
+                                                         "kEnter",
+                                                         "kLeave",
+                                                         "kTargets",
+                                                         "kTransitions",
+                                                         "kTypes",
+                                                         "kUnits",
+                                                         "kTimes",
+                                                         "kRandomTimes",
+                                                         "kSymbols",
+                                                         "kTables",
+                                                         "kFree",
+                                                         "kInitialValues",
+                                                         "kSharedAddresses",
+                                                         "kDisables",
+                                                         "kConditions",
+                                                         "kConditionedUnits",
+                                                         "kUnitWatches",
+                                                         "kOperationWatches",
+                                                         "kEventWatches",
+                                                         "kOperationValueWatches",
+                                                         "kEventValueWatches",
+                                                         "kRequirements",
+                                                         "kBehaviourUnits",
+                                                         "kBehaviourValues",
+                                                         "kUnitNames",
+                                                         "kStateNames",
+                                                         "kSymbolNames",
+                                                         "kRequirementNames",
+                                                         "kBehaviourNames"});
 constexpr std::size_t kDevicesShown = 20;
 
 std::string joined(const std::vector<std::string>& parts, std::string_view prefix = "") {
@@ -60,11 +75,48 @@ std::string joined(const std::vector<std::string>& parts, std::string_view prefi
   return out;
 }
 
-std::string masks(const std::vector<std::uint64_t>& masks) {
+/// Where each state switches its own event alone: in one line.
+std::string masks_in_line(const std::vector<core::EventMasks>& masks) {
   std::vector<std::string> parts;
   parts.reserve(masks.size());
-  for (const std::uint64_t mask : masks) parts.push_back(fmt::format("{:#x}", mask));
+  for (const core::EventMasks& row : masks) parts.push_back(fmt::format("{{{:#x}, {:#x}}}", row.on, row.off));
   return joined(parts);
+}
+
+/// Of each state the events that entering or leaving it switches, a row each with the events' names.
+std::string mask_rows(const std::vector<core::EventMasks>& masks, const model::Unit& unit,
+                      const model::PlantModel& plant) {
+  RowWriter rows;
+  const auto list = [&](std::uint64_t events, std::string_view word) {
+    for (std::size_t e = 0; e < unit.events.size(); ++e) {
+      if (((events >> e) & 1U) == 0) continue;
+      rows.text(" I_").comment(plant.symbols[unit.events[e]].reading.task).text(word);
+    }
+  };
+  rows.text("\n");
+  for (std::size_t s = 0; s < masks.size(); ++s) {
+    rows.text("      {").hex(masks[s].on).text(", ").hex(masks[s].off).text("},  // ").comment(unit.states[s].name);
+    rows.text(":");
+    list(masks[s].on, " on");
+    list(masks[s].off, " off");
+    rows.text("\n");
+  }
+  return rows.text("   ").take();
+}
+
+/// What a move does while its operations change, in words.
+std::string_view actuation_text(core::Actuation actuation) {
+  switch (actuation) {
+    case core::Actuation::latched:
+      return "a move once started goes on to its end";
+    case core::Actuation::bistable:
+      return "a move goes on without a command and turns round on the other one";
+    case core::Actuation::held:
+      return "it moves as long as its operation is on";
+    case core::Actuation::spring:
+      return "a spring returns it to rest when no operation is on";
+  }
+  return "";
 }
 
 /// One side of a type: its enumerators, each with the example's symbol.
@@ -114,16 +166,18 @@ std::vector<std::string> add_states(View& view, const model::Unit& unit) {
   return enumerators;
 }
 
+std::string state_number(std::uint8_t state) {
+  return state == core::kNoState ? "symplant::core::kNoState" : std::to_string(state);
+}
+
 View type_view(const lower::Type& type, const std::string& class_name, const model::PlantModel& plant) {
   const model::Unit& unit = plant.units[type.example];
   View view;
   auto& texts = view.texts;
   texts["class"] = class_name;
-  texts["title"] = comment_text(
-      fmt::format("{}: {} operation{}, {} event{}, {} states; {}.", class_name, type.operations,
-                  type.operations == 1 ? "" : "s", type.events, type.events == 1 ? "" : "s", type.states,
-                  unit.actuation == core::Actuation::spring ? "a spring returns it to rest when no operation is on"
-                                                            : "a move once started goes on to its end"));
+  texts["title"] = comment_text(fmt::format("{}: {} operation{}, {} event{}, {} states; {}.", class_name,
+                                            type.operations, type.operations == 1 ? "" : "s", type.events,
+                                            type.events == 1 ? "" : "s", type.states, actuation_text(unit.actuation)));
   texts["operation_list"] = joined(add_side(view, "operations", unit.operations, plant), "Operation::");
   texts["event_list"] = joined(add_side(view, "events", unit.events, plant), "Event::");
   texts["state_list"] = joined(add_states(view, unit), "State::");
@@ -132,28 +186,38 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   texts["state_count"] = std::to_string(type.states);
   texts["transition_count"] = std::to_string(type.transitions.size());
   texts["transition_rows"] = transition_rows(type, unit, plant);
-  texts["rest"] = type.rest == core::kNoState ? "symplant::core::kNoState" : std::to_string(type.rest);
-  texts["actuation"] = unit.actuation == core::Actuation::spring ? "spring" : "latched";
-  texts["enter_list"] = masks(type.enter);
-  texts["leave_list"] = masks(type.leave);
+  texts["rest"] = state_number(type.rest);
+  texts["actuation"] = model::actuation_name(unit.actuation);
+  texts["enter_rows"] = unit.outputs.empty() ? masks_in_line(type.enter) : mask_rows(type.enter, unit, plant);
+  texts["leave_rows"] = unit.outputs.empty() ? masks_in_line(type.leave) : mask_rows(type.leave, unit, plant);
   std::vector<std::string> targets;
-  for (const std::uint8_t target : type.operation_targets) targets.push_back(std::to_string(target));
+  for (const std::uint8_t target : type.operation_targets) targets.push_back(state_number(target));
   texts["target_list"] = joined(targets);
   return view;
+}
+
+std::string without_digits(std::string_view device) {
+  std::string word;
+  for (const char c : device) {
+    if (c < '0' || c > '9') word += c;
+  }
+  return word.empty() ? "Type" : word;
 }
 
 }  // namespace
 
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
   base::IdentifierScope scope(kTaken);
-  std::vector<std::string> names;
-  for (const lower::Type& type : tables.types) {
-    std::string word;
-    for (const char c : plant.units[type.example].device) {
-      if (c < '0' || c > '9') word += c;
+  std::vector<std::string> names(tables.types.size());
+  const auto name_types = [&](bool given) {  // what the user says comes before what a device is called
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const model::Unit& unit = plant.units[tables.types[i].example];
+      const bool is_given = unit.described != nullptr && !unit.described->type.empty();
+      if (is_given == given) names[i] = scope.unique(given ? unit.described->type : without_digits(unit.device));
     }
-    names.push_back(scope.unique(word.empty() ? "Type" : word));
-  }
+  };
+  name_types(true);
+  name_types(false);
   return names;
 }
 

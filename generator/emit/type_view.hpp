@@ -11,7 +11,8 @@
 
 namespace symplant::emit {
 
-/// The classes' names, a type each: the device level without its digits, numbered where structures differ.
+/// The classes' names, a type each: the one that the description gives, else the device level without its digits;
+/// numbered where structures differ.
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant);
 
 /// Views of all types, in their order. O(devices + states + transitions).

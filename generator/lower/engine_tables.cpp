@@ -13,9 +13,37 @@ void EngineTables::finish() {
 }
 
 core::PlantTables EngineTables::tables() const {
-  return {name,           type_rows,        units,          times,        symbols,
-          initial_values, shared_addresses, operation_bits, event_bits,   operation_slots,
-          event_slots,    unit_names,       state_names,    symbol_names, list};
+  return {
+      .name = name,
+      .types = type_rows,
+      .units = units,
+      .times = times,
+      .random_times = random_times,
+      .symbols = symbols,
+      .initial_values = initial_values,
+      .shared_addresses = shared_addresses,
+      .disables = disables,
+      .conditions = conditions,
+      .conditioned_units = conditioned_units,
+      .unit_watches = unit_watches,
+      .operation_watches = operation_watches,
+      .event_watches = event_watches,
+      .operation_value_watches = operation_value_watches,
+      .event_value_watches = event_value_watches,
+      .requirements = requirements,
+      .behaviour_units = behaviour_units,
+      .behaviour_values = behaviour_values,
+      .operation_bits = operation_bits,
+      .event_bits = event_bits,
+      .operation_slots = operation_slots,
+      .event_slots = event_slots,
+      .unit_names = unit_names,
+      .state_names = state_names,
+      .symbol_names = symbol_names,
+      .requirement_names = requirement_names,
+      .behaviour_names = behaviour_names,
+      .list = list,
+  };
 }
 
 }  // namespace symplant::lower

@@ -18,8 +18,8 @@ struct Type {
   std::uint8_t rest;
   core::Actuation actuation;
   std::vector<core::Transition> transitions;
-  std::vector<std::uint64_t> enter;
-  std::vector<std::uint64_t> leave;
+  std::vector<core::EventMasks> enter;
+  std::vector<core::EventMasks> leave;
   std::vector<std::uint8_t> operation_targets;
 };
 
@@ -30,9 +30,21 @@ struct EngineTables {
   std::vector<Type> types;
   std::vector<core::UnitRow> units;
   std::vector<core::TransitionTimes> times;
+  std::vector<core::RandomTime> random_times;
   std::vector<core::SymbolRow> symbols;
   std::vector<core::InitialValue> initial_values;
   std::vector<core::SharedAddress> shared_addresses;
+  std::vector<core::DisableRow> disables;
+  std::vector<core::ConditionRow> conditions;
+  std::vector<core::ConditionedUnit> conditioned_units;
+  std::vector<core::UnitWatch> unit_watches;
+  std::vector<core::BitWatch> operation_watches;
+  std::vector<core::BitWatch> event_watches;
+  std::vector<core::ValueWatch> operation_value_watches;
+  std::vector<core::ValueWatch> event_value_watches;
+  std::vector<core::RequirementRow> requirements;
+  std::vector<core::BehaviourUnit> behaviour_units;
+  std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;
   std::uint32_t event_bits = 0;
   std::uint32_t operation_slots = 0;
@@ -40,6 +52,8 @@ struct EngineTables {
   std::string unit_names;  ///< blobs: each text ended by a NUL
   std::string state_names;
   std::string symbol_names;  ///< two texts a symbol: name, address
+  std::string requirement_names;
+  std::string behaviour_names;
 
   std::vector<core::TypeRow> type_rows;  ///< of `types`, as the engine wants them; made by finish()
 

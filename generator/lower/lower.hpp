@@ -6,7 +6,7 @@
 
 namespace symplant::lower {
 
-/// `emit` writes these tables out, `run` hands them to the engine as they are. O(symbols + units).
+/// `emit` writes these tables out, `run` hands them to the engine as they are. O(symbols + units + conditions).
 EngineTables lower(const model::PlantModel& plant);
 
 }  // namespace symplant::lower

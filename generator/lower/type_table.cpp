@@ -2,6 +2,7 @@
 #include "lower/type_table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace symplant::lower {
 namespace {
@@ -9,6 +10,14 @@ namespace {
 using model::kNone;
 
 std::uint64_t bit(std::uint32_t place) { return std::uint64_t{1} << place; }
+
+bool moved_by_its_unit(const model::PlantModel& plant, std::uint32_t event) {
+  const std::uint32_t unit = plant.symbols[event].unit;
+  if (unit == kNone) return false;
+  const auto& events = plant.units[unit].events;
+  const auto place = std::find(events.begin(), events.end(), event) - events.begin();
+  return plant.units[unit].moves_event(static_cast<std::uint32_t>(place));
+}
 
 /// The events that stand on the address of `event`, among the unit's own: they come on and go off together. None where
 /// they follow another unit's event: that one alone says what is there.
@@ -19,12 +28,39 @@ std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& uni
     return leader == kNone ? symbol : leader;
   };
   const std::uint32_t leader = leader_of(event);
-  if (std::find(unit.events.begin(), unit.events.end(), leader) == unit.events.end()) return 0;
+  const bool own = std::find(unit.events.begin(), unit.events.end(), leader) != unit.events.end();
+  if (!own && moved_by_its_unit(plant, leader)) return 0;
   std::uint64_t events = 0;
   for (std::uint32_t other = 0; other < unit.events.size(); ++other) {
     if (leader_of(other) == leader) events |= bit(other);
   }
   return events;
+}
+
+/// Of several assignments to one event the last counts.
+void assign(core::EventMasks& masks, std::uint64_t events, bool on) {
+  masks.on = on ? masks.on | events : masks.on & ~events;
+  masks.off = on ? masks.off & ~events : masks.off | events;
+}
+
+/// What entering (`on`) or leaving a state switches: its own event, then the outputs.
+core::EventMasks masks_of(const model::PlantModel& plant, const model::Unit& unit, const model::State& state, bool on,
+                          const std::vector<std::pair<std::uint32_t, bool>>& outputs) {
+  core::EventMasks masks{};
+  if (state.event != kNone) assign(masks, events_with(plant, unit, state.event), on);
+  for (const auto& [event, value] : outputs) assign(masks, events_with(plant, unit, event), value);
+  return masks;
+}
+
+core::Transition lowered(const model::Transition& t) {
+  core::Transition row{};
+  row.from = static_cast<std::uint8_t>(t.from);
+  row.to = static_cast<std::uint8_t>(t.to);
+  row.on = t.on == kNone ? core::kNoOperation : static_cast<std::uint8_t>(t.on);
+  if (t.spring_way) row.on = core::kSpringWay;
+  row.once = t.once;
+  row.when = t.when == kNone ? core::kNoCondition : static_cast<std::uint16_t>(t.when);
+  return row;
 }
 
 Type make_type(const model::PlantModel& plant, std::uint32_t index) {
@@ -37,16 +73,15 @@ Type make_type(const model::PlantModel& plant, std::uint32_t index) {
   type.actuation = unit.actuation;
   const bool springs = unit.actuation == core::Actuation::spring;
   type.rest = springs ? static_cast<std::uint8_t>(unit.rest) : core::kNoState;
-  for (const model::Transition& t : unit.transitions) {
-    type.transitions.push_back({static_cast<std::uint8_t>(t.from), static_cast<std::uint8_t>(t.to),
-                                t.on == kNone ? core::kNoOperation : static_cast<std::uint8_t>(t.on)});
-  }
+  type.transitions.reserve(unit.transitions.size());
+  for (const model::Transition& t : unit.transitions) type.transitions.push_back(lowered(t));
   type.operation_targets.assign(unit.operations.size(), core::kNoState);
+  const model::Outputs none;
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const model::State& state = unit.states[s];
-    const std::uint64_t events = state.event == kNone ? 0 : events_with(plant, unit, state.event);
-    type.enter.push_back(events);
-    type.leave.push_back(events);
+    const model::Outputs& outputs = unit.outputs.empty() ? none : unit.outputs[s];
+    type.enter.push_back(masks_of(plant, unit, state, true, outputs.enter));
+    type.leave.push_back(masks_of(plant, unit, state, false, outputs.leave));
     if (state.operation != kNone) type.operation_targets[state.operation] = static_cast<std::uint8_t>(s);
   }
   return type;
@@ -65,17 +100,27 @@ std::string structure_of(const Type& type, const model::PlantModel& plant) {
   byte(type.states);
   byte(type.rest);
   byte(static_cast<std::uint8_t>(type.actuation));
+  number(type.transitions.size());
   for (const core::Transition& t : type.transitions) {
     byte(t.from);
     byte(t.to);
     byte(t.on);
+    byte(t.once ? 1 : 0);
+    byte(static_cast<std::uint8_t>(t.when));
+    byte(static_cast<std::uint8_t>(t.when >> 8));
   }
-  for (const std::uint64_t events : type.enter) number(events);
+  for (const auto* side : {&type.enter, &type.leave}) {
+    for (const core::EventMasks& masks : *side) {
+      number(masks.on);
+      number(masks.off);
+    }
+  }
   for (const std::uint8_t state : type.operation_targets) byte(state);
   for (const model::State& state : unit.states) text.append(state.name).push_back('\0');
   for (const auto* side : {&unit.operations, &unit.events}) {
     for (const std::uint32_t symbol : *side) text.append(plant.symbols[symbol].reading.task).push_back('\0');
   }
+  if (unit.described != nullptr) text.append(unit.described->type);
   return text;
 }
 
@@ -83,8 +128,12 @@ std::string structure_of(const Type& type, const model::PlantModel& plant) {
 
 std::uint32_t TypeTable::type_of(const model::PlantModel& plant, std::uint32_t unit, std::vector<Type>& types) {
   Type type = make_type(plant, unit);
-  const auto [found, added] =
-      by_structure_.try_emplace(structure_of(type, plant), static_cast<std::uint32_t>(types.size()));
+  const auto next = static_cast<std::uint32_t>(types.size());
+  if (plant.units[unit].has_behaviour()) {  // its class is derived from: it shares with none
+    types.push_back(std::move(type));
+    return next;
+  }
+  const auto [found, added] = by_structure_.try_emplace(structure_of(type, plant), next);
   if (added) types.push_back(std::move(type));
   return found->second;
 }

@@ -7,7 +7,9 @@
 #include "base/ascii.hpp"
 #include "model/classify.hpp"
 #include "model/derive_unit.hpp"
+#include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
+#include "model/states.hpp"
 
 namespace symplant::model {
 namespace {
@@ -117,14 +119,34 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   });
 }
 
+/// Gives every unit what the description says of its device.
+void describe_units(PlantModel& plant, Faults& faults) {
+  const auto& devices = plant.description->devices;
+  if (devices.empty()) return;
+  ByName<Unit*> by_path;
+  for (Unit& unit : plant.units) by_path.try_emplace(unit.path, &unit);
+  for (const DeviceDescription& device : devices) {
+    const auto found = by_path.find(device.path);
+    if (found == by_path.end()) {
+      const auto nearest =
+          faults.nearest(device.path, plant.units.size(), [&](std::size_t i) { return plant.units[i].path; });
+      faults.add(device_pointer(device).text(), missing("device " + quoted(device.path), nearest));
+    } else if (found->second->described != nullptr) {
+      faults.add(device_pointer(device).text(), quoted(device.path) + " is described twice, join both");
+    } else {
+      found->second->described = &device;
+    }
+  }
+}
+
 /// False where the unit is larger than a unit may be; its symbols are unmodelled then.
-bool within_limits(Unit& unit, PlantModel& plant) {
+bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
   const std::size_t symbols = unit.operations.size() + unit.events.size();
   if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
       symbols <= core::kMaxStates) {
     return true;  // without counting states: each has a symbol
   }
-  const std::size_t states = states_of(unit, plant.symbols).size();
+  const std::size_t states = states_of(unit, plant.symbols, TaskRoles(unit.described)).size();
   if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
       states <= core::kMaxStates) {
     return true;
@@ -136,17 +158,21 @@ bool within_limits(Unit& unit, PlantModel& plant) {
     plant.symbols[symbol].unit = kNone;
   }
   plant.too_large.push_back(std::move(large));
+  if (unit.described != nullptr) {
+    faults.add(device_pointer(*unit.described).text(),
+               quoted(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
+  }
   return false;
 }
 
-void derive_units(PlantModel& plant) {
+void derive_units(PlantModel& plant, Faults& faults) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
     drop_taken_tasks(unit.operations, plant.symbols);
     drop_taken_tasks(unit.events, plant.symbols);
-    if (!within_limits(unit, plant)) continue;
-    derive_unit(unit, plant.symbols);
+    if (!within_limits(unit, plant, faults)) continue;
+    derive_unit(unit, plant.symbols, plant.description->defaults, faults);
     if (kept != i) {
       for (const auto* side : {&unit.operations, &unit.events}) {
         for (const std::uint32_t symbol : *side) plant.symbols[symbol].unit = static_cast<std::uint32_t>(kept);
@@ -164,6 +190,7 @@ PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name
                        const BuildOptions& options) {
   PlantModel plant;
   plant.name = options.plant_name;
+  plant.description = options.description != nullptr ? options.description : std::make_shared<const Description>();
   plant.list = std::move(list);
   plant.rule = named.rule;
   plant.radix = choose_radix(*plant.list, options.radix);
@@ -171,7 +198,10 @@ PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name
   SymbolCollector collector(plant, plant.list->rows.size());
   for (std::size_t i = 0; i < plant.list->rows.size(); ++i) collector.add(plant.list->rows[i], named.readings[i]);
   gather_units(plant);
-  derive_units(plant);
+  Faults faults(plant.description_faults);
+  describe_units(plant, faults);
+  derive_units(plant, faults);
+  add_relations(plant, faults);
   find_shared_addresses(plant);
   return plant;
 }

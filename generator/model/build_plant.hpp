@@ -12,11 +12,13 @@ namespace symplant::model {
 
 struct BuildOptions {
   std::string plant_name;
-  std::optional<address::Radix> radix;  ///< --xy; nothing: proved by rows, else hexadecimal
+  std::optional<address::Radix> radix;                       ///< --xy; nothing: proved by rows, else hexadecimal
+  std::shared_ptr<const Description> description = nullptr;  ///< null: nothing is said beyond the symbols' names
 };
 
-/// Derives the whole model; finds no fault with anything, but records what the checks will want to know.
-/// `named.table` must be what `list` points to. O(rows), and O(states squared) within one unit.
+/// Derives the whole model. Finds no fault with the list, but records what the checks will want to know; faults of the
+/// description are in PlantModel::description_faults. `named.table` must be what `list` points to. O(rows), and
+/// O(states squared) within one unit; of a description O(its entries), a `*` counting as one a state.
 PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name::NamedTable& named,
                        const BuildOptions& options);
 

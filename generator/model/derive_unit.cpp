@@ -2,89 +2,68 @@
 #include "model/derive_unit.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
-#include "base/ascii.hpp"
+#include "model/given.hpp"
 #include "model/sequence.hpp"
+#include "model/states.hpp"
 
 namespace symplant::model {
 namespace {
 
-struct Draft {
-  std::string_view task;
-  std::string_view sequence;
-  std::uint32_t first_symbol;
-  std::uint32_t operation = kNone;
-  std::uint32_t event = kNone;
+/// What inferences 1 and 2 come to.
+struct InferredRest {
+  std::uint32_t rest = kNone;
+  bool spring = false;
 };
 
 /// Inference 1: the only state gets a counterpart without an event, ordered first.
-void add_rest_state(Unit& unit) {
+InferredRest add_rest_state(Unit& unit) {
   State rest;
   rest.name = "NOT_" + unit.states.front().name;
   unit.states.insert(unit.states.begin(), std::move(rest));
-  unit.rest = 0;
   unit.rest_added = true;
-  if (!unit.operations.empty()) unit.actuation = core::Actuation::spring;
+  return {0, unit.states[1].operation != kNone};
 }
 
 /// Inference 2: of two states one has an operation and the other just a sensor.
-void infer_single_solenoid(Unit& unit) {
+InferredRest infer_single_solenoid(Unit& unit) {
   for (std::uint32_t x = 0; x < 2; ++x) {
     const std::uint32_t y = 1 - x;
     const State& commanded = unit.states[x];
     const State& other = unit.states[y];
     if (commanded.operation == kNone || other.operation != kNone) continue;
-    unit.two_words = commanded.event == kNone;  // the other has an event, or it would be no state
+    unit.two_words = commanded.event == kNone && other.event != kNone;
     if (commanded.event == kNone || other.numbered) continue;
-    unit.actuation = core::Actuation::spring;
-    unit.rest = y;
     unit.single_solenoid = true;
+    return {y, true};
   }
+  return {};
 }
 
-/// Every operation O_X from every state A other than X: by S of the target, then of the source.
-void derive_commanded(Unit& unit) {
-  const auto count = static_cast<std::uint32_t>(unit.states.size());
-  for (std::uint32_t to = 0; to < count; ++to) {
-    const std::uint32_t on = unit.states[to].operation;
-    if (on == kNone) continue;
-    for (std::uint32_t from = 0; from < count; ++from) {
-      if (from != to) unit.transitions.push_back({from, to, on, 0, kDefaultTravel, Origin::derived});
-    }
+void choose_actuation_and_rest(Unit& unit, const Defaults& defaults, Faults& faults) {
+  InferredRest inferred;
+  if (unit.states.size() == 1) {
+    inferred = add_rest_state(unit);
+  } else if (unit.states.size() == 2) {
+    inferred = infer_single_solenoid(unit);
   }
+  unit.actuation = inferred.spring ? core::Actuation::spring : defaults.actuation;
+  unit.rest = inferred.rest;
+  const DeviceDescription* given = unit.described;
+  if (given == nullptr) return;
+  if (given->actuation) unit.actuation = *given->actuation;
+  if (!given->rest) return;
+  const Pointer here = device_pointer(*given) / "rest";
+  if (unit.actuation != core::Actuation::spring) {
+    faults.add(here.text(), quoted(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
+                                "` and returns to no rest state, leave `rest` out or make it `spring`");
+    return;
+  }
+  const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
+  if (rest != kNone) unit.rest = rest;
 }
 
-/// Inference 3: a numbered state with an event and no operation is reached by itself from its predecessor.
-void infer_sequence(Unit& unit) {
-  if (unit.actuation != core::Actuation::latched) return;
-  const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
-  if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
-
-  // Numbered states stand first in S, by number: groups of one number are runs.
-  std::vector<std::string_view> numbers;
-  for (const State& state : unit.states) {
-    if (state.numbered) numbers.push_back(sequence_number(state.name));
-  }
-  const auto count = static_cast<std::uint32_t>(numbers.size());
-  const auto group_begin = [&](std::uint32_t i) {
-    while (i > 0 && numbers[i - 1] == numbers[i]) --i;
-    return i;
-  };
-  for (std::uint32_t to = 0; to < count; ++to) {
-    if (unit.states[to].event == kNone || unit.states[to].operation != kNone) continue;
-    const std::uint32_t begin = group_begin(to);
-    const std::uint32_t last = begin > 0 ? begin - 1 : count - 1;  // from the lowest back to the highest
-    const std::uint32_t first = group_begin(last);
-    if (first != last) {
-      unit.ambiguous_sequence.push_back(to);
-    } else if (last != to) {
-      unit.transitions.push_back({last, to, kNone, kDefaultDwell, 0, Origin::inferred});
-    }
-  }
-}
-
-void choose_initial(Unit& unit, const std::vector<Symbol>& symbols) {
+std::uint32_t state_by_initial_column(Unit& unit, const std::vector<Symbol>& symbols) {
   std::uint32_t candidate = kNone;
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
@@ -92,67 +71,119 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols) {
     candidate = s;
     ++unit.initial_candidates;
   }
-  if (unit.initial_candidates == 1) {
-    unit.initial = candidate;
+  return unit.initial_candidates == 1 ? candidate : kNone;
+}
+
+/// Whether anything but the order of rows made the first of S the first.
+bool first_is_decided(const std::vector<State>& states) {
+  const auto by_symbol = [](const State& s) { return s.operation != kNone || s.event != kNone; };
+  if (states.size() == 1 || !by_symbol(states[1])) return true;
+  return states[0].numbered && sequence_number(states[0].name) != sequence_number(states[1].name);
+}
+
+void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+  std::uint32_t initial = kNone;
+  if (unit.described != nullptr && unit.described->initial) {
+    initial = given_state(unit, *unit.described->initial, device_pointer(*unit.described) / "initial", faults);
+    unit.initial_from = InitialFrom::description;
+  }
+  if (initial == kNone) {
+    initial = state_by_initial_column(unit, symbols);
     unit.initial_from = InitialFrom::initial_column;
-  } else if (unit.rest != kNone) {
-    unit.initial = unit.rest;
+  }
+  if (initial == kNone) {
+    initial = unit.rest;
     unit.initial_from = InitialFrom::rest_state;
-  } else {
-    unit.initial = 0;
-    const bool decided =
-        unit.states[0].numbered &&
-        (unit.states.size() == 1 || sequence_number(unit.states[0].name) != sequence_number(unit.states[1].name));
-    unit.initial_from = decided ? InitialFrom::sequence : InitialFrom::row_order;
+  }
+  if (initial == kNone) {
+    initial = 0;
+    unit.initial_from = first_is_decided(unit.states) ? InitialFrom::sequence : InitialFrom::row_order;
+  }
+  unit.initial = initial;
+  if (unit.actuation == core::Actuation::spring && unit.rest == kNone) unit.rest = initial;
+}
+
+/// Every operation O_X from every state A other than X: by S of the target, then of the source.
+void derive_commanded(Unit& unit, const GivenWays& given) {
+  const auto count = static_cast<std::uint32_t>(unit.states.size());
+  const Duration takes = Duration::fixed(unit.travel);
+  for (std::uint32_t to = 0; to < count; ++to) {
+    const std::uint32_t on = unit.states[to].operation;
+    if (on == kNone) continue;
+    for (std::uint32_t from = 0; from < count; ++from) {
+      if (from == to || given.commanded(from, on)) continue;
+      unit.transitions.push_back({from, to, on, Duration{}, takes, Origin::derived});
+    }
+  }
+}
+
+/// Numbered states by number; of equal ones the first in S first.
+std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
+  std::vector<std::uint32_t> numbered;
+  for (std::uint32_t s = 0; s < states.size(); ++s) {
+    if (states[s].numbered) numbered.push_back(s);
+  }
+  std::stable_sort(numbered.begin(), numbered.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return compare_sequence(sequence_number(states[a].name), sequence_number(states[b].name)) < 0;
+  });
+  return numbered;
+}
+
+/// Inference 3: a numbered state with an event and no operation is reached by itself from its predecessor.
+void infer_sequence(Unit& unit, const GivenWays& given, core::Time dwell) {
+  if (unit.actuation != core::Actuation::latched) return;
+  const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
+  if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
+
+  const std::vector<std::uint32_t> numbered = by_number(unit.states);  // groups of one number are runs
+  const auto number = [&](std::size_t i) { return sequence_number(unit.states[numbered[i]].name); };
+  const auto group_begin = [&](std::size_t i) {
+    while (i > 0 && number(i - 1) == number(i)) --i;
+    return i;
+  };
+  for (std::size_t i = 0; i < numbered.size(); ++i) {
+    const std::uint32_t to = numbered[i];
+    if (unit.states[to].event == kNone || unit.states[to].operation != kNone || given.led_to(to)) continue;
+    const std::size_t begin = group_begin(i);
+    const std::size_t last = begin > 0 ? begin - 1 : numbered.size() - 1;  // from the lowest back to the highest
+    const std::uint32_t from = numbered[last];
+    if (group_begin(last) != last) {
+      unit.ambiguous_sequence.push_back(to);
+    } else if (from != to && !given.automatic(from, to)) {
+      unit.transitions.push_back({from, to, kNone, Duration::fixed(dwell), Duration{}, Origin::inferred});
+    }
   }
 }
 
 }  // namespace
 
-std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols) {
-  std::vector<Draft> drafts;
-  std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_task;
-  const auto add = [&](std::uint32_t symbol) -> Draft& {
-    const std::string_view task = symbols[symbol].reading.task;
-    const auto [found, added] = by_task.try_emplace(task, drafts.size());
-    if (added) drafts.push_back({task, sequence_number(task), symbol});
-    return drafts[found->second];
-  };
-  for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
-  for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-    Draft& draft = add(unit.events[i]);
-    draft.event = i;
-    if (unit.events[i] < draft.first_symbol) {  // the first row names the state
-      draft.first_symbol = unit.events[i];
-      draft.task = symbols[unit.events[i]].reading.task;
-    }
-  }
-  std::sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) {
-    const int order = compare_sequence(a.sequence, b.sequence);
-    return order != 0 ? order < 0 : a.first_symbol < b.first_symbol;
-  });
-  std::vector<State> states;
-  states.reserve(drafts.size() + 1);
-  for (const Draft& draft : drafts) {
-    states.push_back({std::string(draft.task), draft.operation, draft.event, !draft.sequence.empty()});
-  }
-  return states;
-}
+void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults& defaults, Faults& faults) {
+  const DeviceDescription* described = unit.described;
+  unit.travel = defaults.travel;
+  unit.states = states_of(unit, symbols, TaskRoles(described));
+  if (described != nullptr) add_given_states(unit, faults);
+  // All its tasks are commands and reports of states that do not exist: the faults stand already, or will.
+  if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles(nullptr));
+  choose_actuation_and_rest(unit, defaults, faults);
+  choose_initial(unit, symbols, faults);
 
-void derive_unit(Unit& unit, const std::vector<Symbol>& symbols) {
-  unit.states = states_of(unit, symbols);
-  if (unit.states.size() == 1) {
-    add_rest_state(unit);
-  } else if (unit.states.size() == 2) {
-    infer_single_solenoid(unit);
+  if (described != nullptr) add_given_transitions(unit, symbols, faults);
+  if (described == nullptr || !described->only) {
+    const GivenWays given(unit);
+    derive_commanded(unit, given);
+    infer_sequence(unit, given, defaults.dwell);
   }
-  derive_commanded(unit);
-  infer_sequence(unit);
+  if (unit.transitions.size() > core::kMaxTransitions) {  // never without given ones
+    unit.transitions.resize(core::kMaxTransitions);
+    faults.add((device_pointer(*described) / "transitions").text(),
+               "the device has more than " + std::to_string(core::kMaxTransitions) +
+                   " transitions, each `*` counted as one a state, leave some out");
+  }
+  if (described != nullptr) add_outputs(unit, symbols, faults);
   // Where the other word is reached by itself, it is no slip (O_RUN1, I_DONE2).
   for (std::uint32_t s = 0; unit.two_words && s < 2; ++s) {
     if (unit.states[s].operation == kNone && unit.reaches(s)) unit.two_words = false;
   }
-  choose_initial(unit, symbols);
 }
 
 }  // namespace symplant::model

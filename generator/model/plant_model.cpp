@@ -19,16 +19,39 @@ std::string_view internal_reason_text(InternalReason reason) {
   return "";
 }
 
+std::string_view actuation_name(core::Actuation actuation) {
+  switch (actuation) {
+    case core::Actuation::latched:
+      return "latched";
+    case core::Actuation::bistable:
+      return "bistable";
+    case core::Actuation::held:
+      return "held";
+    case core::Actuation::spring:
+      return "spring";
+  }
+  return "";
+}
+
 bool Unit::reaches(std::uint32_t state) const {
-  if (actuation == core::Actuation::spring && state == rest) return true;
+  if (has_behaviour() || (actuation == core::Actuation::spring && state == rest)) return true;
   return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) { return t.to == state; });
 }
 
 bool Unit::moves_event(std::uint32_t event) const {
-  const auto found = std::find_if(states.begin(), states.end(), [&](const State& s) { return s.event == event; });
-  if (found == states.end() || !moves()) return false;
-  const auto state = static_cast<std::uint32_t>(found - states.begin());
-  return state == initial || reaches(state);
+  if (has_behaviour()) return true;
+  if (!moves()) return false;
+  const auto switches = [&](std::uint32_t state) {
+    if (states[state].event == event) return true;
+    if (outputs.empty()) return false;
+    const auto is_event = [&](const std::pair<std::uint32_t, bool>& output) { return output.first == event; };
+    const auto& [enter, leave] = outputs[state];
+    return std::any_of(enter.begin(), enter.end(), is_event) || std::any_of(leave.begin(), leave.end(), is_event);
+  };
+  for (std::uint32_t state = 0; state < states.size(); ++state) {
+    if (switches(state) && (state == initial || reaches(state))) return true;
+  }
+  return false;
 }
 
 std::string PlantModel::list_name() const {

@@ -10,18 +10,16 @@
 #include <vector>
 
 #include "address/address.hpp"
+#include "model/description.hpp"
 #include "name/name_parser.hpp"
 #include "read/symbol_table.hpp"
+#include "symplant/condition/tree.hpp"
 #include "symplant/core/tables.hpp"
 #include "symplant/core/time.hpp"
 
 namespace symplant::model {
 
 inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;
-
-/// Times where nothing else is said.
-inline constexpr core::Time kDefaultTravel = core::kSecond;
-inline constexpr core::Time kDefaultDwell = core::kSecond;
 
 /// Why a row of the list is no I/O symbol. Such rows are counted and served nowhere.
 enum class InternalReason : std::uint8_t {
@@ -32,6 +30,9 @@ enum class InternalReason : std::uint8_t {
 };
 inline constexpr std::size_t kInternalReasons = 4;
 std::string_view internal_reason_text(InternalReason reason);
+
+/// As plant.json has it: `latched`, `bistable`, `held`, `spring`.
+std::string_view actuation_name(core::Actuation actuation);
 
 /// Why an I/O symbol is in no unit. It is served all the same: in the images, on the links, in traces.
 enum class Unmodelled : std::uint8_t {
@@ -72,20 +73,38 @@ struct State {
 };
 
 /// Where a transition comes from; says in which order they stand, too.
-enum class Origin : std::uint8_t { derived, inferred };
+enum class Origin : std::uint8_t { given, derived, inferred };
 
-/// From a state to another, by place in Unit::states; `on` a place in Unit::operations, kNone where it is automatic.
+/// From a state to another, by place in Unit::states.
 struct Transition {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t on;
-  core::Time after;
-  core::Time takes;
-  Origin origin;
+  std::uint32_t from = kNone;
+  std::uint32_t to = kNone;
+  std::uint32_t on = kNone;  ///< a place in Unit::operations; kNone where it is automatic or a spring's own way
+  Duration after;
+  Duration takes;
+  Origin origin = Origin::derived;
+  bool spring_way = false;  ///< only says how long a spring's own way takes
+  bool once = false;
+  std::uint32_t when = kNone;  ///< a place in Unit::conditions
+};
+
+/// Events that l_enter or l_leave switches beyond the state's own, by place in Unit::events, in this order.
+struct Outputs {
+  std::vector<std::pair<std::uint32_t, bool>> enter;
+  std::vector<std::pair<std::uint32_t, bool>> leave;
+};
+
+/// A requirement, its conditions resolved: `never`, or `after` and `expect`.
+struct Requirement {
+  std::string name;
+  core::RequirementRow::Kind kind = core::RequirementRow::Kind::never;
+  condition::Tree condition;  ///< of `never`, or of `after`
+  condition::Tree expected;   ///< of `expect`
+  core::Time within = 0;
 };
 
 /// What was inferred for a unit, and why: the rules of docs/model.md, "What is inferred".
-enum class InitialFrom : std::uint8_t { initial_column, rest_state, sequence, row_order };
+enum class InitialFrom : std::uint8_t { description, initial_column, rest_state, sequence, row_order };
 
 /// One device's I/O model <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>.
 struct Unit {
@@ -98,6 +117,15 @@ struct Unit {
   core::Actuation actuation = core::Actuation::latched;
   std::uint32_t rest = kNone;  ///< given or inferred; a `spring` returns to it
   std::uint32_t initial = 0;
+  core::Time travel = core::kSecond;        ///< the default travel time
+  std::vector<condition::Tree> conditions;  ///< what transitions want, by Transition::when, then the behaviour's inputs
+  std::uint32_t first_input = 0;            ///< of the behaviour's inputs, in `conditions`
+  std::vector<Outputs> outputs;             ///< a state each, or empty where no state has any
+  std::vector<std::vector<std::uint32_t>>
+      disables;                       ///< a state each: units, ascending; or empty where no state has any
+  std::vector<std::uint32_t> values;  ///< its device's numeric symbols, where it has a behaviour
+  /// What the user says of its device; null where nothing. Points into PlantModel::description.
+  const DeviceDescription* described = nullptr;
 
   // What the derivation decided, for whoever tells the user.
   InitialFrom initial_from = InitialFrom::sequence;
@@ -107,10 +135,12 @@ struct Unit {
   std::uint32_t initial_candidates = 0;           ///< states whose event alone has Initial TRUE
   std::vector<std::uint32_t> ambiguous_sequence;  ///< states whose predecessor's number several states have
 
-  bool moves() const { return !transitions.empty() || actuation == core::Actuation::spring; }
-  /// Whether the unit can come into a state, by a transition or as a spring's rest.
+  bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
+  bool moves() const { return !transitions.empty() || actuation == core::Actuation::spring || has_behaviour(); }
+  /// Whether the unit can come into a state, by a transition, as a spring's rest, or by the user's code.
   bool reaches(std::uint32_t state) const;
-  /// Whether the unit ever changes the event at a place of `events`. O(states + transitions).
+  /// Whether the unit ever changes the event at a place of `events`: as that of a state, by outputs, or by the user's
+  /// code. O(states and outputs, times transitions).
   bool moves_event(std::uint32_t event) const;
 };
 
@@ -152,10 +182,13 @@ struct BadAddress {
 
 struct PlantModel {
   std::string name;
-  std::shared_ptr<const read::SymbolTable> list;  ///< rows that the model points to
+  std::shared_ptr<const Description> description;  ///< never null
+  std::shared_ptr<const read::SymbolTable> list;   ///< rows that the model points to
   const name::NamingRule* rule = nullptr;
   std::vector<Symbol> symbols;  ///< I/O symbols, in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
+  std::vector<Requirement> requirements;
+  std::vector<DescriptionFault> description_faults;  ///< while there is one, nothing is to be made of the plant
   std::array<std::size_t, kInternalReasons> internal{};
   RadixChoice radix;
   std::vector<Duplicate> duplicates;

@@ -1,251 +1,137 @@
-// The engine's memory, its start, and the instants between two calls.
+// The instants between two calls, and what happens in each.
 #include "symplant/core/engine.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <new>
+
+#include "symplant/core/engine_inline.hpp"
 
 namespace symplant::core {
-namespace {
 
-constexpr std::uint64_t bit_in_word(std::uint32_t bit) noexcept { return std::uint64_t{1} << (bit % 64); }
-
-/// Sets a slot, and all that share its address.
-void set_all(std::uint64_t* values, const SharedPlaces& shared, std::uint32_t slot, std::uint64_t value) noexcept {
-  values[slot] = value;
-  for (const SharedPlace& other : shared.with(kSharedSlot + slot)) values[other.place - kSharedSlot] = value;
+Time Engine::next_due() const noexcept {
+  return head->started == 0 || head->acted != 0 ? head->now : head->wheel.peek(units);
 }
 
-}  // namespace
-
-void DirtySet::take(Arena& arena, std::size_t places) noexcept {
-  list = {arena.take<std::uint32_t>(places), 0};
-  marks = arena.take<std::uint64_t>((places + 63) / 64);
+void Engine::queue_other(std::uint32_t entry) noexcept {
+  const auto requirement_count = static_cast<std::uint32_t>(tables.requirements.size());
+  if (entry < requirement_count) {
+    touched_requirements_.mark(entry);
+    return;
+  }
+  const std::uint32_t behaviour = entry - requirement_count;
+  behaviour_states[behaviour].woken = 1;
+  behaviour_states[behaviour].wake = kNever;
+  touch(tables.behaviour_units[behaviour].unit);
 }
 
-bool DirtySet::mark(std::uint32_t place) noexcept {
-  std::uint64_t& word = marks[place / 64];
-  if ((word & bit_in_word(place)) != 0) return false;
-  word |= bit_in_word(place);
-  list.add(place);
+/// The first instant is everybody's.
+void Engine::start() noexcept {
+  head->started = 1;
+  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) touch(unit);
+  for (std::uint32_t r = 0; r < tables.requirements.size(); ++r) touched_requirements_.mark(r);
+}
+
+/// `time` is what Wheel::earliest has just given.
+SYMPLANT_ALWAYS_INLINE void Engine::queue_due(Time time) noexcept {
+  const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
+  for (std::uint32_t entry = head->wheel.take(time); entry != Wheel::kNone; entry = units[entry].next) {
+    const std::uint16_t flags = units[entry].flags;
+    units[entry].flags = static_cast<std::uint16_t>(flags & ~kTimed) | (entry < unit_count ? kTouched : 0);
+    if (entry < unit_count) {
+      if ((flags & kTouched) == 0) touched_.add(entry);
+    } else {
+      queue_other(entry - unit_count);
+    }
+  }
+}
+
+/// As switch_events, where nothing is forced or watched: both planes of events are equal.
+SYMPLANT_ALWAYS_INLINE WordChange Engine::switch_alone(const UnitRow& row, const EventMasks& masks) noexcept {
+  const std::uint32_t word = row.event_bit / 64;
+  if ((masks.on | masks.off) == 0) return {word, 0};  // perhaps behind the plane's last word
+  const std::uint64_t before = events.bits[word];
+  const std::uint64_t now = (before & ~(masks.off << (row.event_bit % 64))) | masks.on << (row.event_bit % 64);
+  events.made[word] = events.bits[word] = now;
+  if (now != before) changed_events.mark(word);
+  return {word, before ^ now};
+}
+
+/// The commonest instant of all: one plain unit arrives, and nobody else has anything to do or to see in it. As
+/// instant(), without what would find nothing. False, and nothing done, where it is another one.
+SYMPLANT_ALWAYS_INLINE bool Engine::arrive_alone(Time at, Observer* observer) noexcept {
+  const std::uint32_t unit = head->wheel.sole(units, at);
+  if (unit >= tables.units.size() || !unseen_events_ || unpublished_ || head->cycle != 0) return false;
+  UnitState& state = units[unit];
+  const UnitRow& row = tables.units[unit];
+  const TypeIndex& type = index.types[row.type];
+  if (state.flags != (kMoving | kTimed) || may_leave(row, type, state.target)) return false;
+  head->wheel.take(at);
+  head->now = at;
+  state.state = state.target;
+  state.transition = kNoTransition;
+  state.whole = 0;
+  state.flags = 0;
+  serve(state, row);
+  const WordChange change = switch_alone(row, type.enter[state.state]);
+  if (observer != nullptr) observer->instant({at, {&unit, 1}, {}, {&change, change.bits != 0 ? 1U : 0U}, {}, {}});
   return true;
 }
 
-void DirtySet::clear() noexcept {
-  for (const std::uint32_t place : list.view()) marks[place / 64] = 0;
-  list.size = 0;
+SYMPLANT_ALWAYS_INLINE void Engine::instant(Time at, bool sample, Observer* observer) noexcept {
+  head->now = now_ = at;
+  observer_ = observer;
+  if (sample && (!written_words.empty() || !written_slots.empty())) sample_operations();
+  if (head->acted != 0) apply_actions();
+  if (unpublished_) publish(false);
+  run_rounds();
+  close_instant();
 }
-
-Engine* Engine::make(const PlantTables& tables, Arena& arena) noexcept {
-  auto* raw = arena.take<std::max_align_t>((sizeof(Engine) + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t));
-  if (raw == nullptr) {
-    Engine counting(tables);
-    counting.place(arena);
-    return nullptr;
-  }
-  auto* engine = new (raw) Engine(tables);
-  engine->place(arena);
-  return engine;
-}
-
-void Engine::place(Arena& arena) noexcept {
-  const std::size_t unit_count = tables_.units.size();
-  const std::size_t operation_words = tables_.operation_bits / 64;
-  const std::size_t event_words = tables_.event_bits / 64;
-
-  head = arena.take<BlockHead>(1);
-  units = arena.take<UnitState>(unit_count);
-  written_operations = arena.take<std::uint64_t>(operation_words);
-  operations = arena.take<std::uint64_t>(operation_words);
-  disarmed = arena.take<std::uint64_t>(operation_words);
-  events = arena.take<std::uint64_t>(event_words);
-  written_values = arena.take<std::uint64_t>(tables_.operation_slots);
-  operation_values = arena.take<std::uint64_t>(tables_.operation_slots);
-  event_values = arena.take<std::uint64_t>(tables_.event_slots);
-  written_words.take(arena, operation_words);
-  written_slots.take(arena, tables_.operation_slots);
-
-  changed_events.take(arena, event_words);
-  index_.build(tables_, arena);
-  current_ = {arena.take<std::uint32_t>(unit_count), 0};
-  coming_ = {arena.take<std::uint32_t>(unit_count), 0};
-  stepped_ = {arena.take<std::uint32_t>(unit_count), 0};
-  touched_events_.take(arena, event_words);
-  events_before_ = arena.take<std::uint64_t>(event_words);
-  operation_changes_ = {arena.take<WordChange>(operation_words), 0};
-  event_changes_ = {arena.take<WordChange>(event_words), 0};
-  slot_changes_ = {arena.take<std::uint32_t>(tables_.operation_slots), 0};
-}
-
-void Engine::reset() noexcept {
-  const auto zero = [](std::uint64_t* words, std::size_t count) { std::fill(words, words + count, 0); };
-  for (auto* plane : {written_operations, operations, disarmed}) zero(plane, tables_.operation_bits / 64);
-  zero(events, tables_.event_bits / 64);
-  for (auto* plane : {written_values, operation_values}) zero(plane, tables_.operation_slots);
-  zero(event_values, tables_.event_slots);
-  for (auto* set : {&written_words, &written_slots, &changed_events, &touched_events_}) set->clear();
-  current_.size = coming_.size = stepped_.size = 0;
-
-  head->now = 0;
-  head->started = 0;
-  head->wheel.clear();
-  for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) {
-    const UnitRow& row = tables_.units[unit];
-    units[unit] = {};
-    units[unit].state = units[unit].target = row.initial;
-    write_events(row, index_.types[row.type].enter[row.initial], true);
-    await_automatic(unit, row, index_.types[row.type]);
-  }
-  for (const InitialValue& initial : tables_.initial_values) {
-    const SymbolRow& symbol = tables_.symbols[initial.symbol];
-    const bool is_bit = symbol.type() == DataType::boolean;
-    if (symbol.direction() == Direction::event) {
-      if (is_bit) {
-        write_event_bits(symbol.index / 64, bit_in_word(symbol.index), initial.value != 0);
-      } else {
-        set_all(event_values, index_.shared_events, symbol.index, initial.value);
-      }
-    } else if (!is_bit) {
-      set_all(written_values, index_.shared_operations, symbol.index, initial.value);
-      set_all(operation_values, index_.shared_operations, symbol.index, initial.value);
-    }
-  }
-}
-
-void Engine::write_operation(std::uint32_t bit, bool on) noexcept {
-  const auto write = [&](std::uint32_t place) {
-    std::uint64_t& word = written_operations[place / 64];
-    word = on ? word | bit_in_word(place) : word & ~bit_in_word(place);
-    written_words.mark(place / 64);
-  };
-  write(bit);
-  if (index_.shared_operations.empty()) return;
-  for (const SharedPlace& other : index_.shared_operations.with(bit)) write(other.place);
-}
-
-void Engine::write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept {
-  const auto write = [&](std::uint32_t place) {
-    written_values[place] = value;
-    written_slots.mark(place);
-  };
-  write(slot);
-  if (index_.shared_operations.empty()) return;
-  for (const SharedPlace& other : index_.shared_operations.with(kSharedSlot + slot)) write(other.place - kSharedSlot);
-}
-
-Time Engine::next_due() const noexcept { return head->started == 0 ? head->now : head->wheel.peek(units); }
 
 void Engine::advance_to(Time target, Observer* observer) noexcept {
   target = std::max(target, head->now);
+  if (head->started == 0 || head->acted != 0) advance_before(target, observer);
   if (head->started == 0) {
-    const bool now = target == head->now;
-    head->started = 1;
-    for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) queue(unit);
-    instant(head->now, now, observer);
-    if (now) return;
+    start();
+    instant(target, true, observer);
+    return;
   }
   for (;;) {
     const Time due = head->wheel.earliest(units, target);
-    const bool written = (written_words.list.size | written_slots.list.size) != 0;
-    if (due != kNever && due < target) {
+    if (due < target) {
+      if (arrive_alone(due, observer)) continue;
       queue_due(due);
       instant(due, false, observer);
-    } else if ((due != kNever && due == target) || written) {
-      if (due != kNever && due == target) queue_due(due);
-      instant(target, true, observer);
-    } else {
-      head->now = target;
+      continue;
+    }
+    const bool written = !written_words.empty() || !written_slots.empty() || head->acted != 0;
+    head->now = target;
+    if (due == target && due != kNever) {
+      if (!written && arrive_alone(due, observer)) return;
+      queue_due(due);
+    } else if (!written) {
       return;
     }
+    instant(target, true, observer);
+    return;
   }
 }
 
-void Engine::queue_due(Time time) noexcept {
-  for (std::uint32_t unit = head->wheel.take(time); unit != Wheel::kNone; unit = units[unit].next) {
-    units[unit].flags &= static_cast<std::uint8_t>(~kTimed);
-    queue(unit);
+void Engine::advance_before(Time target, Observer* observer) noexcept {
+  if (target <= head->now) return;
+  if (head->started == 0) {
+    start();
+    instant(head->now, false, observer);
+  } else if (head->acted != 0) {
+    if (head->wheel.earliest(units, head->now) == head->now) queue_due(head->now);
+    instant(head->now, false, observer);
   }
-}
-
-void Engine::queue(std::uint32_t unit) noexcept {
-  if ((units[unit].flags & kQueued) != 0) return;
-  units[unit].flags |= kQueued;
-  coming_.add(unit);
-}
-
-void Engine::instant(Time at, bool sample, Observer* observer) noexcept {
-  head->now = at;
-  if (sample) sample_operations();
-  run_rounds();
-  close_instant(observer);
-}
-
-void Engine::sample_operations() noexcept {
-  for (const std::uint32_t word : written_words.list.view()) {
-    std::uint64_t changed = operations[word] ^ written_operations[word];
-    if (changed == 0) continue;
-    operations[word] = written_operations[word];
-    disarmed[word] &= operations[word];  // a round that sees an operation off arms it
-    operation_changes_.add({word, changed});
-    for (; changed != 0; changed &= changed - 1) {
-      const std::uint32_t unit =
-          index_.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(changed))];
-      if (unit != kNoUnit) queue(unit);
-    }
+  for (;;) {
+    const Time due = head->wheel.earliest(units, target);
+    if (due >= target) break;
+    if (arrive_alone(due, observer)) continue;
+    queue_due(due);
+    instant(due, false, observer);
   }
-  written_words.clear();
-  for (const std::uint32_t slot : written_slots.list.view()) {
-    if (operation_values[slot] == written_values[slot]) continue;
-    operation_values[slot] = written_values[slot];
-    slot_changes_.add(slot);
-  }
-  written_slots.clear();
-}
-
-void Engine::run_rounds() noexcept {
-  while (coming_.size != 0) {
-    std::swap(current_, coming_);
-    coming_.size = 0;
-    for (const std::uint32_t unit : current_.view()) units[unit].flags &= static_cast<std::uint8_t>(~kQueued);
-    for (const std::uint32_t unit : current_.view()) step(unit);
-    current_.size = 0;
-  }
-}
-
-void Engine::close_instant(Observer* observer) noexcept {
-  for (const std::uint32_t word : touched_events_.list.view()) {
-    const std::uint64_t changed = events_before_[word] ^ events[word];
-    if (changed == 0) continue;
-    event_changes_.add({word, changed});
-    changed_events.mark(word);
-  }
-  touched_events_.clear();
-  if (observer != nullptr &&
-      (stepped_.size | operation_changes_.size | event_changes_.size | slot_changes_.size) != 0) {
-    observer->instant(
-        {head->now, stepped_.view(), operation_changes_.view(), event_changes_.view(), slot_changes_.view(), {}});
-  }
-  for (const std::uint32_t unit : stepped_.view()) units[unit].flags &= static_cast<std::uint8_t>(~kStepped);
-  stepped_.size = operation_changes_.size = event_changes_.size = slot_changes_.size = 0;
-}
-
-void Engine::write_events(const UnitRow& row, std::uint64_t bits, bool on) noexcept {
-  if (bits != 0) write_event_bits(row.event_bit / 64, bits << (row.event_bit % 64), on);
-}
-
-void Engine::write_event_bits(std::uint32_t word, std::uint64_t bits, bool on) noexcept {
-  const auto write = [&](std::uint32_t at, std::uint64_t mask) {
-    if (touched_events_.mark(at)) events_before_[at] = events[at];
-    events[at] = on ? events[at] | mask : events[at] & ~mask;
-  };
-  write(word, bits);
-  if (index_.shared_events.empty()) return;
-  for (; bits != 0; bits &= bits - 1) {
-    const std::uint32_t place = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-    for (const SharedPlace& other : index_.shared_events.with(place)) {
-      write(other.place / 64, bit_in_word(other.place));
-    }
-  }
+  head->now = target;
 }
 
 }  // namespace symplant::core

@@ -1,232 +1,176 @@
-// One step of one unit in a round. A unit reads its own state and operations only, so the order of units never shows.
+// The rounds of an instant: one step of each unit that has a reason to. A step reads its unit's own state, its
+// operations and cached truths alone, so the order of units never shows.
 #include <algorithm>
 #include <bit>
 
-#include "symplant/core/engine.hpp"
+#include "symplant/core/engine_inline.hpp"
 
 namespace symplant::core {
 namespace {
 
-constexpr std::uint64_t bit(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
-
-/// `a` + `b`, or kNever where that lies beyond all time.
-constexpr Time later(Time a, Time b) noexcept { return b > kNever - a ? kNever : a + b; }
-
-/// floor(back * travelled / forth), as a move that is turned round has it left.
-Time time_back(Time back, Time travelled, Time forth) noexcept {
-  if (forth == 0) return 0;
-#if defined(__SIZEOF_INT128__)
-  __extension__ using Wide = unsigned __int128;
-  return static_cast<Time>(static_cast<Wide>(back) * static_cast<Wide>(travelled) / static_cast<Wide>(forth));
-#else
-#error "the engine needs a 128-bit integer type"
-#endif
-}
+constexpr std::uint32_t kFirstLook = 200;  ///< rounds, before loops are looked for
+constexpr std::uint8_t kLoopSteps = 3;     ///< of a unit in the second half of them: it is in a loop
 
 }  // namespace
 
-std::uint64_t Engine::operations_on(const UnitRow& row, const TypeIndex& type) const noexcept {
-  const std::uint32_t word = row.operation_bit / 64;
-  if (type.operations == 0) return 0;
-  return ((operations[word] & ~disarmed[word]) >> (row.operation_bit % 64)) & type.operations;
+/// A behaviour that asked to be woken where it may only look (see Behaviour): it is, when its unit steps next.
+void Engine::forget_queue() noexcept {
+  for (std::uint32_t i = 0; i < queued_; ++i) units[queue_[i]].flags &= static_cast<std::uint16_t>(~kQueued);
+  queued_ = 0;
 }
 
-Time Engine::takes(const UnitRow& row, std::uint16_t transition) const noexcept {
-  const std::uint32_t place = transition == kNoTransition ? 0 : transition + std::uint32_t{1};
-  return tables_.times[row.times + place].takes;
-}
-
-Time Engine::after(const UnitRow& row, std::uint16_t transition) const noexcept {
-  return tables_.times[row.times + transition + std::uint32_t{1}].after;
-}
-
-std::uint16_t Engine::way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept {
-  for (const std::uint16_t n : type.from(from)) {
-    if (type.transitions[n].to == to && type.transitions[n].on != kNoOperation) return n;
+/// Units are counted from 0 again; who is frozen keeps the number of his loop.
+void Engine::forget_steps() noexcept {
+  for (const std::uint32_t unit : touched_.view()) {
+    if ((units[unit].flags & kFrozen) == 0) units[unit].steps = 0;
   }
-  return kNoTransition;
 }
 
-void Engine::stepped(std::uint32_t unit) noexcept {
-  if ((units[unit].flags & kStepped) != 0) return;
-  units[unit].flags |= kStepped;
-  stepped_.add(unit);
+bool Engine::look_for_loops() noexcept {
+  bool found = false;
+  for (const std::uint32_t unit : touched_.view()) {
+    UnitState& state = units[unit];
+    if ((state.flags & kFrozen) != 0 || state.steps < kLoopSteps) continue;
+    if (!found && loops_ != 0xFF) ++loops_;
+    found = true;
+    if ((state.flags & kDisabled) == 0) halt_times(unit);
+    state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped | kEnabledNow));
+    state.flags |= kFrozen | kFrozenNow;
+    state.steps = loops_;
+  }
+  if (found) suspects_ |= suspect(FindingKind::instantaneous_loop);
+  return found;
 }
 
-void Engine::time(std::uint32_t unit, Time duration) noexcept {
-  const Time due = later(head->now, duration);
-  units[unit].due = due;
+/// As leave(), where nothing is to be asked for: commanded, no record, no condition, nobody to be told.
+SYMPLANT_ALWAYS_INLINE void Engine::leave_plain(std::uint32_t unit, const UnitRow& row, const TypeIndex& type,
+                                                std::uint16_t transition) noexcept {
+  const Time duration = tables.times[row.times + transition + std::uint32_t{1}].takes;
   if (duration == 0) {
-    queue(unit);
-  } else if (due != kNever) {
-    head->wheel.insert(units, unit, due);
-  }
-}
-
-void Engine::step(std::uint32_t unit) noexcept {
-  const UnitRow& row = tables_.units[unit];
-  const TypeIndex& type = index_.types[row.type];
-  if ((units[unit].flags & kMoving) != 0) {
-    step_moving(unit, row, type);
-  } else {
-    step_settled(unit, row, type);
-  }
-}
-
-void Engine::step_settled(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
-  const std::uint8_t here = units[unit].state;
-  if (type.automatic[here] && fire_automatic(unit, row, type)) return;
-
-  const std::uint64_t on = operations_on(row, type);
-  std::uint64_t served = 0;  // operations that are the `on` of a ready transition
-  std::uint8_t wanted = kNoState;
-  std::uint16_t first = kNoTransition;
-  bool conflict = false;
-  if ((on & type.starts[here]) != 0) {
-    for (const std::uint16_t n : type.from(here)) {
-      const Transition& transition = type.transitions[n];
-      if (transition.on == kNoOperation || (on & bit(transition.on)) == 0) continue;
-      served |= bit(transition.on);
-      if (first == kNoTransition) {
-        first = n;
-        wanted = transition.to;
-      } else if (transition.to != wanted) {
-        conflict = true;
-      }
-    }
-  }
-  const bool stay_wanted = (on & type.leads[here] & ~served) != 0;
-  if (first != kNoTransition) {
-    if (!conflict && !stay_wanted) leave(unit, row, type, wanted, first);
-  } else if (!stay_wanted && type.actuation == Actuation::spring && here != type.rest) {
-    leave(unit, row, type, type.rest, kNoTransition);
-  }
-}
-
-bool Engine::fire_automatic(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
-  const UnitState& state = units[unit];
-  for (const std::uint16_t n : type.from(state.state)) {
-    const Transition& transition = type.transitions[n];
-    if (transition.on != kNoOperation || later(state.mark, after(row, n)) > head->now) continue;
-    if (type.actuation == Actuation::latched && type.operations != 0) {
-      const std::uint64_t leading = type.leads[state.state] << (row.operation_bit % 64);
-      disarmed[row.operation_bit / 64] |= leading & operations[row.operation_bit / 64];
-    }
-    leave(unit, row, type, transition.to, n);
-    return true;
-  }
-  return false;
-}
-
-void Engine::await_automatic(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
-  const std::uint8_t here = units[unit].state;
-  if (!type.automatic[here]) return;
-  Time earliest = kNever;
-  for (const std::uint16_t n : type.from(here)) {
-    if (type.transitions[n].on == kNoOperation) earliest = std::min(earliest, after(row, n));
-  }
-  if (earliest != 0) time(unit, earliest);  // else it is ready in the round that comes anyway
-}
-
-void Engine::leave(std::uint32_t unit, const UnitRow& row, const TypeIndex& type, std::uint8_t target,
-                   std::uint16_t transition) noexcept {
-  UnitState& state = units[unit];
-  if ((state.flags & kTimed) != 0) head->wheel.remove(units, unit);
-  write_events(row, type.leave[state.state], false);
-  stepped(unit);
-  state.target = target;
-  state.transition = transition;
-  const bool automatic = transition != kNoTransition && type.transitions[transition].on == kNoOperation;
-  const std::uint16_t timed_as =
-      transition != kNoTransition ? transition : way_without_command(type, state.state, target);
-  const Time duration = takes(row, timed_as);
-  if (duration == 0) {
-    settle(unit, row, type);
+    leave(unit, row, type, type.transitions[transition].to, transition);
     return;
   }
+  UnitState& state = units[unit];
+  const Transition& fired = type.transitions[transition];
+  served[row.operation_bit / 64] |= operation_mask(fired.on) << (row.operation_bit % 64);
+  active_ = true;
+  switch_events_now(row, type.leave[state.state]);
+  state.target = fired.to;
+  state.transition = transition;
+  state.whole = duration;
   state.flags |= kMoving;
-  state.mark = duration;
-  time(unit, duration);
-  if (!automatic && type.actuation != Actuation::latched) queue(unit);
+  travel(unit, state, duration);
+  if (type.actuation != Actuation::latched) queue(unit);
 }
 
-void Engine::settle(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
+/// As settle(), likewise. A further round is asked for only where it would see something to do.
+SYMPLANT_ALWAYS_INLINE void Engine::arrive_plain(std::uint32_t unit, const UnitRow& row,
+                                                 const TypeIndex& type) noexcept {
   UnitState& state = units[unit];
-  state.state = state.target;
-  state.flags &= static_cast<std::uint8_t>(~kMoving);
-  state.mark = head->now;
-  write_events(row, type.enter[state.state], true);
-  stepped(unit);
-  await_automatic(unit, row, type);
-  queue(unit);
+  const std::uint8_t here = state.target;
+  state.state = here;
+  state.transition = kNoTransition;
+  state.whole = 0;
+  state.flags &= static_cast<std::uint16_t>(~kMoving);
+  active_ = true;
+  switch_events_now(row, type.enter[here]);
+  if (may_leave(row, type, here)) queue(unit);
 }
 
-void Engine::step_moving(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
-  UnitState& state = units[unit];
-  if ((state.flags & kStanding) == 0 && state.due == head->now) {
-    if ((state.flags & kTimed) != 0) head->wheel.remove(units, unit);
-    settle(unit, row, type);
+/// Settled, every transition commanded and ready as soon as its operation is on.
+SYMPLANT_ALWAYS_INLINE void Engine::step_plain(std::uint32_t unit, const UnitRow& row, const TypeIndex& type) noexcept {
+  const std::uint8_t here = units[unit].state;
+  const std::uint64_t on = operations_on(row, type);
+  const std::uint64_t ready = on & type.starts[here];
+  const bool stay_wanted = (on & type.leads[here] & ~ready) != 0;
+  if (ready == 0) {
+    if (type.actuation == Actuation::spring && here != type.rest && !stay_wanted) {
+      leave(unit, row, type, type.rest, kNoTransition);
+    }
     return;
   }
-  const bool automatic = state.transition != kNoTransition && type.transitions[state.transition].on == kNoOperation;
-  if (automatic || type.actuation == Actuation::latched) return;
-
-  const std::uint64_t on = operations_on(row, type);
-  std::uint64_t forth = 0;  // operations of the way under way
-  for (const std::uint16_t n : type.from(state.state)) {
-    const Transition& transition = type.transitions[n];
-    if (transition.to == state.target && transition.on != kNoOperation) forth |= bit(transition.on);
+  if (type.only_way[here] != kNoRecord && !stay_wanted) {
+    leave_plain(unit, row, type, type.only_way[here]);
+    return;
   }
-  std::uint16_t back = kNoTransition;
-  for (const std::uint16_t n : type.from(state.target)) {
-    const Transition& transition = type.transitions[n];
-    if (transition.to != state.state || transition.on == kNoOperation) continue;
-    if ((on & ~forth & bit(transition.on)) == 0) continue;
-    back = n;
-    break;
+  std::uint16_t first = kNoTransition;
+  bool conflict = stay_wanted;
+  for (const std::uint16_t n : type.from(here)) {
+    if ((ready & operation_mask(type.transitions[n].on)) == 0) continue;
+    if (first == kNoTransition) {
+      first = n;
+    } else if (type.transitions[n].to != type.transitions[first].to) {
+      conflict = true;
+    }
   }
-  const bool forth_on = (on & forth) != 0;
-  const bool back_on = back != kNoTransition;
-  if (forth_on && back_on) {
-    stand_still(unit);
-  } else if (back_on || (!forth_on && state.state == type.rest)) {
-    turn_round(unit, row, type, back);
+  if (conflict) {
+    found_conflict(unit);
   } else {
-    go_on(unit);
+    leave_plain(unit, row, type, first);
   }
 }
 
-void Engine::turn_round(std::uint32_t unit, const UnitRow& row, const TypeIndex& type,
-                        std::uint16_t transition) noexcept {
+SYMPLANT_ALWAYS_INLINE void Engine::step(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
-  const Time remaining = (state.flags & kStanding) != 0 ? state.due : state.due - head->now;
-  if ((state.flags & kTimed) != 0) head->wheel.remove(units, unit);
-  std::swap(state.state, state.target);
-  state.transition = transition;
-  state.flags &= static_cast<std::uint8_t>(~kStanding);
-  const Time forth = state.mark;
-  state.mark =
-      takes(row, transition != kNoTransition ? transition : way_without_command(type, state.state, state.target));
-  stepped(unit);
-  time(unit, time_back(state.mark, forth - remaining, forth));
-  queue(unit);
+  const UnitRow& row = tables.units[unit];
+  const TypeIndex& type = index.types[row.type];
+  constexpr std::uint16_t kUnusual = kGeneral | kHalted | kStanding | kConflict | kStopped;
+  if ((state.flags & kUnusual) != 0) {
+    step_any(unit, row, type);
+  } else if ((state.flags & kMoving) == 0) {
+    step_plain(unit, row, type);
+  } else if (state.due <= now_) {
+    clear_wheel(unit);
+    arrive_plain(unit, row, type);
+  } else if (type.actuation != Actuation::latched) {
+    step_moving(unit, row, type);
+  }
 }
 
-void Engine::stand_still(std::uint32_t unit) noexcept {
-  UnitState& state = units[unit];
-  if ((state.flags & kStanding) != 0) return;
-  if ((state.flags & kTimed) != 0) head->wheel.remove(units, unit);
-  state.due -= head->now;
-  state.flags |= kStanding;
-  stepped(unit);
+/// The first round is that of all who have been touched.
+SYMPLANT_ALWAYS_INLINE void Engine::first_round() noexcept {
+  const std::uint32_t count = touched_.size;
+  for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);
 }
 
-void Engine::go_on(std::uint32_t unit) noexcept {
-  UnitState& state = units[unit];
-  if ((state.flags & kStanding) == 0) return;
-  state.flags &= static_cast<std::uint8_t>(~kStanding);
-  stepped(unit);
-  time(unit, state.due);
+/// The queued units; in the second half of many rounds it is counted who steps. A unit that wants a further round puts
+/// itself at the front, where the queue has been read already.
+void Engine::further_round(std::uint32_t count, bool counting) noexcept {
+  bool any = false;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t unit = queue_[i];
+    units[unit].flags &= static_cast<std::uint16_t>(~kQueued);
+    active_ = false;
+    step(unit);
+    if (counting && active_ && units[unit].steps < kLoopSteps) ++units[unit].steps;
+    any = any || active_;
+  }
+  active_ = any;
+}
+
+void Engine::run_rounds() noexcept {
+  if (touched_.size == 0) return;
+  std::uint32_t limit = kFirstLook;
+  round_ = 1;
+  active_ = false;
+  first_round();
+  if (unpublished_) publish(true);
+  while (queued_ != 0 && active_) {
+    const std::uint32_t count = queued_;
+    queued_ = 0;
+    active_ = false;
+    ++round_;
+    if (round_ == limit / 2 + 1) forget_steps();
+    further_round(count, round_ > limit / 2);
+    if (unpublished_) publish(true);
+    if (round_ != limit || !active_) continue;
+    const bool found = look_for_loops();
+    round_ = found ? 0 : round_;
+    limit = found ? kFirstLook : 2 * limit;
+  }
+  if (queued_ != 0) forget_queue();
+  if (limit != kFirstLook || round_ > limit / 2 || loops_ != 0) forget_steps();
+  round_ = 0;
 }
 
 }  // namespace symplant::core

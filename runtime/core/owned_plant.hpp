@@ -12,8 +12,8 @@ namespace symplant::core {
 namespace detail {
 /// A base so that the memory is there before the plant that lies in it.
 struct PlantMemory {
-  explicit PlantMemory(const PlantTables& tables)
-      : size(Plant::memory_size(tables)),
+  PlantMemory(const PlantTables& tables, std::span<const Behaviour> behaviours)
+      : size(Plant::memory_size(tables, behaviours)),
         bytes(std::make_unique<std::max_align_t[]>(size / sizeof(std::max_align_t) + 1)) {}
 
   std::span<std::byte> span() const { return {reinterpret_cast<std::byte*>(bytes.get()), size}; }
@@ -26,7 +26,9 @@ struct PlantMemory {
 /// Allocates once, when it is made; throws std::bad_alloc there and nothing later. `tables` must outlive it.
 class OwnedPlant : private detail::PlantMemory, public Plant {
  public:
-  explicit OwnedPlant(const PlantTables& tables) : PlantMemory(tables), Plant(tables, PlantMemory::span()) {}
+  explicit OwnedPlant(const PlantTables& tables, std::span<const Behaviour> behaviours = {})
+      : PlantMemory(tables, behaviours), Plant(tables, PlantMemory::span(), behaviours) {}
+  explicit OwnedPlant(const PlantTables&&, std::span<const Behaviour> = {}) = delete;  // would not outlive it
 };
 
 }  // namespace symplant::core

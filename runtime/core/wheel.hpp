@@ -1,40 +1,21 @@
-// When units become due: an exact monotone radix wheel, 64-way, with one intrusive entry a unit.
+// When units become due: an exact monotone radix wheel, 256-way, with one intrusive entry a unit.
 //
-// A bucket is chosen by the highest group of six bits in which a due time differs from `last`, and by the due time's
+// A bucket is chosen by the highest group of eight bits in which a due time differs from `last`, and by the due time's
 // digit in that group (a radix heap: Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem",
 // 1990). As time goes on a bucket is cut into lower ones; a unit moves down at most once a group, so that arming and
 // expiry cost O(1) amortised whatever the number of units.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 #include "symplant/core/time.hpp"
+#include "symplant/core/unit_state.hpp"
 
 namespace symplant::core {
-
-/// What changes in one unit. All bits zero is a unit settled in state 0, in no wheel.
-struct UnitState {
-  Time due;            ///< in the wheel: when it becomes due; standing still: the time remaining
-  Time mark;           ///< settled: since when; moving: the whole time of the move
-  std::uint32_t next;  ///< in its bucket
-  std::uint32_t previous;
-  std::uint16_t transition;  ///< under way; kNoTransition on a spring's way without a command
-  std::uint8_t state;        ///< settled in, or moving from
-  std::uint8_t target;       ///< moving to
-  std::uint8_t flags;
-};
-static_assert(sizeof(UnitState) == 32);
-
-inline constexpr std::uint16_t kNoTransition = 0xFFFF;
-
-/// UnitState::flags
-inline constexpr std::uint8_t kMoving = 1;
-inline constexpr std::uint8_t kStanding = 2;  ///< moving, but its time stands still
-inline constexpr std::uint8_t kTimed = 4;     ///< has an entry in the wheel
-inline constexpr std::uint8_t kQueued = 8;    ///< will step in the coming round
-inline constexpr std::uint8_t kStepped = 16;  ///< made a step in this instant
 
 /// Lies in the flat block: indices only.
 class Wheel {
@@ -44,7 +25,12 @@ class Wheel {
   void clear() noexcept;
 
   /// `due` must not lie before any time that expired() has given.
-  void insert(UnitState* units, std::uint32_t unit, Time due) noexcept;
+  void insert(UnitState* units, std::uint32_t unit, Time due) noexcept {
+    units[unit].due = due;
+    units[unit].flags |= kTimed;
+    link(units, unit, bucket_of(due));
+    bound_ = std::min(bound_, due);
+  }
   void remove(UnitState* units, std::uint32_t unit) noexcept;
 
   /// The earliest due time up to and including `limit`, or kNever. Nothing before `limit` may be inserted afterwards
@@ -56,22 +42,65 @@ class Wheel {
   /// Takes all units due at `time`, which earliest() has just given, out of the wheel: the first of them, chained by
   /// `next`, their kTimed flags still set.
   std::uint32_t take(Time time) noexcept;
+  /// The only unit due at `time`, likewise, or kNone where there are more.
+  std::uint32_t sole(const UnitState* units, Time time) const noexcept {
+    const std::uint32_t first = heads_[digit_of(time, 0)];
+    return units[first].next == kNone ? first : kNone;
+  }
 
  private:
-  static constexpr std::size_t kLevels = 11;  // 63 bits in groups of six
+  static constexpr std::uint32_t kBits = 8;
+  static constexpr std::uint32_t kWays = 1U << kBits;
+  static constexpr std::size_t kLevels = 8;
+  static constexpr std::uint32_t kWords = kWays / 64;  ///< of `occupied_`, a level
 
-  std::uint32_t bucket_of(Time due) const noexcept;
-  void link(UnitState* units, std::uint32_t unit) noexcept;
-  void redistribute(UnitState* units, std::uint32_t level, std::uint32_t digit) noexcept;
-  std::uint32_t lowest_level() const noexcept;
-  std::uint32_t lowest_digit(std::uint32_t level) const noexcept;
-  Time bucket_minimum(const UnitState* units, std::uint32_t bucket) const noexcept;
+  static std::uint32_t digit_of(Time time, std::uint32_t level) noexcept {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(time) >> (kBits * level)) & (kWays - 1);
+  }
+  std::uint32_t bucket_of(Time due) const noexcept {
+    const std::uint64_t difference = static_cast<std::uint64_t>(due) ^ static_cast<std::uint64_t>(last_);
+    const auto level = static_cast<std::uint32_t>(63 - std::countl_zero(difference | 1)) / kBits;
+    return level * kWays + digit_of(due, level);
+  }
+  void link(UnitState* units, std::uint32_t unit, std::uint32_t bucket) noexcept {
+    const std::uint32_t head = heads_[bucket];
+    units[unit].next = head;
+    units[unit].previous = kNone;
+    heads_[bucket] = unit;
+    if (head != kNone) {
+      units[head].previous = unit;
+    } else {
+      occupy(bucket);
+    }
+  }
+  void occupy(std::uint32_t bucket) noexcept {
+    occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
+    words_ |= std::uint32_t{1} << (bucket / 64);
+  }
+  /// It has no unit any more.
+  void vacate(std::uint32_t bucket) noexcept {
+    heads_[bucket] = kNone;
+    occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
+    if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint32_t{1} << (bucket / 64));
+  }
+  /// The one that holds the earliest of all.
+  std::uint32_t lowest_bucket() const noexcept {
+    const auto word = static_cast<std::uint32_t>(std::countr_zero(words_));
+    return word * 64 + static_cast<std::uint32_t>(std::countr_zero(occupied_[word]));
+  }
+  void redistribute(UnitState* units, std::uint32_t bucket) noexcept;
+  struct Range {
+    Time first;
+    Time last;
+  };
+  /// Of a bucket that is not empty. O(its units).
+  Range bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept;
 
-  Time last_;             ///< no entry lies before it
-  Time bound_;            ///< nor before this: an idle look costs one compare
-  std::uint64_t levels_;  ///< bit l: occupied_[l] is not empty
-  std::array<std::uint64_t, kLevels> occupied_;
-  std::array<std::uint32_t, kLevels * std::size_t{64}> heads_;
+  Time last_;            ///< no entry lies before it
+  Time bound_;           ///< nor before this: an idle look costs one compare
+  std::uint32_t words_;  ///< bit w: occupied_[w] is not 0
+  std::array<std::uint64_t, kLevels * kWords> occupied_;
+  std::array<std::uint32_t, kLevels * kWays> heads_;
 };
 
 }  // namespace symplant::core

@@ -116,16 +116,13 @@ void LoopLink::read_operations(core::Plant& plant) noexcept {
   const auto image = operations_.latest();
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t now = image[word];
-    std::uint64_t changed = now ^ applied_[word];
+    const std::uint64_t changed = now ^ applied_[word];
     if (changed == 0) continue;
     applied_[word] = now;
     if (word >= operation_words_) {
       plant.set_operation_value(static_cast<std::uint32_t>(word - operation_words_), now);
-      continue;
-    }
-    for (; changed != 0; changed &= changed - 1) {
-      const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
-      plant.set_operation(static_cast<std::uint32_t>(word * kWordBits) + bit, (now >> bit & 1) != 0);
+    } else {
+      plant.set_operations(static_cast<std::uint32_t>(word), changed, now);
     }
   }
 }
@@ -140,13 +137,15 @@ void LoopLink::write_events(const core::Plant& plant) noexcept {
   const auto bits = plant.events();
   if (events_written_) {
     for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);
+    for (const std::uint32_t slot : plant.changed_event_values()) {
+      write_event_word(event_words_ + slot, plant.event_value(slot));
+    }
   } else {
     for (std::size_t word = 0; word < event_words_; ++word) write_event_word(word, bits[word]);
+    for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) {
+      write_event_word(event_words_ + slot, plant.event_value(slot));
+    }
     events_written_ = true;
-  }
-  // The plant keeps no list of changed values; numeric events are few beside bits.
-  for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) {
-    write_event_word(event_words_ + slot, plant.event_value(slot));
   }
   events_.publish();
 }

@@ -65,6 +65,7 @@ class LimitGrid {
 };
 
 /// A plant of the engine with the controller's look at what it changed.
+template <class Made>
 class EngineLoop {
  public:
   EngineLoop(std::uint32_t devices, const std::vector<core::Time>& travels)
@@ -83,8 +84,8 @@ class EngineLoop {
       const std::uint64_t arrived = now & ~seen_[word];
       seen_[word] = now;
       motions += answer(word, arrived, [this](std::uint32_t bit) {
-        plant().set_operation(bit ^ 1, false);
-        plant().set_operation(bit, true);
+        const std::uint64_t both = std::uint64_t{3} << (bit % 64 & ~1U);
+        plant().set_operations(bit / 64, both, std::uint64_t{1} << (bit % 64));
       });
     }
     plant().forget_changed_events();
@@ -92,38 +93,41 @@ class EngineLoop {
   }
 
  private:
-  TwoStatePlant made_;
+  Made made_;
   std::vector<std::uint64_t> seen_;
 };
 
 /// *grid*: arrivals fall on a 10 ms scan; a step is a scan.
-class EngineGrid : public EngineLoop {
+template <class Made>
+class EngineScan : public EngineLoop<Made> {
  public:
-  explicit EngineGrid(std::uint32_t devices) : EngineLoop(devices, {kTicks * kTick}) {
+  explicit EngineScan(std::uint32_t devices) : EngineLoop<Made>(devices, {kTicks * kTick}) {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
-      for (std::uint32_t d = tick; d < devices; d += kTicks) plant().set_operation(2 * d + 1, true);
+      for (std::uint32_t d = tick; d < devices; d += kTicks) this->plant().set_operation(2 * d + 1, true);
       step();
     }
   }
 
   std::int64_t step() {
-    plant().advance_to(now_);
+    this->plant().advance_to(now_);
     now_ += kTick;
-    return answer_plant();
+    return this->answer_plant();
   }
 
  private:
   core::Time now_ = 0;
 };
+using EngineGrid = EngineScan<TwoStatePlant>;
+/// *rich*: the same with a condition and an `after` a device, and disables.
+using EngineRich = EngineScan<RichPlant>;
 
 /// *distinct*: every arrival an instant of its own, the answer another; a step is both.
-class EngineDistinct : public EngineLoop {
+class EngineDistinct : public EngineLoop<TwoStatePlant> {
  public:
   explicit EngineDistinct(std::uint32_t devices) : EngineLoop(devices, travels(devices)) {
-    core::Time now = 1;
-    for (std::uint32_t d = 0; d < devices; ++d) {
+    for (std::uint32_t d = 0; d < devices; ++d) {  // their arrivals spread over the time that a travel takes
       plant().set_operation(2 * d + 1, true);
-      plant().advance_to(now += 10'007);
+      plant().advance_to(1 + core::kSecond / devices * core::Time{d});
       answer_plant();
     }
     for (std::uint32_t d = 0; d < 2 * devices; ++d) step();
@@ -133,7 +137,7 @@ class EngineDistinct : public EngineLoop {
     plant().advance_to(plant().next_due());
     const std::int64_t motions = answer_plant();
     plant().advance_to(plant().now() + 1);
-    return motions + answer_plant();
+    return motions;
   }
 
  private:

@@ -1,7 +1,7 @@
 // Runs a closed loop a given number of steps, so that callgrind can count instructions: the difference of two run
 // lengths, divided by the difference of their motions, is what a motion costs.
 //
-//   motions limit|grid|distinct DEVICES STEPS
+//   motions limit|grid|distinct|rich DEVICES STEPS
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -23,7 +23,7 @@ long long run(std::uint32_t devices, long steps) {
 int main(int argc, char** argv) {
   using namespace symplant::bench;
   if (argc != 4) {
-    std::fputs("usage: motions limit|grid|distinct DEVICES STEPS\n", stderr);
+    std::fputs("usage: motions limit|grid|distinct|rich DEVICES STEPS\n", stderr);
     return 2;
   }
   const std::string_view load = argv[1];
@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   const long steps = std::atol(argv[3]);
   const long long motions = load == "limit"  ? run<LimitGrid>(devices, steps)
                             : load == "grid" ? run<EngineGrid>(devices, steps)
+                            : load == "rich" ? run<EngineRich>(devices, steps)
                                              : run<EngineDistinct>(devices, steps);
   std::printf("%lld motions\n", motions);
   return 0;

@@ -19,8 +19,8 @@ static_assert(AGV::d_ext(AGV::State::kP1, AGV::Operation::kP2) == AGV::State::kP
 static_assert(AGV::d_ext(AGV::State::kP2, AGV::Operation::kP1) == AGV::State::kP1);
 static_assert(AGV::d_ext(AGV::State::kP2, AGV::Operation::kP2) == AGV::State::kP2, "it leads nowhere from there");
 static_assert(AGV::d_int(AGV::State::kP1) == AGV::State::kP1, "it stays");
-static_assert(AGV::l_enter(AGV::State::kP1) == 1 && AGV::l_leave(AGV::State::kP2) == 2);
-static_assert(AGV::l_disable(AGV::State::kP1).empty());
+static_assert(AGV::l_enter(AGV::State::kP1).on == 1 && AGV::l_enter(AGV::State::kP1).off == 0);
+static_assert(AGV::l_leave(AGV::State::kP2).on == 0 && AGV::l_leave(AGV::State::kP2).off == 2);
 
 // A machine that goes on by itself.
 using mixed::ROBOT;
@@ -31,6 +31,11 @@ static_assert(ROBOT::d_int(ROBOT::State::kIDLE1) == ROBOT::State::kIDLE1);
 // A single solenoid rests where nothing commands it.
 static_assert(cylinder::CYL::row().actuation == core::Actuation::spring);
 static_assert(cylinder::CYL::row().rest == static_cast<std::uint8_t>(cylinder::CYL::State::kRET));
+
+TEST_CASE("symbols alone disable nobody") {
+  const auto agv = static_cast<std::uint32_t>(excell::Device::kEXLINE_MB_AGV);
+  for (const AGV::State state : AGV::kS) CHECK(AGV::l_disable(agv, state).empty());
+}
 
 TEST_CASE("the factory makes a plant whose devices and symbols go by name") {
   const auto plant = excell::make_plant();

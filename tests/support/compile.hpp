@@ -1,13 +1,20 @@
 // From a list as text to what each stage makes of it, in memory.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "check/check_plant.hpp"
+#include "lower/lower.hpp"
+#include "model/build_plant.hpp"
+#include "name/named_table.hpp"
+#include "name/naming_rule.hpp"
 #include "support/memory_file_system.hpp"
 
 namespace symplant::test {
@@ -89,6 +96,21 @@ inline Analysed analyse_rows(const std::vector<Row>& rows, std::optional<address
   return analyse_text(list_text(rows), xy);
 }
 
+/// Reads and names rows, builds their plant with a description, checks it: analyse() with what plant.json would say.
+inline Analysed analyse_described(const std::vector<Row>& rows, model::Description description) {
+  MemoryFileSystem files;
+  files.files["symbols.csv"] = list_text(rows);
+  Analysed result;
+  auto table = read::read_symbol_list("symbols.csv", {}, files, result.diagnostics);
+  const auto list = std::make_shared<const read::SymbolTable>(std::move(table.value()));
+  const name::NamedTable named = name::read_names(*list, name::built_in_rule());
+  result.plant = model::build_plant(
+      list, named, {"symbols", {}, std::make_shared<const model::Description>(std::move(description))});
+  check::check_plant(*result.plant, result.diagnostics);
+  result.diagnostics.sort_by_place();
+  return result;
+}
+
 struct CompiledText {
   std::optional<app::Compiled> compiled;
   diag::Diagnostics diagnostics;
@@ -108,5 +130,16 @@ inline CompiledText compile_text(const std::string& text, const std::string& nam
 }
 
 inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_text(list_text(rows)); }
+
+/// compile() with a description; nothing where it, or the list, has a fault.
+inline CompiledText compile_described(const std::vector<Row>& rows, model::Description description) {
+  Analysed analysed = analyse_described(rows, std::move(description));
+  CompiledText result;
+  result.diagnostics = std::move(analysed.diagnostics);
+  if (result.diagnostics.has_errors() || !analysed.plant->description_faults.empty()) return result;
+  lower::EngineTables tables = lower::lower(*analysed.plant);
+  result.compiled = app::Compiled{std::move(*analysed.plant), std::move(tables)};
+  return result;
+}
 
 }  // namespace symplant::test

@@ -1,6 +1,7 @@
 // Plants built by hand, for tests of the engine alone.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <initializer_list>
 #include <map>
@@ -42,7 +43,7 @@ class HandPlant {
       const HandUnit& unit = units[i];
       Parts& parts = parts_[i];
       types_.push_back({static_cast<std::uint8_t>(unit.operation_targets.size()), unit.states, unit.states, unit.rest,
-                        unit.actuation, parts.transitions, parts.masks, parts.masks, parts.targets});
+                        unit.actuation, parts.transitions, parts.enter, parts.leave, parts.targets});
     }
     tables.types = types_;
     tables.units = rows_;
@@ -62,21 +63,26 @@ class HandPlant {
  private:
   struct Parts {
     std::vector<core::Transition> transitions;
-    std::vector<std::uint64_t> masks;
+    std::vector<core::EventMasks> enter;
+    std::vector<core::EventMasks> leave;
     std::vector<std::uint8_t> targets;
   };
 
   void add(const HandUnit& unit) {
     const auto bit = static_cast<std::uint32_t>(64 * rows_.size());
-    rows_.push_back(
-        {static_cast<std::uint32_t>(rows_.size()), bit, bit, static_cast<std::uint32_t>(times_.size()), unit.initial});
+    const bool timed = std::any_of(unit.ways.begin(), unit.ways.end(), [](const Way& way) { return way.after != 0; });
+    rows_.push_back({static_cast<std::uint32_t>(rows_.size()) & 0x7F'FFFF, unit.initial, timed ? 1U : 0U, bit, bit,
+                     static_cast<std::uint32_t>(times_.size())});
     times_.push_back({0, unit.travel});
     Parts& parts = parts_[rows_.size() - 1];
     for (const Way& way : unit.ways) {
-      parts.transitions.push_back({way.from, way.to, way.on});
+      parts.transitions.push_back({way.from, way.to, way.on, false, core::kNoCondition, timed});
       times_.push_back({way.after, way.takes});
     }
-    for (std::uint8_t s = 0; s < unit.states; ++s) parts.masks.push_back(std::uint64_t{1} << s);
+    for (std::uint8_t s = 0; s < unit.states; ++s) {
+      parts.enter.push_back({std::uint64_t{1} << s, 0});
+      parts.leave.push_back({0, std::uint64_t{1} << s});
+    }
     parts.targets = unit.operation_targets;
   }
 

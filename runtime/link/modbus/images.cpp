@@ -58,13 +58,14 @@ Images::Images(const core::PlantTables& tables, const IoMap& map)
       place_of_event_(places_of_events(tables, map)),
       applied_(initial_operations(map)),
       events_written_(tables.event_bits / kPlaneWordBits, 0),
+      register_of_slot_(tables.event_slots, kNoPlace),
       operations_(applied_),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
   std::vector<bool> seen(size_of(map, Table::input_register));
   for (const IoPoint& point : map.points) {
     if (point.table != Table::input_register || seen[point.number]) continue;
     seen[point.number] = true;  // of several symbols on one register the first speaks
-    input_registers_.push_back({tables.symbols[point.symbol].index, point.number});
+    register_of_slot_[tables.symbols[point.symbol].index] = point.number;
   }
 }
 
@@ -140,26 +141,24 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
   }
 }
 
-void Images::write_input_registers(const core::Plant& plant) noexcept {
-  const auto registers = events_.words().subspan(discrete_words_);
-  for (const RegisterPoint& point : input_registers_) {
-    const auto value = static_cast<std::uint16_t>(plant.event_value(point.slot));
-    if (get_register(registers, point.place) == value) continue;
-    set_register(registers, point.place, value);
-    events_.touch(discrete_words_ + point.place / kRegistersPerWord);
-  }
+void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexcept {
+  const std::uint32_t place = register_of_slot_[slot];
+  if (place == kNoPlace) return;
+  set_register(events_.words().subspan(discrete_words_), place, static_cast<std::uint16_t>(value));
+  events_.touch(discrete_words_ + place / kRegistersPerWord);
 }
 
 void Images::write_events(const core::Plant& plant) noexcept {
   const auto bits = plant.events();
   if (first_write_) {
     for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);
+    for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot)
+      write_input_register(slot, plant.event_value(slot));
     first_write_ = false;
   } else {
     for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);
+    for (const std::uint32_t slot : plant.changed_event_values()) write_input_register(slot, plant.event_value(slot));
   }
-  // The plant keeps no list of changed values, so this costs the registers that there are, not those that changed.
-  write_input_registers(plant);
   events_.publish();
 }
 

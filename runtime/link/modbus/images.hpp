@@ -44,17 +44,13 @@ class Images {
 
     std::span<const std::uint32_t> at(std::uint32_t place) const noexcept;
   };
-  struct RegisterPoint {
-    std::uint32_t slot;
-    std::uint16_t place;
-  };
 
   static ByPlace by_place(const IoMap& map, Table table);
   std::vector<std::uint64_t> initial_operations(const IoMap& map) const;
   void apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
   void apply_registers(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
   void write_event_word(std::uint32_t word, std::uint64_t bits) noexcept;
-  void write_input_registers(const core::Plant& plant) noexcept;
+  void write_input_register(std::uint32_t slot, std::uint64_t value) noexcept;
 
   const core::PlantTables& tables_;
   std::array<std::uint32_t, kTables> sizes_;
@@ -62,10 +58,10 @@ class Images {
   std::size_t discrete_words_;  ///< input registers follow them
   ByPlace coils_;
   ByPlace holding_registers_;
-  std::vector<std::uint32_t> place_of_event_;  ///< an event bit: its discrete input, or none
-  std::vector<RegisterPoint> input_registers_;
-  std::vector<std::uint64_t> applied_;         ///< operations that the plant was given, as in the image
-  std::vector<std::uint64_t> events_written_;  ///< the plant's event plane as the image has it
+  std::vector<std::uint32_t> place_of_event_;    ///< an event bit: its discrete input, or none
+  std::vector<std::uint64_t> applied_;           ///< operations that the plant was given, as in the image
+  std::vector<std::uint64_t> events_written_;    ///< the plant's event plane as the image has it
+  std::vector<std::uint32_t> register_of_slot_;  ///< a numeric event: its input register, or none
   bool first_write_ = true;
   share::SharedWords operations_;  ///< server -> cycle
   share::SharedWords events_;      ///< cycle -> server

@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -16,29 +17,76 @@ using core::PlantTables;
 /// Tables with a row of every kind.
 struct Sample {
   std::vector<core::Transition> transitions{{0, 1, 0}, {1, 0, core::kNoOperation}};
-  std::vector<std::uint64_t> enter{1, 2};
-  std::vector<std::uint64_t> leave{1, 2};
+  std::vector<core::EventMasks> enter{{1, 0}, {2, 0}};
+  std::vector<core::EventMasks> leave{{0, 1}, {0, 2}};
   std::vector<std::uint8_t> targets{1};
-  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
+  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0, 0}};
   std::vector<core::TransitionTimes> times{{0, 5}, {0, 6}, {7, 0}};
+  std::vector<core::RandomTime> random{{core::RandomTime::Kind::uniform, 1, 2}};
   std::vector<core::SymbolRow> symbols{
       {0, 0, 3, 2,
        core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true)}};
   std::vector<core::InitialValue> initial{{0, 1}};
   std::vector<core::SharedAddress> shared{{0, 0}};
+  std::vector<core::DisableRow> disables{{0, 1, 1}};
+  std::vector<core::ConditionRow> conditions{{0b10, 0, 0, core::ReaderKind::unit}};
+  std::vector<core::ConditionedUnit> conditioned{{0, 0}};
+  std::vector<core::UnitWatch> unit_watches{{0, 0, 1, 0}};
+  std::vector<core::BitWatch> operation_watches{{0, 0, 0}};
+  std::vector<core::BitWatch> event_watches{{0, 0, 0}};
+  std::vector<core::ValueWatch> operation_values{
+      {5, 0, 0, 0, core::Comparison::less, core::NumberKind::signed_integer}};
+  std::vector<core::ValueWatch> event_values{{5, 0, 0, 0, core::Comparison::less, core::NumberKind::real}};
+  std::vector<core::RequirementRow> requirements{{core::RequirementRow::Kind::expect, 0, 1, 9}};
+  std::vector<core::BehaviourUnit> behaviours{{0, 0, 0, 1, 0, 1}};
+  std::vector<std::uint32_t> behaviour_values{3};
   std::uint8_t rest = core::kNoState;
   core::Actuation actuation = core::Actuation::latched;
   std::string name = "plant";
   std::string unit_names{"U\0", 2};
   std::string state_names{"A\0B\0", 4};
   std::string symbol_names{"S\0Y3\0", 5};
+  std::string requirement_names{"R\0", 2};
+  std::string behaviour_names{"B\0", 2};
   std::string list = "list.csv";
-  std::uint32_t bits = 64;
+  std::uint32_t operation_bits = 64;
+  std::uint32_t event_bits = 64;
+  std::uint32_t operation_slots = 0;
+  std::uint32_t event_slots = 0;
 
   std::uint64_t hash() const {
     const std::vector<core::TypeRow> types{{1, 2, 2, rest, actuation, transitions, enter, leave, targets}};
-    return core::model_hash({name, types, units, times, symbols, initial, shared, bits, bits, 0, 0, unit_names,
-                             state_names, symbol_names, list});
+    PlantTables tables{};
+    tables.name = name;
+    tables.types = types;
+    tables.units = units;
+    tables.times = times;
+    tables.random_times = random;
+    tables.symbols = symbols;
+    tables.initial_values = initial;
+    tables.shared_addresses = shared;
+    tables.disables = disables;
+    tables.conditions = conditions;
+    tables.conditioned_units = conditioned;
+    tables.unit_watches = unit_watches;
+    tables.operation_watches = operation_watches;
+    tables.event_watches = event_watches;
+    tables.operation_value_watches = operation_values;
+    tables.event_value_watches = event_values;
+    tables.requirements = requirements;
+    tables.behaviour_units = behaviours;
+    tables.behaviour_values = behaviour_values;
+    tables.operation_bits = operation_bits;
+    tables.event_bits = event_bits;
+    tables.operation_slots = operation_slots;
+    tables.event_slots = event_slots;
+    tables.unit_names = unit_names;
+    tables.state_names = state_names;
+    tables.symbol_names = symbol_names;
+    tables.requirement_names = requirement_names;
+    tables.behaviour_names = behaviour_names;
+    tables.list = list;
+    return core::model_hash(tables);
   }
 };
 
@@ -47,8 +95,14 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.transitions[0].from = 1; },
       [](Sample& s) { s.transitions[0].to = 0; },
       [](Sample& s) { s.transitions[1].on = 0; },
-      [](Sample& s) { s.enter[1] = 3; },
-      [](Sample& s) { s.leave[1] = 3; },
+      [](Sample& s) { s.transitions[1].once = true; },
+      [](Sample& s) { s.transitions[1].when = 0; },
+      [](Sample& s) { s.transitions[1].when = 0xFF00; },
+      [](Sample& s) { s.transitions[1].timed = true; },
+      [](Sample& s) { s.enter[1].on = 3; },
+      [](Sample& s) { s.enter[1].off = 1; },
+      [](Sample& s) { s.leave[1].on = 1; },
+      [](Sample& s) { s.leave[1].off = 3; },
       [](Sample& s) { s.targets[0] = 0; },
       [](Sample& s) { s.rest = 0; },
       [](Sample& s) { s.actuation = core::Actuation::spring; },
@@ -57,8 +111,12 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.units[0].event_bit = 1; },
       [](Sample& s) { s.units[0].times = 1; },
       [](Sample& s) { s.units[0].initial = 1; },
+      [](Sample& s) { s.units[0].rich = 1; },
       [](Sample& s) { s.times[1].takes = 7; },
       [](Sample& s) { s.times[2].after = 8; },
+      [](Sample& s) { s.random[0].kind = core::RandomTime::Kind::normal; },
+      [](Sample& s) { s.random[0].a = 0; },
+      [](Sample& s) { s.random[0].b = 3; },
       [](Sample& s) { s.symbols[0].index = 1; },
       [](Sample& s) { s.symbols[0].unit = core::kNoUnit; },
       [](Sample& s) { s.symbols[0].number = 4; },
@@ -81,13 +139,66 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.initial[0].value = 0; },
       [](Sample& s) { s.initial[0].symbol = 1; },
       [](Sample& s) { s.shared[0].leader = 1; },
+      [](Sample& s) { s.shared[0].symbol = 1; },
+      [](Sample& s) { s.disables[0].by = 1; },
+      [](Sample& s) { s.disables[0].unit = 0; },
+      [](Sample& s) { s.disables[0].state = 0; },
+      [](Sample& s) { s.conditions[0].truth = 1; },
+      [](Sample& s) { s.conditions[0].reader = 1; },
+      [](Sample& s) { s.conditions[0].reader_input = 1; },
+      [](Sample& s) { s.conditions[0].reader_kind = core::ReaderKind::requirement; },
+      [](Sample& s) { s.conditioned[0].unit = 1; },
+      [](Sample& s) { s.conditioned[0].first_condition = 1; },
+      [](Sample& s) { s.unit_watches[0].unit = 1; },
+      [](Sample& s) { s.unit_watches[0].condition = 1; },
+      [](Sample& s) { s.unit_watches[0].state = core::kMovingState; },
+      [](Sample& s) { s.unit_watches[0].input = 1; },
+      [](Sample& s) { s.operation_watches[0].bit = 1; },
+      [](Sample& s) { s.operation_watches[0].condition = 1; },
+      [](Sample& s) { s.operation_watches[0].input = 1; },
+      [](Sample& s) { s.event_watches[0].bit = 1; },
+      [](Sample& s) { s.event_watches[0].condition = 1; },
+      [](Sample& s) { s.event_watches[0].input = 1; },
+      [](Sample& s) { s.operation_values[0].operand = 6; },
+      [](Sample& s) { s.operation_values[0].slot = 1; },
+      [](Sample& s) { s.operation_values[0].condition = 1; },
+      [](Sample& s) { s.operation_values[0].input = 1; },
+      [](Sample& s) { s.operation_values[0].comparison = core::Comparison::equal; },
+      [](Sample& s) { s.operation_values[0].kind = core::NumberKind::unsigned_integer; },
+      [](Sample& s) { s.event_values[0].operand = 6; },
+      [](Sample& s) { s.event_values[0].slot = 1; },
+      [](Sample& s) { s.event_values[0].condition = 1; },
+      [](Sample& s) { s.event_values[0].input = 1; },
+      [](Sample& s) { s.event_values[0].comparison = core::Comparison::equal; },
+      [](Sample& s) { s.event_values[0].kind = core::NumberKind::signed_integer; },
+      [](Sample& s) { s.requirements[0].kind = core::RequirementRow::Kind::never; },
+      [](Sample& s) { s.requirements[0].condition = 1; },
+      [](Sample& s) { s.requirements[0].expected = 0; },
+      [](Sample& s) { s.requirements[0].within = 8; },
+      [](Sample& s) { s.behaviours[0].unit = 1; },
+      [](Sample& s) { s.behaviours[0].name = 1; },
+      [](Sample& s) { s.behaviours[0].first_input = 1; },
+      [](Sample& s) { s.behaviours[0].input_count = 0; },
+      [](Sample& s) { s.behaviours[0].first_value = 1; },
+      [](Sample& s) { s.behaviours[0].value_count = 0; },
+      [](Sample& s) { s.behaviour_values[0] = 4; },
       [](Sample& s) { s.name = "plane"; },
       [](Sample& s) { s.unit_names[0] = 'V'; },
       [](Sample& s) { s.state_names[0] = 'C'; },
       [](Sample& s) { s.symbol_names[0] = 'T'; },
-      [](Sample& s) { s.bits = 128; },
+      [](Sample& s) { s.requirement_names[0] = 'Q'; },
+      [](Sample& s) { s.behaviour_names[0] = 'C'; },
+      [](Sample& s) { s.operation_bits = 128; },
+      [](Sample& s) { s.event_bits = 128; },
+      [](Sample& s) { s.operation_slots = 1; },
+      [](Sample& s) { s.event_slots = 1; },
       [](Sample& s) { s.units.push_back(s.units[0]); },
       [](Sample& s) { s.initial.clear(); },
+      [](Sample& s) { s.random.clear(); },
+      [](Sample& s) { s.disables.clear(); },
+      [](Sample& s) { s.operation_watches.clear(); },  // one watch, on the one side or on the other
+      [](Sample& s) { s.event_watches.clear(); },
+      [](Sample& s) { std::swap(s.operation_values, s.event_values); },
   };
   std::set<std::uint64_t> hashes{Sample{}.hash()};
   for (std::size_t i = 0; i < changes.size(); ++i) {

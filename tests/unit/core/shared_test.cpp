@@ -16,11 +16,12 @@ using core::kNoUnit;
 /// on one address, a free event that starts on, and a numeric event that starts at 7.
 struct SharedPlant {
   std::vector<core::Transition> transitions{{1, 0, 0}, {0, 1, 1}};
-  std::vector<std::uint64_t> masks{1, 2};
+  std::vector<core::EventMasks> enter{{1, 0}, {2, 0}};
+  std::vector<core::EventMasks> leave{{0, 1}, {0, 2}};
   std::vector<std::uint8_t> targets{0, 1};
   std::vector<core::TypeRow> types{
-      {2, 2, 2, core::kNoState, core::Actuation::latched, transitions, masks, masks, targets}};
-  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
+      {2, 2, 2, core::kNoState, core::Actuation::latched, transitions, enter, leave, targets}};
+  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0, 0}};
   std::vector<core::TransitionTimes> times{{0, 10}, {0, 10}, {0, 10}};
   std::vector<core::SymbolRow> symbols{
       {1, 0, 1, 1, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, true)},
@@ -33,8 +34,23 @@ struct SharedPlant {
       {0, kNoUnit, 6, 8, core::symbol_kind(DataType::int_, Direction::event, AddressForm::number, false)}};
   std::vector<core::InitialValue> initial{{4, 1}, {7, 7}};
   std::vector<core::SharedAddress> shared{{1, 0}, {3, 2}, {6, 5}};
-  core::PlantTables tables{"shared", types, units, times, symbols, initial, shared, 64, 64, 2, 1, {}, {}, {}, {}};
+  core::PlantTables tables = rows();
   core::OwnedPlant plant{tables};
+
+  core::PlantTables rows() const {
+    core::PlantTables all{};
+    all.name = "shared";
+    all.types = types;
+    all.units = units;
+    all.times = times;
+    all.symbols = symbols;
+    all.initial_values = initial;
+    all.shared_addresses = shared;
+    all.operation_bits = all.event_bits = 64;
+    all.operation_slots = 2;
+    all.event_slots = 1;
+    return all;
+  }
 };
 
 TEST_CASE("writing one operation of an address writes all of them, whichever it was") {

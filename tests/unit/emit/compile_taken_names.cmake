@@ -2,8 +2,10 @@
 # every file of them.
 set(devices
     NULL EOF errno I linux unix class int operator Plant Device Symbol Operation Event State kI kO kS kEnter kLeave
-    kTargets kTransitions kTypes kUnits kTimes kSymbols kTables kInitialValues kSharedAddresses kUnitNames kStateNames
-    kSymbolNames kOperation kEvent kNone kNumber kOther kFree T core tables symplant std row array span string 1ST 2ND
+    kTargets kTransitions kTypes kUnits kTimes kRandomTimes kSymbols kTables kInitialValues kSharedAddresses kDisables
+    kConditions kConditionedUnits kUnitWatches kOperationWatches kEventWatches kOperationValueWatches kEventValueWatches
+    kRequirements kBehaviourUnits kBehaviourValues kUnitNames kStateNames kSymbolNames kRequirementNames kBehaviourNames
+    kOperation kEvent kNone kNumber kOther kFree T core tables symplant std row array span string 1ST 2ND
     time index signal uint8 OwnedPlant main)
 set(list "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n")
 set(number 0)

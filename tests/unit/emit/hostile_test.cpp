@@ -47,6 +47,7 @@ TEST_CASE("Comments hold printable ASCII without a backslash") {
   CHECK(emit::comment_text("\xE2\x80\xAE") == "<U+202E>");
   CHECK(emit::comment_text("\xF0\x9F\xA4\x96") == "<U+1F916>");
   CHECK(emit::comment_text("plain */ text") == "plain */ text");
+  CHECK(emit::comment_text("what?/ what?\?/") == "what?/ what?<U+003F>/");
 }
 
 TEST_CASE("String literals escape what would end or change them") {

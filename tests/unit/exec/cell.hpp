@@ -32,16 +32,17 @@ namespace cell {
 enum Operation : std::uint32_t { kAgvToP2, kAgvToP1, kMachineToIdle1, kMachineToRun2 };
 enum Event : std::uint32_t { kAgvAtP1, kAgvAtP2, kMachineIdle1, kMachineRun2 };
 
-inline constexpr std::array<std::uint64_t, 2> kEvents = {1, 2};
+inline constexpr std::array<core::EventMasks, 2> kEnter = {{{1, 0}, {2, 0}}};
+inline constexpr std::array<core::EventMasks, 2> kLeave = {{{0, 1}, {0, 2}}};
 inline constexpr std::array kAgvWays = {core::Transition{0, 1, 0}, core::Transition{1, 0, 1}};
 inline constexpr std::array<std::uint8_t, 2> kAgvTargets = {1, 0};
 inline constexpr std::array kMachineWays = {core::Transition{0, 1, 1}, core::Transition{1, 0, 0}};
 inline constexpr std::array<std::uint8_t, 2> kMachineTargets = {0, 1};
 inline constexpr std::array kTypes = {
-    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kAgvWays, kEvents, kEvents, kAgvTargets},
-    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kMachineWays, kEvents, kEvents, kMachineTargets},
+    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kAgvWays, kEnter, kLeave, kAgvTargets},
+    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kMachineWays, kEnter, kLeave, kMachineTargets},
 };
-inline constexpr std::array kUnits = {core::UnitRow{0, 0, 0, 0, 0}, core::UnitRow{1, 2, 2, 0, 0}};
+inline constexpr std::array kUnits = {core::UnitRow{0, 0, 0, 0, 0, 0}, core::UnitRow{1, 0, 0, 2, 2, 0}};
 inline constexpr core::TransitionTimes kTravel = {0, core::kSecond};
 inline constexpr std::array kTimes = {kTravel, kTravel, kTravel};
 

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/strings.hpp"
 #include "symplant/host/exit_codes.hpp"
@@ -14,12 +15,23 @@ namespace {
 
 /// One unit that goes round by itself, a second a state.
 struct Clockwork {
-  std::vector<core::Transition> transitions{{0, 1, core::kNoOperation}, {1, 0, core::kNoOperation}};
-  std::vector<std::uint64_t> masks{1, 2};
-  std::vector<core::TypeRow> types{{0, 2, 2, core::kNoState, core::Actuation::latched, transitions, masks, masks, {}}};
-  std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}};
+  std::vector<core::Transition> transitions{{0, 1, core::kNoOperation, false, core::kNoCondition, true},
+                                            {1, 0, core::kNoOperation, false, core::kNoCondition, true}};
+  std::vector<core::EventMasks> enter{{1, 0}, {2, 0}};
+  std::vector<core::EventMasks> leave{{0, 1}, {0, 2}};
+  std::vector<core::TypeRow> types{{0, 2, 2, core::kNoState, core::Actuation::latched, transitions, enter, leave, {}}};
+  std::vector<core::UnitRow> units{{0, 0, 1, 0, 0, 0}};
   std::vector<core::TransitionTimes> times{{0, core::kSecond}, {core::kSecond, 0}, {core::kSecond, 0}};
-  core::PlantTables tables{"clockwork", types, units, times, {}, {}, {}, 0, 64, 0, 0, {}, {}, {}, "none"};
+  core::PlantTables tables = rows();
+
+  core::PlantTables rows() const {
+    core::PlantTables all = bare_tables("clockwork", 0, 64);
+    all.types = types;
+    all.units = units;
+    all.times = times;
+    all.list = "none";
+    return all;
+  }
 };
 
 struct Outcome {
@@ -51,7 +63,8 @@ TEST_CASE("virtual time ends where it was asked to") {
 }
 
 TEST_CASE("virtual time ends when nothing more is due") {
-  const core::PlantTables empty{"empty", {}, {}, {}, {}, {}, {}, 0, 0, 0, 0, {}, {}, {}, "none"};
+  core::PlantTables empty = bare_tables("empty", 0, 0);
+  empty.list = "none";
   CHECK(contains(run(empty, {}).out, "nothing more is due"));
 }
 

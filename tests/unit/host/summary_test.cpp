@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/strings.hpp"
 #include "symplant/core/digest.hpp"
@@ -15,7 +16,7 @@ using core::DataType;
 using core::Direction;
 
 TEST_CASE("the summary says what can move and names what nobody moves") {
-  const std::vector<core::UnitRow> units{{0, 0, 0, 0, 0}, {0, 1, 1, 0, 0}};
+  const std::vector<core::UnitRow> units{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 0}};
   const auto event = [](std::uint32_t index, std::uint32_t unit, bool moved) {
     return core::SymbolRow{index, unit, 0, 2,
                            core::symbol_kind(DataType::boolean, Direction::event, AddressForm::none, moved)};
@@ -26,7 +27,10 @@ TEST_CASE("the summary says what can move and names what nobody moves") {
       event(1, 1, false),
       event(2, core::kNoUnit, false)};
   const std::string names{"OP\0\0EV\0\0PB\0\0\x1b[31m\xE2\x80\xAE!\0\0", 24};
-  const core::PlantTables tables{"cell", {}, units, {}, symbols, {}, {}, 64, 64, 0, 0, {}, {}, names, "cell.csv"};
+  core::PlantTables tables = bare_tables("cell", 64, 64, 0, symbols);
+  tables.units = units;
+  tables.symbol_names = names;
+  tables.list = "cell.csv";
   const std::string text = host::summary(tables, 0x1234, {"a further line"});
   CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
   CHECK(contains(text, "a further line\n"));

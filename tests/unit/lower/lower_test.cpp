@@ -3,10 +3,9 @@
 
 #include <set>
 
-#include "support/catch.hpp"
-#include "support/compile.hpp"
 #include "symplant/core/digest.hpp"
 #include "symplant/core/names.hpp"
+#include "unit/lower/altered_model.hpp"
 
 namespace symplant::test {
 namespace {
@@ -95,8 +94,8 @@ TEST_CASE("An event that follows another unit's is switched by that unit alone")
   REQUIRE(text.compiled);
   const lower::EngineTables& tables = text.tables();
   const lower::Type& follower = tables.types[tables.units[1].type];
-  CHECK(follower.enter == std::vector<std::uint64_t>{0, 2});
-  CHECK(follower.leave == std::vector<std::uint64_t>{0, 2});
+  CHECK(masks(follower.enter) == Masks{{0, 0}, {2, 0}});
+  CHECK(masks(follower.leave) == Masks{{0, 0}, {0, 2}});
 }
 
 TEST_CASE("Numbers of different types on one address are not kept equal bit by bit: links know each type") {
@@ -104,6 +103,21 @@ TEST_CASE("Numbers of different types on one address are not kept equal bit by b
   REQUIRE(text.compiled);
   CHECK(text.tables().shared_addresses.empty());
   CHECK(text.tables().initial_values.size() == 2);
+}
+
+TEST_CASE(
+    "Of several numbers of one type on an address the first leads, whatever type the address's first symbol has") {
+  const CompiledText text = compile_rows({{"N1", "", "INT", "", "%QW5"},
+                                          {"N2", "", "WORD", "", "%QW5"},
+                                          {"N3", "", "WORD", "", "%QW5"},
+                                          {"N4", "", "INT", "", "%QW5"}});
+  REQUIRE(text.compiled);
+  const auto& shared = text.tables().shared_addresses;
+  REQUIRE(shared.size() == 2);
+  CHECK(shared[0].symbol == 2);
+  CHECK(shared[0].leader == 1);
+  CHECK(shared[1].symbol == 3);
+  CHECK(shared[1].leader == 0);
 }
 
 TEST_CASE("Units of equal structure and names share a type and its times") {
@@ -145,8 +159,8 @@ TEST_CASE("Two events of one unit on one address are set and reset together") {
   const CompiledText text =
       compile_rows({{"L_P_D_I_A1", "X1"}, {"L_P_D_I_B2", "X1"}, {"L_P_D_O_A1", "Y1"}, {"L_P_D_O_B2", "Y2"}});
   const lower::Type& type = text.tables().types[0];
-  CHECK(type.enter == std::vector<std::uint64_t>{3, 3});
-  CHECK(type.leave == std::vector<std::uint64_t>{3, 3});
+  CHECK(masks(type.enter) == Masks{{3, 0}, {3, 0}});
+  CHECK(masks(type.leave) == Masks{{0, 3}, {0, 3}});
 }
 
 TEST_CASE("Starting values are those of numeric symbols and unmodelled inputs alone") {

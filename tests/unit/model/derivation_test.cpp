@@ -4,6 +4,7 @@
 namespace symplant::test {
 namespace {
 
+using model::Duration;
 using model::InitialFrom;
 
 Analysed analyse_bits(const std::vector<std::string>& names) { return analyse_rows(bits(names)); }
@@ -18,8 +19,8 @@ TEST_CASE("Every operation leads to its state from every other, by S of the targ
       analyse_bits({"L_P_D_O_C3", "L_P_D_I_C3", "L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
   CHECK(transitions_text(list, unit_of(list)) == "B2-O_A1>A1 C3-O_A1>A1 A1-O_B2>B2 C3-O_B2>B2 A1-O_C3>C3 B2-O_C3>C3");
   for (const model::Transition& t : unit_of(list).transitions) {
-    CHECK(t.after == 0);
-    CHECK(t.takes == core::kSecond);
+    CHECK(t.after == Duration{});
+    CHECK(t.takes == Duration::fixed(core::kSecond));
   }
   CHECK_FALSE(springs(unit_of(list)));
 }
@@ -148,8 +149,8 @@ TEST_CASE("A numbered state with an event and no operation is reached from its p
   CHECK(last.on == model::kNone);
   CHECK(unit.states[last.from].name == "B2");
   CHECK(unit.states[last.to].name == "C3");
-  CHECK(last.after == core::kSecond);
-  CHECK(last.takes == 0);
+  CHECK(last.after == Duration::fixed(core::kSecond));
+  CHECK(last.takes == Duration{});
   CHECK(list.fired() == "inferred-sequence");
 }
 

@@ -4,6 +4,7 @@
 #include <thread>
 #include <vector>
 
+#include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "symplant/core/owned_plant.hpp"
 
@@ -20,7 +21,7 @@ struct FreePlant {
       {1, core::kNoUnit, 0, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
       {0, core::kNoUnit, 0, 3, core::symbol_kind(DataType::int_, Direction::operation, AddressForm::none, false)},
       {0, core::kNoUnit, 0, 4, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
-  core::PlantTables tables{"free", {}, {}, {}, symbols, {}, {}, 64, 64, 1, 0, {}, {}, {}, {}};
+  core::PlantTables tables = bare_tables("free", 64, 64, 1, symbols);
   core::OwnedPlant plant{tables};
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "symplant/core/owned_plant.hpp"
@@ -45,7 +46,8 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
       {0, core::kNoUnit, 0, 2,
        core::symbol_kind(DataType::boolean, core::Direction::event, core::AddressForm::none, false)}};
   const std::string names{"a \"q\"\\\n\xC3\xA4\0\0", 12};
-  const core::PlantTables tables{"p\"1", {}, {}, {}, symbols, {}, {}, 64, 64, 0, 0, {}, {}, names, {}};
+  core::PlantTables tables = bare_tables("p\"1", 64, 64, 0, symbols);
+  tables.symbol_names = names;
   {
     trace::TraceFile file(path, tables, 0xABC, 7);
     file.write({1'500'000'000, 1, 0});
@@ -68,14 +70,14 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
 
 TEST_CASE("a full disk ends the file and is told once") {
   if (!std::filesystem::exists("/dev/full")) return;
-  const core::PlantTables tables{"p", {}, {}, {}, {}, {}, {}, 64, 64, 0, 0, {}, {}, {}, {}};
+  const core::PlantTables tables = bare_tables("p", 64, 64);
   trace::TraceFile file("/dev/full", tables, 0, 0);
   file.flush();
   CHECK(file.error().find("/dev/full") != std::string::npos);
 }
 
 TEST_CASE("a file that cannot be opened says why") {
-  const core::PlantTables tables{"p", {}, {}, {}, {}, {}, {}, 64, 64, 0, 0, {}, {}, {}, {}};
+  const core::PlantTables tables = bare_tables("p", 64, 64);
   const trace::TraceFile file("/no/such/folder/trace.jsonl", tables, 0, 0);
   CHECK(file.error().find("/no/such/folder/trace.jsonl") != std::string::npos);
 }

@@ -23,13 +23,17 @@ constexpr std::array<core::TypeRow, 2> kTypes{{
     ::excell::MC::row(),
 }};
 
-// A device: type, first bit of its operations, of its events, first of its times, initial state.
+// The kinds of symbols: direction, type, how the address gives its number, whether something moves.
+constexpr auto kOperation_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true);
+constexpr auto kEvent_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
+
+// A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
 constexpr core::UnitRow kUnits[] = {
-    {0, 0, 0, 0, 0},  // EXLINE_MB_AGV
-    {1, 2, 2, 3, 0},  // EXLINE_MB_MC
+    {0, 0, 0, 0, 0, 0},  // EXLINE_MB_AGV
+    {1, 0, 0, 2, 2, 3},  // EXLINE_MB_MC
 };
 
-// For each set of times the default travel, then a transition each: after, takes (ns).
+// For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).
 constexpr core::TransitionTimes kTimes[] = {
     {0, 1000000000},
     {0, 1000000000},
@@ -38,10 +42,6 @@ constexpr core::TransitionTimes kTimes[] = {
     {0, 1000000000},
     {0, 1000000000},
 };
-
-// The kinds of symbols: direction, type, how the address gives its number, whether something moves.
-constexpr auto kOperation_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true);
-constexpr auto kEvent_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
 constexpr core::SymbolRow kSymbols[] = {
@@ -55,20 +55,12 @@ constexpr core::SymbolRow kSymbols[] = {
     {3, 1, 4, 9, kOperation_boolean_number_moved},  // EXLINE_MB_MC_O_RUN2, excell.csv:9
 };
 
-// Starting values that no device sets: symbol, value.
-constexpr core::InitialValue kInitialValues[] = {
-    {},
-};
-
-// Symbols on the address of another: symbol, the one that it follows.
-constexpr core::SharedAddress kSharedAddresses[] = {
-    {},
-};
-
+// The devices' names.
 constexpr char kUnitNames[] =
     "EXLINE_MB_AGV\0"
     "EXLINE_MB_MC\0";
 
+// The types' states.
 constexpr char kStateNames[] =
     "P1\0" "P2\0" "IDLE1\0" "RUN2\0";
 
@@ -83,23 +75,23 @@ constexpr char kSymbolNames[] =
     "EXLINE_MB_MC_O_IDLE1\0" "Y0003\0"
     "EXLINE_MB_MC_O_RUN2\0" "Y0004\0";
 
-constinit const core::PlantTables kTables{
-    .name = "excell",
-    .types = kTypes,
-    .units = {kUnits, 2},
-    .times = {kTimes, 6},
-    .symbols = {kSymbols, 8},
-    .initial_values = {kInitialValues, 0},
-    .shared_addresses = {kSharedAddresses, 0},
-    .operation_bits = 64,
-    .event_bits = 64,
-    .operation_slots = 0,
-    .event_slots = 0,
-    .unit_names = std::string_view(kUnitNames, sizeof kUnitNames - 1),
-    .state_names = std::string_view(kStateNames, sizeof kStateNames - 1),
-    .symbol_names = std::string_view(kSymbolNames, sizeof kSymbolNames - 1),
-    .list = "excell.csv",
-};
+constinit const core::PlantTables kTables = [] {
+  core::PlantTables plant{};
+  plant.name = "excell";
+  plant.types = kTypes;
+  plant.units = kUnits;
+  plant.times = kTimes;
+  plant.symbols = kSymbols;
+  plant.operation_bits = 64;
+  plant.event_bits = 64;
+  plant.operation_slots = 0;
+  plant.event_slots = 0;
+  plant.unit_names = {kUnitNames, sizeof kUnitNames - 1};
+  plant.state_names = {kStateNames, sizeof kStateNames - 1};
+  plant.symbol_names = {kSymbolNames, sizeof kSymbolNames - 1};
+  plant.list = "excell.csv";
+  return plant;
+}();
 
 }  // namespace
 

@@ -1,0 +1,23 @@
+// Rows of conditions, watches, requirements and behaviours.
+#pragma once
+
+#include <string>
+
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::emit {
+
+// As those of rows.hpp.
+std::string condition_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string conditioned_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string unit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string bit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
+                           core::Direction direction);
+std::string value_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
+                             core::Direction direction);
+std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string behaviour_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string behaviour_value_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+
+}  // namespace symplant::emit

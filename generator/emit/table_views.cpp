@@ -1,0 +1,123 @@
+// The plant's tables as tables_gen.cpp shows them.
+#include "emit/table_views.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "emit/condition_rows.hpp"
+#include "emit/encode.hpp"
+#include "emit/rows.hpp"
+
+namespace symplant::emit {
+namespace {
+
+using core::Direction;
+
+/// Puts tables and members side by side, in the order of core::PlantTables. A table without rows is left out.
+class TableViews {
+ public:
+  explicit TableViews(View& view)
+      : row_tables_(view.lists["row_tables"]),
+        text_tables_(view.lists["text_tables"]),
+        members_(view.lists["members"]) {}
+
+  void rows(const char* member, const char* array, const char* row, std::string_view about, std::string rows) {
+    if (rows.empty()) return;
+    value(member, array);
+    row_tables_.push_back(
+        {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
+  }
+
+  void texts(const char* member, const char* array, std::string_view about, const std::string& blob, int per_line) {
+    if (blob.empty()) return;
+    value(member, fmt::format("{{{0}, sizeof {0} - 1}}", array));
+    text_tables_.push_back(
+        {{{"array", array}, {"about", std::string(about)}, {"rows", name_rows(blob, per_line)}}, {}});
+  }
+
+  void value(const char* member, std::string value) {
+    members_.push_back({{{"member", member}, {"value", std::move(value)}}, {}});
+  }
+
+ private:
+  std::vector<View>& row_tables_;
+  std::vector<View>& text_tables_;
+  std::vector<View>& members_;
+};
+
+void add_conditions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  views.rows("conditions", "kConditions", "core::ConditionRow",
+             "A condition: its truth table, who reads it, as which input.", condition_rows(tables, plant));
+  views.rows("conditioned_units", "kConditionedUnits", "core::ConditionedUnit",
+             "A device with conditions: device, the first of them.", conditioned_unit_rows(tables, plant));
+  views.rows("unit_watches", "kUnitWatches", "core::UnitWatch",
+             "Which device's state a condition watches: device, condition, state, input of the condition.",
+             unit_watch_rows(tables, plant));
+  const char* const bits = "bit, condition, input of the condition.";
+  views.rows("operation_watches", "kOperationWatches", "core::BitWatch",
+             fmt::format("Which operation a condition watches: {}", bits),
+             bit_watch_rows(tables, plant, Direction::operation));
+  views.rows("event_watches", "kEventWatches", "core::BitWatch",
+             fmt::format("Which event a condition watches: {}", bits), bit_watch_rows(tables, plant, Direction::event));
+  const char* const values = "operand, slot, condition, input of the condition, comparison, kind of number.";
+  views.rows("operation_value_watches", "kOperationValueWatches", "core::ValueWatch",
+             fmt::format("Which numeric operation a condition compares: {}", values),
+             value_watch_rows(tables, plant, Direction::operation));
+  views.rows("event_value_watches", "kEventValueWatches", "core::ValueWatch",
+             fmt::format("Which numeric event a condition compares: {}", values),
+             value_watch_rows(tables, plant, Direction::event));
+  views.rows("requirements", "kRequirements", "core::RequirementRow",
+             "A requirement: what it wants, its condition, the one expected, within which time (ns).",
+             requirement_rows(tables, plant));
+}
+
+}  // namespace
+
+void add_tables(View& view, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  TableViews views(view);
+  views.value("name", string_literal(tables.name));
+  views.value("types", "kTypes");
+  views.rows(
+      "units", "kUnits", "core::UnitRow",
+      "A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its "
+      "events, first of its times.",
+      unit_rows(tables, plant));
+  views.rows(
+      "times", "kTimes", "core::TransitionTimes",
+      "For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).",
+      time_rows(tables));
+  views.rows("random_times", "kRandomTimes", "core::RandomTime",
+             "Times that are drawn: minimum and maximum, or mean and standard deviation (ns).",
+             random_rows(tables, plant));
+  views.rows("symbols", "kSymbols", "core::SymbolRow",
+             "A symbol: bit or slot, device, number of its address, line in the list, kind.",
+             symbol_rows(tables, plant));
+  views.rows("initial_values", "kInitialValues", "core::InitialValue",
+             "Starting values that no device sets: symbol, value.", initial_rows(tables, plant));
+  views.rows("shared_addresses", "kSharedAddresses", "core::SharedAddress",
+             "Symbols on the address of another: symbol, the one that it follows.", shared_rows(tables, plant));
+  views.rows("disables", "kDisables", "core::DisableRow",
+             "Who cannot move while another device is in a state: that device, who cannot move, the state.",
+             disable_rows(tables, plant));
+  add_conditions(views, tables, plant);
+  views.rows("behaviour_units", "kBehaviourUnits", "core::BehaviourUnit",
+             "A device with a class of your own: device, class, its inputs among its conditions, its values.",
+             behaviour_unit_rows(tables, plant));
+  views.rows("behaviour_values", "kBehaviourValues", "std::uint32_t", "Numeric symbols of those devices.",
+             behaviour_value_rows(tables, plant));
+  views.value("operation_bits", std::to_string(tables.operation_bits));
+  views.value("event_bits", std::to_string(tables.event_bits));
+  views.value("operation_slots", std::to_string(tables.operation_slots));
+  views.value("event_slots", std::to_string(tables.event_slots));
+  views.texts("unit_names", "kUnitNames", "The devices' names.", tables.unit_names, 1);
+  views.texts("state_names", "kStateNames", "The types' states.", tables.state_names, 8);
+  views.texts("symbol_names", "kSymbolNames", "A symbol's name and address.", tables.symbol_names, 2);
+  views.texts("requirement_names", "kRequirementNames", "The requirements' names.", tables.requirement_names, 1);
+  views.texts("behaviour_names", "kBehaviourNames", "The names of your own classes.", tables.behaviour_names, 1);
+  views.value("list", string_literal(tables.list));
+}
+
+}  // namespace symplant::emit

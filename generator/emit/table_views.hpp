@@ -1,0 +1,13 @@
+// The plant's tables as tables_gen.cpp shows them: those that have rows, and what the plant is put together of.
+#pragma once
+
+#include "emit/render.hpp"
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::emit {
+
+/// Adds the lists `row_tables`, `text_tables` and `members` to a view. O(rows).
+void add_tables(View& view, const lower::EngineTables& tables, const model::PlantModel& plant);
+
+}  // namespace symplant::emit

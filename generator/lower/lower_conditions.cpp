@@ -1,0 +1,145 @@
+// Conditions: truth tables, what they watch, who reads them.
+#include "lower/lower_conditions.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "symplant/condition/truth_table.hpp"
+
+namespace symplant::lower {
+namespace {
+
+/// Who reads a table of a network.
+struct Reader {
+  std::uint32_t table = 0;  ///< its place in the network
+  std::uint8_t input = 0;
+};
+
+/// The readers of all tables but the last, which is the whole.
+std::vector<Reader> readers_of(const std::vector<condition::TruthTable>& network) {
+  std::vector<Reader> readers(network.size());
+  for (std::uint32_t t = 0; t < network.size(); ++t) {
+    const auto& inputs = network[t].inputs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (inputs[i].is_table) readers[inputs[i].table] = {t, static_cast<std::uint8_t>(i)};
+    }
+  }
+  return readers;
+}
+
+class ConditionLowering {
+ public:
+  ConditionLowering(const model::PlantModel& plant, EngineTables& tables) : plant_(plant), tables_(tables) {}
+
+  void run() {
+    for (std::uint32_t u = 0; u < plant_.units.size(); ++u) lower_unit(u);
+    for (std::uint32_t r = 0; r < plant_.requirements.size(); ++r) lower_requirement(r);
+    add_inner_tables();
+    sort_watches();
+  }
+
+ private:
+  void lower_unit(std::uint32_t u) {
+    const model::Unit& unit = plant_.units[u];
+    if (unit.conditions.empty()) return;
+    tables_.conditioned_units.push_back({u, next_condition()});
+    for (const condition::Tree& tree : unit.conditions) add_condition(tree, core::ReaderKind::unit, u, 0);
+  }
+
+  void lower_requirement(std::uint32_t r) {
+    const model::Requirement& requirement = plant_.requirements[r];
+    core::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within};
+    add_condition(requirement.condition, core::ReaderKind::requirement, r, 0);
+    if (requirement.kind == core::RequirementRow::Kind::expect) {
+      row.expected = next_condition();
+      add_condition(requirement.expected, core::ReaderKind::requirement, r, 1);
+    }
+    tables_.requirements.push_back(row);
+    tables_.requirement_names.append(requirement.name).push_back('\0');
+  }
+
+  std::uint32_t next_condition() const { return static_cast<std::uint32_t>(tables_.conditions.size()); }
+
+  void add_condition(const condition::Tree& tree, core::ReaderKind kind, std::uint32_t reader, std::uint8_t input) {
+    std::vector<condition::TruthTable> network = condition::truth_tables(tree);
+    const std::uint32_t place = next_condition();
+    tables_.conditions.push_back({network.back().truth, reader, input, kind});
+    add_watches(network.back(), place);
+    if (network.size() > 1) networks_.push_back({place, std::move(network)});
+  }
+
+  void add_inner_tables() {
+    for (const auto& [whole, network] : networks_) {
+      const std::vector<Reader> readers = readers_of(network);
+      const auto inner = static_cast<std::uint32_t>(network.size() - 1);
+      const std::uint32_t first = next_condition();
+      for (std::uint32_t t = 0; t < inner; ++t) {
+        const Reader& reader = readers[t];
+        tables_.conditions.push_back({network[t].truth, reader.table == inner ? whole : first + reader.table,
+                                      reader.input, core::ReaderKind::condition});
+        add_watches(network[t], first + t);
+      }
+    }
+  }
+
+  void add_watches(const condition::TruthTable& table, std::uint32_t condition) {
+    for (std::size_t i = 0; i < table.inputs.size(); ++i) {
+      if (!table.inputs[i].is_table) add_watch(table.inputs[i].atom, condition, static_cast<std::uint8_t>(i));
+    }
+  }
+
+  void add_watch(const condition::Atom& atom, std::uint32_t condition, std::uint8_t input) {
+    using Kind = condition::Atom::Kind;
+    switch (atom.kind) {
+      case Kind::settled:
+        tables_.unit_watches.push_back({atom.of, condition, atom.state, input});
+        return;
+      case Kind::moving:
+        tables_.unit_watches.push_back({atom.of, condition, core::kMovingState, input});
+        return;
+      case Kind::bit: {
+        const core::SymbolRow& symbol = tables_.symbols[atom.of];
+        (symbol.direction() == core::Direction::operation ? tables_.operation_watches : tables_.event_watches)
+            .push_back({symbol.index, condition, input});
+        return;
+      }
+      case Kind::number: {
+        const core::SymbolRow& symbol = tables_.symbols[atom.of];
+        (symbol.direction() == core::Direction::operation ? tables_.operation_value_watches
+                                                          : tables_.event_value_watches)
+            .push_back({atom.operand, symbol.index, condition, input, atom.comparison, atom.number});
+        return;
+      }
+    }
+  }
+
+  /// Each by what it watches, then by condition and input, so that equal plants have equal tables.
+  void sort_watches() {
+    const auto by = [](auto& rows, auto what) {
+      std::sort(rows.begin(), rows.end(), [what](const auto& a, const auto& b) {
+        return std::tie(a.*what, a.condition, a.input) < std::tie(b.*what, b.condition, b.input);
+      });
+    };
+    by(tables_.unit_watches, &core::UnitWatch::unit);
+    by(tables_.operation_watches, &core::BitWatch::bit);
+    by(tables_.event_watches, &core::BitWatch::bit);
+    by(tables_.operation_value_watches, &core::ValueWatch::slot);
+    by(tables_.event_value_watches, &core::ValueWatch::slot);
+  }
+
+  struct Network {
+    std::uint32_t whole;  ///< the condition of the last table
+    std::vector<condition::TruthTable> tables;
+  };
+
+  const model::PlantModel& plant_;
+  EngineTables& tables_;
+  std::vector<Network> networks_;
+};
+
+}  // namespace
+
+void lower_conditions(const model::PlantModel& plant, EngineTables& tables) { ConditionLowering(plant, tables).run(); }
+
+}  // namespace symplant::lower

@@ -1,0 +1,132 @@
+// Symbols: their places in the planes, what they start from, what they follow.
+#include "lower/lower_symbols.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "model/classify.hpp"
+
+namespace symplant::lower {
+namespace {
+
+using model::kNone;
+
+core::AddressForm form_of(const model::Symbol& symbol) {
+  if (!symbol.address) return core::AddressForm::none;
+  // An address of another size than the symbol's is a fault that the checks report; it has no place on a link.
+  if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) return core::AddressForm::none;
+  if (!symbol.address->plain || symbol.address->number > 0xFFFF'FFFF) return core::AddressForm::other;
+  return core::AddressForm::number;
+}
+
+class SymbolLowering {
+ public:
+  SymbolLowering(const model::PlantModel& plant, const std::vector<std::uint32_t>& symbol_bits, BitPlane& operations,
+                 BitPlane& events, EngineTables& tables)
+      : plant_(plant), symbol_bits_(symbol_bits), operations_(operations), events_(events), tables_(tables) {}
+
+  void run() {
+    find_leaders_of_types();
+    tables_.symbols.reserve(plant_.symbols.size());
+    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
+      const model::Symbol& symbol = plant_.symbols[i];
+      core::SymbolRow row{};
+      row.index = index_of(i);
+      row.unit = symbol.unit == kNone ? core::kNoUnit : symbol.unit;
+      const core::AddressForm form = form_of(symbol);
+      row.number = form == core::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
+      row.row = symbol.row->line;
+      row.kind = core::symbol_kind(symbol.type, symbol.direction, form, moved(i));
+      tables_.symbols.push_back(row);
+      tables_.symbol_names.append(symbol.name()).push_back('\0');
+      tables_.symbol_names.append(symbol.written_address()).push_back('\0');
+      if (const std::uint32_t leader = leader_of(i); leader != i) tables_.shared_addresses.push_back({i, leader});
+      if (keeps_initial(i)) tables_.initial_values.push_back({i, symbol.initial});
+    }
+  }
+
+ private:
+  std::uint32_t index_of(std::uint32_t i) {
+    const model::Symbol& symbol = plant_.symbols[i];
+    const bool operation = symbol.direction == core::Direction::operation;
+    if (symbol.type != core::DataType::boolean) {
+      return operation ? tables_.operation_slots++ : tables_.event_slots++;
+    }
+    if (symbol_bits_[i] != kNone) return symbol_bits_[i];
+    return (operation ? operations_ : events_).take(1);
+  }
+
+  /// Of a unit's event: its place there.
+  std::uint32_t place_of(std::uint32_t event) const {
+    return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
+  }
+
+  /// An operation moves its unit; an event is moved by it.
+  bool moved(std::uint32_t i) const {
+    const model::Symbol& symbol = plant_.symbols[i];
+    if (symbol.unit == kNone) return false;
+    const model::Unit& unit = plant_.units[symbol.unit];
+    if (symbol.direction == core::Direction::operation) return unit.moves();
+    return unit.moves_event(place_of(i));
+  }
+
+  /// The symbol that this one is kept equal with by the engine; itself where it leads. Numbers of different types on
+  /// one address are told apart by the links, which know how each type reads the same register: of each type the first
+  /// leads.
+  std::uint32_t leader_of(std::uint32_t i) const {
+    const model::Symbol& symbol = plant_.symbols[i];
+    if (symbol.leader == kNone) return i;
+    if (plant_.symbols[symbol.leader].type == symbol.type) return symbol.leader;
+    const auto first = first_of_type_.find({symbol.leader, symbol.type});
+    return first == first_of_type_.end() ? i : first->second;
+  }
+
+  void find_leaders_of_types() {
+    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
+      const model::Symbol& symbol = plant_.symbols[i];
+      if (symbol.leader == kNone || plant_.symbols[symbol.leader].type == symbol.type) continue;
+      first_of_type_.try_emplace({symbol.leader, symbol.type}, i);
+    }
+  }
+
+  /// Numeric symbols and BOOL events that are no state's stand at their Initial, unless they follow another.
+  bool keeps_initial(std::uint32_t i) const {
+    const model::Symbol& symbol = plant_.symbols[i];
+    if (symbol.initial == 0 || leader_of(i) != i) return false;
+    if (symbol.type != core::DataType::boolean) return true;
+    if (symbol.direction == core::Direction::operation) return false;
+    return symbol.unit == kNone || !set_at_start(i);
+  }
+
+  /// Whether its unit says how an event starts: it is a state's, or one on its address is, or entering the initial
+  /// state switches it.
+  bool set_at_start(std::uint32_t event) const {
+    const model::Unit& unit = plant_.units[plant_.symbols[event].unit];
+    const std::uint64_t mask = std::uint64_t{1} << place_of(event);
+    const std::vector<core::EventMasks>& enter = tables_.types[tables_.units[plant_.symbols[event].unit].type].enter;
+    const core::EventMasks& first = enter[unit.initial];
+    if (((first.on | first.off) & mask) != 0) return true;
+    return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
+      if (state.event == kNone) return false;
+      const std::uint32_t symbol = unit.events[state.event];
+      return symbol == event || plant_.symbols[symbol].leader == event;
+    });
+  }
+
+  const model::PlantModel& plant_;
+  const std::vector<std::uint32_t>& symbol_bits_;
+  BitPlane& operations_;
+  BitPlane& events_;
+  EngineTables& tables_;
+  std::map<std::pair<std::uint32_t, core::DataType>, std::uint32_t> first_of_type_;  ///< of a leader's address
+};
+
+}  // namespace
+
+void lower_symbols(const model::PlantModel& plant, const std::vector<std::uint32_t>& symbol_bits, BitPlane& operations,
+                   BitPlane& events, EngineTables& tables) {
+  SymbolLowering(plant, symbol_bits, operations, events, tables).run();
+}
+
+}  // namespace symplant::lower

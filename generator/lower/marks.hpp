@@ -1,0 +1,11 @@
+// Which transitions and units the engine keeps a record of.
+#pragma once
+
+#include "lower/engine_tables.hpp"
+
+namespace symplant::lower {
+
+/// Sets core::Transition::timed and core::UnitRow::rich, once all other tables stand. O(transitions of all units).
+void mark_what_costs_more(EngineTables& tables);
+
+}  // namespace symplant::lower

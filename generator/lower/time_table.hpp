@@ -1,0 +1,28 @@
+// Times of transitions, fixed and random.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "lower/engine_tables.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::lower {
+
+class TimeTable {
+ public:
+  /// The first of a unit's entries in EngineTables::times: the default travel, then a transition each. Units of one
+  /// type with equal times share them. O(transitions).
+  std::uint32_t times_of(std::uint32_t type, const model::Unit& unit, EngineTables& tables);
+
+ private:
+  /// As core::TransitionTimes has it.
+  core::Time lowered(const model::Duration& duration, std::vector<core::RandomTime>& random_times);
+
+  std::map<std::vector<std::int64_t>, std::uint32_t> by_times_;
+  std::map<std::tuple<core::RandomTime::Kind, core::Time, core::Time>, core::Time> random_;
+};
+
+}  // namespace symplant::lower

@@ -1,0 +1,204 @@
+// Given transitions and outputs, looked up and expanded.
+#include "model/given.hpp"
+
+#include <unordered_map>
+
+#include "base/ascii.hpp"
+
+namespace symplant::model {
+namespace {
+
+std::uint32_t find_task(std::string_view task, const std::vector<std::uint32_t>& side,
+                        const std::vector<Symbol>& symbols) {
+  for (std::uint32_t i = 0; i < side.size(); ++i) {
+    if (base::equal_ignoring_case(symbols[side[i]].reading.task, task)) return i;
+  }
+  return kNone;
+}
+
+std::string_view nearest_task(std::string_view task, const std::vector<std::uint32_t>& side,
+                              const std::vector<Symbol>& symbols, const Faults& faults) {
+  return faults.nearest(task, side.size(), [&](std::size_t i) { return symbols[side[i]].reading.task; });
+}
+
+class TransitionExpander {
+ public:
+  TransitionExpander(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
+      : unit_(unit), symbols_(symbols), faults_(faults), pointer_(device_pointer(*unit.described) / "transitions") {}
+
+  void run() {
+    const auto& given = unit_.described->transitions;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const std::uint32_t when = place_of(given[i].when);
+      expand(given[i], i, when);
+      if (unit_.transitions.size() > core::kMaxTransitions) return;  // derive_unit tells
+    }
+  }
+
+ private:
+  std::uint32_t place_of(std::string_view when) {
+    if (when.empty()) return kNone;
+    return places_.try_emplace(when, static_cast<std::uint32_t>(places_.size())).first->second;
+  }
+
+  void expand(const GivenTransition& given, std::size_t index, std::uint32_t when) {
+    const Pointer here = pointer_ / index;
+    const bool from_all = given.from == "*";
+    const std::uint32_t to = given_state(unit_, given.to, here / "to", faults_);
+    const std::uint32_t from = from_all ? kNone : given_state(unit_, given.from, here / "from", faults_);
+    Transition way;
+    way.origin = Origin::given;
+    way.to = to;
+    way.when = when;
+    const bool sound = set_cause(way, given, here);
+    if (!sound || to == kNone || (!from_all && from == kNone)) return;
+    if (from == to) {
+      faults_.add(here.text(), quoted(given.to) + " to itself is no transition, name two states");
+      return;
+    }
+    way.after = given.after.value_or(Duration::fixed(0));
+    way.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit_.travel));
+    way.once = given.once;
+    const auto count = static_cast<std::uint32_t>(unit_.states.size());
+    for (std::uint32_t s = from_all ? 0 : from; s < (from_all ? count : from + 1); ++s) {
+      way.from = s;
+      if (s != to && !add(way, index)) return;
+    }
+  }
+
+  /// `on` and `spring_way`, and what may stand beside them. False where there is a fault.
+  bool set_cause(Transition& way, const GivenTransition& given, const Pointer& here) {
+    if (given.automatic) {
+      if (!given.on.empty()) {
+        faults_.add((here / "on").text(), "an automatic transition has an operation, leave `on` or `automatic` out");
+      }
+      if (given.once) faults_.add((here / "once").text(), "`once` stands in an automatic transition, leave it out");
+      return given.on.empty() && !given.once;
+    }
+    if (!given.on.empty()) {
+      way.on = find_task(given.on, unit_.operations, symbols_);
+      if (way.on == kNone) {
+        faults_.add((here / "on").text(), missing("operation " + quoted(given.on) + " of " + quoted(unit_.path),
+                                                  nearest_task(given.on, unit_.operations, symbols_, faults_)));
+      }
+    } else if (way.to != kNone) {
+      way.on = unit_.states[way.to].operation;
+      if (way.on == kNone && unit_.actuation == core::Actuation::spring && way.to == unit_.rest) {
+        return set_spring_way(way, given, here);
+      }
+      if (way.on == kNone) {
+        faults_.add((here / "to").text(), quoted(given.to) + " has no operation of its name, say with `on` which one " +
+                                              "commands the transition, or `automatic` where it comes by itself");
+      }
+    }
+    if (given.once && unit_.actuation != core::Actuation::latched) {
+      faults_.add((here / "once").text(), "`once` stands in a device that is `" +
+                                              std::string(actuation_name(unit_.actuation)) +
+                                              "`, leave it out or make the device `latched`");
+      return false;
+    }
+    return way.on != kNone;
+  }
+
+  bool set_spring_way(Transition& way, const GivenTransition& given, const Pointer& here) {
+    way.spring_way = true;
+    bool sound = true;
+    const auto refuse = [&](bool stands, std::string_view key) {
+      if (!stands) return;
+      faults_.add((here / key).text(), quoted(key) +
+                                           " stands in what a spring's own way to its rest state takes, where" +
+                                           " only `takes` may, or say with `on` which operation commands it");
+      sound = false;
+    };
+    refuse(!given.when.empty(), "when");
+    refuse(given.after.has_value(), "after");
+    refuse(given.once, "once");
+    return sound;
+  }
+
+  /// False, and a fault, where the same one stands already.
+  bool add(const Transition& way, std::size_t index) {
+    const std::uint64_t on = way.spring_way ? core::kSpringWay : way.on == kNone ? core::kNoOperation : way.on;
+    const std::uint64_t key =
+        std::uint64_t{way.from} << 56 | std::uint64_t{way.to} << 48 | on << 40 | std::uint64_t{way.when};
+    const auto [first, added] = given_by_.try_emplace(key, index);
+    if (!added) {
+      const std::string from = quoted(unit_.states[way.from].name);
+      faults_.add((pointer_ / index).text(),
+                  "the transition from " + from + " to " + quoted(unit_.states[way.to].name) + " stands at " +
+                      quoted((pointer_ / first->second).text()) + " too, with the same `on` and `when`, leave one out");
+      return false;
+    }
+    unit_.transitions.push_back(way);
+    return true;
+  }
+
+  Unit& unit_;
+  const std::vector<Symbol>& symbols_;
+  Faults& faults_;
+  const Pointer pointer_;
+  std::unordered_map<std::string_view, std::uint32_t> places_;  // a text of `when` -> its place
+  std::unordered_map<std::uint64_t, std::size_t> given_by_;     // from, to, on, when -> a given transition
+};
+
+}  // namespace
+
+GivenWays::GivenWays(const Unit& unit) : operations_(unit.operations.size()), states_(unit.states.size()) {
+  if (unit.transitions.empty()) return;
+  commanded_.resize(states_ * operations_);
+  automatic_.resize(states_ * states_);
+  led_to_.resize(states_);
+  for (const Transition& way : unit.transitions) {
+    if (way.on != kNone) {
+      commanded_[way.from * operations_ + way.on] = true;
+      led_to_[way.to] = true;
+    } else if (!way.spring_way) {
+      automatic_[way.from * states_ + way.to] = true;
+    }
+  }
+}
+
+void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+  TransitionExpander(unit, symbols, faults).run();
+}
+
+void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+  const auto& given = unit.described->outputs;
+  if (given.empty()) return;
+  const Pointer pointer = device_pointer(*unit.described) / "outputs";
+  std::vector<bool> seen(unit.states.size());
+  unit.outputs.resize(unit.states.size());
+  for (const GivenOutputs& output : given) {
+    const Pointer here = pointer / output.state;
+    const std::uint32_t state = given_state(unit, output.state, here, faults);
+    if (state != kNone && seen[state]) faults.add(here.text(), quoted(output.state) + " stands twice, join both");
+    if (state != kNone) seen[state] = true;
+    const auto switched = [&](const auto& list, std::string_view key) {
+      std::vector<std::pair<std::uint32_t, bool>> events;
+      for (const auto& [task, on] : list) {
+        const std::uint32_t event = find_task(task, unit.events, symbols);
+        if (event == kNone) {
+          faults.add((here / key / task).text(), missing("event " + quoted(task) + " of " + quoted(unit.path),
+                                                         nearest_task(task, unit.events, symbols, faults)));
+        } else {
+          events.emplace_back(event, on);
+        }
+      }
+      return events;
+    };
+    Outputs outputs{switched(output.enter, "enter"), switched(output.leave, "leave")};
+    if (state != kNone) unit.outputs[state] = std::move(outputs);
+  }
+}
+
+std::uint32_t given_state(const Unit& unit, std::string_view name, const Pointer& pointer, Faults& faults) {
+  for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+    if (base::equal_ignoring_case(unit.states[s].name, name)) return s;
+  }
+  const auto nearest =
+      faults.nearest(name, unit.states.size(), [&](std::size_t s) -> std::string_view { return unit.states[s].name; });
+  faults.add(pointer.text(), missing("state " + quoted(name) + " of " + quoted(unit.path), nearest));
+  return kNone;
+}
+
+}  // namespace symplant::model

@@ -1,0 +1,71 @@
+// Looking up what conditions name.
+#include "model/plant_names.hpp"
+
+namespace symplant::model {
+namespace {
+
+std::optional<std::uint32_t> find(const auto& map, std::string_view name) {
+  const auto found = map.find(name);
+  if (found == map.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace
+
+PlantNames::PlantNames(const PlantModel& plant, const Faults& faults) : plant_(plant), faults_(faults) {
+  units_.reserve(plant.units.size());
+  for (std::uint32_t i = 0; i < plant.units.size(); ++i) units_.try_emplace(plant.units[i].path, i);
+  symbols_.reserve(plant.symbols.size());
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
+}
+
+std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::string_view facet) const {
+  return facet.empty() ? find(units_, device) : std::nullopt;  // a device has one unit, and that no name of its own
+}
+
+std::optional<std::uint8_t> PlantNames::state(std::uint32_t unit, std::string_view name) const {
+  const std::vector<State>& states = plant_.units[unit].states;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    if (base::equal_ignoring_case(states[s].name, name)) return static_cast<std::uint8_t>(s);
+  }
+  return std::nullopt;
+}
+
+std::optional<condition::Names::Symbol> PlantNames::symbol(std::string_view name) const {
+  const auto found = find(symbols_, name);
+  if (!found) return std::nullopt;
+  return Symbol{*found, plant_.symbols[*found].type};
+}
+
+std::string PlantNames::nearest_device(std::string_view device, std::string_view facet) const {
+  if (!facet.empty()) return {};
+  return std::string(faults_.nearest(device, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; }));
+}
+
+std::string PlantNames::nearest_state(std::uint32_t unit, std::string_view name) const {
+  const std::vector<State>& states = plant_.units[unit].states;
+  return std::string(
+      faults_.nearest(name, states.size(), [&](std::size_t s) -> std::string_view { return states[s].name; }));
+}
+
+std::string PlantNames::nearest_symbol(std::string_view name) const {
+  return std::string(
+      faults_.nearest(name, plant_.symbols.size(), [&](std::size_t i) { return plant_.symbols[i].name(); }));
+}
+
+std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) const {
+  const Unit& of = plant_.units[unit];
+  const auto tells = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
+    for (const std::uint32_t symbol : side) {
+      if (!base::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
+      return quoted(name) + std::string(why) + quoted(of.path) + ", name the symbol " +
+             quoted(plant_.symbols[symbol].name());
+    }
+    return {};
+  };
+  std::string why = tells(of.operations, " only commands given transitions and is no state of ");
+  if (why.empty()) why = tells(of.events, " is only switched by `outputs` and is no state of ");
+  return why;
+}
+
+}  // namespace symplant::model

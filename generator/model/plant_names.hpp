@@ -1,0 +1,38 @@
+// A plant model as conditions see it: by names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/ascii.hpp"
+#include "model/faults.hpp"
+#include "model/plant_model.hpp"
+#include "symplant/condition/resolve.hpp"
+
+namespace symplant::model {
+
+/// The plant's units and their states must be known, and stand as long as this does. O(symbols) to make.
+class PlantNames final : public condition::Names {
+ public:
+  PlantNames(const PlantModel& plant, const Faults& faults);
+
+  std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override;
+  std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
+  std::optional<Symbol> symbol(std::string_view name) const override;
+  std::string nearest_device(std::string_view device, std::string_view facet) const override;
+  std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
+  std::string nearest_symbol(std::string_view name) const override;
+  std::string why_no_state(std::uint32_t unit, std::string_view name) const override;
+
+ private:
+  using ByName = std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase>;
+
+  const PlantModel& plant_;
+  const Faults& faults_;
+  ByName units_;
+  ByName symbols_;
+};
+
+}  // namespace symplant::model

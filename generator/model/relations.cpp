@@ -1,0 +1,161 @@
+// Conditions, disables and requirements resolved.
+#include "model/relations.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "base/ascii.hpp"
+#include "model/given.hpp"
+#include "model/plant_names.hpp"
+
+namespace symplant::model {
+namespace {
+
+class Relations {
+ public:
+  Relations(PlantModel& plant, Faults& faults) : plant_(plant), faults_(faults), names_(plant, faults) {}
+
+  void run() {
+    bool some_behaviour = false;
+    for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
+      Unit& unit = plant_.units[u];
+      if (unit.described == nullptr) continue;
+      add_conditions(unit);
+      add_inputs(unit);
+      add_disables(u);
+      some_behaviour = some_behaviour || !unit.described->behaviour.empty();
+    }
+    if (some_behaviour) add_values();
+    add_requirements();
+  }
+
+ private:
+  /// False, and a fault, where the text is no condition of this plant.
+  bool resolve(std::string_view text, const Pointer& pointer, condition::Tree& tree) {
+    auto resolved = condition::parse_and_resolve(text, names_);
+    if (auto* fault = std::get_if<condition::Fault>(&resolved)) {
+      faults_.add(pointer.text(), std::move(fault->message), fault->place.offset);
+      return false;
+    }
+    tree = std::move(std::get<condition::Tree>(resolved));
+    return true;
+  }
+
+  /// One of each text, in the order of their first appearance: Transition::when counts them so. A faulty one has a
+  /// place, too, and is told where it stands.
+  void add_conditions(Unit& unit) {
+    std::unordered_map<std::string_view, bool> sound;
+    const auto& given = unit.described->transitions;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const std::string& text = given[i].when;
+      if (text.empty()) continue;
+      const auto [known, added] = sound.try_emplace(text, true);
+      if (!added && known->second) continue;
+      condition::Tree tree;
+      known->second = resolve(text, device_pointer(*unit.described) / "transitions" / i / "when", tree);
+      if (added) unit.conditions.push_back(std::move(tree));
+    }
+    unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
+  }
+
+  /// Without a behaviour nobody reads them, but they are looked at.
+  void add_inputs(Unit& unit) {
+    for (const auto& [name, text] : unit.described->inputs) {
+      condition::Tree tree;
+      resolve(text, device_pointer(*unit.described) / "inputs" / name, tree);
+      if (!unit.described->behaviour.empty()) unit.conditions.push_back(std::move(tree));
+    }
+  }
+
+  void add_disables(std::uint32_t by) {
+    Unit& unit = plant_.units[by];
+    const auto& given = unit.described->disables;
+    if (given.empty()) return;
+    unit.disables.resize(unit.states.size());
+    std::vector<bool> seen(unit.states.size());
+    for (const GivenDisables& entry : given) {
+      const Pointer here = device_pointer(*unit.described) / "disables" / entry.state;
+      const std::uint32_t state = given_state(unit, entry.state, here, faults_);
+      if (state != kNone && seen[state]) faults_.add(here.text(), quoted(entry.state) + " stands twice, join both");
+      if (state != kNone) seen[state] = true;
+      std::vector<std::uint32_t> disabled = disabled_units(by, entry, here);
+      if (state != kNone) unit.disables[state] = std::move(disabled);
+    }
+  }
+
+  std::vector<std::uint32_t> disabled_units(std::uint32_t by, const GivenDisables& entry, const Pointer& here) {
+    std::vector<std::uint32_t> disabled;
+    for (std::size_t i = 0; i < entry.devices.size(); ++i) {
+      const std::string& device = entry.devices[i];
+      const auto unit = names_.unit(device, {});
+      if (!unit) {
+        faults_.add((here / i).text(), missing("device " + quoted(device), names_.nearest_device(device, {})));
+      } else if (*unit == by) {
+        faults_.add((here / i).text(), quoted(device) + " disables itself, leave it out");
+      } else {
+        disabled.push_back(*unit);
+      }
+    }
+    std::sort(disabled.begin(), disabled.end());
+    disabled.erase(std::unique(disabled.begin(), disabled.end()), disabled.end());
+    return disabled;
+  }
+
+  /// The numeric symbols of every device with a behaviour.
+  void add_values() {
+    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
+      const Symbol& symbol = plant_.symbols[i];
+      if (symbol.type == core::DataType::boolean || symbol.reading.fault != name::NameFault::none) continue;
+      const auto found = names_.unit(symbol.reading.device_path, {});
+      if (!found) continue;
+      Unit& unit = plant_.units[*found];
+      if (unit.has_behaviour()) unit.values.push_back(i);
+    }
+  }
+
+  void add_requirements() {
+    const auto& given = plant_.description->requirements;
+    std::unordered_set<std::string_view> seen;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      const Pointer here = Pointer("/requirements") / i;
+      if (given[i].name.empty()) {
+        faults_.add((here / "name").text(), "a requirement without a name, give it one");
+      } else if (!seen.insert(given[i].name).second) {
+        faults_.add((here / "name").text(),
+                    quoted(given[i].name) + " names another requirement already, give each its own name");
+      }
+      add_requirement(given[i], here);
+    }
+  }
+
+  void add_requirement(const GivenRequirement& given, const Pointer& here) {
+    const bool never = !given.never.empty();
+    if (never == (!given.after.empty() || !given.expect.empty()) || given.after.empty() != given.expect.empty()) {
+      faults_.add(here.text(), "a requirement has either `never`, or `after` with `expect`");
+      return;
+    }
+    Requirement requirement;
+    requirement.name = given.name;
+    requirement.kind = never ? core::RequirementRow::Kind::never : core::RequirementRow::Kind::expect;
+    requirement.within = given.within;
+    bool sound = never ? resolve(given.never, here / "never", requirement.condition)
+                       : resolve(given.after, here / "after", requirement.condition);
+    if (!never) sound = resolve(given.expect, here / "expect", requirement.expected) && sound;
+    if (sound) plant_.requirements.push_back(std::move(requirement));
+  }
+
+  PlantModel& plant_;
+  Faults& faults_;
+  PlantNames names_;
+};
+
+}  // namespace
+
+void add_relations(PlantModel& plant, Faults& faults) {
+  if (plant.description->devices.empty() && plant.description->requirements.empty()) return;
+  Relations(plant, faults).run();
+}
+
+}  // namespace symplant::model

@@ -1,0 +1,95 @@
+// S: the tasks that symbols name, then the states that the description adds.
+#include "model/states.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "base/ascii.hpp"
+#include "model/sequence.hpp"
+
+namespace symplant::model {
+namespace {
+
+struct Draft {
+  std::string_view task;
+  std::string_view sequence;
+  std::uint32_t first_symbol;
+  std::uint32_t operation = kNone;
+  std::uint32_t event = kNone;
+};
+
+using DraftsByTask = std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase>;
+
+std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
+  std::vector<Draft> drafts;
+  DraftsByTask by_task;
+  const auto add = [&](std::uint32_t symbol) -> Draft& {
+    const std::string_view task = symbols[symbol].reading.task;
+    const auto [found, added] = by_task.try_emplace(task, drafts.size());
+    if (added) drafts.push_back({task, sequence_number(task), symbol});
+    return drafts[found->second];
+  };
+  for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
+  for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
+    Draft& draft = add(unit.events[i]);
+    draft.event = i;
+    if (unit.events[i] < draft.first_symbol) {  // the first row names the state
+      draft.first_symbol = unit.events[i];
+      draft.task = symbols[unit.events[i]].reading.task;
+    }
+  }
+  return drafts;
+}
+
+const State* find_state(const std::vector<State>& states, std::string_view name) {
+  const auto found = std::find_if(states.begin(), states.end(),
+                                  [&](const State& s) { return base::equal_ignoring_case(s.name, name); });
+  return found == states.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles) {
+  std::vector<Draft> drafts = drafts_of(unit, symbols);
+  if (unit.described != nullptr) {
+    std::erase_if(drafts, [&](const Draft& draft) {
+      return roles.of(draft.task, draft.operation != kNone, draft.event != kNone) != TaskRole::state;
+    });
+  }
+  std::sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) {
+    const int order = compare_sequence(a.sequence, b.sequence);
+    return order != 0 ? order < 0 : a.first_symbol < b.first_symbol;
+  });
+  std::vector<State> states;
+  states.reserve(drafts.size() + 1);
+  for (const Draft& draft : drafts) {
+    states.push_back({std::string(draft.task), draft.operation, draft.event, !draft.sequence.empty()});
+  }
+  return states;
+}
+
+void add_given_states(Unit& unit, Faults& faults) {
+  const std::vector<std::string>& given = unit.described->states;
+  const Pointer pointer = device_pointer(*unit.described) / "states";
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::string here = (pointer / i).text();
+    const State* same = find_state(unit.states, given[i]);
+    if (same != nullptr) {
+      const bool by_symbol = same->operation != kNone || same->event != kNone;
+      faults.add(here,
+                 quoted(given[i]) +
+                     (by_symbol ? " is a state of " + quoted(unit.path) + " by its symbols already" : " stands twice") +
+                     ", leave it out");
+    } else if (given[i].empty() || given[i] == "*") {
+      faults.add(here, quoted(given[i]) + " is no name of a state, give it another");
+    } else if (unit.states.size() == core::kMaxStates) {
+      faults.add(pointer.text(), "the device has more than " + std::to_string(core::kMaxStates) +
+                                     " states together with those of its symbols, leave some out");
+      return;
+    } else {
+      unit.states.push_back({given[i], kNone, kNone, !sequence_number(given[i]).empty()});
+    }
+  }
+}
+
+}  // namespace symplant::model

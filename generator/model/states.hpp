@@ -1,0 +1,18 @@
+// S, the states of a unit.
+#pragma once
+
+#include <vector>
+
+#include "model/faults.hpp"
+#include "model/plant_model.hpp"
+#include "model/task_roles.hpp"
+
+namespace symplant::model {
+
+/// What symbols name of S, in its order: every task that is a state. `symbols` are the plant's. O(tasks log tasks)
+std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles);
+
+/// Puts the states that the description adds behind them, in its order.
+void add_given_states(Unit& unit, Faults& faults);
+
+}  // namespace symplant::model

@@ -1,0 +1,33 @@
+// Which tasks of a unit are states: all but those that its description makes mere commands or mere reports.
+#pragma once
+
+#include <string_view>
+#include <unordered_set>
+
+#include "base/ascii.hpp"
+#include "model/description.hpp"
+
+namespace symplant::model {
+
+enum class TaskRole : std::uint8_t {
+  state,
+  command,  ///< an operation without event that only commands given transitions (O_HOME)
+  report,   ///< an event without operation that only `outputs` switch (I_BUSY)
+};
+
+/// What a description says of tasks. Views point into it.
+class TaskRoles {
+ public:
+  /// Null: every task is a state. O(description of the device).
+  explicit TaskRoles(const DeviceDescription* device);
+
+  TaskRole of(std::string_view task, bool has_operation, bool has_event) const;
+
+ private:
+  using Tasks = std::unordered_set<std::string_view, base::HashIgnoringCase, base::EqualIgnoringCase>;
+  Tasks states_;    ///< named where only a state can stand
+  Tasks commands_;  ///< `on` of a transition
+  Tasks switched_;  ///< by outputs
+};
+
+}  // namespace symplant::model

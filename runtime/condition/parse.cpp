@@ -1,0 +1,213 @@
+// Conditions by Boost.Spirit X3: the one file here that sees it.
+#define BOOST_SPIRIT_X3_UNICODE
+#include <boost/regex/pending/unicode_iterator.hpp>
+#include <boost/spirit/home/x3.hpp>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "symplant/condition/expression.hpp"
+
+/// What a rule with an action is called in a message: the rule's own name.
+template <class Subject, class Action>
+struct boost::spirit::x3::get_info<boost::spirit::x3::action<Subject, Action>> {
+  using result_type = std::string;
+  std::string operator()(const action<Subject, Action>& parser) const { return what(parser.subject); }
+};
+
+namespace symplant::condition {
+namespace {
+
+namespace x3 = boost::spirit::x3;
+namespace unicode = x3::unicode;
+
+using CodePoints = boost::u8_to_u32_iterator<const char*>;
+using Piece = boost::iterator_range<CodePoints>;
+
+struct TextBegin;  // tag: where the text begins
+
+std::string_view text_of(const Piece& piece) {
+  const char* begin = piece.begin().base();
+  return {begin, static_cast<std::size_t>(piece.end().base() - begin)};
+}
+
+template <class Context>
+Place place_of(const Context& context, std::string_view text) {
+  const char* begin = x3::get<TextBegin>(context);
+  return {static_cast<std::size_t>(text.data() - begin), text.size()};
+}
+
+/// A name in quotes, without them and with each doubled one once.
+std::string unquoted(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    result += text[i];
+    if (text[i] == '\'') ++i;
+  }
+  return result;
+}
+
+struct PlacedNumber {
+  Number number;
+  Place place;
+};
+
+// What a rule is called here is what a message says is expected.
+const x3::rule<struct ConditionTag, Expression> condition = "a name, `not` or `(`";
+const x3::rule<struct BothTag, Expression> both = "a name, `not` or `(`";
+const x3::rule<struct PartTag, Expression> part = "a name, `not` or `(`";
+const x3::rule<struct PrimaryTag, Expression> primary = "a name or `(`";
+const x3::rule<struct OperandTag, Expression> operand = "a name";
+const x3::rule<struct NameTag, Name> name = "a name";
+const x3::rule<struct LevelTag, Name> level = "a name";
+const x3::rule<struct NumberTag, PlacedNumber> number = "a number";
+const x3::rule<struct CloseTag> close = "`and`, `or` or `)`";
+const x3::rule<struct EndTag> end = "`and`, `or` or the end";
+
+const auto letter = unicode::alnum | unicode::char_('_');
+const auto quote = unicode::char_('\'');
+const auto word_or = x3::lexeme[unicode::char_("oO") >> unicode::char_("rR") >> !letter];
+const auto word_and = x3::lexeme[unicode::char_("aA") >> unicode::char_("nN") >> unicode::char_("dD") >> !letter];
+const auto word_not = x3::lexeme[unicode::char_("nN") >> unicode::char_("oO") >> unicode::char_("tT") >> !letter];
+const auto quoted = x3::lexeme[quote >> +((quote >> quote) | (unicode::char_ - quote)) >> quote];
+const auto plain = x3::lexeme[+letter];
+const auto digit = unicode::char_('0', '9');
+/// All that may be meant as a number: Number::read has the say.
+const auto number_text = x3::lexeme[-(unicode::char_('+') | unicode::char_('-')) >> digit >>
+                                    *((unicode::char_("eE") >> unicode::char_("+-") >> &digit) | letter |
+                                      unicode::char_('#') | unicode::char_('.'))];
+
+// Actions.
+
+const auto take = [](const auto& context) { x3::_val(context) = std::move(x3::_attr(context)); };
+const auto take_name = [](const auto& context) {
+  const std::string_view text = text_of(x3::_attr(context));
+  x3::_val(context) = {text.front() == '\'' ? unquoted(text) : std::string(text), place_of(context, text)};
+};
+const auto take_number = [](const auto& context) {
+  const std::string_view text = text_of(x3::_attr(context));
+  auto read = Number::read(text);
+  x3::_pass(context) = read.has_value();
+  if (read) x3::_val(context) = {std::move(*read), place_of(context, text)};
+};
+const auto add_name = [](const auto& context) { x3::_val(context).names.push_back(std::move(x3::_attr(context))); };
+const auto set_number = [](const auto& context) {
+  x3::_val(context).number = std::move(x3::_attr(context).number);
+  x3::_val(context).number_place = x3::_attr(context).place;
+};
+template <core::Comparison comparison>
+const auto compare = [](const auto& context) {
+  x3::_val(context).kind = Expression::Kind::comparison;
+  x3::_val(context).comparison = comparison;
+};
+const auto negate = [](const auto& context) {  // twice is not at all
+  Expression::Kind& kind = x3::_val(context).kind;
+  kind = kind == Expression::Kind::negation ? Expression::Kind::name : Expression::Kind::negation;
+};
+const auto take_negated = [](const auto& context) {
+  if (x3::_val(context).kind == Expression::Kind::negation) {
+    x3::_val(context).children.push_back(std::move(x3::_attr(context)));
+  } else {
+    take(context);
+  }
+};
+const auto add_part = [](const auto& context) { x3::_val(context).children.push_back(std::move(x3::_attr(context))); };
+/// An expression of several parts; of a single one just that.
+template <Expression::Kind kind>
+const auto join = [](const auto& context) {
+  Expression& all = x3::_val(context);
+  all.kind = kind;
+  if (all.children.size() > 1) return;
+  Expression only = std::move(all.children.front());
+  all = std::move(only);
+};
+
+// Grammar.
+
+const auto comparison = x3::lexeme[x3::lit('<') >> '='][compare<core::Comparison::less_equal>] |
+                        x3::lexeme[x3::lit('>') >> '='][compare<core::Comparison::greater_equal>] |
+                        x3::lit('<')[compare<core::Comparison::less>] |
+                        x3::lit('>')[compare<core::Comparison::greater>] |
+                        x3::lit('=')[compare<core::Comparison::equal>];
+
+const auto level_def = x3::raw[quoted | plain][take_name];
+const auto name_def = !(word_and | word_or | word_not) >> level[take];
+const auto number_def = x3::raw[number_text][take_number];
+const auto further_name = x3::lit('.') > level[add_name];
+const auto operand_def = name[add_name] >> -(further_name >> -further_name) >> -(comparison > number[set_number]);
+const auto primary_def = (x3::lit('(') > condition[take] > close) | operand[take];
+const auto part_def = (+word_not[negate] > primary[take_negated]) | primary[take];
+const auto both_def = part[add_part] >> *(word_and > part[add_part]) >> x3::eps[join<Expression::Kind::all>];
+const auto condition_def = both[add_part] >> *(word_or > both[add_part]) >> x3::eps[join<Expression::Kind::any>];
+const auto close_def = x3::lit(')');
+const auto end_def = x3::eoi;
+
+BOOST_SPIRIT_DEFINE(condition, both, part, primary, operand, name, level, number, close, end)
+
+/// Where the first parenthesis too deep stands; the text's size where none does.
+std::size_t too_deep(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\'') in_quotes = !in_quotes;
+    if (in_quotes) continue;
+    if (text[i] == '(' && ++depth > kDeepestNesting) return i;
+    if (text[i] == ')' && depth > 0) --depth;
+  }
+  return text.size();
+}
+
+bool is_letter(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= 0x80 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// What stands at an offset, as a reader would name it.
+Place token_at(std::string_view text, std::size_t offset) {
+  std::size_t stop = offset;
+  if (stop < text.size() && text[stop] == '\'') {
+    const std::size_t closing = text.find('\'', stop + 1);
+    return {offset, (closing == std::string_view::npos ? text.size() : closing + 1) - offset};
+  }
+  while (stop < text.size() && is_letter(text[stop])) ++stop;
+  if (stop == offset && stop < text.size()) ++stop;
+  return {offset, stop - offset};
+}
+
+Fault fault_at(std::string_view text, std::size_t offset, const std::string& expected) {
+  const Place place = token_at(text, offset);
+  if (place.length == 0) return {place, "the condition ends where " + expected + " is expected"};
+  const std::string there(text.substr(place.offset, place.length));
+  if (there.front() == '\'' && (there.size() == 1 || there.back() != '\'')) {
+    return {{offset, 1}, "`'` opens a name that no `'` closes"};
+  }
+  return {place, "`" + there + "` stands where " + expected + " is expected"};
+}
+
+}  // namespace
+
+std::variant<Expression, Fault> parse(std::string_view text) {
+  if (const std::size_t deep = too_deep(text); deep < text.size()) {
+    return Fault{{deep, 1}, "more than " + std::to_string(kDeepestNesting) + " parentheses within each other"};
+  }
+  const char* begin = text.data();
+  const char* last = begin + text.size();
+  const auto offset = [&](CodePoints at) {
+    const CodePoints stop(last, begin, last);
+    x3::parse(at, stop, *unicode::space);
+    return static_cast<std::size_t>(at.base() - begin);
+  };
+  try {
+    CodePoints at(begin, begin, last);
+    Expression result;
+    x3::phrase_parse(at, CodePoints(last, begin, last), x3::with<TextBegin>(begin)[x3::eps > condition > end],
+                     unicode::space, result);
+    return result;
+  } catch (const x3::expectation_failure<CodePoints>& failure) {
+    return fault_at(text, offset(failure.where()), failure.which());
+  } catch (const std::out_of_range&) {
+    return Fault{{0, text.size()}, "the condition is no UTF-8"};
+  }
+}
+
+}  // namespace symplant::condition

@@ -1,0 +1,170 @@
+// Names looked up, comparisons folded.
+#include "symplant/condition/resolve.hpp"
+
+#include <utility>
+
+#include "symplant/condition/compare.hpp"
+
+namespace symplant::condition {
+namespace {
+
+using Resolved = std::variant<Tree, Fault>;
+
+Tree tree_of(const Atom& atom) {
+  Tree tree;
+  tree.kind = Tree::Kind::atom;
+  tree.atom = atom;
+  return tree;
+}
+
+Tree constant(bool value) {
+  Tree tree;
+  tree.value = value;
+  return tree;
+}
+
+bool is_moving(std::string_view name) {
+  constexpr std::string_view kMoving = "moving";
+  if (name.size() != kMoving.size()) return false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if ((name[i] | 0x20) != kMoving[i]) return false;
+  }
+  return true;
+}
+
+std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+
+/// "there is no ...", with the nearest one that there is.
+std::string missing(const std::string& what, const std::string& nearest) {
+  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + quoted(nearest));
+}
+
+class Resolver {
+ public:
+  explicit Resolver(const Names& names) : names_(names) {}
+
+  Resolved resolve(const Expression& expression) const {
+    switch (expression.kind) {
+      case Expression::Kind::name:
+        return expression.names.size() == 1 ? bit(expression.names.front()) : state(expression);
+      case Expression::Kind::comparison:
+        return comparison(expression);
+      case Expression::Kind::negation:
+      case Expression::Kind::all:
+      case Expression::Kind::any:
+        break;
+    }
+    Tree tree;
+    tree.kind = expression.kind == Expression::Kind::negation ? Tree::Kind::negation
+                : expression.kind == Expression::Kind::all    ? Tree::Kind::all
+                                                              : Tree::Kind::any;
+    tree.children.reserve(expression.children.size());
+    for (const Expression& child : expression.children) {
+      Resolved part = resolve(child);
+      if (part.index() == 1) return part;
+      tree.children.push_back(std::move(std::get<Tree>(part)));
+    }
+    return tree;
+  }
+
+ private:
+  Resolved bit(const Name& name) const {
+    const auto symbol = names_.symbol(name.text);
+    if (!symbol) return no_symbol(name);
+    if (symbol->type != core::DataType::boolean) {
+      return Fault{name.place, quoted(name.text) + " is of type " + std::string(type_name(symbol->type)) +
+                                   " and stands without a comparison, compare it as in " + quoted(name.text + " > 0")};
+    }
+    Atom atom;
+    atom.kind = Atom::Kind::bit;
+    atom.of = symbol->index;
+    return tree_of(atom);
+  }
+
+  Resolved comparison(const Expression& expression) const {
+    const Name& name = expression.names.front();
+    if (expression.names.size() != 1) {
+      const Name& last = expression.names.back();
+      return Fault{{name.place.offset, last.place.offset + last.place.length - name.place.offset},
+                   "a state is compared with a number, only numeric symbols can be"};
+    }
+    const auto symbol = names_.symbol(name.text);
+    if (!symbol) return no_symbol(name);
+    if (symbol->type == core::DataType::boolean) {
+      return Fault{name.place, quoted(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
+    }
+    const auto folded = fold(symbol->type, expression.comparison, expression.number);
+    if (!folded) {
+      return Fault{expression.number_place,
+                   "the number is beyond what a " + std::string(type_name(symbol->type)) + " holds"};
+    }
+    if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always);
+    const auto& found = std::get<FoldedComparison>(*folded);
+    Atom atom;
+    atom.kind = Atom::Kind::number;
+    atom.of = symbol->index;
+    atom.comparison = found.comparison;
+    atom.number = found.number;
+    atom.operand = found.operand;
+    return tree_of(atom);
+  }
+
+  Resolved state(const Expression& expression) const {
+    const Name& device = expression.names.front();
+    const Name& last = expression.names.back();
+    const std::string_view facet = expression.names.size() == 3 ? std::string_view(expression.names[1].text) : "";
+    const auto unit = names_.unit(device.text, facet);
+    if (!unit) return no_unit(expression, facet);
+    Atom atom;
+    atom.of = *unit;
+    if (const auto found = names_.state(*unit, last.text)) {
+      atom.state = *found;
+      return tree_of(atom);
+    }
+    if (is_moving(last.text)) {
+      atom.kind = Atom::Kind::moving;
+      return tree_of(atom);
+    }
+    std::string why = names_.why_no_state(*unit, last.text);
+    if (why.empty()) {
+      why =
+          missing("state " + quoted(last.text) + " of " + quoted(device.text), names_.nearest_state(*unit, last.text));
+    }
+    return Fault{last.place, std::move(why)};
+  }
+
+  Fault no_symbol(const Name& name) const {
+    if (names_.unit(name.text, {})) {
+      return {name.place, quoted(name.text) + " is a device, name a state of it as in " + quoted(name.text + ".STATE")};
+    }
+    return {name.place, missing("symbol " + quoted(name.text), names_.nearest_symbol(name.text))};
+  }
+
+  Fault no_unit(const Expression& expression, std::string_view facet) const {
+    const Name& device = expression.names.front();
+    const std::string nearest = names_.nearest_device(device.text, facet);
+    if (!facet.empty() && names_.unit(device.text, {})) {
+      return {expression.names[1].place, missing("facet " + quoted(facet) + " of " + quoted(device.text), nearest)};
+    }
+    if (facet.empty() && names_.symbol(device.text)) {
+      return {device.place, quoted(device.text) + " is a symbol and has no states, name it alone"};
+    }
+    return {device.place, missing("device " + quoted(device.text), nearest)};
+  }
+
+  const Names& names_;
+};
+
+}  // namespace
+
+std::variant<Tree, Fault> resolve(const Expression& expression, const Names& names) {
+  return Resolver(names).resolve(expression);
+}
+
+std::variant<Tree, Fault> parse_and_resolve(std::string_view text, const Names& names) {
+  auto parsed = parse(text);
+  if (auto* fault = std::get_if<Fault>(&parsed)) return std::move(*fault);
+  return resolve(std::get<Expression>(parsed), names);
+}
+
+}  // namespace symplant::condition

@@ -1,0 +1,48 @@
+// How many events rose within a cycle: more than the engine remembers are no case to compare.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <vector>
+
+#include "support/reference/reference.hpp"
+#include "symplant/core/tables.hpp"
+
+namespace symplant::property {
+
+/// In real time the engine keeps the last 64 rises (of one instant in one word each) for *event too short*; what a PLC
+/// may miss of an event older than that within one cycle it does not tell (runtime/core/short_events.hpp).
+class CycleRises {
+ public:
+  explicit CycleRises(const core::PlantTables& tables) : tables_(&tables) {}
+
+  void clear() { times_.clear(); }
+  /// Takes up what happened; true where the engine may have forgotten a rise.
+  bool too_many(const std::vector<reference::InstantRecord>& instants, core::Time cycle) {
+    constexpr std::size_t kRemembered = 64;
+    if (cycle == 0) return false;
+    for (const reference::InstantRecord& instant : instants) {
+      while (!times_.empty() && instant.time - times_.front() > cycle) times_.pop_front();
+      times_.insert(times_.end(), words_of(instant), instant.time);
+      if (times_.size() >= kRemembered) return true;
+    }
+    return false;
+  }
+
+ private:
+  std::size_t words_of(const reference::InstantRecord& instant) const {
+    std::set<std::uint32_t> words;
+    for (const auto& [symbol, value] : instant.changes) {
+      const core::SymbolRow& row = tables_->symbols[symbol];
+      const bool event = row.direction() == core::Direction::event && row.type() == core::DataType::boolean;
+      if (event && value != 0) words.insert(row.index / 64);
+    }
+    return words.size();
+  }
+
+  const core::PlantTables* tables_;
+  std::deque<core::Time> times_;
+};
+
+}  // namespace symplant::property

@@ -1,0 +1,168 @@
+// Compares what engine and reference show, field by field.
+#include "property/differences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+
+namespace symplant::property {
+namespace {
+
+constexpr std::array<std::string_view, core::kFindingKinds> kFindingWords = {"conflicting operations",
+                                                                             "stopped under another command",
+                                                                             "command to a disabled unit",
+                                                                             "command without effect",
+                                                                             "lost command",
+                                                                             "started on enabling",
+                                                                             "event too short",
+                                                                             "instantaneous loop",
+                                                                             "requirement violated"};
+
+std::string text_of(const core::Finding& finding, const model::PlantModel& plant) {
+  using Of = core::FindingKind;
+  std::string text(kFindingWords[static_cast<std::size_t>(finding.kind)]);
+  if (finding.more) text += "+";
+  text += " of ";
+  const bool unit = finding.kind == Of::conflicting_operations || finding.kind == Of::stopped_under_another_command ||
+                    finding.kind == Of::started_on_enabling || finding.kind == Of::instantaneous_loop;
+  const std::size_t most = unit                                       ? plant.units.size()
+                           : finding.kind == Of::requirement_violated ? plant.requirements.size()
+                                                                      : plant.symbols.size();
+  if (finding.of >= most) return text + "nothing (" + std::to_string(finding.of) + ")";
+  if (unit) return text.append(plant.units[finding.of].path);
+  if (finding.kind == Of::requirement_violated) return text + plant.requirements[finding.of].name;
+  return text.append(plant.symbols[finding.of].name());
+}
+
+std::string text_of(const reference::InstantRecord& record, const model::PlantModel& plant) {
+  std::string text = "t=" + std::to_string(record.time);
+  for (const auto& [symbol, value] : record.changes) {
+    text.append(" ").append(plant.symbols[symbol].name()).append("=").append(std::to_string(value));
+  }
+  for (const core::Finding& finding : record.findings) {
+    text += " {" + text_of(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
+  }
+  return text;
+}
+
+std::string text_of(const reference::UnitView& view, const model::Unit& unit) {
+  const auto name = [&](std::uint8_t state) {
+    return state < unit.states.size() ? unit.states[state].name : "#" + std::to_string(state);
+  };
+  std::string text = name(view.state);
+  if (view.moving) text += "->" + name(view.target) + " remaining " + std::to_string(view.remaining);
+  if (view.standing) text += " standing";
+  if (view.disabled) text += " disabled";
+  if (view.frozen) text += " frozen";
+  return text;
+}
+
+reference::UnitView as_reference(const core::UnitView& view) {
+  return {view.state, view.target, view.moving, view.standing, view.disabled, view.frozen, view.remaining};
+}
+
+std::string both(std::string_view what, const std::string& engine, const std::string& reference) {
+  return std::string(what) + "\n  engine:    " + engine + "\n  reference: " + reference;
+}
+
+std::string units_difference(const core::Plant& engine, const reference::Plant& reference,
+                             const model::PlantModel& plant) {
+  for (std::uint32_t i = 0; i < plant.units.size(); ++i) {
+    const core::UnitView seen = engine.unit(i);
+    const reference::UnitView view = as_reference(seen);
+    if (view != reference.unit(i)) {
+      return both("unit " + std::string(plant.units[i].path), text_of(view, plant.units[i]),
+                  text_of(reference.unit(i), plant.units[i]));
+    }
+    const bool in_order = seen.progress >= 0 && seen.progress <= 1 && (seen.moving || seen.progress == 0);
+    if (!in_order) return "progress of " + std::string(plant.units[i].path) + " is " + std::to_string(seen.progress);
+  }
+  return {};
+}
+
+std::string symbols_difference(const EnginePlant& engine, const reference::Plant& reference,
+                               const model::PlantModel& plant) {
+  const std::span<const std::uint64_t> disarmed = engine.plant().disarmed();
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const std::string name(plant.symbols[i].name());
+    if (engine.value(i) != reference.value(i)) {
+      return both("value of " + name, std::to_string(engine.value(i)), std::to_string(reference.value(i)));
+    }
+    if (engine.plant().is_forced(i) != reference.is_forced(i)) return "is_forced of " + name;
+    const core::SymbolRow& row = engine.plant().tables().symbols[i];
+    if (row.direction() != core::Direction::operation || row.type() != core::DataType::boolean) continue;
+    const bool off = ((disarmed[row.index / 64] >> (row.index % 64)) & 1) != 0;
+    if (off != reference.disarmed(i)) {
+      return both("disarmed " + name, off ? "yes" : "no", off ? "no" : "yes");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
+                                const model::PlantModel& plant) {
+  if (!engine.fault().empty()) return engine.fault();
+  const auto& told = engine.instants();
+  const auto& wanted = reference.instants();
+  for (std::size_t i = 0; i < std::max(told.size(), wanted.size()); ++i) {
+    const std::string engine_text = i < told.size() ? text_of(told[i], plant) : "nothing";
+    const std::string reference_text = i < wanted.size() ? text_of(wanted[i], plant) : "nothing";
+    const bool same = i < told.size() && i < wanted.size() && told[i].time == wanted[i].time &&
+                      told[i].changes == wanted[i].changes && told[i].findings == wanted[i].findings;
+    if (!same) return both("instant", engine_text, reference_text);
+  }
+  return {};
+}
+
+std::string next_due_difference(core::Plant& engine, const reference::Plant& reference) {
+  const core::Time due = engine.next_due();
+  if (due == reference.next_due()) return {};
+  return both("next_due", std::to_string(due), std::to_string(reference.next_due()));
+}
+
+std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant) {
+  core::Plant& it = engine.plant();
+  if (it.now() != reference.now()) return both("now", std::to_string(it.now()), std::to_string(reference.now()));
+  std::string text = units_difference(it, reference, plant);
+  if (text.empty()) text = symbols_difference(engine, reference, plant);
+  if (text.empty()) text = next_due_difference(it, reference);
+  if (text.empty() && getenv("NOHASH") == nullptr && it.state_hash() != reference.state_hash()) text = "state_hash";
+  return text;
+}
+
+Shadow::Shadow(const EnginePlant& engine, const model::PlantModel& plant) : plant_(plant) {
+  for (std::uint32_t i = 0; i < plant.units.size(); ++i) units_.push_back(engine.plant().unit(i));
+  const auto events = engine.plant().events();
+  events_.assign(events.begin(), events.end());
+  for (std::uint32_t i = 0; i < engine.plant().tables().event_slots; ++i) {
+    values_.push_back(engine.plant().event_value(i));
+  }
+}
+
+std::string Shadow::difference(const EnginePlant& engine) const {
+  const core::Plant& now = engine.plant();
+  for (std::uint32_t i = 0; i < units_.size(); ++i) {
+    reference::UnitView old = as_reference(units_[i]);
+    reference::UnitView view = as_reference(now.unit(i));
+    old.remaining = view.remaining = 0;  // goes by itself
+    if (old != view && !engine.units_told()[i]) {
+      return both("unit not told: " + std::string(plant_.units[i].path), text_of(view, plant_.units[i]),
+                  text_of(old, plant_.units[i]) + " before");
+    }
+  }
+  const auto told = [](std::span<const std::uint32_t> places, std::uint32_t place) {
+    return std::count(places.begin(), places.end(), place) == 1;
+  };
+  for (std::uint32_t i = 0; i < events_.size(); ++i) {
+    if (now.events()[i] != events_[i] && !told(now.changed_events(), i)) return "changed_events()";
+  }
+  for (std::uint32_t i = 0; i < values_.size(); ++i) {
+    if (now.event_value(i) != values_[i] && !told(now.changed_event_values(), i)) return "changed_event_values()";
+  }
+  return {};
+}
+
+}  // namespace symplant::property

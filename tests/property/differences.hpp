@@ -1,0 +1,33 @@
+// What differs between the two, in words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/plant_model.hpp"
+#include "property/engine_plant.hpp"
+#include "support/reference/reference.hpp"
+
+namespace symplant::property {
+
+// Each gives the first difference, empty where there is none.
+std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
+                                const model::PlantModel& plant);
+std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant);
+std::string next_due_difference(core::Plant& engine, const reference::Plant& reference);
+
+/// What the engine showed before an advance, to see whether it tells all that has changed after it.
+class Shadow {
+ public:
+  Shadow(const EnginePlant& engine, const model::PlantModel& plant);
+  std::string difference(const EnginePlant& engine) const;
+
+ private:
+  const model::PlantModel& plant_;
+  std::vector<core::UnitView> units_;
+  std::vector<std::uint64_t> events_;
+  std::vector<std::uint64_t> values_;
+};
+
+}  // namespace symplant::property

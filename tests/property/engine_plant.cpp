@@ -1,0 +1,113 @@
+// What the engine's observer is told, mapped to symbols.
+#include "property/engine_plant.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace symplant::property {
+namespace {
+
+constexpr std::uint32_t kNoSymbol = 0xFFFF'FFFF;
+
+}  // namespace
+
+SymbolPlaces::SymbolPlaces(const core::PlantTables& tables)
+    : operation_bits(tables.operation_bits, kNoSymbol),
+      event_bits(tables.event_bits, kNoSymbol),
+      operation_slots(tables.operation_slots, kNoSymbol),
+      event_slots(tables.event_slots, kNoSymbol) {
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const core::SymbolRow& row = tables.symbols[i];
+    const bool operation = row.direction() == core::Direction::operation;
+    if (row.type() == core::DataType::boolean) {
+      (operation ? operation_bits : event_bits)[row.index] = i;
+    } else {
+      (operation ? operation_slots : event_slots)[row.index] = i;
+    }
+  }
+}
+
+EnginePlant::EnginePlant(const core::PlantTables& tables, const std::vector<core::Behaviour>& behaviours)
+    : tables_(tables), places_(tables), behaviours_(behaviours), units_told_(tables.units.size()) {
+  const std::size_t size = core::Plant::memory_size(tables, behaviours_);
+  const std::size_t pieces = size / sizeof(std::max_align_t) + 1;
+  memory_ = std::make_unique_for_overwrite<std::max_align_t[]>(pieces);
+  // What the engine does not write itself must not matter.
+  std::fill_n(reinterpret_cast<unsigned char*>(memory_.get()), pieces * sizeof(std::max_align_t), 0xA5);
+  plant_ =
+      std::make_unique<core::Plant>(tables, std::span(reinterpret_cast<std::byte*>(memory_.get()), size), behaviours_);
+}
+
+void EnginePlant::write(std::uint32_t symbol, std::uint64_t value) {
+  const core::SymbolRow& row = tables_.symbols[symbol];
+  const std::uint64_t bit = std::uint64_t{1} << (row.index % 64);
+  if (row.type() == core::DataType::boolean && ++writes_ % 3 == 0) {
+    plant_->set_operations(row.index / 64, bit,
+                           value != 0 ? ~std::uint64_t{0} : 0);  // bits outside the mask are nobody's
+  } else if (row.type() == core::DataType::boolean) {
+    plant_->set_operation(row.index, value != 0);
+  } else {
+    plant_->set_operation_value(row.index, value);
+  }
+}
+
+std::uint64_t EnginePlant::value(std::uint32_t symbol) const {
+  const core::SymbolRow& row = tables_.symbols[symbol];
+  const bool operation = row.direction() == core::Direction::operation;
+  if (row.type() == core::DataType::boolean) {
+    return (operation ? plant_->operation(row.index) : plant_->event(row.index)) ? 1 : 0;
+  }
+  return operation ? plant_->operation_value(row.index) : plant_->event_value(row.index);
+}
+
+void EnginePlant::forget() {
+  instants_.clear();
+  std::fill(units_told_.begin(), units_told_.end(), false);
+}
+
+std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was told, its instant was not"; }
+
+void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const core::WordChange> words, bool operations) {
+  const std::span<const std::uint64_t> plane = operations ? plant_->operations() : plant_->events();
+  for (const core::WordChange& change : words) {
+    if (change.bits == 0) fault_ = "a word without a change was told";
+    for (std::uint64_t rest = change.bits; rest != 0; rest &= rest - 1) {
+      const auto bit = static_cast<std::uint32_t>(std::countr_zero(rest));
+      const std::uint32_t symbol = (operations ? places_.operation_bits : places_.event_bits)[change.word * 64 + bit];
+      if (symbol == kNoSymbol) {
+        fault_ = "a bit of no symbol was told";
+        continue;
+      }
+      record.changes.emplace_back(symbol, (plane[change.word] >> bit) & 1);
+    }
+  }
+}
+
+void EnginePlant::add_slots(reference::InstantRecord& record, std::span<const std::uint32_t> slots, bool operations) {
+  for (const std::uint32_t slot : slots) {
+    const std::uint32_t symbol = (operations ? places_.operation_slots : places_.event_slots)[slot];
+    record.changes.emplace_back(symbol, operations ? plant_->operation_value(slot) : plant_->event_value(slot));
+  }
+}
+
+void EnginePlant::instant(const core::Instant& instant) noexcept {
+  reference::InstantRecord record;
+  record.time = instant.time;
+  record.findings = std::move(pending_);
+  pending_.clear();
+  add_bits(record, instant.operations, true);
+  add_bits(record, instant.events, false);
+  add_slots(record, instant.operation_slots, true);
+  add_slots(record, instant.event_slots, false);
+  std::sort(record.changes.begin(), record.changes.end());
+  for (const std::uint32_t unit : instant.units) {
+    if (unit >= units_told_.size()) {
+      fault_ = "a unit that is none was told";
+      continue;
+    }
+    units_told_[unit] = true;
+  }
+  if (!record.changes.empty() || !record.findings.empty()) instants_.push_back(std::move(record));
+}
+
+}  // namespace symplant::property

@@ -1,0 +1,19 @@
+// The generated plants of this test, by the seed that each was drawn with.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "symplant/core/tables.hpp"
+
+namespace symplant::property {
+
+struct GeneratedPlant {
+  std::uint64_t seed;
+  const core::PlantTables& tables;
+};
+
+/// Written by emit_plants.
+std::vector<GeneratedPlant> generated_plants();
+
+}  // namespace symplant::property

@@ -1,0 +1,69 @@
+# Planted bugs of the engine, one line each. The property test must find every one of them within CI's plants.
+#
+# symplant_mutant(NAME FROM TO): the line FROM of runtime/core becomes TO, and the file that it stands in is linked in
+# place of the engine's own.
+function(symplant_mutant NAME FROM TO)
+  set(core ${PROJECT_SOURCE_DIR}/runtime/core)
+  set(include ${CMAKE_CURRENT_BINARY_DIR}/mutants/${NAME})
+  set(source ${include}/mutant.cpp)
+  file(GLOB originals CONFIGURE_DEPENDS ${core}/*.hpp ${core}/*.cpp)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DFROM_FOLDER=${core} -DTO_FOLDER=${include}/symplant/core -DSOURCE=${source}
+            "-DFROM=${FROM}" "-DTO=${TO}" -P ${CMAKE_CURRENT_SOURCE_DIR}/plant_once.cmake
+    DEPENDS ${originals} ${CMAKE_CURRENT_SOURCE_DIR}/plant_once.cmake
+    VERBATIM)
+  add_executable(property_mutant_${NAME} main.cpp ${source})
+  target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
+  target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)
+  add_test(NAME property.mutant.${NAME} COMMAND property_mutant_${NAME} --wrong --quiet)
+  set_tests_properties(property.mutant.${NAME} PROPERTIES TIMEOUT 600 LABELS mutants)
+endfunction()
+
+symplant_mutant(armed_not_restored_while_disabled
+  "  disarmed[word] &= now;"
+  "  for (std::uint64_t off = disarmed[word] & ~now; off != 0; off &= off - 1) { if ((units[index.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(off))]].flags & kDisabled) == 0) disarmed[word] &= ~(off & (~off + 1)); }")
+
+symplant_mutant(after_not_restarted_by_a_break
+  "    record.holds = 0;"
+  "")
+
+symplant_mutant(break_counted_while_disabled
+  "  if ((state.flags & kHalted) != 0) return;"
+  "  if ((state.flags & kHalted) != 0) { if ((state.flags & (kFrozen | kMoving)) == 0 && index.types[tables.units[unit].type].records != 0) forget_causes(unit, index.types[tables.units[unit].type], state.state); return; }")
+
+symplant_mutant(step_reads_this_round
+  "  for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);"
+  "  for (std::uint32_t i = 0; i < count; ++i) { step(touched_.items[i]); if (unpublished_) publish(true); }")
+
+symplant_mutant(automatic_not_before_commanded
+  "  if (ready.automatic != kNoTransition) {"
+  "  if (ready.automatic != kNoTransition && ready.first == kNoTransition) {")
+
+symplant_mutant(own_state_not_wanted
+  "  const bool stay_wanted = (on & type.leads[here] & ~ready.served) != 0 || further == here;"
+  "  const bool stay_wanted = further == here;")
+
+symplant_mutant(rounding_up_in_turning_round
+  "static_cast<Wide>(travelled) / static_cast<Wide>(forth));"
+  "static_cast<Wide>(travelled) / static_cast<Wide>(forth) + (static_cast<Wide>(back) * static_cast<Wide>(travelled) % static_cast<Wide>(forth) != 0 ? 1 : 0));")
+
+symplant_mutant(once_does_not_disarm
+  "      if (fired.once && type.actuation == Actuation::latched) disarmed[word] |= on;"
+  "")
+
+symplant_mutant(draw_counter_shared_by_transitions
+  "  return drawn(unit, transition, time, &records[rich_row(unit).first_record + type.record_of[transition]]);"
+  "  return drawn(unit, transition, time, &records[rich_row(unit).first_record]);")
+
+symplant_mutant(stopped_mover_still_disables
+  "      state.flags |= kDisabled;"
+  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { rich_states[place].settled = state.state; for (const DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++rich_states[index.rich.place_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
+
+symplant_mutant(no_round_after_enabling
+  "      resume_times(unit);"
+  "      resume_times(unit); continue;")
+
+symplant_mutant(watch_expires_one_instant_late
+  "  if (!met && head->now < monitor.deadline) return false;"
+  "  if (!met && head->now <= monitor.deadline) return false;")

@@ -1,0 +1,67 @@
+// From plain values to the plant's model, by the tool's own floors.
+#include "property/plant_text.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "model/build_plant.hpp"
+#include "name/named_table.hpp"
+#include "name/naming_rule.hpp"
+#include "property/behaviours.hpp"
+#include "read/symbol_table.hpp"
+
+namespace symplant::property {
+namespace {
+
+std::shared_ptr<const read::SymbolTable> table_of(const PlantText& text) {
+  auto table = std::make_shared<read::SymbolTable>();
+  table->source = std::make_shared<const base::SourceFile>(text.name + ".csv", std::string());
+  const auto cell = [&](const std::string& content) -> std::string_view { return table->arena.emplace_back(content); };
+  std::uint32_t line = 1;
+  for (const Row& row : text.rows) {
+    read::ListRow made{};
+    made.klass = "VAR_GLOBAL";
+    made.name = cell(row.name);
+    made.iec_address = cell(row.address);
+    made.type = cell(row.type);
+    made.initial = cell(row.initial);
+    made.line = ++line;
+    table->rows.push_back(made);
+  }
+  return table;
+}
+
+bool serves_behaviour(const model::Unit& unit) {
+  return unit.operations.size() >= kLeastOperations && unit.events.size() >= kLeastEvents &&
+         unit.values.size() >= kLeastValues && unit.states.size() >= kLeastStates &&
+         unit.described->inputs.size() >= kLeastInputs && is_behaviour(unit.described->behaviour);
+}
+
+}  // namespace
+
+model::PlantModel build(const PlantText& text) {
+  const auto table = table_of(text);
+  const name::NamedTable named = name::read_names(*table, name::built_in_rule());
+  model::BuildOptions options;
+  options.plant_name = text.name;
+  options.description = std::make_shared<const model::Description>(text.description);
+  return model::build_plant(table, named, options);
+}
+
+bool runnable(const model::PlantModel& plant) {
+  if (!plant.description_faults.empty() || !plant.moved_twice.empty()) return false;
+  return std::all_of(plant.units.begin(), plant.units.end(), [](const model::Unit& unit) {
+    return unit.described == nullptr || unit.described->behaviour.empty() || serves_behaviour(unit);
+  });
+}
+
+std::string list_text(const PlantText& text) {
+  std::string list = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+  for (const Row& row : text.rows) {
+    list += "VAR_GLOBAL," + row.name + ",," + row.address + "," + row.type + "," + row.initial + "\n";
+  }
+  return list;
+}
+
+}  // namespace symplant::property

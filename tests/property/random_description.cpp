@@ -1,0 +1,178 @@
+// What a user might say of a random plan: all that a description can say, and nothing that is refused.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "property/behaviours.hpp"
+#include "property/random_unit.hpp"
+
+namespace symplant::property {
+namespace {
+
+using core::Actuation;
+using model::DeviceDescription;
+using model::GivenTransition;
+
+class DeviceWriter {
+ public:
+  DeviceWriter(Dice& dice, const PlannedPlant& plan, const PlannedUnit& unit)
+      : dice_(dice), plan_(plan), unit_(unit), states_(unit.states()) {
+    device_.path = unit.path;
+    device_.states = unit.added;
+  }
+
+  DeviceDescription write() {
+    if (dice_.percent(55)) device_.actuation = static_cast<Actuation>(dice_.below(4));
+    if (dice_.percent(25)) device_.initial = dice_.pick(states_);
+    if (device_.actuation == Actuation::spring && dice_.percent(50)) device_.rest = dice_.pick(states_);
+    device_.only = dice_.percent(8);
+    for (const std::string& command : unit_.commands) command_transition(command);
+    if (states_.size() > 1) {
+      for (std::size_t i = dice_.below(dice_.percent(20) ? 7 : 4); i > 0; --i) transition();
+    }
+    outputs();
+    disables();
+    if (dice_.percent(10)) device_.type = "Kind";
+    if (unit_.behaves) behaviour();
+    return std::move(device_);
+  }
+
+ private:
+  /// Adds a transition, unless the same stands there already.
+  void add(GivenTransition given) {
+    if (given.from == given.to) return;
+    const std::string on = given.automatic ? "*" : given.on.empty() ? given.to : given.on;
+    for (const std::string& from : states_) {
+      if (from == given.to || (given.from != "*" && given.from != from)) continue;
+      if (taken_.contains({from, given.to, on, given.when})) return;
+    }
+    for (const std::string& from : states_) taken_.insert({from, given.to, on, given.when});
+    device_.transitions.push_back(std::move(given));
+  }
+
+  GivenTransition way() {
+    GivenTransition given;
+    given.to = dice_.pick(states_);
+    do {
+      given.from = dice_.percent(20) ? "*" : dice_.pick(states_);
+    } while (given.from == given.to);
+    return given;
+  }
+
+  void times_and_cause(GivenTransition& given, unsigned after, unsigned when) {
+    if (dice_.percent(after)) given.after = random_duration(dice_);
+    if (dice_.percent(55)) given.takes = random_duration(dice_);
+    if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
+    given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
+  }
+
+  void command_transition(const std::string& command) {
+    if (states_.size() < 2) return;
+    GivenTransition given = way();
+    given.on = command;
+    times_and_cause(given, 15, 25);
+    add(std::move(given));
+  }
+
+  void transition() {
+    GivenTransition given = way();
+    const auto operations = unit_.operations();
+    const bool own = std::find(operations.begin(), operations.end(), given.to) != operations.end();
+    const bool springs_own = device_.rest == given.to && !own;
+    given.automatic = dice_.percent(40) || (operations.empty() && !springs_own);
+    if (given.automatic) {
+      times_and_cause(given, 85, 50);
+    } else if (springs_own && (operations.empty() || dice_.percent(70))) {
+      given.takes = random_duration(dice_);
+    } else {
+      if (!own || dice_.percent(30)) given.on = dice_.pick(operations);
+      times_and_cause(given, 20, 30);
+    }
+    add(std::move(given));
+  }
+
+  void outputs() {
+    const auto events = unit_.events();
+    if (events.empty() || (unit_.signals.empty() && !dice_.percent(12))) return;
+    std::set<std::string> told;
+    for (std::size_t i = 1 + dice_.below(3); i > 0; --i) {
+      model::GivenOutputs given;
+      given.state = dice_.pick(states_);
+      if (!told.insert(given.state).second) continue;
+      const auto some = [&](std::vector<std::pair<std::string, bool>>& side) {
+        for (std::size_t k = dice_.below(3); k > 0; --k) {
+          const bool signal = !unit_.signals.empty() && dice_.percent(75);
+          side.emplace_back(signal ? dice_.pick(unit_.signals) : dice_.pick(events), dice_.percent(60));
+        }
+      };
+      some(given.enter);
+      some(given.leave);
+      if (!given.enter.empty() || !given.leave.empty()) device_.outputs.push_back(std::move(given));
+    }
+  }
+
+  void disables() {
+    if (plan_.units.size() < 2 || !dice_.percent(22)) return;
+    std::set<std::string> told;
+    for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
+      model::GivenDisables given;
+      given.state = dice_.pick(states_);
+      if (!told.insert(given.state).second) continue;
+      std::set<std::string> others;
+      for (std::size_t k = 1 + dice_.below(2); k > 0; --k) others.insert(dice_.pick(plan_.units).path);
+      others.erase(unit_.path);
+      given.devices.assign(others.begin(), others.end());
+      if (!given.devices.empty()) device_.disables.push_back(std::move(given));
+    }
+  }
+
+  void behaviour() {
+    device_.behaviour = dice_.pick(behaviour_names());
+    for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
+      device_.inputs.emplace_back("in" + std::to_string(i), random_condition(dice_, plan_, unit_));
+    }
+  }
+
+  Dice& dice_;
+  const PlannedPlant& plan_;
+  const PlannedUnit& unit_;
+  std::vector<std::string> states_;
+  DeviceDescription device_;
+  std::set<std::tuple<std::string, std::string, std::string, std::string>> taken_;  ///< from, to, on, when
+};
+
+model::GivenRequirement random_requirement(Dice& dice, const PlannedPlant& plan, std::size_t number) {
+  model::GivenRequirement given;
+  given.name = "r" + std::to_string(number);
+  const PlannedUnit& own = dice.pick(plan.units);
+  if (dice.percent(45)) {
+    given.never = random_condition(dice, plan, own);
+    return given;
+  }
+  given.after = random_condition(dice, plan, own);
+  given.expect = random_condition(dice, plan, own);
+  given.within = random_time(dice);
+  return given;
+}
+
+}  // namespace
+
+model::Description random_description(Dice& dice, const PlannedPlant& plan) {
+  model::Description description;
+  description.defaults.travel = dice.percent(25) ? core::kSecond : random_time(dice);
+  description.defaults.dwell = dice.percent(25) ? core::kSecond : random_time(dice);
+  if (dice.percent(30)) description.defaults.actuation = static_cast<Actuation>(dice.below(4));
+  for (const PlannedUnit& unit : plan.units) {
+    const bool must = unit.behaves || !unit.added.empty() || !unit.commands.empty() || !unit.signals.empty();
+    if (must || dice.percent(55)) description.devices.push_back(DeviceWriter(dice, plan, unit).write());
+  }
+  if (dice.percent(45)) {
+    for (std::size_t i = 1 + dice.below(3); i > 0; --i) {
+      description.requirements.push_back(random_requirement(dice, plan, i));
+    }
+  }
+  return description;
+}
+
+}  // namespace symplant::property

@@ -1,0 +1,101 @@
+// Plans become plants; what is refused is drawn again.
+#include "property/random_plant.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "property/random_unit.hpp"
+
+namespace symplant::property {
+namespace {
+
+std::size_t random_size(Dice& dice) {
+  const std::size_t kind = dice.below(1000);
+  if (kind < 460) return 1 + dice.below(3);
+  if (kind < 760) return 4 + dice.below(3);
+  if (kind < 920) return 7 + dice.below(6);
+  return kind < 985 ? 13 + dice.below(18) : 55 + dice.below(10);
+}
+
+PlannedPlant random_plan(Dice& dice, const DrawOptions& options) {
+  PlannedPlant plan;
+  const std::size_t size = std::min(random_size(dice), options.most_units);
+  for (std::size_t i = 0; i < size; ++i) {
+    plan.units.push_back(random_unit(dice, i));
+    plan.units.back().behaves = plan.units.back().behaves && options.behaviours;
+  }
+  static const std::vector<std::string> kBits = {"SPARE1", "SPARE-2", "L0_SPARE", "L0_P_S_X_1"};
+  for (const std::string& name : kBits) {
+    if (dice.percent(25)) plan.spare_bits.push_back(name);
+  }
+  for (const std::string name : {"LEVEL", "RECIPE-1"}) {
+    if (dice.percent(20)) plan.spare_values.push_back(random_value(dice, name, dice.percent(50)));
+  }
+  return plan;
+}
+
+/// More units than an instant has rounds at first, each moved by the one before it.
+PlantText ripple_plant(Dice& dice) {
+  PlantText text;
+  const std::size_t size = 210 + dice.below(45);
+  text.description.defaults.travel = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::string path = "L0_P_R" + std::to_string(i);
+    const std::string number = std::to_string(i);
+    text.rows.push_back({path + "_I_A", "%IX" + number, "BOOL", ""});
+    if (i == 0) text.rows.push_back({path + "_O_A", "%QX0", "BOOL", ""});
+    if (i == 0) text.rows.push_back({path + "_O_B", "%QX1", "BOOL", ""});
+    model::DeviceDescription device;
+    device.path = path;
+    device.states = {i == 0 ? "C" : "B"};
+    if (i > 0) {
+      const std::string before = "L0_P_R" + std::to_string(i - 1) + ".B";
+      device.transitions.push_back({"A", "B", "", before, true, false, {}, {}});
+      device.transitions.push_back({"B", "A", "", "not " + before, true, false, {}, {}});
+    }
+    text.description.devices.push_back(std::move(device));
+  }
+  return text;
+}
+
+/// Addresses that two units move are parted.
+model::PlantModel build_apart(PlantText& text) {
+  model::PlantModel plant = build(text);
+  for (int i = 0; i < 8 && !plant.moved_twice.empty(); ++i) {
+    for (const auto& [second, first] : plant.moved_twice) {
+      const std::string_view name = plant.symbols[second].name();
+      for (Row& row : text.rows) {
+        if (row.name == name) row.address = row.address.substr(0, 3) + std::to_string(10'000 + second);
+      }
+    }
+    plant = build(text);
+  }
+  return plant;
+}
+
+std::string refusal(const model::PlantModel& plant) {
+  if (!plant.moved_twice.empty()) return "an address that two units move";
+  if (plant.description_faults.empty()) return "a behaviour that its unit does not serve";
+  return plant.description_faults.front().pointer + ": " + plant.description_faults.front().message;
+}
+
+}  // namespace
+
+DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
+  Dice dice(seed * 2 + 1);
+  DrawnPlant drawn;
+  for (;; ++drawn.refused) {
+    if (options.most_units > 100 && dice.one_in(50)) {
+      drawn.text = ripple_plant(dice);
+    } else {
+      const PlannedPlant plan = random_plan(dice, options);
+      drawn.text = {"drawn", random_rows(dice, plan), random_description(dice, plan)};
+    }
+    drawn.text.name = "drawn_" + std::to_string(seed);
+    drawn.model = build_apart(drawn.text);
+    if (runnable(drawn.model)) return drawn;
+    if (drawn.first_refusal.empty()) drawn.first_refusal = refusal(drawn.model);
+  }
+}
+
+}  // namespace symplant::property

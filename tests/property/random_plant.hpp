@@ -1,0 +1,31 @@
+// Random plants that are valid, and what might be done to them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "property/plant_text.hpp"
+
+namespace symplant::property {
+
+struct DrawnPlant {
+  PlantText text;
+  model::PlantModel model;
+  int refused = 0;            ///< plans that were no valid plant, before this one
+  std::string first_refusal;  ///< why the first of them was none
+};
+
+struct DrawOptions {
+  bool behaviours = true;
+  std::size_t most_units = 1000;
+};
+
+/// The same plant for the same seed and options, everywhere.
+DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options = {});
+
+/// What is done to a plant of this model, from a reset on.
+std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant);
+
+}  // namespace symplant::property

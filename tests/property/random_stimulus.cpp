@@ -1,0 +1,182 @@
+// What a PLC, a scenario and a trainer might do, leaning to what is interesting.
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "property/dice.hpp"
+#include "property/random_plant.hpp"
+
+namespace symplant::property {
+namespace {
+
+using Kind = Action::Kind;
+using core::kMillisecond;
+
+class StimulusWriter {
+ public:
+  StimulusWriter(Dice& dice, const model::PlantModel& plant) : dice_(dice), plant_(plant), on_(plant.symbols.size()) {
+    for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+      (plant.symbols[i].direction == core::Direction::operation ? operations_ : events_).push_back(i);
+    }
+  }
+
+  std::vector<Action> write() {
+    reset();
+    if (dice_.percent(80)) add(Kind::advance, {}, 0, 0);
+    const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
+    for (std::size_t i = (40 + dice_.below(110)) / large; i > 0; --i) {
+      for (std::size_t k = dice_.below(4); k > 0; --k) act();
+      keep();
+      advance();
+    }
+    return std::move(actions_);
+  }
+
+ private:
+  void add(Kind kind, std::string what, std::uint64_t value, core::Time time) {
+    actions_.push_back({kind, std::move(what), value, time});
+  }
+  std::string name(std::uint32_t symbol) const { return std::string(plant_.symbols[symbol].name()); }
+
+  void reset() {
+    static const std::vector<core::Time> kCycles = {0, 0, 0, 10 * kMillisecond, 15 * kMillisecond, 1};
+    add(Kind::reset, {}, dice_.below(4), dice_.pick(kCycles));
+    std::fill(on_.begin(), on_.end(), false);
+    forced_.clear();
+  }
+
+  void act() {
+    const std::size_t kind = dice_.below(100);
+    if (kind < 34) {
+      operation();
+    } else if (kind < 58) {
+      command();
+    } else if (kind < 66) {
+      several_operations();
+    } else if (kind < 76) {
+      if (!events_.empty()) set(Kind::set_input, dice_.pick(events_));
+    } else if (kind < 85) {
+      force();
+    } else if (kind < 93) {
+      if (!forced_.empty()) add(Kind::release, dice_.pick(forced_), 0, 0);
+    } else if (kind < 98) {
+      state();
+    } else {
+      add(Kind::set_quality, {}, dice_.below(2), 0);
+    }
+  }
+
+  void set(Kind kind, std::uint32_t symbol) { add(kind, name(symbol), random_value(symbol), 0); }
+
+  void operation() {
+    if (operations_.empty()) return;
+    const std::uint32_t symbol = dice_.pick(operations_);
+    if (plant_.symbols[symbol].type != core::DataType::boolean) return set(Kind::set, symbol);
+    write(symbol, dice_.percent(90) ? !on_[symbol] : on_[symbol]);
+  }
+
+  void write(std::uint32_t symbol, bool on) {
+    on_[symbol] = on;
+    add(Kind::set, name(symbol), on ? 1 : 0, 0);
+  }
+
+  /// One operation of a unit on, its others off, as a PLC changes its mind.
+  void command() {
+    if (plant_.units.empty()) return;
+    const auto& operations = plant_.units[dice_.below(plant_.units.size())].operations;
+    if (operations.empty()) return;
+    const std::uint32_t wanted = dice_.pick(operations);
+    for (const std::uint32_t symbol : operations) {
+      if (on_[symbol] && symbol != wanted) write(symbol, false);
+    }
+    if (!on_[wanted] || dice_.percent(10)) write(wanted, true);
+  }
+
+  /// All operations of one unit at once: both coils on, all off.
+  void several_operations() {
+    if (plant_.units.empty()) return;
+    const model::Unit& unit = plant_.units[dice_.below(plant_.units.size())];
+    const unsigned chance = dice_.percent(50) ? 100 : 50;
+    const bool on = dice_.percent(65);
+    for (const std::uint32_t symbol : unit.operations) {
+      if (!dice_.percent(chance)) continue;
+      write(symbol, on);
+    }
+  }
+
+  void force() {
+    const auto& side = !events_.empty() && (operations_.empty() || dice_.percent(50)) ? events_ : operations_;
+    if (side.empty()) return;
+    const std::uint32_t symbol = dice_.pick(side);
+    set(Kind::force, symbol);
+    forced_.push_back(name(symbol));
+  }
+
+  void state() {
+    if (plant_.units.empty()) return;
+    const model::Unit& unit = plant_.units[dice_.below(plant_.units.size())];
+    if (unit.states.empty()) return;
+    add(Kind::set_state, std::string(unit.path), dice_.below(unit.states.size()), 0);
+  }
+
+  std::uint64_t random_value(std::uint32_t symbol) {
+    const core::DataType type = plant_.symbols[symbol].type;
+    if (type == core::DataType::boolean) return dice_.below(2);
+    const auto number = static_cast<std::int64_t>(dice_.below(8));
+    if (type == core::DataType::real || type == core::DataType::lreal) {
+      static const std::vector<double> kReals = {0.0,
+                                                 1.0,
+                                                 2.0,
+                                                 2.5,
+                                                 -1.0,
+                                                 300.0,
+                                                 -0.0,
+                                                 5.0,
+                                                 std::numeric_limits<double>::infinity(),
+                                                 std::numeric_limits<double>::quiet_NaN()};
+      return std::bit_cast<std::uint64_t>(dice_.pick(kReals));
+    }
+    const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
+    if (is_signed && dice_.percent(20)) return static_cast<std::uint64_t>(-number);
+    if (dice_.percent(5)) return is_signed ? 127 : 255;
+    return static_cast<std::uint64_t>(number);
+  }
+
+  void keep() {
+    if (dice_.percent(5)) add(Kind::save, {}, 0, 0);
+    if (dice_.percent(4)) add(Kind::restore, {}, dice_.below(8), static_cast<core::Time>(dice_.below(2)));
+    if (dice_.one_in(80)) reset();
+  }
+
+  void advance() {
+    static const std::vector<core::Time> kTimes = {10 * kMillisecond,
+                                                   10 * kMillisecond,
+                                                   20 * kMillisecond,
+                                                   5 * kMillisecond,
+                                                   1,
+                                                   50 * kMillisecond,
+                                                   core::kSecond,
+                                                   33'333'333,
+                                                   0};
+    const std::size_t kind = dice_.below(100);
+    if (kind < 40) return add(Kind::advance_to_due, {}, 0, 0);
+    add(kind < 50 ? Kind::advance_before : Kind::advance, {}, 0, dice_.pick(kTimes));
+  }
+
+  Dice& dice_;
+  const model::PlantModel& plant_;
+  std::vector<std::uint32_t> operations_;
+  std::vector<std::uint32_t> events_;
+  std::vector<bool> on_;  ///< of operations, as they were last written
+  std::vector<std::string> forced_;
+  std::vector<Action> actions_;
+};
+
+}  // namespace
+
+std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant) {
+  Dice dice(seed * 2 + 0x5EED'0000'0000);
+  return StimulusWriter(dice, plant).write();
+}
+
+}  // namespace symplant::property

@@ -1,0 +1,126 @@
+// Delta debugging of actions and of plants.
+#include "property/shrink.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "property/simpler.hpp"
+
+namespace symplant::property {
+namespace {
+
+class Shrinker {
+ public:
+  Shrinker(Case the_case, const std::function<bool(const Case&)>& disagrees, int most_runs)
+      : best_(std::move(the_case)), disagrees_(disagrees), left_(most_runs) {}
+
+  Case run() {
+    for (std::size_t size = 0; left_ > 0 && size != size_of(best_);) {
+      size = size_of(best_);
+      actions();
+      units();
+      descriptions();
+      rows();
+      actions();
+    }
+    return std::move(best_);
+  }
+
+ private:
+  static std::size_t size_of(const Case& the_case) { return the_case.actions.size() + plant_size(the_case.plant); }
+
+  bool keep(Case candidate) {
+    if (left_ <= 0) return false;
+    --left_;
+    if (!disagrees_(candidate)) return false;
+    best_ = std::move(candidate);
+    return true;
+  }
+
+  /// Takes away pieces of a list, larger ones first.
+  template <class List>
+  void pieces(const List& list_of) {
+    for (std::size_t piece = std::max<std::size_t>(list_of(best_).size() / 2, 1);; piece /= 2) {
+      for (std::size_t end = list_of(best_).size(); end > 0;) {
+        const std::size_t begin = end > piece ? end - piece : 0;
+        Case candidate = best_;
+        auto& list = list_of(candidate);
+        list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end));
+        keep(std::move(candidate));
+        end = begin;
+      }
+      if (piece <= 1) return;
+    }
+  }
+
+  void actions() {
+    pieces([](auto& the_case) -> auto& { return the_case.actions; });
+  }
+
+  void units() {
+    for (const std::string& path : unit_paths(best_.plant)) {
+      Case candidate = best_;
+      remove_unit(candidate.plant, path);
+      keep(std::move(candidate));
+    }
+  }
+
+  void rows() {
+    pieces([](auto& the_case) -> auto& { return the_case.plant.rows; });
+    for (std::size_t i = 0; i < best_.plant.rows.size(); ++i) {
+      Case plainer = best_;
+      if (!std::exchange(plainer.plant.rows[i].initial, "").empty()) keep(std::move(plainer));
+      Case apart = best_;
+      if (give_own_address(apart.plant, i)) keep(std::move(apart));
+    }
+  }
+
+  void descriptions() {
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.devices; });
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.requirements; });
+    for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
+    // One edit after the other; a kept one makes the plant smaller, so that the next stands at the same place.
+    for (std::size_t i = 0; i < count_simpler(best_.plant);) {
+      Case candidate = best_;
+      make_simpler(candidate.plant, i);
+      if (!keep(std::move(candidate))) ++i;
+      if (left_ <= 0) return;
+    }
+  }
+
+  void device(std::size_t i) {
+    const auto described = [i](auto& the_case) -> auto& { return the_case.plant.description.devices[i]; };
+    pieces([&](auto& the_case) -> auto& { return described(the_case).transitions; });
+    pieces([&](auto& the_case) -> auto& { return described(the_case).outputs; });
+    pieces([&](auto& the_case) -> auto& { return described(the_case).disables; });
+    pieces([&](auto& the_case) -> auto& { return described(the_case).states; });
+    const auto without = [&](auto&& edit) {
+      Case candidate = best_;
+      if (edit(described(candidate))) keep(std::move(candidate));
+    };
+    without([](model::DeviceDescription& it) { return std::exchange(it.initial, std::nullopt).has_value(); });
+    without([](model::DeviceDescription& it) { return std::exchange(it.rest, std::nullopt).has_value(); });
+    without([](model::DeviceDescription& it) { return std::exchange(it.actuation, std::nullopt).has_value(); });
+    without([](model::DeviceDescription& it) { return std::exchange(it.only, false); });
+    without([](model::DeviceDescription& it) { return !std::exchange(it.type, "").empty(); });
+    without([](model::DeviceDescription& it) {
+      it.inputs.clear();
+      return !std::exchange(it.behaviour, "").empty();
+    });
+  }
+
+  Case best_;
+  const std::function<bool(const Case&)>& disagrees_;
+  int left_;
+};
+
+}  // namespace
+
+Case shrink(Case the_case, const std::function<bool(const Case&)>& disagrees, int most_runs) {
+  return Shrinker(std::move(the_case), disagrees, most_runs).run();
+}
+
+}  // namespace symplant::property

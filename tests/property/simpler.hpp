@@ -1,0 +1,27 @@
+// Single steps towards a simpler plant.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "property/plant_text.hpp"
+
+namespace symplant::property {
+
+/// Of how much the plant consists; every edit here makes it less.
+std::size_t plant_size(const PlantText& plant);
+
+/// LINE_PROC_DEV of rows that have one.
+std::vector<std::string> unit_paths(const PlantText& plant);
+/// Rows, description and whatever names the unit.
+void remove_unit(PlantText& plant, const std::string& path);
+
+/// False where the row shares no address.
+bool give_own_address(PlantText& plant, std::size_t row);
+
+/// Edits of single conditions, times, outputs and words, by number.
+std::size_t count_simpler(const PlantText& plant);
+void make_simpler(PlantText& plant, std::size_t number);
+
+}  // namespace symplant::property

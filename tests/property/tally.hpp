@@ -1,0 +1,33 @@
+// What random plants were like, and how often what happened in them.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "property/compare.hpp"
+#include "property/random_plant.hpp"
+#include "support/reference/counters.hpp"
+
+namespace symplant::property {
+
+class Tally {
+ public:
+  void add_plant(const DrawnPlant& drawn);
+  void print(std::ostream& out, double seconds) const;
+  /// Whether something happened less often than `minimum`; says what.
+  bool missed(std::ostream& out, long minimum) const;
+
+  reference::Counters counters;
+  RunCounts run;
+
+ private:
+  long plants_ = 0;
+  long refused_ = 0;
+  std::vector<std::string> refusals_;  ///< the first few
+  std::vector<std::size_t> sizes_;     ///< units of a plant
+  long behaviours_ = 0;                ///< units with one
+  long shared_ = 0;                    ///< symbols that follow another
+};
+
+}  // namespace symplant::property

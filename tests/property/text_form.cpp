@@ -1,0 +1,90 @@
+// Writes cases. An empty cell is `-`; a condition stands last on its line.
+#include "property/text_form.hpp"
+
+#include <string_view>
+
+#include "property/words.hpp"
+
+namespace symplant::property {
+namespace {
+
+class Writer {
+ public:
+  void line(std::string_view text) { text_.append(text).append("\n"); }
+  std::string take() { return std::move(text_); }
+
+  void device(const model::DeviceDescription& device) {
+    line("device " + device.path);
+    for (const std::string& state : device.states) line("  state " + state);
+    if (device.initial) line("  initial " + *device.initial);
+    if (device.rest) line("  rest " + *device.rest);
+    if (device.actuation) line("  actuation " + std::string(word_of(*device.actuation)));
+    if (device.only) line("  only");
+    for (const model::GivenTransition& given : device.transitions) transition(given);
+    for (const model::GivenOutputs& given : device.outputs) {
+      for (const auto& [task, on] : given.enter) output(given.state, "enter", task, on);
+      for (const auto& [task, on] : given.leave) output(given.state, "leave", task, on);
+    }
+    for (const model::GivenDisables& given : device.disables) {
+      for (const std::string& other : given.devices) line("  disables " + given.state + " " + other);
+    }
+    if (!device.type.empty()) line("  type " + device.type);
+    if (!device.behaviour.empty()) line("  behaviour " + device.behaviour);
+    for (const auto& [name, condition] : device.inputs) line("  input " + name + " " + condition);
+  }
+
+  void requirement(const model::GivenRequirement& given) {
+    line("requirement " + given.name);
+    if (!given.never.empty()) return line("  never " + given.never);
+    line("  after " + given.after);
+    line("  expect " + given.expect);
+    line("  within " + std::to_string(given.within));
+  }
+
+ private:
+  void transition(const model::GivenTransition& given) {
+    std::string text = "  transition " + given.from + " " + given.to;
+    if (!given.on.empty()) text += " on " + given.on;
+    if (given.automatic) text += " automatic";
+    if (given.once) text += " once";
+    if (given.after) text += " after " + text_of(*given.after);
+    if (given.takes) text += " takes " + text_of(*given.takes);
+    if (!given.when.empty()) text += " when " + given.when;
+    line(text);
+  }
+  void output(const std::string& state, std::string_view when, const std::string& task, bool on) {
+    line("  output " + state + " " + std::string(when) + " " + task + (on ? " on" : " off"));
+  }
+
+  std::string text_;
+};
+
+std::string cell(const std::string& content) { return content.empty() ? "-" : content; }
+
+std::string text_of(const Action& action) {
+  std::string text = "do " + std::string(word_of(action.kind));
+  if (takes_what(action.kind)) text += " " + cell(action.what);
+  if (takes_value(action.kind)) text += " " + std::to_string(action.value);
+  if (takes_time(action.kind)) text += " " + std::to_string(action.time);
+  return text;
+}
+
+}  // namespace
+
+std::string write_case(const Case& the_case) {
+  Writer writer;
+  const PlantText& plant = the_case.plant;
+  writer.line("plant " + plant.name);
+  for (const Row& row : plant.rows) {
+    writer.line("row " + row.name + " " + cell(row.address) + " " + cell(row.type) + " " + cell(row.initial));
+  }
+  const model::Defaults& defaults = plant.description.defaults;
+  writer.line("defaults " + std::to_string(defaults.travel) + " " + std::to_string(defaults.dwell) + " " +
+              std::string(word_of(defaults.actuation)));
+  for (const model::DeviceDescription& device : plant.description.devices) writer.device(device);
+  for (const model::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
+  for (const Action& action : the_case.actions) writer.line(text_of(action));
+  return writer.take();
+}
+
+}  // namespace symplant::property

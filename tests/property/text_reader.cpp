@@ -1,0 +1,209 @@
+// Reads cases.
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <stdexcept>
+
+#include "property/text_form.hpp"
+#include "property/words.hpp"
+
+namespace symplant::property {
+namespace {
+
+/// A line's words, one after the other. Throws what is missing or wrong, as std::runtime_error.
+class Line {
+ public:
+  explicit Line(std::string_view text) : rest_(text) { skip_blanks(); }
+
+  bool at_end() const { return rest_.empty(); }
+  std::string word() {
+    if (rest_.empty()) throw std::runtime_error("a word is missing");
+    const std::size_t end = std::min(rest_.find(' '), rest_.size());
+    std::string taken(rest_.substr(0, end));
+    rest_.remove_prefix(end);
+    skip_blanks();
+    return taken;
+  }
+  std::string cell() {
+    std::string taken = word();
+    return taken == "-" ? std::string() : taken;
+  }
+  std::string all() {
+    std::string taken(rest_);
+    rest_ = {};
+    return taken;
+  }
+  template <class Number>
+  Number number() {
+    return number_of<Number>(word());
+  }
+  template <class Number>
+  static Number number_of(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) {
+      throw std::runtime_error("`" + std::string(text) + "` is no number");
+    }
+    return number;
+  }
+  core::Actuation actuation() {
+    const std::string text = word();
+    const auto at = std::find(kActuationWords.begin(), kActuationWords.end(), text);
+    if (at == kActuationWords.end()) throw std::runtime_error("`" + text + "` is no actuation");
+    return static_cast<core::Actuation>(at - kActuationWords.begin());
+  }
+  model::Duration duration() {
+    const std::string text = word();
+    const std::size_t first = text.find(':');
+    if (first == text.npos) return model::Duration::fixed(number_of<core::Time>(text));
+    const std::size_t second = text.find(':', first + 1);
+    if (second == text.npos) throw std::runtime_error("`" + text + "` is no duration");
+    model::Duration made;
+    made.kind = text[0] == 'u' ? model::Duration::Kind::uniform : model::Duration::Kind::normal;
+    const std::string_view view = text;
+    made.a = number_of<core::Time>(view.substr(first + 1, second - first - 1));
+    made.b = number_of<core::Time>(view.substr(second + 1));
+    return made;
+  }
+
+ private:
+  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+  std::string_view rest_;
+};
+
+class Reader {
+ public:
+  void read(Line line) {
+    const std::string word = line.word();
+    if (word == "do") return action(line);
+    if (word == "plant") {
+      result.plant.name = line.word();
+    } else if (word == "row") {
+      Row row;
+      row.name = line.word();
+      row.address = line.cell();
+      row.type = line.cell();
+      row.initial = line.cell();
+      result.plant.rows.push_back(std::move(row));
+    } else if (word == "defaults") {
+      auto& defaults = result.plant.description.defaults;
+      defaults.travel = line.number<core::Time>();
+      defaults.dwell = line.number<core::Time>();
+      defaults.actuation = line.actuation();
+    } else if (word == "device") {
+      result.plant.description.devices.emplace_back().path = line.word();
+    } else if (word == "requirement") {
+      result.plant.description.requirements.emplace_back().name = line.word();
+    } else if (!result.plant.description.requirements.empty()) {
+      of_requirement(word, line);
+    } else {
+      of_device(word, line);
+    }
+  }
+
+  Case result;
+
+ private:
+  void of_requirement(const std::string& word, Line& line) {
+    model::GivenRequirement& given = result.plant.description.requirements.back();
+    if (word == "within") {
+      given.within = line.number<core::Time>();
+      return;
+    }
+    if (word != "never" && word != "after" && word != "expect") throw std::runtime_error("`" + word + "`");
+    (word == "never" ? given.never : word == "after" ? given.after : given.expect) = line.all();
+  }
+
+  void of_device(const std::string& word, Line& line) {
+    if (result.plant.description.devices.empty()) throw std::runtime_error("`" + word + "` without a device");
+    model::DeviceDescription& device = result.plant.description.devices.back();
+    if (word == "state") {
+      device.states.push_back(line.word());
+    } else if (word == "initial") {
+      device.initial = line.word();
+    } else if (word == "rest") {
+      device.rest = line.word();
+    } else if (word == "actuation") {
+      device.actuation = line.actuation();
+    } else if (word == "only") {
+      device.only = true;
+    } else if (word == "transition") {
+      transition(device.transitions.emplace_back(), line);
+    } else if (word == "output") {
+      output(device, line);
+    } else if (word == "disables") {
+      disables(device, line);
+    } else if (word == "type") {
+      device.type = line.word();
+    } else if (word == "behaviour") {
+      device.behaviour = line.word();
+    } else if (word == "input") {
+      std::string name = line.word();
+      device.inputs.emplace_back(std::move(name), line.all());
+    } else {
+      throw std::runtime_error("`" + word + "`");
+    }
+  }
+
+  void transition(model::GivenTransition& given, Line& line) {
+    given.from = line.word();
+    given.to = line.word();
+    while (!line.at_end()) {
+      const std::string word = line.word();
+      if (word == "on") given.on = line.word();
+      if (word == "automatic") given.automatic = true;
+      if (word == "once") given.once = true;
+      if (word == "after") given.after = line.duration();
+      if (word == "takes") given.takes = line.duration();
+      if (word == "when") given.when = line.all();
+    }
+  }
+
+  void output(model::DeviceDescription& device, Line& line) {
+    const std::string state = line.word();
+    if (device.outputs.empty() || device.outputs.back().state != state) device.outputs.emplace_back().state = state;
+    auto& side = line.word() == "enter" ? device.outputs.back().enter : device.outputs.back().leave;
+    std::string task = line.word();
+    side.emplace_back(std::move(task), line.word() == "on");
+  }
+
+  void disables(model::DeviceDescription& device, Line& line) {
+    const std::string state = line.word();
+    if (device.disables.empty() || device.disables.back().state != state) device.disables.emplace_back().state = state;
+    device.disables.back().devices.push_back(line.word());
+  }
+
+  void action(Line& line) {
+    const std::string word = line.word();
+    const auto at =
+        std::find_if(kActionWords.begin(), kActionWords.end(), [&](const ActionWord& row) { return row.word == word; });
+    if (at == kActionWords.end()) throw std::runtime_error("`" + word + "` is no action");
+    Action action;
+    action.kind = static_cast<Action::Kind>(at - kActionWords.begin());
+    if (at->what) action.what = line.word();
+    if (at->value) action.value = line.number<std::uint64_t>();
+    if (at->time) action.time = line.number<core::Time>();
+    result.actions.push_back(std::move(action));
+  }
+};
+
+}  // namespace
+
+std::optional<Case> read_case(const std::string& text, std::string& fault) {
+  Reader reader;
+  std::istringstream stream(text);
+  std::string content;
+  for (int number = 1; std::getline(stream, content); ++number) {
+    const Line line(std::string_view(content).substr(0, content.find('#')));
+    if (line.at_end()) continue;
+    try {
+      reader.read(line);
+    } catch (const std::runtime_error& error) {
+      fault = "line " + std::to_string(number) + ": " + error.what();
+      return std::nullopt;
+    }
+  }
+  return std::move(reader.result);
+}
+
+}  // namespace symplant::property

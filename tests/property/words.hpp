@@ -1,0 +1,53 @@
+// The words of the text form.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "property/plant_text.hpp"
+
+namespace symplant::property {
+
+inline constexpr std::array<std::string_view, 4> kActuationWords = {"latched", "bistable", "held", "spring"};
+
+/// What a line of an action says behind its word.
+struct ActionWord {
+  std::string_view word;
+  bool what;
+  bool value;
+  bool time;
+};
+/// In the order of Action::Kind.
+inline constexpr std::array<ActionWord, 12> kActionWords = {{{"reset", false, true, true},
+                                                             {"set", true, true, false},
+                                                             {"input", true, true, false},
+                                                             {"force", true, true, false},
+                                                             {"release", true, false, false},
+                                                             {"state", true, true, false},
+                                                             {"quality", false, true, false},
+                                                             {"advance", false, false, true},
+                                                             {"advance-to-due", false, false, false},
+                                                             {"before", false, false, true},
+                                                             {"save", false, false, false},
+                                                             {"restore", false, true, true}}};
+
+inline std::string_view word_of(core::Actuation actuation) {
+  return kActuationWords[static_cast<std::size_t>(actuation)];
+}
+inline const ActionWord& row_of(Action::Kind kind) { return kActionWords[static_cast<std::size_t>(kind)]; }
+inline std::string_view word_of(Action::Kind kind) { return row_of(kind).word; }
+inline bool takes_what(Action::Kind kind) { return row_of(kind).what; }
+inline bool takes_value(Action::Kind kind) { return row_of(kind).value; }
+inline bool takes_time(Action::Kind kind) { return row_of(kind).time; }
+
+/// `5`, `uniform:1:2` or `normal:1:2`.
+inline std::string text_of(const model::Duration& duration) {
+  const std::string a = std::to_string(duration.a);
+  if (duration.kind == model::Duration::Kind::fixed) return a;
+  return (duration.kind == model::Duration::Kind::uniform ? "uniform:" : "normal:") + a + ":" +
+         std::to_string(duration.b);
+}
+
+}  // namespace symplant::property

@@ -1,0 +1,186 @@
+// Every member of Plant is called here, with nothing else about.
+#include "rt/exercise.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+#include <unordered_map>
+
+namespace symplant::test {
+namespace {
+
+using property::Action;
+using Kind = Action::Kind;
+
+constexpr std::uint32_t kNothing = 0xFFFF'FFFF;
+
+/// An advance over more instants than this ends early: some plants have one every nanosecond.
+constexpr int kMostInstants = 300;
+
+}  // namespace
+
+Happened& Happened::operator+=(const Happened& other) {
+  instants += other.instants;
+  restores += other.restores;
+  restores_elsewhere += other.restores_elsewhere;
+  refused_blocks += other.refused_blocks;
+  for (std::size_t k = 0; k < findings.size(); ++k) findings[k] += other.findings[k];
+  for (std::size_t k = 0; k < findings.size(); ++k) findings_told[k] += other.findings_told[k];
+  digest += other.digest;
+  return *this;
+}
+
+Exercise::Exercise(const model::PlantModel& model, const core::PlantTables& tables,
+                   std::vector<core::Behaviour> behaviours, const std::vector<Action>& actions)
+    : tables_(tables), behaviours_(std::move(behaviours)) {
+  std::unordered_map<std::string_view, std::uint32_t> symbols;
+  std::unordered_map<std::string_view, std::uint32_t> units;
+  for (std::uint32_t i = 0; i < model.symbols.size(); ++i) symbols.emplace(model.symbols[i].name(), i);
+  for (std::uint32_t i = 0; i < model.units.size(); ++i) units.emplace(model.units[i].path, i);
+  std::size_t saves = 1;
+  for (const Action& action : actions) {
+    const auto& names = action.kind == Kind::set_state ? units : symbols;
+    const auto found = names.find(action.what);
+    std::uint32_t what = found == names.end() ? kNothing : found->second;
+    if (!action.what.empty() && what == kNothing) continue;
+    if (action.kind == Kind::set && tables.symbols[what].direction() != core::Direction::operation) continue;
+    if (action.kind == Kind::set_state && action.value >= model.units[what].states.size()) continue;
+    if (action.kind == Kind::save) ++saves;
+    steps_.push_back({action.kind, what, action.value, action.time, false});
+  }
+  const std::size_t size = core::Plant::memory_size(tables, behaviours_);
+  for (Memory& memory : memory_) memory.resize(size / sizeof(std::max_align_t) + 1);
+  saves_.resize(saves, std::vector<std::byte>(size));  // a block is a part of the memory
+}
+
+void Exercise::run() noexcept {
+  happened_ = {};
+  saved_ = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::size_t size = core::Plant::memory_size(tables_, behaviours_);
+    plants_[i].emplace(tables_, bytes(memory_[i]).first(size), behaviours_);
+  }
+  plant_ = &*plants_[0];
+  for (Step& step : steps_) {
+    act(step);
+    read_all();
+  }
+}
+
+void Exercise::act(Step& step) noexcept {
+  switch (step.kind) {
+    case Kind::reset:
+      return plant_->reset(step.value, step.time);
+    case Kind::set:
+      return set(step);
+    case Kind::set_input:
+      return add(plant_->set_input(step.what, step.value) ? 1 : 0);
+    case Kind::force:
+      return plant_->force(step.what, step.value);
+    case Kind::release:
+      return plant_->release(step.what);
+    case Kind::set_state:
+      return plant_->set_state(step.what, static_cast<std::uint8_t>(step.value));
+    case Kind::set_quality:
+      return plant_->set_quality(step.value != 0);
+    case Kind::save:
+      return save();
+    case Kind::restore:
+      return restore(step);
+    case Kind::advance:
+    case Kind::advance_to_due:
+    case Kind::advance_before:
+      return advance(step);
+  }
+}
+
+void Exercise::set(const Step& step) noexcept {
+  const core::SymbolRow& row = tables_.symbols[step.what];
+  if (row.type() != core::DataType::boolean) return plant_->set_operation_value(row.index, step.value);
+  if (happened_.digest % 2 == 0) return plant_->set_operation(row.index, step.value != 0);
+  plant_->set_operations(row.index / 64, std::uint64_t{1} << (row.index % 64), step.value != 0 ? ~std::uint64_t{0} : 0);
+}
+
+void Exercise::save() noexcept {
+  const std::span<const std::byte> block = plant_->save();
+  std::copy(block.begin(), block.end(), saves_[saved_].begin());
+  if (saved_ + 1 < saves_.size()) ++saved_;
+}
+
+void Exercise::restore(const Step& step) noexcept {
+  if (saved_ == 0) return;
+  const std::vector<std::byte>& kept = saves_[step.value % saved_];
+  if (step.time != 0) {
+    plant_ = plant_ == &*plants_[0] ? &*plants_[1] : &*plants_[0];
+    ++happened_.restores_elsewhere;
+  }
+  const std::span<const std::byte> block(kept.data(), plant_->save().size());
+  if (!plant_->restore(block.first(block.size() / 2))) ++happened_.refused_blocks;
+  if (plant_->restore(block)) ++happened_.restores;
+}
+
+void Exercise::advance(Step& step) noexcept {
+  const core::Time now = plant_->now();
+  core::Time target = now > core::kNever - 1 - step.time ? core::kNever - 1 : now + step.time;
+  if (step.kind == Kind::advance_to_due) {
+    target = plant_->next_due() == core::kNever ? now + core::kSecond : plant_->next_due();
+  }
+  for (int i = 0; !step.at_once && plant_->next_due() < target; ++i) {
+    if (i == kMostInstants) return;
+    plant_->advance_before(plant_->next_due() + 1, this);
+  }
+  step.at_once = true;
+  if (step.kind == Kind::advance_before) {
+    plant_->advance_before(target, this);
+  } else {
+    plant_->advance_to(target, this);
+  }
+}
+
+void Exercise::read_all() noexcept {
+  const core::Plant& plant = *plant_;
+  add(plant.state_hash());
+  add(plant.model_hash());
+  add(static_cast<std::uint64_t>(plant.now()));
+  add(static_cast<std::uint64_t>(plant_->next_due()));
+  for (const std::uint64_t word : plant.operations()) add(word);
+  for (const std::uint64_t word : plant.events()) add(word);
+  for (const std::uint64_t word : plant.disarmed()) add(word);
+  for (std::uint32_t i = 0; i < tables_.symbols.size(); ++i) {
+    const core::SymbolRow& row = tables_.symbols[i];
+    const bool operation = row.direction() == core::Direction::operation;
+    add(plant.is_forced(i) ? 1 : 0);
+    if (row.type() == core::DataType::boolean) {
+      add((operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0);
+    } else {
+      add(operation ? plant.operation_value(row.index) : plant.event_value(row.index));
+    }
+  }
+  for (std::uint32_t u = 0; u < tables_.units.size(); ++u) {
+    const core::UnitView view = plant.unit(u);
+    add(static_cast<std::uint64_t>(view.remaining) ^ std::bit_cast<std::uint64_t>(view.progress) ^ view.target);
+  }
+  add(plant.changed_events().size() + plant.changed_event_values().size() + plant.lost_findings());
+  plant_->forget_changed_events();
+  core::Finding finding{};
+  while (plant_->take_finding(finding)) ++happened_.findings[static_cast<std::size_t>(finding.kind)];
+}
+
+void Exercise::instant(const core::Instant& instant) noexcept {
+  ++happened_.instants;
+  add(static_cast<std::uint64_t>(instant.time) + instant.units.size());
+  for (const core::WordChange& change : instant.operations) add(change.bits);
+  for (const core::WordChange& change : instant.events) add(change.bits);
+  for (const std::uint32_t slot : instant.operation_slots) add(slot);
+  for (const std::uint32_t slot : instant.event_slots) add(slot);
+}
+
+void Exercise::finding(const core::Finding& finding) noexcept {
+  ++happened_.findings_told[static_cast<std::size_t>(finding.kind)];
+}
+
+void Exercise::add(std::uint64_t value) noexcept {
+  happened_.digest = std::rotl(happened_.digest ^ value, 5) * 0x9E37'79B9'7F4A'7C15;
+}
+
+}  // namespace symplant::test

@@ -1,0 +1,76 @@
+// A plant and all that is done to it, made ready beforehand so that doing it needs nothing but the plant.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "property/plant_text.hpp"
+#include "symplant/core/plant.hpp"
+
+namespace symplant::test {
+
+/// What happened, so that a test can see that something did.
+struct Happened {
+  long instants = 0;
+  long restores = 0;
+  long restores_elsewhere = 0;
+  long refused_blocks = 0;
+  std::array<long, core::kFindingKinds> findings{};
+  std::array<long, core::kFindingKinds> findings_told{};
+  std::uint64_t digest = 0;  ///< of every read-out after every action
+
+  Happened& operator+=(const Happened& other);
+};
+
+class Exercise final : private core::Observer {
+ public:
+  /// `tables` and `model` must outlive it.
+  Exercise(const model::PlantModel& model, const core::PlantTables& tables, std::vector<core::Behaviour> behaviours,
+           const std::vector<property::Action>& actions);
+
+  /// Makes two plants in the memory that was laid out, does the actions to the one or the other, and calls every
+  /// reader after each. Every member of Plant is called. The first run goes from instant to instant, a further one
+  /// goes through all that were due in one call; all else is the same.
+  void run() noexcept;
+
+  const Happened& happened() const { return happened_; }
+
+ private:
+  struct Step {
+    property::Action::Kind kind;
+    std::uint32_t what;
+    std::uint64_t value;
+    core::Time time;
+    bool at_once;  ///< an advance of which is known that it ends
+  };
+  using Memory = std::vector<std::max_align_t>;
+
+  static std::span<std::byte> bytes(Memory& memory) { return std::as_writable_bytes(std::span(memory)); }
+
+  void instant(const core::Instant& instant) noexcept override;
+  void finding(const core::Finding& finding) noexcept override;
+  void act(Step& step) noexcept;
+  void set(const Step& step) noexcept;
+  void save() noexcept;
+  void restore(const Step& step) noexcept;
+  void advance(Step& step) noexcept;
+  void read_all() noexcept;
+  void add(std::uint64_t value) noexcept;
+
+  const core::PlantTables& tables_;
+  std::vector<core::Behaviour> behaviours_;
+  std::vector<Step> steps_;
+  std::array<Memory, 2> memory_;
+  std::vector<std::vector<std::byte>> saves_;
+  std::size_t saved_ = 0;
+  std::array<std::optional<core::Plant>, 2> plants_;
+  core::Plant* plant_ = nullptr;
+  Happened happened_;
+};
+
+}  // namespace symplant::test

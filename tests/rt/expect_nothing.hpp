@@ -1,0 +1,21 @@
+// What a test says of a guarded run.
+#pragma once
+
+#include "support/catch.hpp"
+#include "support/guard/guard.hpp"
+
+namespace symplant::test {
+
+/// Where system calls cannot be trapped, the run shows less than it should: ctest then tells the test as skipped
+/// (tests/rt/CMakeLists.txt), unless it has failed already.
+inline void expect_trap(const GuardReport& report) {
+  if (!report.no_trap.empty()) WARN("SKIPPED: no trap of system calls here: " << report.no_trap);
+}
+
+inline void expect_nothing(const GuardReport& report) {
+  INFO(report.text());
+  REQUIRE(report.count == 0);
+  expect_trap(report);
+}
+
+}  // namespace symplant::test

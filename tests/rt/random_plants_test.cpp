@@ -1,0 +1,55 @@
+// Random plants of every feature, with random stimuli: the whole Plant interface under the guard.
+#include "lower/lower.hpp"
+#include "property/behaviours.hpp"
+#include "property/random_plant.hpp"
+#include "rt/exercise.hpp"
+#include "rt/expect_nothing.hpp"
+
+namespace symplant::test {
+namespace {
+
+constexpr std::uint64_t kPlants = 300;
+
+/// Looks at what the behaviours of the random plants do not look at.
+void look_round(core::BehaviourView& view, std::uint8_t) noexcept {
+  static_cast<void>(view.quality());
+  static_cast<void>(view.target());
+}
+
+TEST_CASE("no member of Plant uses heap, lock or system call, whatever the plant and whatever is done to it") {
+  Happened all;
+  GuardReport last;
+  for (std::uint64_t seed = 1; seed <= kPlants; ++seed) {
+    const property::DrawnPlant drawn = property::random_plant(seed);
+    const lower::EngineTables lowered = lower::lower(drawn.model);
+    const core::PlantTables tables = lowered.tables();
+    std::vector<core::Behaviour> behaviours = property::engine_behaviours(tables);
+    for (core::Behaviour& behaviour : behaviours) {
+      if (behaviour.entered == nullptr) behaviour.entered = look_round;
+    }
+    Exercise exercise(drawn.model, tables, behaviours, property::random_stimulus(seed, drawn.model));
+    exercise.run();
+    const Happened free = exercise.happened();
+    last = run_guarded([&] { exercise.run(); });
+    INFO("plant " << seed);
+    INFO(last.text());
+    REQUIRE(last.count == 0);
+    // What ran under the guard is the same run, to the last bit.
+    REQUIRE(exercise.happened().digest == free.digest);
+    all += free;
+  }
+  // The guard proves nothing of what never happened.
+  REQUIRE(all.instants > 10'000);
+  REQUIRE(all.restores > 100);
+  REQUIRE(all.restores_elsewhere > 50);
+  REQUIRE(all.refused_blocks == all.restores);
+  for (std::size_t kind = 0; kind < all.findings.size(); ++kind) {
+    INFO("finding " << kind);
+    REQUIRE(all.findings[kind] > 0);
+    REQUIRE(all.findings_told[kind] >= all.findings[kind]);
+  }
+  expect_trap(last);
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,23 @@
+// Tables with nothing in them but the sizes of the planes, to be filled in by tests.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "symplant/core/tables.hpp"
+
+namespace symplant::test {
+
+inline core::PlantTables bare_tables(std::string_view name, std::uint32_t operation_bits, std::uint32_t event_bits,
+                                     std::uint32_t operation_slots = 0, std::span<const core::SymbolRow> symbols = {}) {
+  core::PlantTables tables{};
+  tables.name = name;
+  tables.symbols = symbols;
+  tables.operation_bits = operation_bits;
+  tables.event_bits = event_bits;
+  tables.operation_slots = operation_slots;
+  return tables;
+}
+
+}  // namespace symplant::test

@@ -1,0 +1,61 @@
+// Proof that code uses no heap, no lock and no system call: what it does of these inside the guard is recorded by name.
+//
+// Who links `symplant_guard` has the allocator's and the locks' functions interposed in the whole program; they record
+// only on a thread that is guarded at that moment, and always do what they were called for. So does the trap of system
+// calls (seccomp, x86-64 Linux), which is set thread by thread and cannot be taken away again. Not seen: calls that the
+// kernel serves in user space (clock_gettime of the vDSO), page faults, and locks built of atomics alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace symplant::test {
+
+/// What guarded code did that it must not do.
+struct Violation {
+  enum class Kind : std::uint8_t { heap, lock, system_call };
+  Kind kind;
+  const char* name;    ///< of the function; null for a system call
+  long number;         ///< of the system call
+  const void* caller;  ///< the instruction behind the call
+};
+
+/// "heap: operator new, called from main", as far as the caller has a name.
+std::string words(const Violation& violation);
+
+inline constexpr std::size_t kMostViolations = 64;  ///< of one thread that are kept; all are counted
+
+struct GuardReport {
+  std::vector<Violation> violations;  ///< in their order
+  std::uint64_t count = 0;
+  std::string no_trap;  ///< why system calls could not be trapped; empty: they were
+
+  /// A line each.
+  std::string text() const;
+};
+
+/// Runs `work` on a thread of its own, under the trap and inside the guard.
+GuardReport run_guarded(const std::function<void()>& work);
+
+// For threads that are not only guarded work, as a cycle that sleeps between its cycles.
+
+/// Every system call of the calling thread is trapped from now on, for good; a thread or process cannot be started from
+/// it any more. Gives why that cannot be; empty: it is so.
+std::string trap_system_calls();
+
+/// While one lives, the calling thread is guarded.
+class Guard {
+ public:
+  Guard() noexcept;
+  ~Guard();
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+};
+
+/// What was recorded on the calling thread since the last call.
+GuardReport take_violations();
+
+}  // namespace symplant::test

@@ -1,0 +1,234 @@
+// A plant of the engine, from a list's names and a description, spoken to by names.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+#include "symplant/core/owned_plant.hpp"
+
+namespace symplant::test {
+
+inline constexpr core::Time kMs = core::kMillisecond;
+
+/// A plant description, device by device.
+struct Told {
+  model::Description description = {};
+
+  model::DeviceDescription& device(const std::string& name) {
+    for (model::DeviceDescription& device : description.devices) {
+      if (device.path == "L_P_" + name) return device;
+    }
+    description.devices.emplace_back().path = "L_P_" + name;
+    return description.devices.back();
+  }
+  /// An automatic transition; `takes` is 0.
+  Told& by_itself(const std::string& device_name, std::string from, std::string to, model::Duration after,
+                  std::string when = "") {
+    model::GivenTransition given;
+    given.from = std::move(from);
+    given.to = std::move(to);
+    given.when = std::move(when);
+    given.automatic = true;
+    given.after = after;
+    given.takes = model::Duration::fixed(0);
+    device(device_name).transitions.push_back(std::move(given));
+    return *this;
+  }
+  /// A commanded one, by the operation of its target.
+  Told& on_command(const std::string& device_name, std::string from, std::string to, model::Duration takes) {
+    model::GivenTransition given;
+    given.from = std::move(from);
+    given.to = std::move(to);
+    given.takes = takes;
+    device(device_name).transitions.push_back(std::move(given));
+    return *this;
+  }
+  Told& disables(const std::string& device_name, std::string state, const std::string& other) {
+    device(device_name).disables.push_back({std::move(state), {"L_P_" + other}});
+    return *this;
+  }
+};
+
+inline model::Duration fixed(core::Time time) { return model::Duration::fixed(time); }
+
+/// Tables that plants can be made of, and the places of names in them. Names go without `L_P_`, the line and process
+/// that all share.
+class BenchTables {
+ public:
+  explicit BenchTables(const std::vector<std::string>& names, const Told& told = {})
+      : BenchTables(told, bits(prefixed(names))) {}
+  BenchTables(const Told& told, const std::vector<Row>& list) : text_(compile_described(list, told.description)) {
+    REQUIRE(text_.compiled);
+    rows = text_.tables().tables();
+  }
+  BenchTables(const BenchTables&) = delete;
+  BenchTables& operator=(const BenchTables&) = delete;
+
+  const model::PlantModel& model() const { return text_.plant(); }
+
+  std::uint32_t symbol(const std::string& name) const {
+    for (std::uint32_t i = 0; i < model().symbols.size(); ++i) {
+      if (model().symbols[i].name() == "L_P_" + name || model().symbols[i].name() == name) return i;
+    }
+    FAIL("no symbol " << name);
+    return 0;
+  }
+  std::uint32_t place(const std::string& device) const {
+    for (std::uint32_t i = 0; i < model().units.size(); ++i) {
+      if (model().units[i].path == "L_P_" + device) return i;
+    }
+    FAIL("no device " << device);
+    return 0;
+  }
+  std::uint8_t state_place(const std::string& device, const std::string& state) const {
+    const auto& states = model().units[place(device)].states;
+    for (std::uint8_t i = 0; i < states.size(); ++i) {
+      if (states[i].name == state) return i;
+    }
+    FAIL("no state " << state);
+    return 0;
+  }
+  std::string symbol_name(std::uint32_t symbol) const {
+    const std::string name(model().symbols[symbol].name());
+    return name.starts_with("L_P_") ? name.substr(4) : name;
+  }
+  std::string unit_name(std::uint32_t unit) const { return std::string(model().units[unit].path.substr(4)); }
+  /// "lost AGV_O_P2"; with a `+` behind it where the next finding belongs to it.
+  std::string words(const core::Finding& finding) const {
+    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
+                                                    "started",     "short",   "loop",     "violated"};
+    const auto kind = static_cast<std::size_t>(finding.kind);
+    std::string of;
+    if (kind < 2 || kind == 5 || kind == 7) {
+      of = unit_name(finding.of);
+    } else if (kind == 8) {
+      of = model().requirements[finding.of].name;
+    } else {
+      of = symbol_name(finding.of);
+    }
+    return kKinds[kind] + " " + of + (finding.more ? "+" : "");
+  }
+
+  core::PlantTables rows{};
+
+ private:
+  static std::vector<std::string> prefixed(std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "L_P_");
+    return names;
+  }
+
+  CompiledText text_;
+};
+
+/// One plant of such tables, with a record of what it told. Times are in ms.
+class BenchPlant final : private core::Observer {
+ public:
+  explicit BenchPlant(const BenchTables& tables) : tables_(tables), plant(tables.rows) {}
+
+  BenchPlant& set(const std::string& name, std::uint64_t value) {
+    const core::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
+    if (row.type() == core::DataType::boolean) {
+      plant.set_operation(row.index, value != 0);
+    } else {
+      plant.set_operation_value(row.index, value);
+    }
+    return *this;
+  }
+  bool input(const std::string& name, std::uint64_t value) { return plant.set_input(tables_.symbol(name), value); }
+  BenchPlant& force(const std::string& name, std::uint64_t value) {
+    plant.force(tables_.symbol(name), value);
+    return *this;
+  }
+  BenchPlant& release(const std::string& name) {
+    plant.release(tables_.symbol(name));
+    return *this;
+  }
+  bool forced(const std::string& name) const { return plant.is_forced(tables_.symbol(name)); }
+  BenchPlant& put(const std::string& device, const std::string& state) {
+    plant.set_state(tables_.place(device), tables_.state_place(device, state));
+    return *this;
+  }
+  BenchPlant& to(core::Time milliseconds) {
+    plant.advance_to(milliseconds * kMs, this);
+    return *this;
+  }
+  BenchPlant& before(core::Time milliseconds) {
+    plant.advance_before(milliseconds * kMs, this);
+    return *this;
+  }
+
+  std::uint64_t value(const std::string& name) const {
+    const core::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
+    const bool operation = row.direction() == core::Direction::operation;
+    if (row.type() == core::DataType::boolean) {
+      return (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
+    }
+    return operation ? plant.operation_value(row.index) : plant.event_value(row.index);
+  }
+  bool on(const std::string& name) const { return value(name) != 0; }
+  bool disarmed(const std::string& name) const {
+    const std::uint32_t bit = tables_.rows.symbols[tables_.symbol(name)].index;
+    return (plant.disarmed()[bit / 64] >> (bit % 64) & 1) != 0;
+  }
+  core::UnitView unit(const std::string& device) const { return plant.unit(tables_.place(device)); }
+  /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled; with a `#` where it is frozen.
+  std::string state(const std::string& device) const {
+    const auto& states = tables_.model().units[tables_.place(device)].states;
+    const core::UnitView view = unit(device);
+    std::string text = states[view.state].name;
+    if (view.moving) text += "->" + states[view.target].name;
+    if (view.standing) text += "!";
+    if (view.frozen) text += "#";
+    return view.disabled ? "[" + text + "]" : text;
+  }
+
+  /// Changes of BOOL symbols that the observer was told since the last call, "500:AGV_O_P2=1 ...", by instant, then in
+  /// list order.
+  std::string changes() { return std::exchange(changes_, {}); }
+  /// Findings likewise, "500:lost AGV_O_P2 ...".
+  std::string told() { return std::exchange(told_, {}); }
+  /// Findings from the ring, likewise.
+  std::string findings() {
+    std::string text;
+    core::Finding finding{};
+    while (plant.take_finding(finding)) add(text, finding.time, tables_.words(finding));
+    return text;
+  }
+
+ private:
+  static void add(std::string& text, core::Time time, const std::string& more) {
+    text += (text.empty() ? "" : " ") + std::to_string(time / kMs) + ":" + more;
+  }
+  static bool holds(std::span<const core::WordChange> changes, std::uint32_t bit) {
+    for (const core::WordChange& change : changes) {
+      if (change.word == bit / 64 && (change.bits >> (bit % 64) & 1) != 0) return true;
+    }
+    return false;
+  }
+  void instant(const core::Instant& instant) noexcept override {
+    for (std::uint32_t i = 0; i < tables_.rows.symbols.size(); ++i) {
+      const core::SymbolRow& row = tables_.rows.symbols[i];
+      if (row.type() != core::DataType::boolean) continue;
+      const bool operation = row.direction() == core::Direction::operation;
+      if (!holds(operation ? instant.operations : instant.events, row.index)) continue;
+      const bool on = operation ? plant.operation(row.index) : plant.event(row.index);
+      add(changes_, instant.time, tables_.symbol_name(i) + (on ? "=1" : "=0"));
+    }
+  }
+  void finding(const core::Finding& finding) noexcept override { add(told_, finding.time, tables_.words(finding)); }
+
+  const BenchTables& tables_;
+  std::string changes_;
+  std::string told_;
+
+ public:
+  core::OwnedPlant plant;
+};
+
+}  // namespace symplant::test

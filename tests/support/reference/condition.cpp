@@ -1,0 +1,78 @@
+// Conditions, walked as trees.
+#include <bit>
+
+#include "support/reference/round.hpp"
+
+namespace symplant::reference {
+namespace {
+
+template <class Number>
+bool compares(Number value, core::Comparison comparison, Number operand) {
+  switch (comparison) {
+    case core::Comparison::less:
+      return value < operand;
+    case core::Comparison::less_equal:
+      return value <= operand;
+    case core::Comparison::equal:
+      return value == operand;
+    case core::Comparison::greater_equal:
+      return value >= operand;
+    case core::Comparison::greater:
+      return value > operand;
+  }
+  return false;
+}
+
+bool number_holds(const condition::Atom& atom, std::uint64_t value) {
+  switch (atom.number) {
+    case core::NumberKind::signed_integer:
+      return compares(static_cast<std::int64_t>(value), atom.comparison, static_cast<std::int64_t>(atom.operand));
+    case core::NumberKind::unsigned_integer:
+      return compares(value, atom.comparison, atom.operand);
+    case core::NumberKind::real:
+      return compares(std::bit_cast<double>(value), atom.comparison, std::bit_cast<double>(atom.operand));
+  }
+  return false;
+}
+
+bool atom_holds(const condition::Atom& atom, const World& world) {
+  switch (atom.kind) {
+    case condition::Atom::Kind::settled:
+      return !world.units[atom.of].moving && world.units[atom.of].state == atom.state;
+    case condition::Atom::Kind::moving:
+      return world.units[atom.of].moving;
+    case condition::Atom::Kind::bit:
+      return effective(world.symbols[atom.of]) != 0;
+    case condition::Atom::Kind::number:
+      return number_holds(atom, effective(world.symbols[atom.of]));
+  }
+  return false;
+}
+
+}  // namespace
+
+std::uint64_t effective(const SymbolWorld& symbol) { return symbol.forced ? symbol.forced_value : symbol.value; }
+
+bool holds(const condition::Tree& tree, const World& world) {
+  switch (tree.kind) {
+    case condition::Tree::Kind::constant:
+      return tree.value;
+    case condition::Tree::Kind::atom:
+      return atom_holds(tree.atom, world);
+    case condition::Tree::Kind::negation:
+      return !holds(tree.children[0], world);
+    case condition::Tree::Kind::all:
+      for (const condition::Tree& child : tree.children) {
+        if (!holds(child, world)) return false;
+      }
+      return true;
+    case condition::Tree::Kind::any:
+      for (const condition::Tree& child : tree.children) {
+        if (holds(child, world)) return true;
+      }
+      return false;
+  }
+  return false;
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,96 @@
+// How often a run of the reference took each path of docs/model.md, so that a test of random plants can say what it
+// saw.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace symplant::reference {
+
+/// Every step, cell, event and finding that the model's page tells of. The order is that of `kCountedNames`.
+enum class Counted : std::size_t {
+  settle,
+  automatic_fired,
+  commanded_fired,
+  stayed_conflicting,
+  stayed_own_state_wanted,
+  spring_left_for_rest,
+  wanted_way,
+  fired_takes_zero,
+  // The table of a move under way: commanded moves of enabled units, once a round.
+  latched_forth,
+  latched_both,
+  latched_back,
+  latched_neither,
+  bistable_forth,
+  bistable_both,
+  bistable_back,
+  bistable_neither,
+  held_forth,
+  held_both,
+  held_back,
+  held_neither,
+  spring_forth,
+  spring_both,
+  spring_back,
+  spring_neither_from_rest,
+  spring_neither_from_elsewhere,
+  automatic_move_goes_on,
+  turned_round,
+  stood_still,  ///< began to
+  went_on,      ///< after standing still
+  disarmed_automatic,
+  disarmed_once,
+  rearmed,
+  rearmed_while_disabled,
+  after_broken,
+  after_kept_while_disabled,
+  unit_disabled,
+  unit_enabled,
+  found_conflicting_operations,
+  found_stopped_under_another_command,
+  found_command_to_a_disabled_unit,
+  found_command_without_effect,
+  found_lost_command,
+  found_started_on_enabling,
+  found_event_too_short,
+  found_event_too_short_real_time,
+  found_instantaneous_loop,
+  found_requirement_violated,
+  loop_frozen,
+  rounds_doubled,
+  draw_uniform,
+  draw_normal,
+  draw_after,
+  draw_takes,
+  draw_behaviour,
+  forced_event_differs,  ///< a round switched an event that a force hides
+  set_state_moving,
+  set_state_disabled,
+  set_state_frozen,
+  watch_started,
+  watch_met,
+  watch_violated,
+  never_violated,
+  woken,
+  restored,
+  number_of,
+};
+inline constexpr std::size_t kCounted = static_cast<std::size_t>(Counted::number_of);
+
+/// In the order of Counted.
+extern const std::array<std::string_view, kCounted> kCountedNames;
+
+struct Counters {
+  std::array<long, kCounted> counts{};
+
+  long& operator[](Counted what) { return counts[static_cast<std::size_t>(what)]; }
+  long operator[](Counted what) const { return counts[static_cast<std::size_t>(what)]; }
+  Counters& operator+=(const Counters& other) {
+    for (std::size_t i = 0; i < kCounted; ++i) counts[i] += other.counts[i];
+    return *this;
+  }
+};
+
+}  // namespace symplant::reference

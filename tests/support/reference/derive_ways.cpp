@@ -1,0 +1,148 @@
+// The table of transitions: the given ones, the derived ones, the inferred ones.
+#include "support/reference/rules.hpp"
+
+namespace symplant::reference {
+namespace {
+
+using model::Duration;
+
+/// The number of a `when` among the distinct texts of the unit's given transitions, by first appearance.
+std::uint32_t condition_place(const UnitRules& unit, const std::string& text) {
+  std::vector<std::string> texts;
+  for (const model::GivenTransition& given : unit.described->transitions) {
+    bool known = given.when.empty();
+    for (const std::string& other : texts) known = known || other == given.when;
+    if (!known) texts.push_back(given.when);
+  }
+  for (std::uint32_t i = 0; i < texts.size(); ++i) {
+    if (texts[i] == text) return i;
+  }
+  return kNone;
+}
+
+std::uint32_t distinct_conditions(const UnitRules& unit) {
+  std::uint32_t count = 0;
+  if (unit.described == nullptr) return 0;
+  for (const model::GivenTransition& given : unit.described->transitions) {
+    if (given.when.empty()) continue;
+    const std::uint32_t place = condition_place(unit, given.when);
+    count = place + 1 > count ? place + 1 : count;
+  }
+  return count;
+}
+
+void add_given(Rules& rules, UnitRules& unit, const model::GivenTransition& given) {
+  const std::uint32_t to = find_state(unit, given.to);
+  const std::uint32_t from = given.from == "*" ? kNone : find_state(unit, given.from);
+  if (to == kNone || (given.from != "*" && from == kNone)) {
+    rules.fault = unit.path + ": a transition from " + given.from + " to " + given.to + ", of which one is no state";
+    return;
+  }
+  Way way;
+  way.to = static_cast<std::uint8_t>(to);
+  way.automatic = given.automatic;
+  way.once = given.once;
+  if (!given.automatic) {
+    way.on = given.on.empty() ? unit.states[to].operation : find_operation(rules, unit, given.on);
+    const bool spring_way = given.on.empty() && unit.spring() && to == unit.rest;
+    if (way.on == kNone && !spring_way) rules.fault = unit.path + ": nothing commands the transition to " + given.to;
+  }
+  way.after = given.after.value_or(Duration::fixed(0));
+  way.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit.travel));
+  if (!given.when.empty()) way.when = condition_place(unit, given.when);
+  for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
+    if (i == to || (given.from != "*" && i != from)) continue;
+    way.from = static_cast<std::uint8_t>(i);
+    unit.ways.push_back(way);
+  }
+}
+
+bool commanded_given(const std::vector<Way>& given, const Way& derived) {
+  for (const Way& way : given) {
+    if (way.commanded() && way.from == derived.from && way.on == derived.on) return true;
+  }
+  return false;
+}
+
+bool automatic_given(const std::vector<Way>& given, const Way& inferred) {
+  for (const Way& way : given) {
+    if (way.automatic && way.from == inferred.from && way.to == inferred.to) return true;
+  }
+  return false;
+}
+
+void add_derived(UnitRules& unit, const std::vector<Way>& given) {
+  for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
+    if (unit.states[to].operation == kNone) continue;
+    for (std::uint8_t from = 0; from < unit.states.size(); ++from) {
+      if (from == to) continue;
+      Way way;
+      way.from = from;
+      way.to = to;
+      way.on = unit.states[to].operation;
+      way.after = Duration::fixed(0);
+      way.takes = Duration::fixed(unit.travel);
+      if (!commanded_given(given, way)) unit.ways.push_back(way);
+    }
+  }
+}
+
+/// Inference 3: the state from which a numbered one is reached by itself; kNone where none or several would be it.
+std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
+  std::string lower;    // the highest number below
+  std::string highest;  // of all
+  for (const StateRules& state : unit.states) {
+    const std::string other = sequence_number(state.name);
+    if (other.empty()) continue;
+    if (highest.empty() || lower_number(highest, other)) highest = other;
+    if (lower_number(other, number) && (lower.empty() || lower_number(lower, other))) lower = other;
+  }
+  const std::string& wanted = lower.empty() ? highest : lower;
+  std::uint32_t found = kNone;
+  for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
+    if (sequence_number(unit.states[i].name) != wanted) continue;
+    if (found != kNone) return kNone;
+    found = i;
+  }
+  return found;
+}
+
+void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Way>& given) {
+  if (unit.actuation != core::Actuation::latched) return;
+  bool some_operation = false;
+  for (const StateRules& state : unit.states) {
+    some_operation = some_operation || (!sequence_number(state.name).empty() && state.operation != kNone);
+  }
+  if (!some_operation) return;
+  for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
+    const StateRules& state = unit.states[to];
+    bool led_to = state.operation != kNone;
+    for (const Way& way : given) led_to = led_to || (way.commanded() && way.to == to);
+    const std::string number = sequence_number(state.name);
+    if (number.empty() || state.event == kNone || led_to) continue;
+    const std::uint32_t from = predecessor(unit, number);
+    if (from == kNone || from == to) continue;
+    Way way;
+    way.from = static_cast<std::uint8_t>(from);
+    way.to = to;
+    way.automatic = true;
+    way.after = Duration::fixed(rules.model->description->defaults.dwell);
+    way.takes = Duration::fixed(0);
+    if (!automatic_given(given, way)) unit.ways.push_back(way);
+  }
+}
+
+}  // namespace
+
+void derive_ways(Rules& rules, UnitRules& unit) {
+  unit.first_input = distinct_conditions(unit);
+  if (unit.described != nullptr) {
+    for (const model::GivenTransition& given : unit.described->transitions) add_given(rules, unit, given);
+    if (unit.described->only) return;
+  }
+  const std::vector<Way> given = unit.ways;
+  add_derived(unit, given);
+  add_inferred(rules, unit, given);
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,140 @@
+// Compares the two derivations unit by unit.
+#include "support/reference/difference.hpp"
+
+#include <sstream>
+
+namespace symplant::reference {
+namespace {
+
+std::string text(const model::Duration& duration) {
+  std::ostringstream out;
+  switch (duration.kind) {
+    case model::Duration::Kind::fixed:
+      out << duration.a;
+      break;
+    case model::Duration::Kind::uniform:
+      out << "min " << duration.a << " max " << duration.b;
+      break;
+    case model::Duration::Kind::normal:
+      out << "mean " << duration.a << " sigma " << duration.b;
+      break;
+  }
+  return out.str();
+}
+
+std::string number(std::uint32_t place) { return place == kNone ? "-" : std::to_string(place); }
+
+std::string text(std::uint32_t from, std::uint32_t to, std::uint32_t on, std::uint32_t when, bool spring_way, bool once,
+                 const model::Duration& after, const model::Duration& takes) {
+  std::ostringstream out;
+  out << from << "->" << to << " on " << number(on) << " when " << number(when) << (spring_way ? " spring's way" : "")
+      << (once ? " once" : "") << " after " << text(after) << " takes " << text(takes);
+  return out.str();
+}
+
+std::string states_text(const UnitRules& unit) {
+  std::ostringstream out;
+  for (const StateRules& state : unit.states) {
+    out << state.name << "(" << number(state.operation) << "," << number(state.event) << ") ";
+  }
+  return out.str();
+}
+
+std::string states_text(const model::Unit& unit) {
+  std::ostringstream out;
+  for (const model::State& state : unit.states) {
+    out << state.name << "(" << number(state.operation) << "," << number(state.event) << ") ";
+  }
+  return out.str();
+}
+
+/// "what: here ..., in the model ..."; empty where both are equal.
+std::string unequal(const std::string& what, const std::string& here, const std::string& there) {
+  return here == there ? "" : what + ": reference `" + here + "`, model `" + there + "`";
+}
+
+std::string switched(const std::vector<std::pair<std::uint32_t, bool>>& events, std::size_t skip) {
+  std::ostringstream out;
+  for (std::size_t i = skip; i < events.size(); ++i) out << events[i].first << "=" << events[i].second << " ";
+  return out.str();
+}
+
+std::string places(const std::vector<std::uint32_t>& list) {
+  std::ostringstream out;
+  for (const std::uint32_t place : list) out << place << " ";
+  return out.str();
+}
+
+std::string ways_difference(const UnitRules& unit, const model::Unit& other) {
+  std::ostringstream here;
+  std::ostringstream there;
+  for (std::size_t i = 0; i < unit.ways.size() || i < other.transitions.size(); ++i) {
+    std::string ours;
+    std::string theirs;
+    if (i < unit.ways.size()) {
+      const Way& way = unit.ways[i];
+      ours =
+          text(way.from, way.to, way.on, way.when, !way.automatic && !way.commanded(), way.once, way.after, way.takes);
+    }
+    if (i < other.transitions.size()) {
+      const model::Transition& way = other.transitions[i];
+      theirs = text(way.from, way.to, way.on, way.when, way.spring_way, way.once, way.after, way.takes);
+    }
+    if (const auto found = unequal("transition " + std::to_string(i), ours, theirs); !found.empty()) return found;
+  }
+  return "";
+}
+
+std::string state_difference(const UnitRules& unit, const model::Unit& other, std::size_t place) {
+  const StateRules& state = unit.states[place];
+  const std::size_t own = state.event == kNone ? 0 : 1;
+  const model::Outputs outputs = other.outputs.empty() ? model::Outputs{} : other.outputs[place];
+  std::string found = unequal("l_enter of " + state.name, switched(state.enter, own), switched(outputs.enter, 0));
+  if (found.empty()) {
+    found = unequal("l_leave of " + state.name, switched(state.leave, own), switched(outputs.leave, 0));
+  }
+  if (found.empty()) {
+    const auto disables = other.disables.empty() ? std::vector<std::uint32_t>{} : other.disables[place];
+    found = unequal("disables of " + state.name, places(state.disables), places(disables));
+  }
+  return found;
+}
+
+std::string unit_difference(const UnitRules& unit, const model::Unit& other) {
+  std::string found = unequal("operations", places(unit.operations), places(other.operations));
+  if (found.empty()) found = unequal("events", places(unit.events), places(other.events));
+  if (found.empty()) found = unequal("states", states_text(unit), states_text(other));
+  if (found.empty()) {
+    found = unequal("actuation", std::to_string(static_cast<int>(unit.actuation)),
+                    std::to_string(static_cast<int>(other.actuation)));
+  }
+  if (found.empty() && unit.spring()) found = unequal("rest", number(unit.rest), number(other.rest));
+  if (found.empty()) found = unequal("initial", std::to_string(unit.initial), std::to_string(other.initial));
+  if (found.empty()) found = unequal("travel", std::to_string(unit.travel), std::to_string(other.travel));
+  if (found.empty()) found = ways_difference(unit, other);
+  for (std::size_t i = 0; found.empty() && i < unit.states.size(); ++i) found = state_difference(unit, other, i);
+  if (found.empty()) found = unequal("values", places(unit.values), places(other.values));
+  const std::size_t inputs = unit.described == nullptr ? 0 : unit.described->inputs.size();
+  if (found.empty()) {
+    found = unequal("conditions", std::to_string(unit.first_input + inputs), std::to_string(other.conditions.size()));
+  }
+  if (found.empty() && inputs > 0) {
+    found = unequal("first input", std::to_string(unit.first_input), std::to_string(other.first_input));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string difference(const Rules& rules) {
+  if (!rules.fault.empty()) return rules.fault;
+  const model::PlantModel& model = *rules.model;
+  for (std::size_t i = 0; i < rules.units.size(); ++i) {
+    const std::string found = unit_difference(rules.units[i], model.units[i]);
+    if (!found.empty()) return rules.units[i].path + ": " + found;
+  }
+  return unequal("requirements", std::to_string(model.description->requirements.size()),
+                 std::to_string(model.requirements.size()));
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,100 @@
+// How long a transition waits and travels: fixed, drawn, or asked of a behaviour (docs/model.md, "Random times").
+#include <algorithm>
+
+#include "support/reference/round.hpp"
+#include "symplant/core/digest.hpp"
+
+namespace symplant::reference {
+namespace {
+
+__extension__ using Wide = __int128;
+__extension__ using UnsignedWide = unsigned __int128;
+
+/// Steele, Lea and Flood's generator.
+struct SplitMix64 {
+  std::uint64_t state;
+
+  std::uint64_t draw() {
+    state += 0x9E37'79B9'7F4A'7C15;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9;
+    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EB;
+    return z ^ (z >> 31);
+  }
+};
+
+SplitMix64 started(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k) {
+  core::Fnv1a64 name;
+  name.text(upper(unit));
+  return {seed ^ name.value() ^ (n << 32) ^ k};
+}
+
+Time uniform(SplitMix64 random, Time least, Time most) {
+  const UnsignedWide width = static_cast<UnsignedWide>(most - least) + 1;
+  return least + static_cast<Time>(static_cast<UnsignedWide>(random.draw()) * width >> 64);
+}
+
+Time normal(SplitMix64 random, Time mean, Time sigma) {
+  Wide sum = 0;
+  for (int i = 0; i < 12; ++i) sum += static_cast<Wide>(random.draw() >> 32);
+  const Wide one = Wide{1} << 32;
+  const Wide product = sigma * (sum - 6 * one);
+  Wide off = product / one;
+  if (product % one < 0) --off;  // floor
+  // A time beyond what a Time tells never comes.
+  return static_cast<Time>(std::clamp<Wide>(mean + off, 0, core::kNever));
+}
+
+/// Without code: fixed, or drawn.
+Time duration_of(Round& round, std::uint32_t unit, std::uint16_t way, const model::Duration& duration) {
+  if (duration.kind == model::Duration::Kind::fixed) return duration.a;
+  const std::uint32_t k = round.next.units[unit].transitions[way].draws++;
+  const SplitMix64 random = started(round.next.seed, round.of(unit).path, way, k);
+  if (duration.kind == model::Duration::Kind::uniform) {
+    ++round.counters[Counted::draw_uniform];
+    return uniform(random, duration.a, duration.b);
+  }
+  ++round.counters[Counted::draw_normal];
+  return normal(random, duration.a, duration.b);
+}
+
+}  // namespace
+
+std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k) {
+  return started(seed, unit, n, k).draw();
+}
+
+std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to) {
+  for (std::uint16_t i = 0; i < unit.ways.size(); ++i) {
+    if (unit.ways[i].from == from && unit.ways[i].to == to && !unit.ways[i].automatic) return i;
+  }
+  return kNoTransition;
+}
+
+bool remembers(const UnitRules& unit, const Way& way) {
+  return (unit.behaviour != nullptr && unit.behaviour->after != nullptr) || !way.after.is_zero();
+}
+
+Time takes_of(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t from, std::uint8_t to) {
+  const UnitRules& rules = round.of(unit);
+  if (rules.behaviour != nullptr && rules.behaviour->takes != nullptr) {
+    View view(round, unit);
+    return std::max<Time>(0, rules.behaviour->takes(view, way));
+  }
+  const std::uint16_t source = way != kNoTransition ? way : first_not_automatic(rules, from, to);
+  if (source == kNoTransition) return rules.travel;
+  if (rules.ways[source].takes.kind != model::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
+  return duration_of(round, unit, source, rules.ways[source].takes);
+}
+
+Time after_of(Round& round, std::uint32_t unit, std::uint16_t way) {
+  const UnitRules& rules = round.of(unit);
+  if (rules.behaviour != nullptr && rules.behaviour->after != nullptr) {
+    View view(round, unit);
+    return std::max<Time>(0, rules.behaviour->after(view, way));
+  }
+  if (rules.ways[way].after.kind != model::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
+  return duration_of(round, unit, way, rules.ways[way].after);
+}
+
+}  // namespace symplant::reference

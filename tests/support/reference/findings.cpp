@@ -1,0 +1,182 @@
+// Findings at run time and requirements (docs/model.md, "Findings at run time").
+#include "support/reference/findings.hpp"
+
+#include <algorithm>
+
+namespace symplant::reference {
+namespace {
+
+using core::FindingKind;
+
+struct Finder {
+  const Rules& rules;
+  World& world;
+  const InstantNotes& notes;
+  Counters& counters;
+  std::vector<core::Finding> found;
+
+  void add(FindingKind kind, std::uint32_t of, Counted counted, bool more = false) {
+    ++counters[counted];
+    found.push_back({world.time, of, kind, more});
+  }
+};
+
+/// Raised when they begin to be true; a frozen unit raises none.
+void find_of_units(Finder& finder) {
+  for (std::uint32_t i = 0; i < finder.world.units.size(); ++i) {
+    const UnitRules& rules = finder.rules.units[i];
+    UnitWorld& unit = finder.world.units[i];
+    const Look& look = finder.notes.looks[i];
+    const bool acts = !unit.disabled && !unit.frozen;
+    bool some_operation = false;
+    for (std::uint32_t j = 0; j < rules.operations.size(); ++j) {
+      const bool on = effective(finder.world.symbols[rules.operations[j]]) != 0;
+      some_operation = some_operation || (on && unit.operations[j].armed);
+    }
+    const bool conflicting = acts && look.conflicting;
+    const bool stopped = acts && look.neither && some_operation;
+    if (conflicting && !unit.conflicting) {
+      finder.add(FindingKind::conflicting_operations, i, Counted::found_conflicting_operations);
+    }
+    if (stopped && !unit.stopped) {
+      finder.add(FindingKind::stopped_under_another_command, i, Counted::found_stopped_under_another_command);
+    }
+    unit.conflicting = conflicting;
+    unit.stopped = stopped;
+    if (acts && finder.notes.enabled[i] && unit.moving && !unit.standing) {
+      finder.add(FindingKind::started_on_enabling, i, Counted::found_started_on_enabling);
+    }
+  }
+}
+
+bool no_effect(const UnitRules& rules, const UnitWorld& unit, std::uint32_t operation) {
+  if (unit.moving || rules.leads_to(operation, unit.state)) return false;
+  for (const Way& way : rules.ways) {
+    if (way.from == unit.state && way.on == operation) return false;
+  }
+  return true;
+}
+
+/// An operation that has risen in this instant and served nothing in it. True where there is something to say.
+bool find_of_risen(Finder& finder, std::uint32_t place, std::uint32_t operation) {
+  const UnitRules& rules = finder.rules.units[place];
+  const UnitWorld& unit = finder.world.units[place];
+  const std::uint32_t symbol = rules.operations[operation];
+  if (unit.frozen) return false;
+  if (unit.disabled) {
+    finder.add(FindingKind::command_to_a_disabled_unit, symbol, Counted::found_command_to_a_disabled_unit);
+    return true;
+  }
+  if (!no_effect(rules, unit, operation)) return false;
+  finder.add(FindingKind::command_without_effect, symbol, Counted::found_command_without_effect);
+  return true;
+}
+
+void find_of_operation(Finder& finder, std::uint32_t place, std::uint32_t operation) {
+  const UnitRules& rules = finder.rules.units[place];
+  UnitWorld& unit = finder.world.units[place];
+  OperationWorld& its = unit.operations[operation];
+  const SymbolWorld& symbol = finder.world.symbols[rules.operations[operation]];
+  const bool on = effective(symbol) != 0;
+  const bool was_on = symbol.shown != 0;
+  if (!on) {
+    if (was_on && !its.had_finding && !its.served && !its.reached && !unit.frozen) {
+      finder.add(FindingKind::lost_command, rules.operations[operation], Counted::found_lost_command);
+    }
+    its.served = its.had_finding = its.reached = false;
+    return;
+  }
+  const bool served_now = finder.notes.served[place][operation];
+  if (!was_on) {
+    its.served = its.reached = false;
+    its.had_finding = !served_now && find_of_risen(finder, place, operation);
+  }
+  its.served = its.served || served_now;
+  its.reached = its.reached || rules.leads_to(operation, unit.target);
+}
+
+bool of_frozen_unit(const Finder& finder, std::uint32_t symbol) {
+  const std::uint32_t owner = finder.rules.model->symbols[symbol].unit;
+  return owner != model::kNone && finder.world.units[owner].frozen;
+}
+
+void find_of_event(Finder& finder, std::uint32_t i) {
+  SymbolWorld& symbol = finder.world.symbols[i];
+  const bool on = effective(symbol) != 0;
+  const bool was_on = symbol.shown != 0;
+  // A unit that is frozen raises none, nor do its events.
+  if (finder.notes.event_changed[i] && on == was_on && !of_frozen_unit(finder, i)) {
+    finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short);
+  }
+  if (on && !was_on) symbol.rose = finder.world.time;
+  const bool short_on = finder.world.cycle != 0 && finder.world.time - symbol.rose < finder.world.cycle;
+  if (!on && was_on && short_on && !of_frozen_unit(finder, i)) {
+    finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short_real_time);
+  }
+}
+
+/// Each loop's units in their order, the loops by their first units.
+void find_of_loops(Finder& finder) {
+  std::vector<std::vector<std::uint32_t>> loops = finder.notes.loops;
+  std::sort(loops.begin(), loops.end());
+  for (const std::vector<std::uint32_t>& loop : loops) {
+    for (const std::uint32_t unit : loop) {
+      finder.add(FindingKind::instantaneous_loop, unit, Counted::found_instantaneous_loop, unit != loop.back());
+    }
+  }
+}
+
+void find_of_requirement(Finder& finder, std::uint32_t i) {
+  const model::Requirement& rules = finder.rules.model->requirements[i];
+  MonitorWorld& monitor = finder.world.monitors[i];
+  const bool truth = holds(rules.condition, finder.world);
+  const bool risen = truth && !monitor.truth;
+  monitor.truth = truth;
+  if (rules.kind == core::RequirementRow::Kind::never) {
+    if (!risen) return;
+    ++finder.counters[Counted::never_violated];
+    finder.add(FindingKind::requirement_violated, i, Counted::found_requirement_violated);
+    return;
+  }
+  if (risen && !monitor.running) {
+    ++finder.counters[Counted::watch_started];
+    monitor.running = true;
+    const Time now = finder.world.time;
+    monitor.deadline = rules.within > core::kNever - now ? core::kNever : now + rules.within;
+  }
+  if (!monitor.running) return;
+  if (holds(rules.expected, finder.world)) {
+    ++finder.counters[Counted::watch_met];
+  } else if (finder.world.time >= monitor.deadline) {
+    ++finder.counters[Counted::watch_violated];
+    finder.add(FindingKind::requirement_violated, i, Counted::found_requirement_violated);
+  } else {
+    return;
+  }
+  monitor.running = false;
+  monitor.deadline = 0;
+}
+
+}  // namespace
+
+std::vector<core::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
+                                       Counters& counters) {
+  Finder finder{rules, world, notes, counters, {}};
+  find_of_units(finder);
+  for (std::uint32_t i = 0; i < rules.units.size(); ++i) {
+    for (std::uint32_t j = 0; j < rules.units[i].operations.size(); ++j) find_of_operation(finder, i, j);
+  }
+  for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
+    if (!rules.is_operation(i) && rules.is_bool(i)) find_of_event(finder, i);
+  }
+  find_of_loops(finder);
+  for (std::uint32_t i = 0; i < world.monitors.size(); ++i) find_of_requirement(finder, i);
+  // By the page's table, then by unit, symbol or requirement. Loops stand already as they must.
+  std::stable_sort(finder.found.begin(), finder.found.end(), [](const core::Finding& a, const core::Finding& b) {
+    if (a.kind != b.kind) return a.kind < b.kind;
+    return a.kind != FindingKind::instantaneous_loop && a.of < b.of;
+  });
+  return finder.found;
+}
+
+}  // namespace symplant::reference

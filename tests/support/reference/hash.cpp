@@ -1,0 +1,110 @@
+// The fields of the digest, in their order.
+#include "support/reference/hash.hpp"
+
+#include "support/reference/round.hpp"
+#include "symplant/core/digest.hpp"
+
+namespace symplant::reference {
+namespace {
+
+struct Digest : core::Fnv1a64 {
+  void flag(bool value) { byte(value ? 1 : 0); }
+  void u16(std::uint16_t value) {
+    byte(static_cast<std::uint8_t>(value & 0xFF));
+    byte(static_cast<std::uint8_t>(value >> 8));
+  }
+  void i64(std::int64_t value) { u64(static_cast<std::uint64_t>(value)); }
+};
+
+std::uint8_t force_of(const SymbolWorld& symbol) {
+  if (!symbol.forced) return 0;
+  return symbol.forced_value != 0 ? 2 : 1;
+}
+
+/// An operation's as last written, sampled or not.
+std::uint64_t level_of(const Rules& rules, const World& world, std::uint32_t symbol) {
+  return rules.is_operation(symbol) ? world.symbols[symbol].written : world.symbols[symbol].value;
+}
+
+void add_operations(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
+  const UnitRules& unit = rules.units[place];
+  for (std::uint32_t i = 0; i < unit.operations.size(); ++i) {
+    const std::uint32_t symbol = unit.operations[i];
+    const OperationWorld& its = world.units[place].operations[i];
+    const bool on = effective(world.symbols[symbol]) != 0;
+    digest.flag(level_of(rules, world, symbol) != 0);
+    digest.flag(!on || its.armed || unit.actuation != core::Actuation::latched);
+    digest.byte(force_of(world.symbols[symbol]));
+    // Both keep the command from being lost, and the digest has one flag for them.
+    digest.flag(on && (its.served || its.reached));
+    digest.flag(on && its.had_finding);
+  }
+}
+
+void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
+  const UnitRules& unit = rules.units[place];
+  const UnitWorld& its = world.units[place];
+  digest.byte(its.state);
+  digest.byte(its.target);
+  digest.u16(its.under_way);
+  digest.i64(its.remaining);
+  digest.i64(its.whole);
+  digest.byte(static_cast<std::uint8_t>((its.moving ? 1 : 0) | (its.disabled ? 2 : 0) | (its.frozen ? 4 : 0)));
+  for (const TransitionWorld& transition : its.transitions) {
+    digest.flag(transition.holds);
+    digest.i64(transition.left);
+    digest.u32(transition.draws);
+  }
+  add_operations(digest, rules, world, place);
+  for (const std::uint32_t symbol : unit.events) {
+    digest.flag(world.symbols[symbol].value != 0);
+    digest.byte(force_of(world.symbols[symbol]));
+  }
+  if (unit.behaviour == nullptr) return;
+  digest.u32(its.own_draws);
+  digest.i64(its.until_woken);
+  for (std::uint32_t i = 0; i < unit.behaviour->memory_size; ++i) {
+    digest.byte(static_cast<std::uint8_t>(its.memory[i / 8] >> (8 * (i % 8))));
+  }
+}
+
+void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
+  const SymbolWorld& symbol = world.symbols[place];
+  if (rules.is_bool(place)) {
+    digest.flag(level_of(rules, world, place) != 0);
+    digest.byte(force_of(symbol));
+    return;
+  }
+  digest.u64(level_of(rules, world, place));
+  digest.flag(symbol.forced);
+  digest.u64(symbol.forced ? symbol.forced_value : 0);
+}
+
+}  // namespace
+
+std::uint64_t state_hash(const Rules& rules, const World& world) {
+  Digest digest;
+  digest.i64(world.time);
+  for (std::uint32_t i = 0; i < world.units.size(); ++i) add_unit(digest, rules, world, i);
+  for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
+    if (rules.model->symbols[i].unit == model::kNone) add_free_symbol(digest, rules, world, i);
+  }
+  for (const MonitorWorld& monitor : world.monitors) {
+    digest.flag(monitor.running);
+    digest.i64(monitor.deadline);
+    digest.flag(monitor.truth);
+  }
+  for (std::uint32_t i = 0; i < world.units.size(); ++i) {
+    if (!world.units[i].conflicting) continue;
+    digest.byte(0);
+    digest.u32(i);
+  }
+  for (std::uint32_t i = 0; i < world.units.size(); ++i) {
+    if (!world.units[i].stopped) continue;
+    digest.byte(1);
+    digest.u32(i);
+  }
+  return digest.value();
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,162 @@
+// A move under way: the table of four actuations (docs/model.md, "A move under way").
+#include <algorithm>
+
+#include "support/reference/round.hpp"
+
+namespace symplant::reference {
+namespace {
+
+__extension__ using Wide = __int128;
+
+struct Command {
+  bool forth = false;
+  bool back = false;
+  std::uint16_t back_by = kNoTransition;  ///< the first transition that counts as back
+};
+
+bool is_on_of(const UnitRules& unit, std::uint32_t operation, std::uint8_t from, std::uint8_t to) {
+  for (const Way& way : unit.ways) {
+    if (way.from == from && way.to == to && way.on == operation) return true;
+  }
+  return false;
+}
+
+Command command_of(Round& round, std::uint32_t unit) {
+  const UnitRules& rules = round.of(unit);
+  const std::uint8_t from = round.old.units[unit].state;
+  const std::uint8_t to = round.old.units[unit].target;
+  Command command;
+  for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
+    if (operation_on(round, unit, i) && is_on_of(rules, i, from, to)) command.forth = true;
+  }
+  const std::uint8_t wanted =
+      rules.actuation == core::Actuation::latched ? core::kNoState : wanted_by_behaviour(round, unit);
+  if (wanted == to) command.forth = true;
+  if (wanted == from) command.back = true;
+  for (std::uint16_t i = 0; i < rules.ways.size(); ++i) {
+    const Way& way = rules.ways[i];
+    if (way.from != to || way.to != from) continue;
+    const bool commands = way.commanded() && operation_on(round, unit, way.on) && !is_on_of(rules, way.on, from, to) &&
+                          when_holds(round, unit, way);
+    if (!commands) continue;
+    command.back = true;
+    if (command.back_by == kNoTransition) command.back_by = i;
+  }
+  return command;
+}
+
+/// Back by a transition, or, kNoTransition, without a command.
+bool turn_round(Round& round, std::uint32_t unit, std::uint16_t way) {
+  ++round.counters[Counted::turned_round];
+  UnitWorld& world = round.next.units[unit];
+  const std::uint8_t from = world.state;
+  const std::uint8_t to = world.target;
+  const Time takes = takes_of(round, unit, way, to, from);
+  if (way != kNoTransition && round.of(unit).ways[way].commanded()) serve(round, unit, round.of(unit).ways[way].on);
+  const Time gone = std::max<Time>(0, world.whole - world.remaining);
+  world.remaining = static_cast<Time>(static_cast<Wide>(takes) * gone / world.whole);
+  world.whole = takes;
+  world.state = to;
+  world.target = from;
+  world.under_way = way;
+  world.standing = false;
+  return true;
+}
+
+bool go_on(Round& round, std::uint32_t unit) {
+  UnitWorld& world = round.next.units[unit];
+  if (world.standing) ++round.counters[Counted::went_on];
+  world.standing = false;
+  return false;
+}
+
+bool stand_still(Round& round, std::uint32_t unit) {
+  UnitWorld& world = round.next.units[unit];
+  if (!world.standing) ++round.counters[Counted::stood_still];
+  world.standing = true;
+  return false;
+}
+
+bool bistable(Round& round, std::uint32_t unit, const Command& command) {
+  if (command.forth && command.back) {
+    ++round.counters[Counted::bistable_both];
+    round.notes.looks[unit].conflicting = true;
+    return go_on(round, unit);
+  }
+  if (command.back) {
+    ++round.counters[Counted::bistable_back];
+    return turn_round(round, unit, command.back_by);
+  }
+  ++round.counters[command.forth ? Counted::bistable_forth : Counted::bistable_neither];
+  return go_on(round, unit);
+}
+
+bool held(Round& round, std::uint32_t unit, const Command& command) {
+  if (command.forth && command.back) {
+    ++round.counters[Counted::held_both];
+    round.notes.looks[unit].conflicting = true;
+    return stand_still(round, unit);
+  }
+  if (command.back) {
+    ++round.counters[Counted::held_back];
+    return turn_round(round, unit, command.back_by);
+  }
+  if (command.forth) {
+    ++round.counters[Counted::held_forth];
+    return go_on(round, unit);
+  }
+  ++round.counters[Counted::held_neither];
+  round.notes.looks[unit].neither = true;
+  return stand_still(round, unit);
+}
+
+bool spring(Round& round, std::uint32_t unit, const Command& command) {
+  if (command.forth && command.back) {
+    ++round.counters[Counted::spring_both];
+    round.notes.looks[unit].conflicting = true;
+    return stand_still(round, unit);
+  }
+  if (command.back) {
+    ++round.counters[Counted::spring_back];
+    return turn_round(round, unit, command.back_by);
+  }
+  if (command.forth) {
+    ++round.counters[Counted::spring_forth];
+    return go_on(round, unit);
+  }
+  if (round.old.units[unit].state == round.of(unit).rest) {
+    ++round.counters[Counted::spring_neither_from_rest];
+    return turn_round(round, unit, kNoTransition);
+  }
+  ++round.counters[Counted::spring_neither_from_elsewhere];
+  return go_on(round, unit);
+}
+
+Counted latched_cell(const Command& command) {
+  if (command.forth) return command.back ? Counted::latched_both : Counted::latched_forth;
+  return command.back ? Counted::latched_back : Counted::latched_neither;
+}
+
+}  // namespace
+
+bool step_moving(Round& round, std::uint32_t unit) {
+  if (round.old.units[unit].automatic) {
+    ++round.counters[Counted::automatic_move_goes_on];
+    return false;
+  }
+  const Command command = command_of(round, unit);
+  switch (round.of(unit).actuation) {
+    case core::Actuation::latched:
+      ++round.counters[latched_cell(command)];
+      return false;
+    case core::Actuation::bistable:
+      return bistable(round, unit, command);
+    case core::Actuation::held:
+      return held(round, unit, command);
+    case core::Actuation::spring:
+      return spring(round, unit, command);
+  }
+  return false;
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,265 @@
+// The plant: its start, what acts on it from outside, its instants in time.
+#include "support/reference/reference.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "support/reference/difference.hpp"
+#include "support/reference/findings.hpp"
+#include "support/reference/hash.hpp"
+#include "support/reference/round.hpp"
+
+namespace symplant::reference {
+namespace {
+
+InstantNotes empty_notes(const Rules& rules) {
+  InstantNotes notes;
+  notes.steps.resize(rules.units.size());
+  notes.enabled.resize(rules.units.size());
+  notes.looks.resize(rules.units.size());
+  for (const UnitRules& unit : rules.units) notes.served.emplace_back(unit.operations.size());
+  notes.event_changed.resize(rules.model->symbols.size());
+  return notes;
+}
+
+UnitWorld first_world(const UnitRules& rules) {
+  UnitWorld unit;
+  unit.state = unit.target = rules.initial;
+  unit.transitions.resize(rules.ways.size());
+  unit.operations.resize(rules.operations.size());
+  if (rules.behaviour != nullptr) unit.memory.resize((rules.behaviour->memory_size + 7) / 8);
+  return unit;
+}
+
+/// Where a symbol stands before any unit has entered its initial state.
+std::uint64_t first_value(const Rules& rules, std::uint32_t place) {
+  const model::Symbol& symbol = rules.model->symbols[place];
+  if (!rules.is_bool(place)) return symbol.initial;
+  if (rules.is_operation(place)) return 0;
+  if (symbol.unit != model::kNone) {
+    // Where the event of a state of the unit stands on the address, the state says.
+    const UnitRules& unit = rules.units[symbol.unit];
+    for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
+      if (rules.leader(unit.events[i]) == place && unit.event_is_a_state(i)) return 0;
+    }
+  }
+  return symbol.initial != 0 ? 1 : 0;
+}
+
+World first_world(const Rules& rules) {
+  World world;
+  for (const UnitRules& unit : rules.units) world.units.push_back(first_world(unit));
+  for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
+    SymbolWorld symbol;
+    symbol.value = symbol.written = first_value(rules, rules.leader(i));
+    symbol.shown = rules.is_bool(i) ? 0 : symbol.value;
+    world.symbols.push_back(symbol);
+  }
+  world.monitors.resize(rules.model->requirements.size());
+  // l_enter of the initial states; the users' code is not told, its memory is zeros after a reset.
+  for (const UnitRules& unit : rules.units) {
+    if (!rules.fault.empty()) break;
+    for (const auto& [event, on] : unit.states[unit.initial].enter) {
+      write_event(rules, world, unit.events[event], on ? 1 : 0);
+    }
+  }
+  return world;
+}
+
+/// Time goes by: not for units that are disabled or frozen, and not for a move that stands still. What then comes due
+/// is still to be run.
+void pass(World& world, Time time) {
+  const Time gone = time - world.time;
+  world.time = time;
+  for (UnitWorld& unit : world.units) {
+    if (unit.disabled || unit.frozen) continue;
+    if (unit.moving && !unit.standing && unit.remaining != core::kNever) unit.remaining -= gone;
+    for (TransitionWorld& transition : unit.transitions) {
+      if (transition.left == 0 || transition.left == core::kNever) continue;
+      transition.left -= gone;
+      if (transition.left == 0) world.instant_pending = true;
+    }
+    if (unit.until_woken >= 0) unit.until_woken -= gone;
+  }
+}
+
+Time later(Time now, Time left) { return left > core::kNever - now ? core::kNever : now + left; }
+
+void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
+                 std::vector<InstantRecord>& instants) {
+  world.instant_pending = false;
+  if (sample) {
+    world.written_pending = false;
+    for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
+      if (rules.is_operation(i)) world.symbols[i].value = world.symbols[i].written;
+    }
+  }
+  InstantNotes notes = empty_notes(rules);
+  run_rounds(rules, world, counters, notes);
+  InstantRecord record;
+  record.time = world.time;
+  record.findings = findings_of(rules, world, notes, counters);
+  for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
+    SymbolWorld& symbol = world.symbols[i];
+    if (effective(symbol) != symbol.shown) record.changes.emplace_back(i, effective(symbol));
+    symbol.shown = effective(symbol);
+  }
+  for (UnitWorld& unit : world.units) {
+    unit.shown_settled = unit.moving ? core::kNoState : unit.state;
+    unit.shown_moving = unit.moving;
+  }
+  if (!record.changes.empty() || !record.findings.empty()) instants.push_back(std::move(record));
+}
+
+/// The world as the last instant left it, as far as conditions and operations are concerned.
+World as_shown(World world) {
+  for (SymbolWorld& symbol : world.symbols) {
+    symbol.value = symbol.shown;
+    symbol.forced = false;
+  }
+  for (UnitWorld& unit : world.units) {
+    unit.state = unit.shown_settled;
+    unit.moving = unit.shown_moving;
+  }
+  return world;
+}
+
+std::uint64_t as_type(const Rules& rules, std::uint32_t symbol, std::uint64_t value) {
+  return rules.is_bool(symbol) && value != 0 ? 1 : value;
+}
+
+}  // namespace
+
+Plant::Plant(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours)
+    : model_(model), rules_(std::make_unique<Rules>(derive(model, std::move(behaviours)))) {
+  reset();
+}
+
+Plant::~Plant() = default;
+
+std::string Plant::difference_from_model() const { return difference(*rules_); }
+
+void Plant::reset(std::uint64_t seed, Time cycle) {
+  world_ = first_world(*rules_);
+  world_.seed = seed;
+  world_.cycle = cycle;
+  instants_.clear();
+}
+
+void Plant::set_operation(std::uint32_t symbol, std::uint64_t value) {
+  for (const std::uint32_t each : rules_->together(symbol)) {
+    world_.symbols[each].written = as_type(*rules_, symbol, value);
+  }
+  world_.written_pending = true;
+}
+
+bool Plant::set_input(std::uint32_t symbol, std::uint64_t value) {
+  if (rules_->is_operation(symbol) || rules_->moved(symbol)) return false;
+  for (const std::uint32_t each : rules_->together(symbol)) {
+    world_.symbols[each].value = as_type(*rules_, symbol, value);
+  }
+  world_.instant_pending = true;
+  return true;
+}
+
+void Plant::force(std::uint32_t symbol, std::uint64_t value) {
+  for (const std::uint32_t each : rules_->together(symbol)) {
+    world_.symbols[each].forced = true;
+    world_.symbols[each].forced_value = as_type(*rules_, symbol, value);
+  }
+  world_.instant_pending = true;
+}
+
+void Plant::release(std::uint32_t symbol) {
+  for (const std::uint32_t each : rules_->together(symbol)) world_.symbols[each].forced = false;
+  world_.instant_pending = true;
+}
+
+bool Plant::is_forced(std::uint32_t symbol) const { return world_.symbols[symbol].forced; }
+
+// A person's move is a leaving and an entering like any other: the user's code is told of both. It sees conditions and
+// operations as the last instant left them.
+void Plant::set_state(std::uint32_t place, std::uint8_t state) {
+  const World old = as_shown(world_);
+  InstantNotes notes = empty_notes(*rules_);
+  Round round{*rules_, old, world_, counters, notes};
+  UnitWorld& unit = world_.units[place];
+  if (unit.moving) ++counters[Counted::set_state_moving];
+  if (unit.disabled) ++counters[Counted::set_state_disabled];
+  if (unit.frozen) ++counters[Counted::set_state_frozen];
+  end_holds(unit);
+  if (!unit.moving) leave(round, place, unit.state);
+  unit.state = unit.target = state;
+  unit.moving = unit.standing = unit.automatic = false;
+  unit.under_way = kNoTransition;
+  unit.remaining = unit.whole = 0;
+  enter(round, place, state);
+  world_.instant_pending = true;
+}
+
+void Plant::set_quality(bool well) {
+  world_.instant_pending = world_.instant_pending || world_.link_well != well;
+  world_.link_well = well;
+}
+
+void Plant::advance_before(Time time) {
+  for (Time due = next_due(); due < time; due = next_due()) {
+    pass(world_, due);
+    run_instant(*rules_, world_, false, counters, instants_);
+  }
+  if (time > world_.time) pass(world_, time);
+}
+
+void Plant::advance_to(Time time) {
+  const Time to = std::max(time, world_.time);
+  advance_before(to);
+  if (world_.written_pending || next_due() <= to) run_instant(*rules_, world_, true, counters, instants_);
+}
+
+Time Plant::now() const { return world_.time; }
+
+Time Plant::next_due() const {
+  if (world_.instant_pending) return world_.time;
+  Time due = core::kNever;
+  for (const UnitWorld& unit : world_.units) {
+    if (unit.disabled || unit.frozen) continue;
+    if (unit.moving && !unit.standing) due = std::min(due, later(world_.time, unit.remaining));
+    for (const TransitionWorld& transition : unit.transitions) {
+      if (transition.holds && transition.left > 0) due = std::min(due, later(world_.time, transition.left));
+    }
+    if (unit.until_woken >= 0) due = std::min(due, later(world_.time, unit.until_woken));
+  }
+  for (const MonitorWorld& monitor : world_.monitors) {
+    if (monitor.running) due = std::min(due, std::max(world_.time, monitor.deadline));
+  }
+  return due;
+}
+
+const std::vector<InstantRecord>& Plant::instants() const { return instants_; }
+void Plant::clear_instants() { instants_.clear(); }
+
+std::uint64_t Plant::value(std::uint32_t symbol) const { return effective(world_.symbols[symbol]); }
+
+UnitView Plant::unit(std::uint32_t place) const {
+  const UnitWorld& unit = world_.units[place];
+  return {unit.state, unit.target, unit.moving, unit.standing, unit.disabled, unit.frozen, unit.remaining};
+}
+
+bool Plant::disarmed(std::uint32_t symbol) const {
+  const std::uint32_t owner = model_.symbols[symbol].unit;
+  if (owner == model::kNone || !rules_->is_operation(symbol) || value(symbol) == 0) return false;
+  const std::vector<std::uint32_t>& operations = rules_->units[owner].operations;
+  const auto place = std::find(operations.begin(), operations.end(), symbol) - operations.begin();
+  return !world_.units[owner].operations[static_cast<std::size_t>(place)].armed;
+}
+
+std::uint64_t Plant::state_hash() const { return reference::state_hash(*rules_, world_); }
+
+const World& Plant::save() const { return world_; }
+
+void Plant::restore(const World& world) {
+  world_ = world;
+  ++counters[Counted::restored];
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,98 @@
+// The naive reference: a second plant, written from docs/model.md alone, as plain as can be. The engine must equal it.
+//
+// It shares nothing with engine and generator but PlantModel, and of that the symbols, the user's description and the
+// conditions' trees: states, transitions, actuation and all else it derives by itself (difference_from_model() tells
+// where the model says otherwise). Every round copies the whole world; every unit is looked at in every round.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/plant_model.hpp"
+#include "support/reference/behaviour.hpp"
+#include "support/reference/counters.hpp"
+#include "support/reference/world.hpp"
+#include "symplant/core/finding.hpp"
+#include "symplant/core/time.hpp"
+
+namespace symplant::reference {
+
+struct Rules;
+
+/// The net effect of an instant on the effective side (after forces), operations and events alike.
+struct InstantRecord {
+  Time time = 0;
+  /// Symbol and value, in list order: what differs from the end of the instant before. At the first instant after a
+  /// reset: bits that are on, and numbers that differ from their initial values.
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> changes;
+  std::vector<core::Finding> findings;  ///< in their order
+};
+
+struct UnitView {
+  std::uint8_t state;
+  std::uint8_t target;
+  bool moving;
+  bool standing;
+  bool disabled;
+  bool frozen;
+  Time remaining;  ///< 0 where it is settled
+
+  friend bool operator==(const UnitView&, const UnitView&) = default;
+};
+
+/// Units, symbols, states and requirements count as in the model; members mean what those of core::Plant mean. BOOL
+/// values are 0 or 1, numbers are two's complement or the bits of a double.
+class Plant {
+ public:
+  /// `model` must outlive the plant. `behaviours`: by DeviceDescription::behaviour; units whose name is not there
+  /// follow the model's rules. The plant is reset.
+  explicit Plant(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours = {});
+  ~Plant();
+  Plant(const Plant&) = delete;
+  Plant& operator=(const Plant&) = delete;
+
+  /// The first difference between what the reference derived from names and description and what the model says, in
+  /// words; empty where there is none. A plant with a difference must not be run.
+  std::string difference_from_model() const;
+
+  void reset(std::uint64_t seed = 0, Time cycle = 0);
+
+  void set_operation(std::uint32_t symbol, std::uint64_t value);
+  bool set_input(std::uint32_t symbol, std::uint64_t value);
+  void force(std::uint32_t symbol, std::uint64_t value);
+  void release(std::uint32_t symbol);
+  bool is_forced(std::uint32_t symbol) const;
+  void set_state(std::uint32_t unit, std::uint8_t state);
+  void set_quality(bool well);
+
+  void advance_to(Time time);
+  void advance_before(Time time);
+  Time now() const;
+  Time next_due() const;
+
+  /// Every instant since reset() or clear_instants() that changed anything or raised a finding. No part of the world.
+  const std::vector<InstantRecord>& instants() const;
+  void clear_instants();
+
+  std::uint64_t value(std::uint32_t symbol) const;  ///< effective; an operation's as last sampled
+  UnitView unit(std::uint32_t unit) const;
+  bool disarmed(std::uint32_t symbol) const;  ///< an operation that is on and not armed
+  std::uint64_t state_hash() const;           ///< docs/engine.md tells its fields
+
+  const World& save() const;
+  void restore(const World& world);
+
+  Counters counters;  ///< since the plant was made
+
+ private:
+  const model::PlantModel& model_;
+  std::unique_ptr<Rules> rules_;
+  World world_;
+  std::vector<InstantRecord> instants_;
+};
+
+}  // namespace symplant::reference

@@ -1,0 +1,124 @@
+// The rounds of one instant: who is disabled, everybody's step, loops (docs/model.md, "One instant").
+#include "support/reference/round.hpp"
+
+namespace symplant::reference {
+namespace {
+
+constexpr int kFirstLimit = 200;
+constexpr int kStepsOfLoop = 3;
+
+void arm(Round& round) {
+  for (std::uint32_t unit = 0; unit < round.old.units.size(); ++unit) {
+    const UnitRules& rules = round.of(unit);
+    for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
+      OperationWorld& operation = round.next.units[unit].operations[i];
+      if (operation.armed || effective(round.old.symbols[rules.operations[i]]) != 0) continue;
+      operation.armed = true;
+      ++round.counters[Counted::rearmed];
+      if (round.old.units[unit].disabled) ++round.counters[Counted::rearmed_while_disabled];
+    }
+  }
+}
+
+void note_events(const Rules& rules, const World& old, const World& next, Counters& counters, InstantNotes& notes) {
+  for (std::uint32_t i = 0; i < old.symbols.size(); ++i) {
+    if (rules.is_operation(i) || !rules.is_bool(i)) continue;
+    if (effective(old.symbols[i]) != effective(next.symbols[i])) notes.event_changed[i] = true;
+    if (old.symbols[i].value != next.symbols[i].value && next.symbols[i].forced) {
+      ++counters[Counted::forced_event_differs];
+    }
+  }
+}
+
+/// What lies beyond all time never comes, and what is left of it is not counted down. Times that stand still are not
+/// looked at.
+void never_comes(World& world) {
+  const auto beyond = [&](Time left) { return left >= core::kNever - world.time; };
+  for (UnitWorld& unit : world.units) {
+    if (unit.disabled || unit.frozen) continue;
+    if (unit.moving && !unit.standing && beyond(unit.remaining)) unit.remaining = core::kNever;
+    for (TransitionWorld& transition : unit.transitions) {
+      if (beyond(transition.left)) transition.left = core::kNever;
+    }
+    if (beyond(unit.until_woken)) unit.until_woken = -1;
+  }
+}
+
+/// True where anything happened that asks for a further round.
+bool run_round(const Rules& rules, World& world, int number, Counters& counters, InstantNotes& notes) {
+  const World old = world;
+  Round round{rules, old, world, counters, notes};
+  notes.looks.assign(world.units.size(), {});
+  bool again = false;
+  arm(round);
+  for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
+    if (!step(round, unit)) continue;
+    notes.steps[unit].push_back(number);
+    again = true;
+  }
+  never_comes(world);
+  if (work_out_disabled(rules, world, counters, notes)) again = true;
+  never_comes(world);  // of units that were enabled now
+  note_events(rules, old, world, counters, notes);
+  return again;
+}
+
+/// Freezes the units that stepped often in the second half of the rounds. False where there are none.
+bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
+  std::vector<std::uint32_t> loop;
+  for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
+    int steps = 0;
+    for (const int round : notes.steps[unit]) steps += round > rounds / 2 ? 1 : 0;
+    if (steps >= kStepsOfLoop) loop.push_back(unit);
+  }
+  if (loop.empty()) return false;
+  for (const std::uint32_t unit : loop) world.units[unit].frozen = true;
+  for (std::vector<int>& steps : notes.steps) steps.clear();
+  notes.loops.push_back(loop);
+  ++counters[Counted::loop_frozen];
+  return true;
+}
+
+}  // namespace
+
+bool work_out_disabled(const Rules& rules, World& world, Counters& counters, InstantNotes& notes) {
+  bool changed = false;
+  for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
+    bool disabled = false;
+    for (std::uint32_t by = 0; by < world.units.size(); ++by) {
+      if (by == unit || world.units[by].moving) continue;
+      for (const std::uint32_t other : rules.units[by].states[world.units[by].state].disables) {
+        disabled = disabled || other == unit;
+      }
+    }
+    UnitWorld& its = world.units[unit];
+    if (its.disabled == disabled) continue;
+    changed = true;
+    its.disabled = disabled;
+    ++counters[disabled ? Counted::unit_disabled : Counted::unit_enabled];
+    if (!disabled) notes.enabled[unit] = true;
+    if (!disabled) continue;
+    for (const TransitionWorld& transition : its.transitions) {
+      if (transition.holds && transition.left > 0) ++counters[Counted::after_kept_while_disabled];
+    }
+  }
+  return changed;
+}
+
+void run_rounds(const Rules& rules, World& world, Counters& counters, InstantNotes& notes) {
+  work_out_disabled(rules, world, counters, notes);
+  never_comes(world);
+  int limit = kFirstLimit;
+  for (int number = 1; run_round(rules, world, number, counters, notes); ++number) {
+    if (number != limit) continue;
+    if (freeze(world, limit, counters, notes)) {
+      number = 0;
+      limit = kFirstLimit;
+    } else {
+      limit *= 2;
+      ++counters[Counted::rounds_doubled];
+    }
+  }
+}
+
+}  // namespace symplant::reference

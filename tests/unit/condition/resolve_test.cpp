@@ -1,0 +1,134 @@
+// From names to a tree over a plant, and what does not fit it.
+#include <map>
+#include <vector>
+
+#include "condition_support.hpp"
+#include "symplant/condition/nearest.hpp"
+
+namespace symplant::test {
+namespace {
+
+using condition::Atom;
+using condition::Tree;
+using core::DataType;
+
+/// Devices AGV (0), DOOR (1) with a state `moving`, and a facet DOOR.LOCK (2); some symbols.
+class SmallPlant final : public condition::Names {
+ public:
+  std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override {
+    if (device == "AGV" && facet.empty()) return 0;
+    if (device == "DOOR" && facet.empty()) return 1;
+    if (device == "DOOR" && facet == "LOCK") return 2;
+    return std::nullopt;
+  }
+  std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override {
+    for (std::size_t s = 0; s < states_[unit].size(); ++s) {
+      if (states_[unit][s] == name) return static_cast<std::uint8_t>(s);
+    }
+    return std::nullopt;
+  }
+  std::optional<Symbol> symbol(std::string_view name) const override {
+    const auto found = symbols_.find(name);
+    return found == symbols_.end() ? std::nullopt : std::optional(found->second);
+  }
+  std::string nearest_device(std::string_view device, std::string_view) const override {
+    return near(device, {"AGV", "DOOR"});
+  }
+  std::string nearest_state(std::uint32_t unit, std::string_view name) const override {
+    return near(name, states_[unit]);
+  }
+  std::string nearest_symbol(std::string_view name) const override { return near(name, {"START", "LEVEL"}); }
+  std::string why_no_state(std::uint32_t, std::string_view name) const override {
+    return name == "BUSY" ? "`BUSY` is only an event" : "";
+  }
+
+ private:
+  static std::string near(std::string_view wanted, const std::vector<std::string_view>& names) {
+    condition::NearestName nearest(wanted);
+    for (const std::string_view name : names) nearest.offer(name);
+    return std::string(nearest.name());
+  }
+
+  std::vector<std::vector<std::string_view>> states_{{"P1", "P2"}, {"OPEN", "moving"}, {"SHUT"}};
+  std::map<std::string_view, Symbol> symbols_{
+      {"START", {7, DataType::boolean}}, {"LEVEL", {8, DataType::int_}}, {"SPEED", {9, DataType::real}}};
+};
+
+std::string text_of(const Tree& tree) {
+  switch (tree.kind) {
+    case Tree::Kind::constant:
+      return tree.value ? "always" : "never";
+    case Tree::Kind::atom:
+      break;
+    case Tree::Kind::negation:
+    case Tree::Kind::all:
+    case Tree::Kind::any: {
+      std::string text = tree.kind == Tree::Kind::negation ? "(not" : tree.kind == Tree::Kind::all ? "(and" : "(or";
+      for (const Tree& child : tree.children) text += " " + text_of(child);
+      return text + ")";
+    }
+  }
+  const std::string of = std::to_string(tree.atom.of);
+  switch (tree.atom.kind) {
+    case Atom::Kind::settled:
+      return "unit" + of + "@" + std::to_string(tree.atom.state);
+    case Atom::Kind::moving:
+      return "unit" + of + "~";
+    case Atom::Kind::bit:
+      return "bit" + of;
+    case Atom::Kind::number:
+      return "slot" + of + comparison_text(tree.atom.comparison) + std::to_string(tree.atom.operand);
+  }
+  return "";
+}
+
+std::string resolved(std::string_view text) {
+  const auto result = condition::parse_and_resolve(text, SmallPlant());
+  if (const auto* fault = std::get_if<condition::Fault>(&result)) {
+    return std::to_string(fault->place.offset) + "+" + std::to_string(fault->place.length) + " " + fault->message;
+  }
+  return text_of(std::get<Tree>(result));
+}
+
+TEST_CASE("Names become what they name") {
+  CHECK(resolved("AGV.P2 and not START or LEVEL >= 5") == "(or (and unit0@1 (not bit7)) slot8>=5)");
+  CHECK(resolved("DOOR.LOCK.SHUT") == "unit2@0");
+  CHECK(resolved("SPEED < 1.0") == "slot9<4607182418800017408");
+}
+
+TEST_CASE("`moving` is whether a unit moves, unless it has a state of that name") {
+  CHECK(resolved("AGV.moving") == "unit0~");
+  CHECK(resolved("AGV.MOVING") == "unit0~");
+  CHECK(resolved("DOOR.moving") == "unit1@1");
+  CHECK(resolved("DOOR.LOCK.moving") == "unit2~");
+}
+
+TEST_CASE("A comparison that is always or never true is a constant") {
+  CHECK(resolved("LEVEL < 40000") == "always");
+  CHECK(resolved("LEVEL = 2.5 or START") == "(or never bit7)");
+}
+
+TEST_CASE("What does not fit the plant says so at its place, with the nearest name that does") {
+  CHECK(resolved("AGW.P1") == "0+3 there is no device `AGW`, the nearest is `AGV`");
+  CHECK(resolved("AGV.P9") == "4+2 there is no state `P9` of `AGV`, the nearest is `P1`");
+  CHECK(resolved("START and STRAT") == "10+5 there is no symbol `STRAT`, the nearest is `START`");
+  CHECK(resolved("XYZZY") == "0+5 there is no symbol `XYZZY`");
+  CHECK(resolved("DOOR.LOK.SHUT") == "5+3 there is no facet `LOK` of `DOOR`, the nearest is `DOOR`");
+  CHECK(resolved("AGV.BUSY") == "4+4 `BUSY` is only an event");
+}
+
+TEST_CASE("A device stands with a state, a symbol alone") {
+  CHECK(resolved("AGV") == "0+3 `AGV` is a device, name a state of it as in `AGV.STATE`");
+  CHECK(resolved("START.ON") == "0+5 `START` is a symbol and has no states, name it alone");
+}
+
+TEST_CASE("A BOOL symbol stands alone, a numeric one with a comparison") {
+  CHECK(resolved("START > 0") == "0+5 `START` is of type BOOL and compared with a number, let it stand alone");
+  CHECK(resolved("not LEVEL") ==
+        "4+5 `LEVEL` is of type INT and stands without a comparison, compare it as in `LEVEL > 0`");
+  CHECK(resolved("AGV.P1 < 3") == "0+6 a state is compared with a number, only numeric symbols can be");
+  CHECK(resolved("SPEED > 1e999") == "8+5 the number is beyond what a REAL holds");
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,116 @@
+// Where a review found the engine wanting: the last word of a plane, blocks between plants with and without code, what
+// behaviours see and may do.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "support/plant_bench.hpp"
+#include "symplant/core/finding_ring.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("a unit without events behind a full plane switches nobody's") {
+  std::vector<std::string> names;
+  for (int d = 0; d < 32; ++d) {
+    for (const char* task : {"_O_A1", "_O_B2", "_I_A1", "_I_B2"}) names.push_back("D" + std::to_string(d) + task);
+  }
+  names.insert(names.end(), {"BLIND_O_A1", "BLIND_O_B2"});
+  const BenchTables tables(names);
+  REQUIRE(tables.rows.event_bits == 64);
+  BenchPlant plant(tables);
+  plant.to(0);
+  plant.set("BLIND_O_B2", 1).to(1);
+  plant.to(2000);
+  CHECK(plant.state("BLIND") == "B2");
+  for (int d = 0; d < 32; ++d) CHECK(plant.on("D" + std::to_string(d) + "_I_A1"));
+}
+
+/// ARM has a behaviour without memory, which counts how often it was asked.
+int asked = 0;
+const std::array<core::Behaviour, 1> kAsking{core::Behaviour{.wanted = [](core::BehaviourView& view) noexcept {
+  ++asked;
+  return view.value(0) == 7 ? std::uint8_t{200} : core::kNoState;  // 200 is no state of it
+}}};
+
+const BenchTables& asking() {
+  static const BenchTables tables = [] {
+    Told told;
+    told.device("ARM").behaviour = "Asking";
+    return BenchTables(told, {{"L_P_ARM_O_A1"}, {"L_P_ARM_I_A1"}, {"L_P_ARM_I_B2"}, {"L_P_ARM_I_LEVEL", "", "INT"}});
+  }();
+  return tables;
+}
+
+TEST_CASE("a behaviour is asked again when a number of its device is set, and a state that is none is not wanted") {
+  core::OwnedPlant plant(asking().rows, kAsking);
+  plant.advance_to(0);
+  asked = 0;
+  REQUIRE(plant.set_input(asking().symbol("ARM_I_LEVEL"), 7));
+  plant.advance_to(0);
+  CHECK(asked > 0);
+  CHECK(plant.unit(0).state == 0);
+  plant.set_state(0, 200);
+  plant.advance_to(0);
+  CHECK(plant.unit(0).state == 0);
+}
+
+TEST_CASE("a block of a plant with code goes on in one without, and the other way round") {
+  core::OwnedPlant with(asking().rows, kAsking);
+  core::OwnedPlant without(asking().rows);
+  with.advance_to(0);
+  REQUIRE(without.restore(with.save()));
+  without.set_operation(0, true);
+  without.advance_to(core::kSecond);
+  asked = 0;
+  REQUIRE(with.restore(without.save()));
+  with.set_operation(0, false);
+  with.advance_to(2 * core::kSecond);
+  CHECK(asked > 0);
+}
+
+/// Asks to be woken where it may only look.
+const std::array<core::Behaviour, 1> kWaking{core::Behaviour{
+    .wanted =
+        [](core::BehaviourView& view) noexcept {
+          view.wake_at(view.now());
+          return core::kNoState;
+        },
+    .woken = [](core::BehaviourView&) noexcept { ++asked; },
+}};
+
+TEST_CASE("asking to be woken in `wanted` leaves nothing behind that a reset or a restore would lose") {
+  core::OwnedPlant plant(asking().rows, kWaking);
+  core::OwnedPlant copy(asking().rows, kWaking);
+  for (int i = 0; i < 20; ++i) {
+    plant.reset();
+    plant.advance_to(0);
+    REQUIRE(copy.restore(plant.save()));
+    asked = 0;
+    plant.set_operation(0, i % 2 == 0);
+    plant.advance_to(core::kSecond);
+    const int here = asked;
+    asked = 0;
+    copy.set_operation(0, i % 2 == 0);
+    copy.advance_to(core::kSecond);
+    CHECK(asked == here);
+    CHECK(copy.state_hash() == plant.state_hash());
+  }
+}
+
+TEST_CASE("a loop that a full ring cuts off ends with the last finding kept") {
+  std::vector<std::max_align_t> memory(1024);
+  core::Arena arena(reinterpret_cast<std::byte*>(memory.data()));
+  core::FindingRing ring;
+  ring.take(arena);
+  for (std::uint32_t unit = 0; unit < core::FindingRing::kCapacity + 10; ++unit) {
+    ring.add({0, unit, core::FindingKind::instantaneous_loop, true});
+  }
+  core::Finding last{};
+  while (ring.pop(last)) CHECK(last.more == (last.of + 1 != core::FindingRing::kCapacity));
+  CHECK(last.of + 1 == core::FindingRing::kCapacity);
+  CHECK(ring.lost() == 10);
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,83 @@
+// A plant in which every table has rows, with names that would do harm in code.
+#pragma once
+
+#include "unit/lower/altered_model.hpp"
+
+namespace symplant::test {
+
+inline constexpr const char* kEverythingName = "everything";
+
+/// The model and the description that it points to.
+struct Everything {
+  model::DeviceDescription described;
+  model::PlantModel plant;
+};
+
+inline void add_units(model::PlantModel& plant, const model::DeviceDescription& described) {
+  using model::Duration;
+  using model::kNone;
+  model::Unit& agv = plant.units[0];  // AGV: P1, P2
+  agv.transitions[0].takes = {Duration::Kind::uniform, core::kSecond, 2 * core::kSecond};
+  agv.transitions[1].once = true;
+  agv.travel = 3 * core::kSecond;
+
+  model::Unit& machine = plant.units[1];  // MC: IDLE1, RUN2, BUSY3
+  machine.states.pop_back();              // BUSY3 is an event alone
+  machine.initial = 0;
+  machine.transitions = {
+      {0, 1, 1, {}, Duration::fixed(core::kSecond), model::Origin::given, false, false, 0},
+      {1, 0, kNone, {Duration::Kind::normal, 500, 20}, {}, model::Origin::given, false, false, 1},
+  };
+  const std::uint32_t level = symbol_of(plant, "LEVEL");
+  const std::uint32_t speed = symbol_of(plant, "SPEED");
+  machine.conditions = {
+      settled(0, 1) && !(moving(2) || bit(symbol_of(plant, "STOP?\?/"))),
+      number(level, core::Comparison::less, core::NumberKind::signed_integer, static_cast<std::uint64_t>(-5)) ||
+          number(speed, core::Comparison::greater_equal, core::NumberKind::real, 0x3FF8'0000'0000'0000)};
+  machine.outputs = {{}, {{{2, true}}, {{2, false}}}};
+  machine.disables = {{}, {0, 2}};
+
+  model::Unit& stopper = plant.units[2];  // STOPPER: ADV, RET; a spring
+  stopper.transitions.push_back({0, 1, kNone, {}, Duration::fixed(8), model::Origin::given, true});
+  stopper.described = &described;
+  stopper.values = {level, speed};
+  Tree many{Tree::Kind::all, false, {}, {}};
+  for (const std::uint32_t side : {0U, 1U}) {
+    for (const std::uint32_t symbol : plant.units[side].operations) many.children.push_back(bit(symbol));
+    for (const std::uint32_t symbol : plant.units[side].events) many.children.push_back(bit(symbol));
+  }
+  stopper.conditions = {many};
+}
+
+inline std::unique_ptr<const Everything> everything() {
+  auto made = std::make_unique<Everything>();
+  made->described.type = "class";
+  made->described.behaviour = "MyStopper\\";
+  made->described.inputs = {{"part\n", ""}};
+  Analysed analysed = analyse_text(list_text({{"L_P_AGV_O_P1", "Y1"},
+                                              {"L_P_AGV_O_P2", "Y2"},
+                                              {"L_P_AGV_I_P1", "X1"},
+                                              {"L_P_AGV_I_P2", "X2"},
+                                              {"L_P_MC_O_IDLE1", "Y3"},
+                                              {"L_P_MC_O_RUN2", "Y4"},
+                                              {"L_P_MC_I_IDLE1", "X3"},
+                                              {"L_P_MC_I_RUN2", "X4"},
+                                              {"L_P_MC_I_BUSY3", "X5", "BOOL", "TRUE"},
+                                              {"L_P_STOPPER_O_ADV", "Y5"},
+                                              {"L_P_STOPPER_I_ADV", "X6"},
+                                              {"L_P_STOPPER_I_RET", "X7"},
+                                              {"STOP?\?/", "X8"},
+                                              {"HALT\\", "X8"},
+                                              {"LEVEL", "", "INT", "-5", "%IW1"},
+                                              {"SPEED", "", "REAL", "0", "%QD2"}}),
+                                   {}, std::string(kEverythingName) + ".csv");
+  REQUIRE(analysed.plant);
+  made->plant = std::move(*analysed.plant);
+  add_units(made->plant, made->described);
+  made->plant.requirements = {
+      {"never both\\\n\"}; //", core::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
+      {"answers", core::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * core::kSecond}};
+  return made;
+}
+
+}  // namespace symplant::test

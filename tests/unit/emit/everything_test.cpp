@@ -1,0 +1,61 @@
+// The golden in which every table has rows, compiled: it is the plant that was lowered.
+#include "everything.hpp"
+
+#include "everything/plant_gen.hpp"
+#include "everything/types_gen.hpp"
+#include "lower/lower.hpp"
+#include "symplant/core/digest.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("Generated tables have the hash of the lowered ones, whatever they hold") {
+  const auto made = everything();
+  const lower::EngineTables lowered = lower::lower(made->plant);
+  CHECK(core::model_hash(::everything::tables()) == core::model_hash(lowered.tables()));
+}
+
+TEST_CASE("Every table of the golden has rows") {
+  const core::PlantTables& tables = ::everything::tables();
+  for (const std::size_t size : {tables.types.size(),
+                                 tables.units.size(),
+                                 tables.times.size(),
+                                 tables.random_times.size(),
+                                 tables.symbols.size(),
+                                 tables.initial_values.size(),
+                                 tables.shared_addresses.size(),
+                                 tables.disables.size(),
+                                 tables.conditions.size(),
+                                 tables.conditioned_units.size(),
+                                 tables.unit_watches.size(),
+                                 tables.operation_watches.size(),
+                                 tables.event_watches.size(),
+                                 tables.operation_value_watches.size(),
+                                 tables.event_value_watches.size(),
+                                 tables.requirements.size(),
+                                 tables.behaviour_units.size(),
+                                 tables.behaviour_values.size(),
+                                 tables.requirement_names.size(),
+                                 tables.behaviour_names.size()}) {
+    CHECK(size != 0);
+  }
+}
+
+TEST_CASE("A class tells whom a device disables, and which events its states switch") {
+  using ::everything::AGV;
+  using ::everything::MC;
+  const auto disabled = MC::l_disable(1, MC::State::kRUN2);
+  REQUIRE(disabled.size() == 2);
+  CHECK(disabled[0].unit == 0);
+  CHECK(disabled[1].unit == 2);
+  CHECK(MC::l_disable(1, MC::State::kIDLE1).empty());
+  CHECK(AGV::l_disable(0, AGV::State::kP2).empty());
+  CHECK(AGV::l_disable(2, AGV::State::kP2).empty());
+  static_assert(MC::l_enter(MC::State::kRUN2).on == 0b110);
+  static_assert(MC::l_leave(MC::State::kRUN2).off == 0b110);
+  static_assert(MC::d_ext(MC::State::kIDLE1, MC::Operation::kRUN2) == MC::State::kRUN2, "guarded or not");
+  static_assert(MC::d_int(MC::State::kRUN2) == MC::State::kIDLE1, "guarded or not");
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,95 @@
+// Every table of the engine as generated code.
+#include "emit/encode.hpp"
+#include "emit/model_text.hpp"
+#include "emit_support.hpp"
+#include "everything.hpp"
+#include "lower/lower.hpp"
+
+namespace symplant::test {
+namespace {
+
+emit::EmitResult emit_model(const model::PlantModel& plant) {
+  const MemoryFileSystem files;
+  return emit::emit(plant, lower::lower(plant), {}, files);
+}
+
+TEST_CASE("A plant in which every table has rows is written as the goldens have it, which a test compiles") {
+  for (const emit::EmittedFile& file : emit_model(everything()->plant).files) {
+    check_golden(kSource + "/tests/golden/emit/everything/" + file.name, file.content);
+  }
+}
+
+TEST_CASE("Tables without rows are left out") {
+  const std::string tables =
+      file_of(emit_list(list_text(bits({"L_P_D_O_A1", "L_P_D_I_A1"})), "a.csv"), "tables_gen.cpp");
+  for (const char* table : {"kRandomTimes", "kInitialValues", "kSharedAddresses", "kDisables", "kConditions", "Watch",
+                            "kRequirement", "kBehaviour", "plant.disables", "plant.requirement_names"}) {
+    INFO(table);
+    CHECK_FALSE(contains(tables, table));
+  }
+}
+
+TEST_CASE("Rows cite what they are, conditions as a description writes them") {
+  const std::string tables = file_of(emit_model(everything()->plant), "tables_gen.cpp");
+  for (const char* row : {
+           "// -1: L_P_AGV, d_ext(P2, O_P1) = P1\n",
+           "// l_disable of L_P_MC in RUN2: L_P_STOPPER\n",
+           "// 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or STOP?<U+003F>/)\n",
+           "// 1: L_P_MC, d_int(RUN2) = IDLE1: LEVEL < -5 or SPEED >= 1.5\n",
+           "// 2: L_P_STOPPER, input part<U+000A>: L_P_AGV_O_P1 and ",
+           "// 4: answers, after: L_P_AGV.P2\n",
+           "// 5: answers, expect: L_P_MC.RUN2\n",
+           " of condition 2\n",
+           "// L_P_STOPPER.moving\n",
+           "// HALT<U+005C> follows STOP?<U+003F>/\n",
+           "// LEVEL < -5\n",
+           "// L_P_STOPPER, MyStopper<U+005C>\n",
+       }) {
+    INFO(row);
+    CHECK(contains(tables, row));
+  }
+}
+
+TEST_CASE("A class says what guards its transitions and what its states switch") {
+  const std::string types = file_of(emit_model(everything()->plant), "types_gen.hpp");
+  for (const char* row : {
+           ", true, symplant::core::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
+           "{0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds\n",
+           ", false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds\n",
+           ", symplant::core::kSpringWay",
+           "// the spring's own way: ADV to RET\n",
+           "{0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on\n",
+           "{0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off\n",
+       }) {
+    INFO(row);
+    CHECK(contains(types, row));
+  }
+}
+
+TEST_CASE("A class has the name that the description gives, before any device is called so") {
+  model::PlantModel plant = model_of({"L_P_STOP_O_A1", "L_P_STOP_I_A1", "L_P_D_O_B1", "L_P_D_I_B1", "L_P_E_I_ON"});
+  model::DeviceDescription described;
+  described.type = "STOP";
+  plant.units[1].described = &described;
+  plant.units[2].described = &described;
+  const std::string types = file_of(emit_model(plant), "types_gen.hpp");
+  CHECK(contains(types, "/// L_P_STOP\nclass STOP_3 {"));
+  CHECK(contains(types, "/// L_P_D\nclass STOP {"));
+  CHECK(contains(types, "/// L_P_E\nclass STOP_2 {"));
+}
+
+TEST_CASE("A very long condition is cut between two characters") {
+  model::PlantModel plant = model_of({"L_P_\xC3\x84\xC3\x96\xC3\x9C_I_\xC3\xA4"});
+  Tree tree{Tree::Kind::any, false, {}, {}};
+  for (int i = 0; i < 1000; ++i) tree.children.push_back(settled(0, 1));
+  for (int shift = 0; shift < 2; ++shift) {
+    const std::string text = emit::condition_text(shift == 0 ? tree : !tree, plant);
+    CHECK(text.size() < 180);
+    CHECK(text.ends_with(" ..."));
+    const std::string comment = emit::comment_text(text);
+    CHECK_FALSE(contains(comment, "<U+FFFD>"));
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,253 @@
+// What a description says of states, actuation, rest and the initial state.
+#include "description_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::Actuation;
+using model::InitialFrom;
+
+const std::vector<std::string> kCylinder = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
+const std::vector<std::string> kTable = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2", "L_P_D_I_P2"};
+
+TEST_CASE("A plant without a description has an empty one") {
+  const Analysed list = analyse_rows(bits(kTable));
+  REQUIRE(list.model().description != nullptr);
+  CHECK(list.model().description->devices.empty());
+  CHECK(list.model().description_faults.empty());
+  CHECK(unit_of(list).described == nullptr);
+}
+
+TEST_CASE("Added states stand behind those that symbols name, in their order") {
+  DeviceDescription d = device();
+  d.states = {"DOCK", "A0"};
+  const Analysed list = described(kTable, {d});
+  CHECK(faults(list) == "");
+  CHECK(states_text(unit_of(list)) == "P1 P2 DOCK A0");
+  CHECK(unit_of(list).states[2].operation == model::kNone);
+  CHECK(unit_of(list).states[2].event == model::kNone);
+  CHECK(initial_text(unit_of(list)) == "P1");
+  CHECK(unit_of(list).described->path == "L_P_D");
+  CHECK(transitions_text(list, unit_of(list)) ==
+        "P2-O_P1>P1 DOCK-O_P1>P1 A0-O_P1>P1 P1-O_P2>P2 DOCK-O_P2>P2 A0-O_P2>P2");
+}
+
+TEST_CASE("A device is found whatever the case of its letters") {
+  DeviceDescription d = device("l_p_d");
+  d.initial = "p2";
+  CHECK(initial_text(unit_of(described(kTable, {d}))) == "P2");
+}
+
+TEST_CASE("A state that symbols name, and one named twice, cannot be added") {
+  DeviceDescription d = device();
+  d.states = {"p1", "DOCK", "dock", ""};
+  const Analysed list = described(kTable, {d});
+  CHECK(faults(list) ==
+        "/devices/L_P_D/states/0: `p1` is a state of `L_P_D` by its symbols already, leave it out\n"
+        "/devices/L_P_D/states/2: `dock` stands twice, leave it out\n"
+        "/devices/L_P_D/states/3: `` is no name of a state, give it another");
+  CHECK(states_text(unit_of(list)) == "P1 P2 DOCK");
+}
+
+TEST_CASE("A device may have 250 states, added ones counted") {
+  DeviceDescription d = device();
+  for (int i = 0; i < 248; ++i) d.states.push_back("S" + std::to_string(i));
+  const Analysed exact = described(kTable, {d});
+  CHECK(faults(exact) == "");
+  CHECK(unit_of(exact).states.size() == 250);
+  d.states.push_back("S248");
+  CHECK(faults(described(kTable, {d})) ==
+        "/devices/L_P_D/states: the device has more than 250 states together with those of its symbols, leave some "
+        "out");
+}
+
+TEST_CASE("A device that is not there is told with the nearest that is") {
+  CHECK(faults(described(kTable, {device("L_P_E")})) ==
+        "/devices/L_P_E: there is no device `L_P_E`, the nearest is `L_P_D`");
+  CHECK(faults(described(kTable, {device("A/B~C")})) == "/devices/A~1B~0C: there is no device `A/B~C`");
+}
+
+TEST_CASE("A device described twice is a fault") {
+  CHECK(faults(described(kTable, {device(), device("l_p_d")})) ==
+        "/devices/l_p_d: `l_p_d` is described twice, join both");
+}
+
+TEST_CASE("A device with too many symbols for one cannot be described") {
+  std::vector<std::string> names;
+  for (int i = 0; i < 65; ++i) names.push_back("L_P_D_O_T" + std::to_string(i));
+  CHECK(faults(described(names, {device()})) ==
+        "/devices/L_P_D: `L_P_D` is described, but has too many symbols for a device and stays unmodelled");
+}
+
+// Commands and events that are no states.
+
+TEST_CASE(
+    "An operation without event that only commands given transitions is no state, and nothing is derived from it") {
+  DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "index"), way("P2", "P1", "INDEX")};
+  const Analysed list = described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"}, {d});
+  CHECK(faults(list) == "");
+  CHECK(states_text(unit_of(list)) == "P1 P2");
+  CHECK(transitions_text(list, unit_of(list)) == "P1-O_INDEX>P2 P2-O_INDEX>P1");
+  CHECK(unit_of(list).operations.size() == 1);
+}
+
+TEST_CASE("A command is a state where it has an event, or is named as a state anywhere") {
+  const std::vector<std::string> names = {"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"};
+  DeviceDescription plain = device();
+  plain.transitions = {way("P1", "P2", "INDEX")};
+  CHECK(states_text(unit_of(described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX", "L_P_D_I_INDEX"}, {plain}))) ==
+        "P1 P2 INDEX");
+  CHECK(states_text(unit_of(described(names, {device()}))) == "P1 P2 INDEX");
+
+  std::vector<DeviceDescription> named(6, plain);
+  named[0].transitions.push_back(automatic("INDEX", "P1"));
+  named[1].transitions.push_back(way("P1", "INDEX"));
+  named[2].initial = "INDEX";
+  named[3].outputs = {{"INDEX", {{"P1", true}}, {}}};
+  named[4].disables = {{"INDEX", {}}};
+  named[5].rest = "index";
+  named[5].actuation = Actuation::spring;
+  for (const DeviceDescription& d : named) {
+    const Analysed list = described(names, {d});
+    CHECK(faults(list) == "");
+    CHECK(states_text(unit_of(list)) == "P1 P2 INDEX");
+  }
+}
+
+TEST_CASE("An event without operation that outputs switch is no state") {
+  DeviceDescription d = device();
+  d.outputs = {{"P2", {{"BUSY", true}}, {{"busy", false}}}};
+  std::vector<std::string> names = kTable;
+  names.push_back("L_P_D_I_BUSY*");
+  const Analysed list = described(names, {d});
+  CHECK(faults(list) == "");
+  CHECK(states_text(unit_of(list)) == "P1 P2");
+  CHECK(unit_of(list).initial_candidates == 0);  // its Initial says nothing of a state
+  CHECK(initial_text(unit_of(list)) == "P1");
+}
+
+TEST_CASE("An event that outputs switch is a state where it has an operation, or is named as a state") {
+  std::vector<std::string> names = kTable;
+  names.push_back("L_P_D_I_BUSY");
+  DeviceDescription d = device();
+  d.outputs = {{"P2", {{"BUSY", true}}, {}}};
+  DeviceDescription initial = d;
+  initial.initial = "BUSY";
+  CHECK(states_text(unit_of(described(names, {initial}))) == "P1 P2 BUSY");
+  names.push_back("L_P_D_O_BUSY");
+  CHECK(states_text(unit_of(described(names, {d}))) == "P1 P2 BUSY");
+}
+
+// Actuation and rest.
+
+TEST_CASE("A given actuation wins over an inferred one, and that over the default") {
+  model::Description description;
+  description.defaults.actuation = Actuation::held;
+  CHECK(unit_of(analyse_described(bits(kTable), description)).actuation == Actuation::held);
+  CHECK(unit_of(analyse_described(bits(kCylinder), description)).actuation == Actuation::spring);
+  DeviceDescription d = device();
+  d.actuation = Actuation::bistable;
+  description.devices = {d};
+  CHECK(unit_of(analyse_described(bits(kTable), description)).actuation == Actuation::bistable);
+  CHECK(unit_of(analyse_described(bits(kCylinder), description)).actuation == Actuation::bistable);
+}
+
+TEST_CASE("With another actuation given the inferred rest serves as initial state only") {
+  DeviceDescription d = device();
+  d.actuation = Actuation::latched;
+  const Analysed cylinder = described({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"}, {d});
+  CHECK(initial_text(unit_of(cylinder)) == "RET");
+  CHECK(unit_of(cylinder).initial_from == InitialFrom::rest_state);
+  CHECK_FALSE(unit_of(cylinder).reaches(1));
+  const Analysed lamp = described({"L_P_D_O_RUN", "L_P_D_I_RUN"}, {d});
+  CHECK(states_text(unit_of(lamp)) == "NOT_RUN RUN");
+  CHECK(initial_text(unit_of(lamp)) == "NOT_RUN");
+  CHECK_FALSE(springs(unit_of(lamp)));
+}
+
+TEST_CASE("A given rest wins over the inferred one") {
+  DeviceDescription d = device();
+  d.rest = "ADV";
+  const Analysed list = described(kCylinder, {d});
+  CHECK(faults(list) == "");
+  CHECK(rest_text(unit_of(list)) == "ADV");
+  CHECK(initial_text(unit_of(list)) == "ADV");
+}
+
+TEST_CASE("The rest of a spring with none given or inferred is its initial state") {
+  DeviceDescription d = device();
+  d.actuation = Actuation::spring;
+  CHECK(rest_text(unit_of(described(kTable, {d}))) == "P1");
+  d.initial = "P2";
+  CHECK(rest_text(unit_of(described(kTable, {d}))) == "P2");
+  d.rest = "P1";
+  const Analysed both = described(kTable, {d});
+  CHECK(rest_text(unit_of(both)) == "P1");
+  CHECK(initial_text(unit_of(both)) == "P2");
+}
+
+TEST_CASE("A rest in a device that is no spring is a fault") {
+  DeviceDescription d = device();
+  d.rest = "P1";
+  CHECK(faults(described(kTable, {d})) ==
+        "/devices/L_P_D/rest: `L_P_D` is `latched` and returns to no rest state, leave `rest` out or make it `spring`");
+}
+
+TEST_CASE("A state added with an event alone beside an operation is where a single solenoid rests") {
+  DeviceDescription d = device();
+  d.states = {"RET"};
+  const Analysed list = described({"L_P_D_O_ADV", "L_P_D_I_ADV"}, {d});
+  CHECK(states_text(unit_of(list)) == "ADV RET");
+  CHECK(springs(unit_of(list)));
+  CHECK(rest_text(unit_of(list)) == "RET");
+}
+
+TEST_CASE("An operation without event beside an added state is no pair of words") {
+  DeviceDescription d = device();
+  d.states = {"OFF"};
+  const Analysed list = described({"L_P_D_O_ON"}, {d});
+  CHECK_FALSE(unit_of(list).two_words);
+  CHECK_FALSE(springs(unit_of(list)));
+}
+
+// The initial state.
+
+TEST_CASE("A given initial state wins over Initial columns, and no two of those are ambiguous then") {
+  DeviceDescription d = device();
+  d.initial = "P2";
+  const Analysed list = described({"L_P_D_O_P1", "L_P_D_I_P1*", "L_P_D_O_P2", "L_P_D_I_P2", "L_P_D_I_P3*"}, {d});
+  CHECK(initial_text(unit_of(list)) == "P2");
+  CHECK(unit_of(list).initial_from == InitialFrom::description);
+  CHECK(unit_of(list).initial_candidates == 0);
+  CHECK(list.count("initial-ambiguous") == 0);
+}
+
+TEST_CASE("A state that inference adds may be named") {
+  DeviceDescription d = device();
+  d.initial = "RUN";
+  d.transitions = {taking(way("RUN", "NOT_RUN"), core::kSecond / 2)};
+  const Analysed list = described({"L_P_D_O_RUN", "L_P_D_I_RUN"}, {d});
+  CHECK(faults(list) == "");
+  CHECK(initial_text(unit_of(list)) == "RUN");
+}
+
+TEST_CASE("An initial state or a rest that is none is told with the nearest that is") {
+  DeviceDescription d = device();
+  d.initial = "ADW";
+  d.rest = "REST";
+  CHECK(faults(described(kCylinder, {d})) ==
+        "/devices/L_P_D/rest: there is no state `REST` of `L_P_D`, the nearest is `RET`\n"
+        "/devices/L_P_D/initial: there is no state `ADW` of `L_P_D`, the nearest is `ADV`");
+}
+
+TEST_CASE("The first of S is by the order of rows only where symbols alone decide it") {
+  DeviceDescription d = device();
+  d.states = {"B", "C"};
+  const Analysed list = described({"L_P_D_O_A", "L_P_D_I_A"}, {d});
+  CHECK(initial_text(unit_of(list)) == "A");
+  CHECK(unit_of(list).initial_from == InitialFrom::sequence);
+}
+
+}  // namespace
+}  // namespace symplant::test

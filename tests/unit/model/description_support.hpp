@@ -1,0 +1,71 @@
+// What the tests of descriptions share: short ways to write one, and its faults as text.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model_support.hpp"
+
+namespace symplant::test {
+
+using model::DeviceDescription;
+using model::Duration;
+using model::GivenTransition;
+
+inline DeviceDescription device(std::string path = "L_P_D") {
+  DeviceDescription described;
+  described.path = std::move(path);
+  return described;
+}
+
+/// A commanded transition; without `on`, by the target's own operation.
+inline GivenTransition way(std::string from, std::string to, std::string on = "", std::string when = "") {
+  GivenTransition given;
+  given.from = std::move(from);
+  given.to = std::move(to);
+  given.on = std::move(on);
+  given.when = std::move(when);
+  return given;
+}
+
+inline GivenTransition automatic(std::string from, std::string to, std::string when = "") {
+  GivenTransition given = way(std::move(from), std::move(to), "", std::move(when));
+  given.automatic = true;
+  return given;
+}
+
+inline GivenTransition taking(GivenTransition given, core::Time takes) {
+  given.takes = Duration::fixed(takes);
+  return given;
+}
+
+inline model::Description describing(std::vector<DeviceDescription> devices) {
+  model::Description description;
+  description.devices = std::move(devices);
+  return description;
+}
+
+/// A list of these BOOL symbols (support/compile.hpp: bits) with devices described.
+inline Analysed described(const std::vector<std::string>& names, std::vector<DeviceDescription> devices) {
+  return analyse_described(bits(names), describing(std::move(devices)));
+}
+
+/// All faults: "pointer: message", a line each.
+inline std::string faults(const Analysed& analysed) {
+  std::string text;
+  for (const model::DescriptionFault& fault : analysed.model().description_faults) {
+    text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
+  }
+  return text;
+}
+
+inline std::string origins(const model::Unit& unit) {
+  std::string text;
+  for (const model::Transition& t : unit.transitions) {
+    text += t.origin == model::Origin::given ? 'g' : t.origin == model::Origin::derived ? 'd' : 'i';
+  }
+  return text;
+}
+
+}  // namespace symplant::test

@@ -1,0 +1,230 @@
+// What ties units to each other: conditions, disables, behaviours, requirements.
+#include "description_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using condition::Atom;
+using condition::Tree;
+
+const std::vector<std::string> kCell = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2", "L_P_D_I_P2",
+                                        "L_P_E_O_A1", "L_P_E_I_A1", "L_P_E_O_A2", "L_P_E_I_A2"};
+
+std::vector<Row> cell_with_numbers() {
+  std::vector<Row> rows = bits(kCell);
+  rows.push_back({"L_P_D_I_SPEED", "", "INT", "0", "%IW20"});
+  rows.push_back({"L_P_E_O_SET", "", "REAL", "0", "%QD20"});
+  rows.push_back({"l_p_d_O_LIMIT", "", "DINT", "0", "%QD30"});
+  return rows;
+}
+
+TEST_CASE("A `when` becomes a tree over the plant") {
+  DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "", "not l_p_e.A2 and L_P_D_I_SPEED < 3.5 or L_P_E.moving and L_P_E_O_A1")};
+  const Analysed list = analyse_described(cell_with_numbers(), describing({d}));
+  REQUIRE(faults(list) == "");
+  const model::Unit& unit = unit_of(list);
+  CHECK(unit.transitions.front().when == 0);
+  CHECK(unit.transitions.back().when == model::kNone);
+  REQUIRE(unit.conditions.size() == 1);
+  const Tree& any = unit.conditions.front();
+  REQUIRE(any.kind == Tree::Kind::any);
+  const Tree& first = any.children[0];
+  CHECK(first.children[0].kind == Tree::Kind::negation);
+  CHECK(first.children[0].children[0].atom.of == 1);
+  CHECK(first.children[0].children[0].atom.state == 1);
+  CHECK(first.children[1].atom.kind == Atom::Kind::number);
+  CHECK(first.children[1].atom.of == 8);
+  CHECK(first.children[1].atom.operand == 3);
+  CHECK(first.children[1].atom.comparison == core::Comparison::less_equal);
+  CHECK(any.children[1].children[0].atom.kind == Atom::Kind::moving);
+  CHECK(any.children[1].children[1].atom.kind == Atom::Kind::bit);
+  CHECK(any.children[1].children[1].atom.of == 4);
+}
+
+TEST_CASE("Equal texts within a device share one condition, `*` has one") {
+  DeviceDescription d = device();
+  d.transitions = {way("*", "P2", "", "L_P_E.A1"), way("P2", "P1", "", "L_P_E.A2"), automatic("P1", "P2", "L_P_E.A1")};
+  DeviceDescription e = device("L_P_E");
+  e.transitions = {way("A1", "A2", "", "L_P_D.P1")};
+  const Analysed list = described(kCell, {d, e});
+  REQUIRE(faults(list) == "");
+  const model::Unit& unit = unit_of(list);
+  CHECK(unit.conditions.size() == 2);
+  CHECK(unit.transitions[0].when == 0);
+  CHECK(unit.transitions[1].when == 1);
+  CHECK(unit.transitions[2].when == 0);
+  CHECK(unit.first_input == 2);
+  CHECK(unit_of(list, "L_P_E").conditions.size() == 1);
+}
+
+TEST_CASE("A fault in a condition stands where it is in the text, in every transition that has it") {
+  DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "", "L_P_E.A1 and L_P_E.A9"), way("P2", "P1", "", "L_P_E.A1 and L_P_E.A9"),
+                   automatic("P1", "P2", "(L_P_E.A1")};
+  const Analysed list = described(kCell, {d});
+  CHECK(faults(list) ==
+        "/devices/L_P_D/transitions/0/when: there is no state `A9` of `L_P_E`, the nearest is `A1`\n"
+        "/devices/L_P_D/transitions/1/when: there is no state `A9` of `L_P_E`, the nearest is `A1`\n"
+        "/devices/L_P_D/transitions/2/when: the condition ends where `and`, `or` or `)` is expected");
+  const auto& all = list.model().description_faults;
+  CHECK(all[0].column == 19);
+  CHECK(all[2].column == 9);
+}
+
+TEST_CASE("A condition may name states that a description adds, and is told why a mere command or event is none") {
+  DeviceDescription d = device();
+  d.states = {"DOCK"};
+  d.transitions = {way("P1", "DOCK", "GO")};
+  d.outputs = {{"P2", {{"BUSY", true}}, {}}};
+  std::vector<std::string> names = kCell;
+  names.push_back("L_P_D_O_GO");
+  names.push_back("L_P_D_I_BUSY");
+  DeviceDescription e = device("L_P_E");
+  e.transitions = {way("A1", "A2", "", "L_P_D.DOCK"), way("A2", "A1", "", "L_P_D.go"),
+                   automatic("A1", "A2", "not L_P_D.BUSY")};
+  CHECK(faults(described(names, {d, e})) ==
+        "/devices/L_P_E/transitions/1/when: `go` only commands given transitions and is no state of `L_P_D`, name the "
+        "symbol `L_P_D_O_GO`\n"
+        "/devices/L_P_E/transitions/2/when: `BUSY` is only switched by `outputs` and is no state of `L_P_D`, name the "
+        "symbol `L_P_D_I_BUSY`");
+}
+
+TEST_CASE("A condition may name a symbol of no device, and no facet of a device with one unit") {
+  DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "", "START and 'L_P_E'.A1"), way("P2", "P1", "", "L_P_E.CLAMP.A1")};
+  std::vector<Row> rows = bits(kCell);
+  rows.push_back({"START", "X77"});
+  CHECK(faults(analyse_described(rows, describing({d}))) ==
+        "/devices/L_P_D/transitions/1/when: there is no facet `CLAMP` of `L_P_E`");
+}
+
+// Disables.
+
+TEST_CASE("Disabled units stand by state, ascending and once") {
+  DeviceDescription d = device("L_P_E");
+  d.disables = {{"A2", {"L_P_F", "l_p_d", "L_P_F"}}};
+  std::vector<std::string> names = kCell;
+  names.push_back("L_P_F_O_ON");
+  const Analysed list = described(names, {d});
+  CHECK(faults(list) == "");
+  const model::Unit& unit = unit_of(list, "L_P_E");
+  REQUIRE(unit.disables.size() == 2);
+  CHECK(unit.disables[0].empty());
+  CHECK(unit.disables[1] == std::vector<std::uint32_t>{0, 2});
+  CHECK(unit_of(list).disables.empty());
+}
+
+TEST_CASE("Units keep their places where one before them is too large to be one") {
+  std::vector<std::string> names;
+  for (int i = 0; i < 65; ++i) names.push_back("L_P_BIG_O_T" + std::to_string(i));
+  names.insert(names.end(), kCell.begin(), kCell.end());
+  DeviceDescription d = device();
+  d.disables = {{"P1", {"L_P_E"}}};
+  d.transitions = {way("P1", "P2", "", "L_P_E.A1")};
+  const Analysed list = described(names, {d});
+  CHECK(faults(list) == "");
+  CHECK(unit_of(list).disables[0] == std::vector<std::uint32_t>{1});
+  CHECK(unit_of(list).conditions[0].atom.of == 1);
+}
+
+TEST_CASE("Disabling itself, a device or in a state that is not there, and a state twice are faults") {
+  DeviceDescription d = device();
+  d.disables = {{"P1", {"L_P_D", "L_P_G"}}, {"P8", {"L_P_E"}}, {"p1", {}}};
+  CHECK(faults(described(kCell, {d})) ==
+        "/devices/L_P_D/disables/P1/0: `L_P_D` disables itself, leave it out\n"
+        "/devices/L_P_D/disables/P1/1: there is no device `L_P_G`, the nearest is `L_P_D`\n"
+        "/devices/L_P_D/disables/P8: there is no state `P8` of `L_P_D`, the nearest is `P1`\n"
+        "/devices/L_P_D/disables/p1: `p1` stands twice, join both");
+}
+
+// Behaviours.
+
+TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, equal texts too") {
+  DeviceDescription d = device();
+  d.behaviour = "MyTable";
+  d.transitions = {way("P1", "P2", "", "L_P_E.A1")};
+  d.inputs = {{"part", "L_P_E.A1"}, {"clear", "not L_P_E.moving"}};
+  const Analysed list = described(kCell, {d});
+  CHECK(faults(list) == "");
+  CHECK(unit_of(list).conditions.size() == 3);
+  CHECK(unit_of(list).first_input == 1);
+  CHECK(unit_of(list).conditions[2].kind == Tree::Kind::negation);
+}
+
+TEST_CASE("Inputs that nobody reads are looked at, and are no conditions") {
+  DeviceDescription d = device();
+  d.inputs = {{"part", "L_P_E.A1"}, {"clear", "L_P_E.X"}};
+  const Analysed list = described(kCell, {d});
+  CHECK(faults(list) == "/devices/L_P_D/inputs/clear: there is no state `X` of `L_P_E`");
+  CHECK(unit_of(list).conditions.empty());
+}
+
+TEST_CASE("A device with a behaviour has its numeric symbols as values, in list order") {
+  DeviceDescription d = device();
+  d.behaviour = "MyTable";
+  const Analysed list = analyse_described(cell_with_numbers(), describing({d}));
+  CHECK(unit_of(list).values == std::vector<std::uint32_t>{8, 10});
+  CHECK(unit_of(list, "L_P_E").values.empty());
+}
+
+TEST_CASE("A device with a behaviour counts as moving all its events") {
+  DeviceDescription d = device("L_P_B");
+  const std::vector<std::string> button = {"L_P_B_I_ON"};
+  CHECK_FALSE(unit_of(described(button, {d}), "L_P_B").moves());
+  d.behaviour = "Person";
+  const Analysed list = described(button, {d});
+  CHECK(unit_of(list, "L_P_B").moves());
+  CHECK(unit_of(list, "L_P_B").moves_event(0));
+  CHECK(unit_of(list, "L_P_B").reaches(1));
+}
+
+// Requirements.
+
+model::GivenRequirement never(std::string name, std::string condition) {
+  model::GivenRequirement given;
+  given.name = std::move(name);
+  given.never = std::move(condition);
+  return given;
+}
+
+TEST_CASE("Requirements have their conditions resolved") {
+  model::Description description;
+  description.requirements = {never("apart", "L_P_D.P2 and L_P_E.A2"), {"answers", "", "L_P_D.P2", "L_P_E_I_A2", 500}};
+  const Analysed list = analyse_described(bits(kCell), std::move(description));
+  CHECK(faults(list) == "");
+  const auto& requirements = list.model().requirements;
+  REQUIRE(requirements.size() == 2);
+  CHECK(requirements[0].name == "apart");
+  CHECK(requirements[0].kind == core::RequirementRow::Kind::never);
+  CHECK(requirements[0].condition.kind == Tree::Kind::all);
+  CHECK(requirements[1].kind == core::RequirementRow::Kind::expect);
+  CHECK(requirements[1].condition.atom.state == 1);
+  CHECK(requirements[1].expected.atom.kind == Atom::Kind::bit);
+  CHECK(requirements[1].within == 500);
+}
+
+TEST_CASE("A requirement without a name of its own, or without its parts, is a fault") {
+  model::Description description;
+  description.requirements = {never("a", "L_P_D.P1"), never("a", "L_P_D.P2"),
+                              never("", "L_P_D.P1"),  {"b", "", "L_P_D.P1", "", 0},
+                              {"c", "", "", "", 0},   {"d", "L_P_D.P1", "", "L_P_D.P1", 0}};
+  const std::string parts = ": a requirement has either `never`, or `after` with `expect`";
+  CHECK(faults(analyse_described(bits(kCell), std::move(description))) ==
+        "/requirements/1/name: `a` names another requirement already, give each its own name\n"
+        "/requirements/2/name: a requirement without a name, give it one\n"
+        "/requirements/3" +
+            parts + "\n/requirements/4" + parts + "\n/requirements/5" + parts);
+}
+
+TEST_CASE("A requirement's conditions tell all their faults") {
+  model::Description description;
+  description.requirements = {never("a", "L_P_D.P9"), {"b", "", "L_P_D_I_P", "L_P_D", 0}};
+  CHECK(faults(analyse_described(bits(kCell), std::move(description))) ==
+        "/requirements/0/never: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"
+        "/requirements/1/after: there is no symbol `L_P_D_I_P`, the nearest is `L_P_D_I_P1`\n"
+        "/requirements/1/expect: `L_P_D` is a device, name a state of it as in `L_P_D.STATE`");
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,128 @@
+// Each row of the table of a move under way.
+#include "bench.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::Actuation;
+
+/// Two states A (rest, initial) and B with an operation and an event each, 1000 ms between them.
+Said actuated(Actuation actuation) {
+  Said said;
+  said.device("L_P_V").actuation = actuation;
+  if (actuation == Actuation::spring) said.device("L_P_V").rest = "A1";
+  return said;
+}
+
+Bench moving(Actuation actuation) { return Bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, actuated(actuation)); }
+
+/// The operations at 300 ms of a move from A to B that O_B2 began at 0: the state then.
+std::string at_300(Actuation actuation, bool forth, bool back) {
+  Bench bench = moving(actuation);
+  bench.set("V_O_B2", true).at(0);
+  REQUIRE(bench.state("V") == "A1->B2");
+  bench.set("V_O_B2", forth).set("V_O_A1", back).at(300);
+  return bench.state("V") + " " + std::to_string(bench.remaining("V"));
+}
+
+TEST_CASE("latched goes on, whatever is commanded") {
+  for (const bool forth : {false, true}) {
+    for (const bool back : {false, true}) CHECK(at_300(Actuation::latched, forth, back) == "A1->B2 700");
+  }
+}
+
+TEST_CASE("bistable goes on unless only the other way is commanded") {
+  CHECK(at_300(Actuation::bistable, true, false) == "A1->B2 700");
+  CHECK(at_300(Actuation::bistable, true, true) == "A1->B2 700");
+  CHECK(at_300(Actuation::bistable, false, true) == "B2->A1 300");
+  CHECK(at_300(Actuation::bistable, false, false) == "A1->B2 700");
+}
+
+TEST_CASE("held stands still without a command and with both") {
+  CHECK(at_300(Actuation::held, true, false) == "A1->B2 700");
+  CHECK(at_300(Actuation::held, true, true) == "A1->B2! 700");
+  CHECK(at_300(Actuation::held, false, true) == "B2->A1 300");
+  CHECK(at_300(Actuation::held, false, false) == "A1->B2! 700");
+}
+
+TEST_CASE("spring turns round to its rest without a command, and stands still with both") {
+  CHECK(at_300(Actuation::spring, true, false) == "A1->B2 700");
+  CHECK(at_300(Actuation::spring, true, true) == "A1->B2! 700");
+  CHECK(at_300(Actuation::spring, false, true) == "B2->A1 300");
+  CHECK(at_300(Actuation::spring, false, false) == "B2->A1 300");
+}
+
+TEST_CASE("A spring on its way to rest goes on without a command") {
+  Bench bench = moving(Actuation::spring);
+  bench.put("V", "B2").at(0);
+  CHECK(bench.state("V") == "B2->A1");
+  bench.at(400);
+  CHECK(bench.remaining("V") == 600);
+}
+
+TEST_CASE("Both at once are conflicting operations, in a move that is not latched") {
+  for (const Actuation actuation : {Actuation::latched, Actuation::bistable, Actuation::held, Actuation::spring}) {
+    Bench bench = moving(actuation);
+    bench.at(0).set("V_O_B2", true).at(10).set("V_O_A1", true).at(300);
+    CHECK(bench.findings() == (actuation == Actuation::latched ? "" : "300:conflicting V"));
+  }
+}
+
+TEST_CASE("What stands still keeps its time and goes on with it") {
+  Bench bench = moving(Actuation::held);
+  bench.set("V_O_B2", true).at(0).set("V_O_B2", false).at(300).at(5000);
+  CHECK(bench.plant.next_due() == core::kNever);
+  bench.set("V_O_B2", true).at(6000).at(6699);
+  CHECK(bench.state("V") == "A1->B2");
+  CHECK(bench.at(6700).state("V") == "B2");
+}
+
+TEST_CASE("Turning round takes its part of the way back, rounded down") {
+  Said said = actuated(Actuation::bistable);
+  said.device("L_P_V").transitions = {way("A1", "B2"), way("B2", "A1")};
+  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(3);
+  said.device("L_P_V").transitions[1].takes = model::Duration::fixed(10);
+  Bench bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, said);
+  bench.set("V_O_B2", true).at(0).set("V_O_B2", false).set("V_O_A1", true);
+  bench.plant.advance_to(1);
+  CHECK(bench.state("V") == "B2->A1");
+  CHECK(bench.plant.unit(0).remaining == 3);  // 10 * 1 / 3
+  bench.set("V_O_B2", true).set("V_O_A1", false);
+  bench.plant.advance_to(2);
+  CHECK(bench.plant.unit(0).remaining == 2);  // 3 * (10 - 2) / 10
+}
+
+TEST_CASE("A spring's own way takes what its transition says") {
+  Said said;
+  said.device("L_P_V").transitions = {way("ADV", "RET")};
+  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(500 * kMs);
+  Bench bench({"V_O_ADV", "V_I_ADV", "V_I_RET"}, said);
+  bench.set("V_O_ADV", true).at(0).at(1000);
+  CHECK(bench.state("V") == "ADV");
+  bench.set("V_O_ADV", false).at(2000);
+  CHECK(bench.remaining("V") == 500);
+  bench.set("V_O_ADV", true).at(2100);
+  CHECK(bench.state("V") == "RET->ADV");
+  CHECK(bench.remaining("V") == 200);  // 1000 * 100 / 500
+}
+
+TEST_CASE("Another command than the two ends' stops a held move, and that is said") {
+  Bench bench({"V_O_A1", "V_O_B2", "V_O_C3", "V_I_A1", "V_I_B2", "V_I_C3"}, actuated(Actuation::held));
+  bench.at(0).set("V_O_B2", true).at(10).set("V_O_B2", false).set("V_O_C3", true).at(300);
+  CHECK(bench.state("V") == "A1->B2!");
+  CHECK(bench.findings() == "300:stopped V");
+}
+
+TEST_CASE("An automatic move completes, whatever the actuation") {
+  Said said = actuated(Actuation::held);
+  said.device("L_P_V").transitions = {automatic("B2", "A1")};
+  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(100 * kMs);
+  Bench bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, said);
+  bench.put("V", "B2").at(0);
+  CHECK(bench.state("V") == "B2->A1");
+  bench.set("V_O_B2", true).at(50);
+  CHECK(bench.remaining("V") == 50);
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,80 @@
+// Random times and the users' own code.
+#include "bench.hpp"
+
+namespace symplant::test {
+namespace {
+
+using reference::View;
+
+/// SplitMix64's first output, written out once more: published as 0xE220A8397B1DCDAF for a start at 0.
+std::uint64_t first_output(std::uint64_t start) {
+  std::uint64_t z = start + 0x9E3779B97F4A7C15;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  return z ^ (z >> 31);
+}
+
+std::uint64_t fnv(const std::string& text) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+  return hash;
+}
+
+TEST_CASE("SplitMix64 begins as published") { CHECK(first_output(0) == 0xE220A8397B1DCDAF); }
+
+TEST_CASE("A uniform time is drawn by seed, unit, transition and count") {
+  Said said;
+  said.device("l_p_a").transitions = {way("P1", "P2"), way("P2", "P1")};
+  said.device("l_p_a").transitions[1].takes = model::Duration{model::Duration::Kind::uniform, 0, 999};
+  Bench bench(said, bits({"l_p_a_o_P1", "l_p_a_o_P2", "l_p_a_i_P1", "l_p_a_i_P2"}));
+  bench.plant.reset(42);
+  for (std::uint64_t k = 0; k < 3; ++k) {
+    bench.plant.set_state(0, 1);
+    bench.plant.set_operation(0, 1);
+    bench.plant.advance_to(bench.plant.now() + 1);
+    // At now() the operation was not on yet; the instant after it sampled it.
+    __extension__ using Wide = unsigned __int128;
+    const std::uint64_t r = first_output(42 ^ fnv("L_P_A") ^ (1ULL << 32) ^ k);
+    const auto drawn = static_cast<core::Time>(static_cast<Wide>(r) * 1000 >> 64);
+    CHECK(bench.plant.save().units[0].whole == drawn);
+    bench.plant.set_operation(0, 0);
+    bench.plant.set_state(0, 0);
+    bench.plant.advance_to(bench.plant.now() + core::kSecond);
+  }
+}
+
+struct Memory {
+  std::uint64_t woken;
+};
+
+void entered(View& view, std::uint8_t state) noexcept {
+  if (state == 1) view.wake_at(view.now() + 10 * kMs);
+}
+void woken(View& view) noexcept {
+  ++view.memory<Memory>().woken;
+  view.set_event(0, !view.event(0));
+}
+std::uint8_t wanted(View& view) noexcept { return view.memory<Memory>().woken == 1 ? 0 : core::kNoState; }
+core::Time takes(View&, std::uint16_t transition) noexcept { return transition == 0xFFFF ? 7 * kMs : 20 * kMs; }
+
+TEST_CASE("A behaviour is woken when it asked, and its wanted state is left for without a command") {
+  Said said;
+  said.device("L_P_A").behaviour = "Mine";
+  reference::Behaviour mine;
+  mine.memory_size = sizeof(Memory);
+  mine.entered = &entered;
+  mine.woken = &woken;
+  mine.wanted = &wanted;
+  mine.takes = &takes;
+  Bench bench({"A_O_P2", "A_I_P1", "A_I_P2", "A_I_P3", "A_O_P1"}, said, {{"Mine", mine}});
+  bench.set("A_O_P2", true).at(0).set("A_O_P2", false).at(20);
+  CHECK(bench.state("A") == "P2");
+  bench.at(29).changes();
+  bench.at(30);
+  CHECK(bench.state("A") == "P2->P1");
+  CHECK(bench.changes() == "30:A_I_P1=1 30:A_I_P2=0");
+  CHECK(bench.at(37).state("A") == "P1");
+}
+
+}  // namespace
+}  // namespace symplant::test

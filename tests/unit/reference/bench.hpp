@@ -1,0 +1,152 @@
+// A plant of the reference, from rows and a description, by names.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+#include "support/reference/reference.hpp"
+
+namespace symplant::test {
+
+inline constexpr core::Time kMs = core::kMillisecond;
+
+/// What is said of one device, all else left out.
+struct Said {
+  model::Description description = {};
+
+  model::DeviceDescription& device(const std::string& path) {
+    for (model::DeviceDescription& device : description.devices) {
+      if (device.path == path) return device;
+    }
+    description.devices.emplace_back().path = path;
+    return description.devices.back();
+  }
+};
+
+inline model::GivenTransition way(std::string from, std::string to, std::string on = "") {
+  model::GivenTransition given;
+  given.from = std::move(from);
+  given.to = std::move(to);
+  given.on = std::move(on);
+  return given;
+}
+
+inline model::GivenTransition automatic(std::string from, std::string to, core::Time after = 0, std::string when = "") {
+  model::GivenTransition given = way(std::move(from), std::move(to));
+  given.automatic = true;
+  given.after = model::Duration::fixed(after);
+  given.when = std::move(when);
+  return given;
+}
+
+/// Names as bits() takes them, without the line and process that all of them share.
+class Bench {
+ public:
+  explicit Bench(const std::vector<std::string>& names, const Said& said = {},
+                 std::map<std::string, reference::Behaviour> behaviours = {})
+      : Bench(said, bits(prefixed(names)), std::move(behaviours)) {}
+  Bench(const Said& said, const std::vector<Row>& rows, std::map<std::string, reference::Behaviour> behaviours = {})
+      : analysed(analyse_described(rows, said.description)), plant(analysed.model(), std::move(behaviours)) {
+    for (const model::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
+    REQUIRE(plant.difference_from_model() == "");
+  }
+
+  std::uint32_t symbol(const std::string& name) const {
+    for (std::uint32_t i = 0; i < analysed.model().symbols.size(); ++i) {
+      if (analysed.model().symbols[i].name() == "L_P_" + name) return i;
+    }
+    FAIL("no symbol " << name);
+    return 0;
+  }
+  std::uint32_t place(const std::string& device) const {
+    for (std::uint32_t i = 0; i < analysed.model().units.size(); ++i) {
+      if (analysed.model().units[i].path == "L_P_" + device) return i;
+    }
+    FAIL("no device " << device);
+    return 0;
+  }
+  std::uint8_t state_place(const std::string& device, const std::string& state) const {
+    const auto& states = analysed.model().units[place(device)].states;
+    for (std::uint8_t i = 0; i < states.size(); ++i) {
+      if (states[i].name == state) return i;
+    }
+    FAIL("no state " << state);
+    return 0;
+  }
+
+  Bench& set(const std::string& name, bool on) {
+    plant.set_operation(symbol(name), on ? 1 : 0);
+    return *this;
+  }
+  Bench& put(const std::string& device, const std::string& state) {
+    plant.set_state(place(device), state_place(device, state));
+    return *this;
+  }
+  Bench& at(core::Time milliseconds) {
+    plant.advance_to(milliseconds * kMs);
+    return *this;
+  }
+
+  bool on(const std::string& name) const { return plant.value(symbol(name)) != 0; }
+  /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled.
+  std::string state(const std::string& device) const {
+    const auto& unit = analysed.model().units[place(device)];
+    const reference::UnitView view = plant.unit(place(device));
+    std::string text = unit.states[view.state].name;
+    if (view.moving) text += "->" + unit.states[view.target].name;
+    if (view.standing) text += "!";
+    return view.disabled ? "[" + text + "]" : text;
+  }
+  core::Time remaining(const std::string& device) const { return plant.unit(place(device)).remaining / kMs; }
+
+  /// All changes since the last call, "500:AGV_O_P2=1 ...".
+  std::string changes() {
+    std::string text;
+    for (const reference::InstantRecord& instant : plant.instants()) {
+      for (const auto& [symbol, value] : instant.changes) {
+        const std::string name(analysed.model().symbols[symbol].name().substr(4));
+        add(text, std::to_string(instant.time / kMs) + ":" + name + "=" + std::to_string(value));
+      }
+    }
+    plant.clear_instants();
+    return text;
+  }
+  /// All findings since the last call, "500:lost AGV_O_P2 ...".
+  std::string findings() {
+    std::string text;
+    for (const reference::InstantRecord& instant : plant.instants()) {
+      for (const core::Finding& finding : instant.findings) {
+        add(text, std::to_string(instant.time / kMs) + ":" + words(finding));
+      }
+    }
+    plant.clear_instants();
+    return text;
+  }
+
+  Analysed analysed;
+  reference::Plant plant;
+
+ private:
+  static std::vector<std::string> prefixed(std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "L_P_");
+    return names;
+  }
+  static void add(std::string& text, const std::string& more) { text += (text.empty() ? "" : " ") + more; }
+
+  std::string words(const core::Finding& finding) const {
+    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
+                                                    "started",     "short",   "loop",     "violated"};
+    const auto kind = static_cast<std::size_t>(finding.kind);
+    std::string of = std::to_string(finding.of);
+    if (kind < 2 || kind == 5 || kind == 7) of = std::string(analysed.model().units[finding.of].path.substr(4));
+    if ((kind > 1 && kind < 5) || kind == 6) of = std::string(analysed.model().symbols[finding.of].name().substr(4));
+    return kKinds[kind] + " " + of + (finding.more ? "+" : "");
+  }
+};
+
+}  // namespace symplant::test
