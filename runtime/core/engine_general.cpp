@@ -28,7 +28,9 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
   Ready ready{kNoTransition, kNoTransition, false, 0};
   Time earliest = kNever;
-  const RichRow* rich = row.rich != 0 ? &rich_row(unit) : nullptr;
+  const bool rich = row.rich != 0;
+  const std::uint32_t first_condition = rich ? rich_row(unit).first_condition : 0;
+  const std::uint32_t first_record = rich ? rich_row(unit).first_record : 0;
   UnitState& state = units[unit];
   state.holding = 0;
   for (const std::uint16_t n : type.from(state.state)) {
@@ -36,9 +38,9 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
     if (transition.on == kSpringWay) continue;
     const bool automatic = transition.on == kNoOperation;
     const bool cause = (automatic || (on & operation_mask(transition.on)) != 0) &&
-                       (transition.when == kNoCondition || truth(rich->first_condition + transition.when));
+                       (transition.when == kNoCondition || truth(first_condition + transition.when));
     if (type.record_of[n] != kNoRecord) {
-      Record& record = records[rich->first_record + type.record_of[n]];
+      Record& record = records[first_record + type.record_of[n]];
       if (!holds_long_enough(unit, row, n, cause, record, earliest)) continue;
     }
     if (!cause) continue;

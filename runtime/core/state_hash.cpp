@@ -39,10 +39,11 @@ void Engine::hash_transitions(Fnv1a64& hash, std::uint32_t unit) const noexcept 
   const bool halted = (units[unit].flags & kHalted) != 0;
   const RichRow* rich = row.rich != 0 ? &rich_row(unit) : nullptr;
   const Behaviour* behaviour = rich != nullptr ? behaviour_of(*rich) : nullptr;
+  const std::uint32_t first_record = rich != nullptr ? rich->first_record : 0;
   const bool by_behaviour = behaviour != nullptr && behaviour->after != nullptr;
   for (std::size_t n = 0; n < tables.types[row.type].transitions.size(); ++n) {
     Record record{};
-    if (type.record_of[n] != kNoRecord) record = records[rich->first_record + type.record_of[n]];
+    if (type.record_of[n] != kNoRecord) record = records[first_record + type.record_of[n]];
     const bool remembers = by_behaviour || tables.times[row.times + n + 1].after != 0;
     const bool held = remembers && record.holds != 0;
     hash.byte(held ? 1 : 0);
