@@ -2,17 +2,14 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
-#include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/host/plant_program.hpp"
 #include "symplant/host/run_options.hpp"
 
 namespace symplant::host {
 
-/// Tells what the plant is (with `more` lines), then runs it by the options until it ends or a signal (SIGINT, SIGTERM)
-/// comes. Results go to `out`, messages to `err`. Gives the exit code.
-int run(const core::PlantTables& tables, const RunOptions& options, std::ostream& out, std::ostream& err,
-        const std::vector<std::string>& more = {});
+/// Tells what the plant is, then runs it by the options until it ends or a signal (SIGINT, SIGTERM) comes. Results go
+/// to `out`, messages to `err`. Gives the exit code.
+int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace symplant::host

@@ -1,11 +1,11 @@
 // The main() of every generated plant.
 #pragma once
 
-#include "symplant/core/tables.hpp"
+#include "symplant/host/plant_program.hpp"
 
 namespace symplant::host {
 
 /// Parses the command line (the options of `symplant run`) and runs the plant. Gives the exit code.
-int run_plant(int argc, char** argv, const core::PlantTables& tables);
+int run_plant(int argc, char** argv, const PlantProgram& program);
 
 }  // namespace symplant::host

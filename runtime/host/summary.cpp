@@ -7,32 +7,12 @@
 #include <string_view>
 
 #include "symplant/core/names.hpp"
+#include "symplant/host/words.hpp"
 
 namespace symplant::host {
 namespace {
 
 constexpr std::size_t kNamesShown = 8;
-
-std::string plural(std::size_t count, std::string_view word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
-/// A name as a terminal may show it: control and direction-changing characters as `?`.
-std::string shown(std::string_view name) {
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(name[i]);
-    const std::string_view three = name.substr(i, 3);
-    const bool changes_direction = three.starts_with("\xE2\x80") || three.starts_with("\xE2\x81");
-    if (changes_direction && three.size() == 3) {
-      text += '?';
-      i += 2;
-    } else {
-      text += byte < 0x20 || byte == 0x7F ? '?' : name[i];
-    }
-  }
-  return text;
-}
 
 }  // namespace
 

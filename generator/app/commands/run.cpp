@@ -63,8 +63,11 @@ void add_run(CLI::App& app, Context& context) {
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);
     if (!compiled || overwrites(context, options->run.trace, {options->plant})) return;
-    context.exit_code =
-        host::run(compiled->tables.tables(), options->run, context.out, context.err, more(compiled->plant));
+    const core::PlantTables tables = compiled->tables.tables();
+    host::PlantProgram program{.tables = tables};
+    program.more = more(compiled->plant);
+    program.inputs = {options->plant};
+    context.exit_code = host::run(program, options->run, context.out, context.err);
   });
 }
 

@@ -43,7 +43,7 @@ struct Outcome {
 Outcome run(const core::PlantTables& tables, const host::RunOptions& options) {
   std::ostringstream out;
   std::ostringstream err;
-  const int code = host::run(tables, options, out, err);
+  const int code = host::run({.tables = tables}, options, out, err);
   return {code, out.str(), err.str()};
 }
 

@@ -5,4 +5,7 @@
 #include "plant_gen.hpp"
 #include "symplant/host/run_plant.hpp"
 
-int main(int argc, char** argv) { return symplant::host::run_plant(argc, argv, everything::tables()); }
+int main(int argc, char** argv) {
+  const symplant::host::PlantProgram program{.tables = everything::tables()};
+  return symplant::host::run_plant(argc, argv, program);
+}

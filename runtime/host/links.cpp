@@ -1,0 +1,37 @@
+// The links of a run.
+#include "symplant/host/links.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::host {
+
+std::vector<std::string> link_urls(const PlantProgram& program, const RunOptions& options) {
+  if (!options.links.empty() || options.clock == RunOptions::Clock::virtual_time) return options.links;
+  std::vector<std::string> urls;
+  for (const DefaultLink& link : program.links) urls.emplace_back(link.url);
+  if (urls.empty() && !program.default_link.empty()) urls.emplace_back(program.default_link);
+  return urls;
+}
+
+bool has_real_link(const std::vector<std::string>& urls) {
+  return std::any_of(urls.begin(), urls.end(), [](const std::string& url) { return url != "loop:"; });
+}
+
+int open_links(const std::vector<std::string>& urls, const core::PlantTables& tables, const core::Plant& plant,
+               Links& links, std::ostream& err) {
+  for (const std::string& url : urls) {
+    auto opened = link::open_link(url, tables, &plant);
+    if (const auto* error = std::get_if<link::LinkError>(&opened)) {
+      err << "error: " << error->message << "\n";
+      return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
+    }
+    links.push_back(std::get<std::unique_ptr<link::Link>>(std::move(opened)));
+  }
+  return kGood;
+}
+
+}  // namespace symplant::host

@@ -1,0 +1,30 @@
+// What a plant's main() hands to the host: the same for a generated program and for `symplant run`.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/core/behaviour.hpp"
+#include "symplant/core/tables.hpp"
+
+namespace symplant::host {
+
+/// A link that the plant's description brings with it.
+struct DefaultLink {
+  std::string_view controller;  ///< whose symbols it carries; empty: all
+  std::string_view url;
+};
+
+/// Refers to what it is made of; all of it must outlive the run.
+struct PlantProgram {
+  const core::PlantTables& tables;
+  std::span<const core::Behaviour> behaviours = {};  ///< as core::Plant takes them
+  std::span<const DefaultLink> links = {};           ///< of the description, used where no --link is given
+  std::string_view default_link = {};                ///< a URL, used where neither of them is; empty: none
+  std::vector<std::string> more = {};                ///< further lines of what is told at the start
+  std::vector<std::string> inputs = {};              ///< files that the plant was read from: no output may replace them
+};
+
+}  // namespace symplant::host

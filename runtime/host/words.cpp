@@ -1,0 +1,30 @@
+// Small texts that a run's messages share.
+#include "symplant/host/words.hpp"
+
+#include <fmt/format.h>
+
+namespace symplant::host {
+
+std::string seconds(core::Time time) { return fmt::format("{} s", static_cast<double>(time) / 1e9); }
+
+std::string plural(std::size_t count, std::string_view word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string shown(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    const std::string_view three = name.substr(i, 3);
+    const bool changes_direction = three.starts_with("\xE2\x80") || three.starts_with("\xE2\x81");
+    if (changes_direction && three.size() == 3) {
+      text += '?';
+      i += 2;
+    } else {
+      text += byte < 0x20 || byte == 0x7F ? '?' : name[i];
+    }
+  }
+  return text;
+}
+
+}  // namespace symplant::host
