@@ -17,7 +17,7 @@ environment_error() { # WHAT
 
 # The packages by whose names Debian 12 and Ubuntu 24.04 have what the build, the tests and the demo need.
 # shellcheck disable=SC2034 # for the scripts that source this
-readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libcli11-dev
+readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libvalijson-dev libcli11-dev
   catch2 libkainjow-mustache-dev libmodbus-dev)
 
 # "-14" for clang 14, on which the project is tried; nothing, for the system's own clang, where there is no such package.
@@ -36,7 +36,7 @@ require_known_system() {
     ubuntu) dpkg --compare-versions "$version" ge 24.04 && return ;;
   esac
   environment_error "made for Debian 12 and Ubuntu 24.04 or later, and this is ${id:-another system} $version: install \
-g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, CLI11, Catch2, mustache, libmodbus by hand, \
+g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, valijson, CLI11, Catch2, mustache, libmodbus by hand, \
 then: cmake --workflow --preset release"
 }
 

@@ -1,19 +1,11 @@
 # Writes the templates into a C++ file, so that the tool needs no files beside it.
 # -DNAMES=a|b -DFOLDER=... -DOUTPUT=...
+include(${CMAKE_CURRENT_LIST_DIR}/CppLiterals.cmake)
 string(REPLACE "|" ";" NAMES "${NAMES}")
 set(rows "")
 set(count 0)
 foreach(name IN LISTS NAMES)
-  file(READ ${FOLDER}/${name}.mustache text)
-  # Several literals: compilers bound the length of one.
-  string(LENGTH "${text}" length)
-  set(literals "")
-  set(at 0)
-  while(at LESS length)
-    string(SUBSTRING "${text}" ${at} 4000 part)
-    string(APPEND literals "R\"symplant(${part})symplant\"\n")
-    math(EXPR at "${at} + 4000")
-  endwhile()
+  symplant_cpp_literals(literals ${FOLDER}/${name}.mustache)
   string(APPEND rows "    {\"${name}\", ${literals}},\n")
   math(EXPR count "${count} + 1")
 endforeach()

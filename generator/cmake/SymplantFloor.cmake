@@ -30,3 +30,18 @@ function(symplant_floor NAME)
   target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
                                                                       ${ARG_LIBRARIES})
 endfunction()
+
+# symplant_embed_text(TARGET NAMESPACE NAME FILE)
+# Gives a floor the function `std::string_view NAMESPACE::NAME()` with a file's text; who calls it declares it.
+set(SYMPLANT_EMBED_TEXT ${CMAKE_CURRENT_LIST_DIR}/EmbedText.cmake)
+function(symplant_embed_text TARGET NAMESPACE NAME FILE)
+  get_filename_component(input ${FILE} ABSOLUTE)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.cpp)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -DNAMESPACE=${NAMESPACE} -DNAME=${NAME} -DINPUT=${input} -DOUTPUT=${output} -P
+            ${SYMPLANT_EMBED_TEXT}
+    DEPENDS ${input} ${SYMPLANT_EMBED_TEXT}
+    VERBATIM)
+  target_sources(symplant_${TARGET} PRIVATE ${output})
+endfunction()

@@ -22,14 +22,15 @@ constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes inc
 // Lowest first; a floor may use what stands before it.
 constexpr std::array<std::string_view, 10> kGenerator = {"base",  "diag",  "address", "read", "name",
                                                          "model", "lower", "check",   "emit", "app"};
-constexpr std::array<std::string_view, 7> kRuntime = {"core", "condition", "share", "exec", "link", "trace", "host"};
+constexpr std::array<std::string_view, 8> kRuntime = {"core", "condition", "json",  "share",
+                                                      "exec", "link",      "trace", "host"};
 
 /// How much of the runtime a floor of the generator may use: its first so many floors.
 struct RuntimeUse {
   std::string_view floor;
   std::size_t floors;
 };
-constexpr std::array kRuntimeUse = {RuntimeUse{"model", 2}, RuntimeUse{"lower", 2}, RuntimeUse{"check", 1},
+constexpr std::array kRuntimeUse = {RuntimeUse{"model", 3}, RuntimeUse{"lower", 2}, RuntimeUse{"check", 3},
                                     RuntimeUse{"emit", 1}, RuntimeUse{"app", kRuntime.size()}};
 
 /// Where a third party's headers may be included.
@@ -41,6 +42,7 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<boost/spirit", {"generator/name/", "runtime/condition/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
+    ThirdParty{"<valijson/", {"runtime/json/"}},
 };
 
 struct Include {

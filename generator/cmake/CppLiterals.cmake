@@ -1,0 +1,13 @@
+# symplant_cpp_literals(VARIABLE FILE): the file's text as string literals; several, since compilers bound the length of one.
+function(symplant_cpp_literals VARIABLE FILE)
+  file(READ ${FILE} text)
+  string(LENGTH "${text}" length)
+  set(literals "")
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${text}" ${at} 4000 part)
+    string(APPEND literals "R\"symplant(${part})symplant\"\n")
+    math(EXPR at "${at} + 4000")
+  endwhile()
+  set(${VARIABLE} "${literals}" PARENT_SCOPE)
+endfunction()

@@ -1,0 +1,53 @@
+// A text as nlohmann's reader takes it in, with the count of what it has taken.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+namespace symplant::json {
+
+/// An input iterator that tells `taken` how many bytes have been read. The reader looks one byte ahead of a number.
+class CountedText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountedText(const char* at, std::size_t* taken) : at_(at), taken_(taken) {}
+
+  reference operator*() const { return *at_; }
+  CountedText& operator++() {
+    ++at_;
+    ++*taken_;
+    return *this;
+  }
+  CountedText operator++(int) {
+    CountedText before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(const CountedText& a, const CountedText& b) { return a.at_ == b.at_; }
+  friend bool operator!=(const CountedText& a, const CountedText& b) { return a.at_ != b.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* taken_;
+};
+
+/// Where the text that ends behind `end` (its closing quote included) begins: at its opening quote.
+inline std::size_t opening_quote(std::string_view text, std::size_t end) {
+  std::size_t at = end - 1;
+  while (at > 0) {
+    --at;
+    if (text[at] != '"') continue;
+    std::size_t backslashes = 0;
+    while (backslashes < at && text[at - 1 - backslashes] == '\\') ++backslashes;
+    if (backslashes % 2 == 0) break;
+  }
+  return at;
+}
+
+}  // namespace symplant::json

@@ -1,0 +1,187 @@
+// JSON texts as values.
+#include "symplant/json/document.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "symplant/json/counted_text.hpp"
+
+namespace symplant::json {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kLongestWords = 160;
+
+/// The library's words without its own name and place: "unexpected '}'; expected string literal".
+std::string words_of(std::string_view what) {
+  for (const std::string_view mark : {" - ", ": ", "] "}) {
+    const std::size_t at = what.find(mark, mark == ": " ? what.find("column ") : 0);
+    if (at == what.npos) continue;
+    what.remove_prefix(at + mark.size());
+    break;
+  }
+  std::string words(what.substr(0, kLongestWords));
+  while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xC0) == 0x80) words.pop_back();
+  return words + (words.size() < what.size() ? " ..." : "");
+}
+
+/// Builds the value, and watches for what the library lets pass.
+class Builder final : public Json::json_sax_t {
+ public:
+  Builder(std::string_view text, const std::size_t& taken, Document& document)
+      : text_(text), taken_(taken), document_(document) {}
+
+  bool null() override { return put(nullptr) != nullptr; }
+  bool boolean(bool value) override { return put(value) != nullptr; }
+  bool number_integer(number_integer_t value) override { return put(value) != nullptr; }
+  bool number_unsigned(number_unsigned_t value) override { return put(value) != nullptr; }
+  bool number_float(number_float_t value, const string_t&) override { return put(value) != nullptr; }
+  bool string(string_t& value) override {
+    refuse_nul(value);
+    return put(std::move(value)) != nullptr;
+  }
+  bool binary(binary_t&) override { return false; }
+
+  bool start_object(std::size_t) override { return open(Json::value_t::object); }
+  bool start_array(std::size_t) override { return open(Json::value_t::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    refuse_nul(name);
+    Level& level = open_.back();
+    const auto [at, added] = level.value->get_ref<Json::object_t&>().try_emplace(name, nullptr);
+    level.key = &at->first;
+    if (added) {
+      member_ = &at->second;
+    } else {
+      twice_.push_back({{token(), "the key `" + name + "` stands here for the second time, leave one out", {}},
+                        {pointer(), "it stood here first", 0, true}});
+      member_ = &unused_;
+    }
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
+    const std::size_t end = std::min(position, text_.size());  // behind what was read last
+    const std::size_t begin = end == 0 ? 0 : end - 1;
+    const std::string hint = ends_list(begin) ? "a comma stands before its end, leave it out; " : "";
+    document_.faults.push_back({{begin, end}, "this is no JSON: " + hint + words_of(error.what()), {}});
+    return false;
+  }
+
+  /// The fault of every key that stands twice, with the place of the first.
+  void tell_twice() {
+    std::vector<Fault> firsts;
+    for (const Twice& twice : twice_) firsts.push_back(twice.first);
+    const std::vector<Span> places = spans(text_, firsts);
+    for (std::size_t i = 0; i < twice_.size(); ++i) {
+      twice_[i].second.related = Related{places[i], twice_[i].first.message};
+      document_.faults.push_back(std::move(twice_[i].second));
+    }
+  }
+
+ private:
+  /// An object or array that is not at its end.
+  struct Level {
+    Json* value;
+    const std::string* key;  // of an object: the last one read
+  };
+  struct Twice {
+    Placed second;
+    Fault first;
+  };
+
+  /// Whether a closing bracket stands there, behind a comma.
+  bool ends_list(std::size_t at) const {
+    if (at >= text_.size() || (text_[at] != ']' && text_[at] != '}')) return false;
+    const std::size_t before = text_.find_last_not_of(" \t\r\n", at - 1);
+    return at != 0 && before != text_.npos && text_[before] == ',';
+  }
+
+  Span token() const { return {opening_quote(text_, taken_), taken_}; }
+
+  void refuse_nul(const std::string& value) {
+    if (value.find('\0') == value.npos) return;
+    document_.faults.push_back({token(), "a NUL character stands in this text, leave it out", {}});
+  }
+
+  template <class Value>
+  Json* put(Value&& value) {
+    if (open_.empty()) {
+      *document_.root = std::forward<Value>(value);
+      return document_.root.get();
+    }
+    if (open_.back().value->is_array()) {
+      auto& items = open_.back().value->get_ref<Json::array_t&>();
+      items.emplace_back(std::forward<Value>(value));
+      return &items.back();
+    }
+    *member_ = std::forward<Value>(value);
+    return member_;
+  }
+
+  /// Of the innermost object's last key.
+  std::string pointer() const {
+    std::string text;
+    for (const Level& level : open_) {
+      text = level.value->is_array() ? child(text, level.value->size() - 1) : child(text, *level.key);
+    }
+    return text;
+  }
+
+  bool open(Json::value_t kind) {
+    if (open_.size() == kMaxDepth) {
+      document_.faults.push_back(
+          {{taken_ - 1, taken_}, "arrays and objects lie more than 100 levels deep, 100 are the most", {}});
+      return false;
+    }
+    Json* value = put(Json(kind));
+    if (value == &unused_) {  // it is overwritten by the next such key, and may lie within itself
+      unused_values_.push_back(std::make_unique<Json>(kind));
+      value = unused_values_.back().get();
+    }
+    open_.push_back({value, nullptr});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  const std::string_view text_;
+  const std::size_t& taken_;
+  Document& document_;
+  std::vector<Level> open_;
+  Json* member_ = nullptr;  // of the innermost object: the value to come
+  Json unused_;             // the value of a key that stands for the second time
+  std::vector<std::unique_ptr<Json>> unused_values_;
+  std::vector<Twice> twice_;
+};
+
+}  // namespace
+
+Document::Document() = default;
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
+Document::~Document() = default;
+
+Document parse(std::string_view text) {
+  Document document;
+  document.root = std::make_unique<Json>();
+  std::size_t taken = 0;
+  Builder builder(text, taken, document);
+  const CountedText begin(text.data(), &taken);
+  const CountedText end(text.data() + text.size(), &taken);
+  if (!Json::sax_parse(begin, end, &builder, Json::input_format_t::json, true, true)) {
+    document.root = nullptr;
+  } else {
+    builder.tell_twice();
+  }
+  return document;
+}
+
+}  // namespace symplant::json

@@ -1,0 +1,253 @@
+// Why a value does not fit a schema, in words.
+#include "symplant/json/explain.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "symplant/condition/nearest.hpp"
+
+namespace symplant::json {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostFaults = 100;
+constexpr std::size_t kMostNamed = 12;
+constexpr std::size_t kLongestShown = 60;
+
+std::string in_ticks(std::string_view text) {
+  std::string shown(text.substr(0, kLongestShown));
+  if (shown.size() < text.size()) {  // not within a letter
+    while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80) shown.pop_back();
+    if (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80) != 0) shown.pop_back();
+    shown += "...";
+  }
+  return "`" + shown + "`";
+}
+
+/// "a text", of a type's name in a schema.
+std::string_view type_words(std::string_view type) {
+  struct Words {
+    std::string_view type;
+    std::string_view words;
+  };
+  static constexpr Words kWords[] = {{"string", "a text"},    {"number", "a number"}, {"integer", "a whole number"},
+                                     {"object", "an object"}, {"array", "an array"},  {"boolean", "true or false"},
+                                     {"null", "null"}};
+  const auto* found =
+      std::find_if(std::begin(kWords), std::end(kWords), [&](const Words& words) { return words.type == type; });
+  return found == std::end(kWords) ? type : found->words;
+}
+
+bool has_type(const Json& value, std::string_view type) {
+  if (type == "string") return value.is_string();
+  if (type == "number") return value.is_number();
+  if (type == "integer") return value.is_number_integer();
+  if (type == "object") return value.is_object();
+  if (type == "array") return value.is_array();
+  if (type == "boolean") return value.is_boolean();
+  return type == "null" && value.is_null();
+}
+
+std::string what_is_there(const Json& value) {
+  if (value.is_string()) return "the text " + in_ticks(value.get_ref<const std::string&>());
+  if (value.is_number()) return "the number " + in_ticks(value.dump());
+  if (value.is_boolean() || value.is_null()) return in_ticks(value.dump());
+  return value.is_object() ? "an object" : "an array";
+}
+
+class Explainer {
+ public:
+  explicit Explainer(const Json& root) : root_(root) {}
+
+  void walk(const Json& schema, const Json& value, const std::string& pointer) {
+    if (faults.size() >= kMostFaults) return;
+    const Json& own = resolved(schema);
+    if (!own.is_object()) {
+      if (own == false) add(pointer, "nothing may stand here, leave it out");
+      return;
+    }
+    for (const char* key : {"anyOf", "oneOf"}) {
+      if (own.contains(key)) return walk_best(own, own[key], value, pointer);
+    }
+    if (!type_fits(own, value)) return wrong_type(own, value, pointer);
+    if (own.contains("const") && own["const"] != value) {
+      return add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(own, own["const"].dump()));
+    }
+    if (own.contains("enum")) not_one_of(own, value, pointer);
+    if (value.is_object()) members(own, value, pointer);
+    if (value.is_array()) items(own, value, pointer);
+    bounds(own, value, pointer);
+  }
+
+  std::vector<Fault> faults;
+
+ private:
+  void add(const std::string& pointer, std::string message, bool at_key = false) {
+    faults.push_back({pointer, std::move(message), 0, at_key});
+  }
+
+  const Json& resolved(const Json& schema) const {
+    const Json* own = &schema;
+    while (own->is_object() && own->contains("$ref")) {
+      own = &root_.at(Json::json_pointer((*own)["$ref"].get_ref<const std::string&>().substr(1)));
+    }
+    return *own;
+  }
+
+  static std::string wanted(const Json& schema, std::string_view otherwise) {
+    return schema.contains("title") ? schema["title"].get<std::string>() : std::string(otherwise);
+  }
+
+  static bool type_fits(const Json& schema, const Json& value) {
+    if (!schema.contains("type")) return true;
+    const Json& type = schema["type"];
+    if (type.is_string()) return has_type(value, type.get_ref<const std::string&>());
+    return std::any_of(type.begin(), type.end(),
+                       [&](const Json& one) { return has_type(value, one.get_ref<const std::string&>()); });
+  }
+
+  void wrong_type(const Json& schema, const Json& value, const std::string& pointer) {
+    std::string types;
+    const Json& type = schema["type"];
+    if (type.is_string()) {
+      types = type_words(type.get_ref<const std::string&>());
+    } else {
+      for (const Json& one : type) {
+        types += (types.empty() ? "" : " or ") + std::string(type_words(one.get_ref<const std::string&>()));
+      }
+    }
+    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types));
+  }
+
+  void not_one_of(const Json& schema, const Json& value, const std::string& pointer) {
+    const Json& values = schema["enum"];
+    if (std::find(values.begin(), values.end(), value) != values.end()) return;
+    std::string known;
+    for (const Json& one : values) {
+      known += (known.empty() ? "" : ", ") + in_ticks(one.is_string() ? one.get<std::string>() : one.dump());
+    }
+    std::string nearest;
+    if (value.is_string()) nearest = nearest_of(value.get_ref<const std::string&>(), values);
+    add(pointer, what_is_there(value) + " stands here, wanted is one of " + known +
+                     (nearest.empty() ? "" : "; the nearest is " + in_ticks(nearest)));
+  }
+
+  static std::string nearest_of(std::string_view text, const Json& names) {
+    condition::NearestName nearest(text);
+    for (const Json& one : names) {
+      if (one.is_string()) nearest.offer(one.get_ref<const std::string&>());
+    }
+    return std::string(nearest.name());
+  }
+
+  void members(const Json& schema, const Json& value, const std::string& pointer) {
+    static const Json kNone = Json::object();
+    const Json& properties = schema.contains("properties") ? schema["properties"] : kNone;
+    if (schema.contains("required")) {
+      for (const Json& name : schema["required"]) {
+        const auto& key = name.get_ref<const std::string&>();
+        if (value.contains(key)) continue;
+        const bool titled = properties.contains(key) && resolved(properties[key]).contains("title");
+        add(pointer,
+            "the key " + in_ticks(key) + " is missing here" +
+                (titled ? ", it holds " + resolved(properties[key])["title"].get<std::string>() : ""),
+            true);
+      }
+    }
+    for (const auto& [key, member] : value.items()) {
+      const std::string here = child(pointer, key);
+      if (const auto property = properties.find(key); property != properties.end()) {
+        walk(*property, member, here);
+      } else if (schema.contains("additionalProperties")) {
+        const Json& others = schema["additionalProperties"];
+        if (others.is_object()) {
+          walk(others, member, here);
+        } else if (others == false) {
+          unknown(key, properties, here);
+        }
+      }
+    }
+  }
+
+  void unknown(const std::string& key, const Json& properties, const std::string& pointer) {
+    condition::NearestName nearest(key);
+    std::string known;
+    std::size_t count = 0;
+    for (const auto& [name, member] : properties.items()) {
+      nearest.offer(name);
+      if (++count <= kMostNamed) known += (known.empty() ? "" : ", ") + in_ticks(name);
+    }
+    const std::string hint = !nearest.name().empty() ? ", the nearest is " + in_ticks(nearest.name())
+                             : count > kMostNamed    ? ""
+                                                     : ", known are " + known;
+    add(pointer, "the key " + in_ticks(key) + " is unknown here" + hint, true);
+  }
+
+  void items(const Json& schema, const Json& value, const std::string& pointer) {
+    if (schema.contains("items")) {
+      for (std::size_t i = 0; i < value.size(); ++i) walk(schema["items"], value[i], child(pointer, i));
+    }
+  }
+
+  void bounds(const Json& schema, const Json& value, const std::string& pointer) {
+    const auto size = [&]() -> std::size_t {
+      return value.is_string() ? value.get_ref<const std::string&>().size() : value.size();
+    };
+    const auto below = [&](const char* key) { return schema.contains(key) && size() < schema[key].get<std::size_t>(); };
+    const bool short_text = value.is_string() && below("minLength");
+    const bool short_array = value.is_array() && below("minItems");
+    const bool short_object = value.is_object() && below("minProperties");
+    if (short_text || short_array || short_object) {
+      add(pointer, std::string(value.is_string()  ? "an empty text"
+                               : value.is_array() ? "an array of too few items"
+                                                  : "an object of too few keys") +
+                       " stands here, wanted is " + wanted(schema, "more"));
+    }
+    if (value.is_array() && schema.contains("maxItems") && size() > schema["maxItems"].get<std::size_t>()) {
+      add(pointer, "an array of too many items stands here, wanted is " + wanted(schema, "fewer"));
+    }
+    if (!value.is_number()) return;
+    if ((schema.contains("minimum") && value < schema["minimum"]) ||
+        (schema.contains("maximum") && value > schema["maximum"])) {
+      add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, "a number within bounds"));
+    }
+  }
+
+  /// Of several schemas that of the value's own type; of objects the one that has most of its keys.
+  void walk_best(const Json& schema, const Json& choices, const Json& value, const std::string& pointer) {
+    const Json* best = nullptr;
+    std::size_t most = 0;
+    std::string types;
+    for (const Json& choice : choices) {
+      const Json& own = resolved(choice);
+      const std::string title = wanted(own, "");
+      if (!title.empty()) types += (types.empty() ? "" : ", or ") + title;
+      if (!type_fits(own, value)) continue;
+      std::size_t shared = 1;
+      if (value.is_object() && own.contains("properties")) {
+        for (const auto& [key, member] : value.items()) shared += own["properties"].contains(key) ? 1U : 0U;
+      }
+      if (shared > most) {
+        most = shared;
+        best = &choice;
+      }
+    }
+    if (best != nullptr) return walk(*best, value, pointer);
+    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types));
+  }
+
+  const Json& root_;
+};
+
+}  // namespace
+
+std::vector<Fault> explain(const nlohmann::json& schema, const nlohmann::json& value) {
+  Explainer explainer(schema);
+  explainer.walk(schema, value, "");
+  return std::move(explainer.faults);
+}
+
+}  // namespace symplant::json
