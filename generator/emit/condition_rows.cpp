@@ -93,7 +93,7 @@ std::string value_watch_rows(const lower::EngineTables& tables, const model::Pla
     atom.atom = {condition::Atom::Kind::number, symbol, 0, row.comparison, row.kind, row.operand};
     rows.text("    {").hex(row.operand).text(", ").numbers(row.slot, row.condition, unsigned{row.input});
     rows.text(", core::Comparison::").text(name_of(kComparisons, row.comparison)).text(", core::NumberKind::");
-    rows.text(name_of(kNumberKinds, row.kind)).text("},  // ").comment(condition_text(atom, plant)).text("\n");
+    rows.text(name_of(kNumberKinds, row.kind)).text("},  // ").comment(short_condition_text(atom, plant)).text("\n");
   }
   return rows.take();
 }

@@ -3,114 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-#include <iterator>
 #include <string_view>
 
-#include "base/utf8.hpp"
+#include "model/condition_text.hpp"
 
 namespace symplant::emit {
 namespace {
 
-using condition::Atom;
 using condition::Tree;
 
-constexpr std::size_t kLongest = 160;  ///< characters of a condition that are shown
-
-std::string_view comparison_text(core::Comparison comparison) {
-  switch (comparison) {
-    case core::Comparison::less:
-      return "<";
-    case core::Comparison::less_equal:
-      return "<=";
-    case core::Comparison::equal:
-      return "=";
-    case core::Comparison::greater_equal:
-      return ">=";
-    case core::Comparison::greater:
-      return ">";
-  }
-  return "?";
-}
-
-std::string operand_text(const Atom& atom) {
-  switch (atom.number) {
-    case core::NumberKind::signed_integer:
-      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
-    case core::NumberKind::unsigned_integer:
-      return fmt::format("{}", atom.operand);
-    case core::NumberKind::real:
-      return fmt::format("{}", std::bit_cast<double>(atom.operand));
-  }
-  return "?";
-}
-
-class ConditionWriter {
- public:
-  explicit ConditionWriter(const model::PlantModel& plant) : plant_(plant) {}
-
-  std::string write(const Tree& tree) {
-    add(tree, Tree::Kind::any);
-    if (out_.size() <= kLongest) return std::move(out_);
-    std::size_t cut = kLongest;
-    while (base::is_continuation(out_[cut])) --cut;  // whole characters
-    return out_.substr(0, cut) + " ...";
-  }
-
- private:
-  /// `around`: the operator that the tree is an operand of; `any` binds least.
-  void add(const Tree& tree, Tree::Kind around) {
-    if (out_.size() > kLongest) return;
-    switch (tree.kind) {
-      case Tree::Kind::constant:
-        out_ += tree.value ? "always" : "never";
-        return;
-      case Tree::Kind::atom:
-        add(tree.atom);
-        return;
-      case Tree::Kind::negation:
-        out_ += "not ";
-        add(tree.children.front(), Tree::Kind::negation);
-        return;
-      case Tree::Kind::all:
-        add_joined(tree, " and ", around == Tree::Kind::negation);
-        return;
-      case Tree::Kind::any:
-        add_joined(tree, " or ", around != Tree::Kind::any);
-        return;
-    }
-  }
-
-  void add_joined(const Tree& tree, std::string_view word, bool in_brackets) {
-    if (in_brackets) out_ += '(';
-    for (std::size_t i = 0; i < tree.children.size(); ++i) {
-      if (i != 0) out_ += word;
-      add(tree.children[i], tree.kind);
-    }
-    if (in_brackets) out_ += ')';
-  }
-
-  void add(const Atom& atom) {
-    switch (atom.kind) {
-      case Atom::Kind::settled:
-        out_.append(plant_.units[atom.of].path).append(".").append(plant_.units[atom.of].states[atom.state].name);
-        return;
-      case Atom::Kind::moving:
-        out_.append(plant_.units[atom.of].path).append(".moving");
-        return;
-      case Atom::Kind::bit:
-        out_.append(plant_.symbols[atom.of].name());
-        return;
-      case Atom::Kind::number:
-        fmt::format_to(std::back_inserter(out_), "{} {} {}", plant_.symbols[atom.of].name(),
-                       comparison_text(atom.comparison), operand_text(atom));
-        return;
-    }
-  }
-
-  const model::PlantModel& plant_;
-  std::string out_;
-};
+constexpr std::size_t kLongest = 160;  ///< bytes of a condition that are shown
 
 /// Who reads the condition at a place of its unit: the first transition that wants it, or an input of its behaviour.
 std::string unit_reader(std::uint32_t place, const lower::Type& type, const model::Unit& unit,
@@ -137,8 +39,8 @@ std::string transition_text(const core::Transition& transition, const model::Uni
   return fmt::format("d_ext({}, O_{}) = {}", from, task, to);
 }
 
-std::string condition_text(const Tree& tree, const model::PlantModel& plant) {
-  return ConditionWriter(plant).write(tree);
+std::string short_condition_text(const Tree& tree, const model::PlantModel& plant) {
+  return model::condition_text(tree, plant, kLongest);
 }
 
 std::vector<std::string> random_time_readers(const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -174,18 +76,18 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
         const model::Unit& unit = plant.units[row.reader];
         readers.push_back(fmt::format("{}, {}: {}", unit.path,
                                       unit_reader(place, tables.types[tables.units[row.reader].type], unit, plant),
-                                      condition_text(unit.conditions[place], plant)));
+                                      short_condition_text(unit.conditions[place], plant)));
         break;
       }
       case core::ReaderKind::requirement: {
         const model::Requirement& requirement = plant.requirements[row.reader];
         const bool never = requirement.kind == core::RequirementRow::Kind::never;
-        readers.push_back(
-            fmt::format("{}, {}: {}", requirement.name,
-                        row.reader_input == 1 ? "expect"
-                        : never               ? "never"
-                                              : "after",
-                        condition_text(row.reader_input == 1 ? requirement.expected : requirement.condition, plant)));
+        readers.push_back(fmt::format(
+            "{}, {}: {}", requirement.name,
+            row.reader_input == 1 ? "expect"
+            : never               ? "never"
+                                  : "after",
+            short_condition_text(row.reader_input == 1 ? requirement.expected : requirement.condition, plant)));
         break;
       }
       case core::ReaderKind::condition:

@@ -14,7 +14,7 @@ std::string transition_text(const core::Transition& transition, const model::Uni
                             const model::PlantModel& plant);
 
 /// A condition as a description writes it (`L_P_AGV.P2 and not L_P_DOOR.OPEN1`), cut where it is very long.
-std::string condition_text(const condition::Tree& tree, const model::PlantModel& plant);
+std::string short_condition_text(const condition::Tree& tree, const model::PlantModel& plant);
 
 /// Of each random time the first transition that it is of.
 std::vector<std::string> random_time_readers(const lower::EngineTables& tables, const model::PlantModel& plant);

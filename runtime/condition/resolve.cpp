@@ -17,9 +17,12 @@ Tree tree_of(const Atom& atom) {
   return tree;
 }
 
-Tree constant(bool value) {
+/// Of a comparison with a symbol.
+Tree constant(bool value, std::uint32_t symbol) {
   Tree tree;
   tree.value = value;
+  tree.atom.kind = Atom::Kind::number;
+  tree.atom.of = symbol;
   return tree;
 }
 
@@ -98,7 +101,7 @@ class Resolver {
       return Fault{expression.number_place,
                    "the number is beyond what a " + std::string(type_name(symbol->type)) + " holds"};
     }
-    if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always);
+    if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always, symbol->index);
     const auto& found = std::get<FoldedComparison>(*folded);
     Atom atom;
     atom.kind = Atom::Kind::number;

@@ -27,7 +27,7 @@ struct Atom {
 };
 
 /// `negation` has one child, `all` and `any` have two or more, the others none. A comparison that no value of the
-/// symbol can meet, or every one meets, is a constant.
+/// symbol can meet, or every one meets, is a constant; its atom still says which symbol (`kind` and `of` alone count).
 struct Tree {
   enum class Kind : std::uint8_t { constant, atom, negation, all, any };
   Kind kind = Kind::constant;

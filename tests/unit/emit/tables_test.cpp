@@ -34,7 +34,7 @@ TEST_CASE("Rows cite what they are, conditions as a description writes them") {
   for (const char* row : {
            "// -1: L_P_AGV, d_ext(P2, O_P1) = P1\n",
            "// l_disable of L_P_MC in RUN2: L_P_STOPPER\n",
-           "// 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or STOP?<U+003F>/)\n",
+           "// 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or 'STOP?<U+003F>/')\n",
            "// 1: L_P_MC, d_int(RUN2) = IDLE1: LEVEL < -5 or SPEED >= 1.5\n",
            "// 2: L_P_STOPPER, input part<U+000A>: L_P_AGV_O_P1 and ",
            "// 4: answers, after: L_P_AGV.P2\n",
@@ -83,7 +83,7 @@ TEST_CASE("A very long condition is cut between two characters") {
   Tree tree{Tree::Kind::any, false, {}, {}};
   for (int i = 0; i < 1000; ++i) tree.children.push_back(settled(0, 1));
   for (int shift = 0; shift < 2; ++shift) {
-    const std::string text = emit::condition_text(shift == 0 ? tree : !tree, plant);
+    const std::string text = emit::short_condition_text(shift == 0 ? tree : !tree, plant);
     CHECK(text.size() < 180);
     CHECK(text.ends_with(" ..."));
     const std::string comment = emit::comment_text(text);

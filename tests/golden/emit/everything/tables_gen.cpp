@@ -96,7 +96,7 @@ constexpr core::DisableRow kDisables[] = {
 
 // A condition: its truth table, who reads it, as which input.
 constexpr core::ConditionRow kConditions[] = {
-    {0x2, 1, 0, core::ReaderKind::unit},  // 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or STOP?<U+003F>/)
+    {0x2, 1, 0, core::ReaderKind::unit},  // 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or 'STOP?<U+003F>/')
     {0xe, 1, 0, core::ReaderKind::unit},  // 1: L_P_MC, d_int(RUN2) = IDLE1: LEVEL < -5 or SPEED >= 1.5
     {0x8, 2, 0, core::ReaderKind::unit},  // 2: L_P_STOPPER, input part<U+000A>: L_P_AGV_O_P1 and L_P_AGV_O_P2 and L_P_AGV_I_P1 and L_P_AGV_I_P2 and L_P_MC_O_IDLE1 and L_P_MC_O_RUN2 and L_P_MC_I_IDLE1 and L_P_MC_I_RUN2 and L_P_MC_I_BUSY3
     {0x8, 0, 0, core::ReaderKind::requirement},  // 3: never both<U+005C><U+000A>"}; //, never: L_P_AGV.P2 and L_P_MC.RUN2

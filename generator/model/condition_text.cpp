@@ -1,0 +1,175 @@
+// Conditions written in their grammar.
+#include "model/condition_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+#include <string_view>
+#include <variant>
+
+#include "base/ascii.hpp"
+#include "base/utf8.hpp"
+#include "model/classify.hpp"
+#include "symplant/condition/expression.hpp"
+
+namespace symplant::model {
+namespace {
+
+using condition::Atom;
+using condition::Tree;
+
+std::string_view comparison_text(core::Comparison comparison) {
+  switch (comparison) {
+    case core::Comparison::less:
+      return "<";
+    case core::Comparison::less_equal:
+      return "<=";
+    case core::Comparison::equal:
+      return "=";
+    case core::Comparison::greater_equal:
+      return ">=";
+    case core::Comparison::greater:
+      return ">";
+  }
+  return "?";
+}
+
+std::string operand_text(const Atom& atom) {
+  switch (atom.number) {
+    case core::NumberKind::signed_integer:
+      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
+    case core::NumberKind::unsigned_integer:
+      return fmt::format("{}", atom.operand);
+    case core::NumberKind::real:
+      return fmt::format("{}", std::bit_cast<double>(atom.operand));
+  }
+  return "?";
+}
+
+/// The least value that an integer of a type has.
+std::string least_of(core::DataType type) {
+  using core::DataType;
+  const bool is_signed =
+      type == DataType::sint || type == DataType::int_ || type == DataType::dint || type == DataType::lint;
+  if (!is_signed) return "0";
+  return fmt::format("{}", static_cast<std::int64_t>(~std::uint64_t{0} << (data_type_bits(type) - 1)));
+}
+
+bool is_word(std::string_view name) {
+  return base::equal_ignoring_case(name, "and") || base::equal_ignoring_case(name, "or") ||
+         base::equal_ignoring_case(name, "not");
+}
+
+/// Whether the grammar reads a name without quotes, words apart.
+bool is_plain(std::string_view name) {
+  const auto ascii_letter = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  if (name.empty()) return false;
+  if (std::all_of(name.begin(), name.end(), ascii_letter)) return true;
+  if (std::any_of(name.begin(), name.end(),
+                  [&](char c) { return !ascii_letter(c) && static_cast<unsigned char>(c) < 0x80; })) {
+    return false;
+  }
+  return condition::parse(name).index() == 0;  // the grammar itself knows which of Unicode's are letters
+}
+
+class ConditionWriter {
+ public:
+  ConditionWriter(const PlantModel& plant, std::size_t longest) : plant_(plant), longest_(longest) {}
+
+  std::string write(const Tree& tree) {
+    add(tree);
+    if (out_.size() <= longest_) return std::move(out_);
+    std::size_t cut = longest_;
+    while (cut > 0 && base::is_continuation(out_[cut])) --cut;
+    return out_.substr(0, cut) + " ...";
+  }
+
+ private:
+  void add(const Tree& tree) {
+    if (out_.size() > longest_) return;
+    switch (tree.kind) {
+      case Tree::Kind::constant:
+        add_constant(tree);
+        return;
+      case Tree::Kind::atom:
+        add(tree.atom);
+        return;
+      case Tree::Kind::negation: {
+        const Tree::Kind kind = tree.children.front().kind;
+        out_ += "not ";
+        add_operand(tree.children.front(), kind != Tree::Kind::atom && kind != Tree::Kind::constant);
+        return;
+      }
+      case Tree::Kind::all:
+      case Tree::Kind::any:
+        for (std::size_t i = 0; i < tree.children.size() && out_.size() <= longest_; ++i) {
+          if (i != 0) out_ += tree.kind == Tree::Kind::all ? " and " : " or ";
+          const Tree::Kind kind = tree.children[i].kind;
+          add_operand(tree.children[i], kind == Tree::Kind::any || kind == tree.kind);
+        }
+        return;
+    }
+  }
+
+  void add_operand(const Tree& tree, bool in_parentheses) {
+    if (in_parentheses) out_ += '(';
+    add(tree);
+    if (in_parentheses) out_ += ')';
+  }
+
+  void add(const Atom& atom) {
+    switch (atom.kind) {
+      case Atom::Kind::settled:
+        add_name(plant_.units[atom.of].path, true);
+        out_ += '.';
+        add_name(plant_.units[atom.of].states[atom.state].name, false);
+        return;
+      case Atom::Kind::moving:
+        add_name(plant_.units[atom.of].path, true);
+        out_ += ".moving";
+        return;
+      case Atom::Kind::bit:
+        add_name(plant_.symbols[atom.of].name(), true);
+        return;
+      case Atom::Kind::number:
+        add_name(plant_.symbols[atom.of].name(), true);
+        out_.append(" ").append(comparison_text(atom.comparison)).append(" ").append(operand_text(atom));
+        return;
+    }
+  }
+
+  void add_constant(const Tree& tree) {
+    if (tree.atom.kind != Atom::Kind::number) {
+      out_ += tree.value ? "always" : "never";
+      return;
+    }
+    add_name(plant_.symbols[tree.atom.of].name(), true);
+    out_.append(tree.value ? " >= " : " < ").append(least_of(plant_.symbols[tree.atom.of].type));
+  }
+
+  void add_name(std::string_view name, bool first) {
+    if (is_plain(name) && !(first && is_word(name))) {
+      out_ += name;
+      return;
+    }
+    out_ += '\'';
+    for (const char c : name) out_.append(c == '\'' ? 2 : 1, c);
+    out_ += '\'';
+  }
+
+  const PlantModel& plant_;
+  const std::size_t longest_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string condition_text(const Tree& tree, const PlantModel& plant, std::size_t longest) {
+  return ConditionWriter(plant, longest).write(tree);
+}
+
+}  // namespace symplant::model

@@ -1,0 +1,20 @@
+// A condition as a text that a description may hold: the way back from condition::resolve.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "model/plant_model.hpp"
+#include "symplant/condition/tree.hpp"
+
+namespace symplant::model {
+
+/// `L_P_AGV.P2 and not (L_P_DOOR.OPEN1 or LEVEL > 5)`: names that are no identifiers in quotes, parentheses only where
+/// the tree needs them. Parsed and resolved against the same plant, the text gives the same tree. A text of more than
+/// `longest` bytes is cut behind a whole character, with ` ...` at its end. Names are as the user wrote them, not
+/// encoded for anything. A constant is the comparison that every value of its symbol meets, or none; one that came from
+/// no text is `always` or `never`. O(text).
+std::string condition_text(const condition::Tree& tree, const PlantModel& plant,
+                           std::size_t longest = std::string::npos);
+
+}  // namespace symplant::model
