@@ -97,6 +97,7 @@ Json unit_json(const model::Unit& unit, const model::PlantModel& plant) {
 
 Json symbol_json(const model::Symbol& symbol, const model::PlantModel& plant) {
   Json json{{"name", symbol.name()},
+            {"list", symbol.list},
             {"row", symbol.row->line},
             {"direction", check::direction_text(symbol.direction)},
             {"type", model::data_type_name(symbol.type)},
@@ -106,6 +107,17 @@ Json symbol_json(const model::Symbol& symbol, const model::PlantModel& plant) {
   if (symbol.unmodelled != model::Unmodelled::modelled) json["unmodelled"] = unmodelled_text(symbol.unmodelled);
   if (symbol.leader != kNone) json["follows"] = plant.symbols[symbol.leader].name();
   return json;
+}
+
+/// The lists, by file name; a controller that has a name is named.
+Json lists_json(const model::PlantModel& plant) {
+  Json lists = Json::array();
+  for (const model::PlantList& list : plant.lists) {
+    lists.push_back({{"file", list.name()}});
+    const std::string& controller = plant.controllers[list.controller];
+    if (!controller.empty()) lists.back()["controller"] = controller;
+  }
+  return lists;
 }
 
 }  // namespace
@@ -122,7 +134,7 @@ std::string model_json(const model::PlantModel& plant, const lower::EngineTables
   }
   const Json json{
       {"symplant-model", kModelJsonVersion}, {"plant", plant.name},
-      {"list", plant.list_name()},           {"model_hash", fmt::format("{:016x}", core::model_hash(tables.tables()))},
+      {"lists", lists_json(plant)},          {"model_hash", fmt::format("{:016x}", core::model_hash(tables.tables()))},
       {"units", std::move(devices)},         {"symbols", std::move(symbols)},
       {"internal_rows", std::move(internal)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -34,7 +34,7 @@ void add_side(std::string& text, char element, const std::vector<std::uint32_t>&
       address.append(" ").append(symbol.row->iec_address);
     }
     fmt::format_to(std::back_inserter(text), "  {:<10}{}  {}  {}:{}\n", first ? std::string(1, element) : "",
-                   symbol.name(), address.empty() ? "no address" : diag::visible(address), plant.list_name(),
+                   symbol.name(), address.empty() ? "no address" : diag::visible(address), plant.list_of(symbol).name(),
                    symbol.row->line);
     first = false;
   }

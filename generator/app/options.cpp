@@ -45,19 +45,36 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
   command.add_flag("--verbose", options.verbose, "tell what was decided and why, notes included");
 }
 
-void tell_decisions(Context& context, const model::PlantModel& plant) {
-  for (const std::string& decision : plant.list->decisions) context.err << "decided: " << decision << "\n";
-  const std::string_view radix = plant.radix.radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
-  switch (plant.radix.by) {
-    case model::RadixChoice::By::rows:
-      context.err << fmt::format("decided: X and Y count in {}, as line {} proves\n", radix, plant.radix.proof->line);
-      break;
+namespace {
+
+/// How X and Y of a list count, and what says so.
+std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
+  const model::PlantList& list = plant.lists[index];
+  const std::string_view counts = list.radix.radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
+  const std::string of = plant.lists.size() == 1 ? "" : " of " + list.name();
+  switch (list.radix.by) {
+    case model::RadixChoice::By::rows: {
+      const std::uint32_t other = plant.list_of(*list.radix.proof);
+      return fmt::format("X and Y{} count in {}, as {}line {} proves", of, counts,
+                         other == index ? "" : plant.lists[other].name() + " ", list.radix.proof->line);
+    }
     case model::RadixChoice::By::option:
-      context.err << fmt::format("decided: X and Y count in {}, as --xy says\n", radix);
-      break;
+      return fmt::format("X and Y{} count in {}, as --xy says", of, counts);
     case model::RadixChoice::By::nothing:
-      context.err << fmt::format("decided: X and Y count in {}, since nothing says otherwise\n", radix);
       break;
+  }
+  return fmt::format("X and Y{} count in {}, since nothing says otherwise", of, counts);
+}
+
+}  // namespace
+
+void tell_decisions(Context& context, const model::PlantModel& plant) {
+  for (std::uint32_t i = 0; i < plant.lists.size(); ++i) {
+    for (const std::string& decision : plant.lists[i].table->decisions) {
+      const std::string of = plant.lists.size() == 1 ? "" : plant.lists[i].name() + ": ";
+      context.err << "decided: " << of << decision << "\n";
+    }
+    context.err << "decided: " << radix_text(plant, i) << "\n";
   }
 }
 

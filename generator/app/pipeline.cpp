@@ -19,15 +19,16 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   const auto list = std::make_shared<const read::SymbolTable>(std::move(*table));
 
   progress.stage("reading names");
-  const name::NamedTable named = name::read_names(*list, name::built_in_rule());
+  name::NamedTable named = name::read_names(*list, name::built_in_rule());
 
   progress.stage("deriving models");
-  model::PlantModel plant =
-      model::build_plant(list, named, {std::filesystem::path(options.list).stem().string(), options.xy});
+  std::vector<model::ListInput> lists;
+  lists.push_back({list, std::move(named), {}, options.xy});
+  model::PlantModel plant = model::build_plant(lists, {std::filesystem::path(options.list).stem().string()});
 
   progress.stage("checking");
   check::check_plant(plant, diagnostics);
-  diagnostics.sort_by_place();
+  diagnostics.sort_by_place(plant.sources());
   return plant;
 }
 

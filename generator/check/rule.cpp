@@ -6,7 +6,7 @@
 namespace symplant::check {
 
 diag::Place place_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell) {
-  const auto& source = plant.list->source;
+  const auto& source = plant.lists[plant.list_of(row)].table->source;
   return {source, cell.empty() ? row.whole : source->span_of(cell, row.whole)};
 }
 

@@ -28,6 +28,7 @@ extern const Rule kInitialNotUnderstood;       // SP310
 extern const Rule kOperationInitialIgnored;    // SP311
 extern const Rule kWideValueOnNoRegister;      // SP312
 extern const Rule kTypeOfNoIo;                 // SP313
+extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -43,7 +44,7 @@ extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 30> kRules{
+inline constexpr std::array<const Rule*, 31> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -61,6 +62,7 @@ inline constexpr std::array<const Rule*, 30> kRules{
     &kOperationInitialIgnored,
     &kWideValueOnNoRegister,
     &kTypeOfNoIo,
+    &kRadixDisagrees,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

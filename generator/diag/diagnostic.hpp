@@ -50,8 +50,9 @@ class Diagnostics {
  public:
   void add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related = {});
 
-  /// In the order of their places in the file, those without a place first; of one place in the order of finding.
-  void sort_by_place();
+  /// In the order of their files and of their places in them, those without a place first; of one place in the order of
+  /// finding. Files stand in the order of `files`, before them those that are not among them, as they were first found.
+  void sort_by_place(std::span<const base::SourceFile* const> files = {});
 
   std::span<const Diagnostic> all() const { return all_; }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }

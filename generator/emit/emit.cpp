@@ -25,7 +25,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["version"] = core::version();
   texts["version_required"] = fmt::format("{}.{}", core::kVersionMajor, core::kVersionMinor);
   texts["tables_version"] = std::to_string(core::kTablesVersion);
-  texts["list"] = comment_text(tables.list);
+  texts["list"] = comment_text(plant.list_names());
   texts["plant"] = comment_text(tables.name);
   texts["namespace"] = namespace_of(tables.name);
   texts["open"] = "{";

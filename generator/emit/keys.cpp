@@ -15,7 +15,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"version", "*", false, "the tool's version"},
     {"version_required", "*", false, "the version of the package that the code needs, for find_package"},
     {"tables_version", "*", false, "the runtime's tables version that the code is made for"},
-    {"list", "*", false, "the symbol list's file name, for a comment"},
+    {"list", "*", false, "the symbol lists' file names, for a comment"},
     {"plant", "*", false, "the plant's name, for a comment"},
     {"namespace", "*", false, "the plant's name as an identifier"},
     {"open", "*", false, "an opening brace, where two in a row would be a tag"},

@@ -70,6 +70,8 @@ std::string kind_rows(const lower::EngineTables& tables) {
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   auto kinds = kind_names(tables);
+  std::vector<std::string> lists;
+  for (const model::PlantList& list : plant.lists) lists.push_back(list.name());
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& row = tables.symbols[i];
     rows.text("    {").number(row.index).text(", ");
@@ -80,7 +82,24 @@ std::string symbol_rows(const lower::EngineTables& tables, const model::PlantMod
     }
     rows.text(", ").number(row.number).text(", ").number(row.row).text(", ");
     rows.text(kinds[row.kind]).text("},  // ");
-    rows.comment(plant.symbols[i].name()).text(", ").comment(tables.list).text(":").number(row.row).text("\n");
+    rows.comment(plant.symbols[i].name())
+        .text(", ")
+        .comment(lists[plant.symbols[i].list])
+        .text(":")
+        .number(row.row)
+        .text("\n");
+  }
+  return rows.take();
+}
+
+std::string list_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (std::size_t i = 0; i < tables.lists.size(); ++i) {
+    const core::SymbolListRow& row = tables.lists[i];
+    rows.text("    {").numbers(row.first_symbol, row.controller).text("},  // ").comment(plant.lists[i].name());
+    const std::string& controller = plant.controllers[row.controller];
+    if (!controller.empty()) rows.text(" of ").comment(controller);
+    rows.text("\n");
   }
   return rows.take();
 }

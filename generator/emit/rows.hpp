@@ -16,6 +16,7 @@ std::string random_rows(const lower::EngineTables& tables, const model::PlantMod
 /// A constant for each kind of symbol that the plant has.
 std::string kind_rows(const lower::EngineTables& tables);
 std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string list_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string initial_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant);

@@ -95,6 +95,8 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   views.rows("symbols", "kSymbols", "core::SymbolRow",
              "A symbol: bit or slot, device, number of its address, line in the list, kind.",
              symbol_rows(tables, plant));
+  views.rows("lists", "kLists", "core::SymbolListRow", "A symbol list: its first symbol, its controller.",
+             list_rows(tables, plant));
   views.rows("initial_values", "kInitialValues", "core::InitialValue",
              "Starting values that no device sets: symbol, value.", initial_rows(tables, plant));
   views.rows("shared_addresses", "kSharedAddresses", "core::SharedAddress",
@@ -117,7 +119,9 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   views.texts("symbol_names", "kSymbolNames", "A symbol's name and address.", tables.symbol_names, 2);
   views.texts("requirement_names", "kRequirementNames", "The requirements' names.", tables.requirement_names, 1);
   views.texts("behaviour_names", "kBehaviourNames", "The names of your own classes.", tables.behaviour_names, 1);
-  views.value("list", string_literal(tables.list));
+  views.texts("list_names", "kListNames", "The symbol lists' files.", tables.list_names, 1);
+  views.texts("controller_names", "kControllerNames", "The controllers; the default one has no name.",
+              tables.controller_names, 1);
 }
 
 }  // namespace symplant::emit

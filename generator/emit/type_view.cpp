@@ -136,7 +136,7 @@ std::vector<std::string> add_side(View& view, const std::string& list, const std
     item.texts["enumerator"] = enumerators.back();
     item.texts["symbol"] = comment_text(symbol.name());
     item.texts["address"] = address.empty() ? "no address" : comment_text(address);
-    item.texts["cite"] = comment_text(fmt::format("{}:{}", plant.list_name(), symbol.row->line));
+    item.texts["cite"] = comment_text(fmt::format("{}:{}", plant.list_of(symbol).name(), symbol.row->line));
     items.push_back(std::move(item));
   }
   return enumerators;

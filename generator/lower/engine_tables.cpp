@@ -20,6 +20,7 @@ core::PlantTables EngineTables::tables() const {
       .times = times,
       .random_times = random_times,
       .symbols = symbols,
+      .lists = lists,
       .initial_values = initial_values,
       .shared_addresses = shared_addresses,
       .disables = disables,
@@ -42,7 +43,8 @@ core::PlantTables EngineTables::tables() const {
       .symbol_names = symbol_names,
       .requirement_names = requirement_names,
       .behaviour_names = behaviour_names,
-      .list = list,
+      .list_names = list_names,
+      .controller_names = controller_names,
   };
 }
 

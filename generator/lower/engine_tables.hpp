@@ -26,12 +26,12 @@ struct Type {
 /// Movable; `tables()` points into it.
 struct EngineTables {
   std::string name;
-  std::string list;
   std::vector<Type> types;
   std::vector<core::UnitRow> units;
   std::vector<core::TransitionTimes> times;
   std::vector<core::RandomTime> random_times;
   std::vector<core::SymbolRow> symbols;
+  std::vector<core::SymbolListRow> lists;
   std::vector<core::InitialValue> initial_values;
   std::vector<core::SharedAddress> shared_addresses;
   std::vector<core::DisableRow> disables;
@@ -54,6 +54,8 @@ struct EngineTables {
   std::string symbol_names;  ///< two texts a symbol: name, address
   std::string requirement_names;
   std::string behaviour_names;
+  std::string list_names;
+  std::string controller_names;
 
   std::vector<core::TypeRow> type_rows;  ///< of `types`, as the engine wants them; made by finish()
 

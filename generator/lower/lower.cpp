@@ -23,9 +23,9 @@ class Lowering {
 
   EngineTables run() {
     tables_.name = plant_.name;
-    tables_.list = plant_.list_name();
     lower_units();
     lower_symbols(plant_, symbol_bits_, operations_, events_, tables_);
+    lower_lists();
     lower_state_names();
     lower_disables();
     lower_conditions(plant_, tables_);
@@ -59,6 +59,16 @@ class Lowering {
       tables_.units.push_back(row);
       tables_.unit_names.append(unit.path).push_back('\0');
     }
+  }
+
+  void lower_lists() {
+    std::uint32_t first = 0;
+    for (std::uint32_t list = 0; list < plant_.lists.size(); ++list) {
+      while (first < plant_.symbols.size() && plant_.symbols[first].list < list) ++first;
+      tables_.lists.push_back({first, plant_.lists[list].controller});
+      tables_.list_names.append(plant_.lists[list].name()).push_back('\0');
+    }
+    for (const std::string& name : plant_.controllers) tables_.controller_names.append(name).push_back('\0');
   }
 
   void lower_state_names() {

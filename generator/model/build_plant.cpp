@@ -2,10 +2,9 @@
 #include "model/build_plant.hpp"
 
 #include <unordered_map>
-#include <variant>
 
 #include "base/ascii.hpp"
-#include "model/classify.hpp"
+#include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
@@ -16,47 +15,6 @@ namespace {
 
 template <class Value>
 using ByName = std::unordered_map<std::string_view, Value, base::HashIgnoringCase, base::EqualIgnoringCase>;
-
-/// Takes a row up as symbol, internal row or repeated name.
-class SymbolCollector {
- public:
-  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant) {
-    plant_.symbols.reserve(rows);
-    by_name_.reserve(rows);
-  }
-
-  void add(const read::ListRow& row, const name::NameReading& reading) {
-    const auto [first, added] = by_name_.try_emplace(row.name, &row);
-    if (!added) {
-      plant_.duplicates.push_back({first->second, &row, same(*first->second, row)});
-      return;
-    }
-    const RowAddress address = row_address(row, plant_.radix.radix);
-    auto result = classify(row, reading, address);
-    const auto* reason = std::get_if<InternalReason>(&result);
-    // What is internal for another reason may stand where it likes.
-    if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
-      plant_.bad_addresses.push_back({&row, address.bad_cell});
-    }
-    if (reason != nullptr && *reason == InternalReason::type && address.address) {
-      plant_.typeless_io.push_back({&row, address.cell});
-    }
-    if (reason != nullptr) {
-      ++plant_.internal[static_cast<std::size_t>(*reason)];
-    } else {
-      plant_.symbols.push_back(std::get<Symbol>(result));
-    }
-  }
-
- private:
-  bool same(const read::ListRow& a, const read::ListRow& b) const {
-    return base::equal_ignoring_case(a.type, b.type) &&
-           row_address(a, plant_.radix.radix).address == row_address(b, plant_.radix.radix).address;
-  }
-
-  PlantModel& plant_;
-  ByName<const read::ListRow*> by_name_;
-};
 
 /// Puts every BOOL symbol with a name by the rule into its device's unit.
 void gather_units(PlantModel& plant) {
@@ -186,17 +144,12 @@ void derive_units(PlantModel& plant, Faults& faults) {
 
 }  // namespace
 
-PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name::NamedTable& named,
-                       const BuildOptions& options) {
+PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& options) {
   PlantModel plant;
   plant.name = options.plant_name;
   plant.description = options.description != nullptr ? options.description : std::make_shared<const Description>();
-  plant.list = std::move(list);
-  plant.rule = named.rule;
-  plant.radix = choose_radix(*plant.list, options.radix);
-
-  SymbolCollector collector(plant, plant.list->rows.size());
-  for (std::size_t i = 0; i < plant.list->rows.size(); ++i) collector.add(plant.list->rows[i], named.readings[i]);
+  plant.rule = lists.front().named.rule;
+  collect_symbols(plant, lists);
   gather_units(plant);
   Faults faults(plant.description_faults);
   describe_units(plant, faults);

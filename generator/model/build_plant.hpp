@@ -4,22 +4,30 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/plant_model.hpp"
 #include "name/named_table.hpp"
 
 namespace symplant::model {
 
+/// One symbol list, read and its names read.
+struct ListInput {
+  std::shared_ptr<const read::SymbolTable> table;
+  name::NamedTable named;              ///< of `*table`
+  std::string controller{};            ///< whose addresses these are; empty: the default one
+  std::optional<address::Radix> xy{};  ///< nothing: proved by rows, else hexadecimal
+};
+
 struct BuildOptions {
   std::string plant_name;
-  std::optional<address::Radix> radix;                       ///< --xy; nothing: proved by rows, else hexadecimal
   std::shared_ptr<const Description> description = nullptr;  ///< null: nothing is said beyond the symbols' names
 };
 
-/// Derives the whole model. Finds no fault with the list, but records what the checks will want to know; faults of the
-/// description are in PlantModel::description_faults. `named.table` must be what `list` points to. O(rows), and
+/// Derives the whole model from the plant's lists, of which there must be one at least and which one rule has named.
+/// Names of controllers compare without regard to the case of ASCII letters. Finds no fault with the lists, but records
+/// what the checks will want to know; faults of the description are in PlantModel::description_faults. O(rows), and
 /// O(states squared) within one unit; of a description O(its entries), a `*` counting as one a state.
-PlantModel build_plant(std::shared_ptr<const read::SymbolTable> list, const name::NamedTable& named,
-                       const BuildOptions& options);
+PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& options);
 
 }  // namespace symplant::model

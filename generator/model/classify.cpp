@@ -80,6 +80,31 @@ std::optional<std::uint64_t> number_of_real(std::string_view text) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
+/// Rows that prove one way to count.
+struct RadixProof {
+  std::size_t count = 0;
+  const read::ListRow* proof = nullptr;  ///< the first of them
+};
+
+struct RadixVotes {
+  RadixProof hexadecimal;
+  RadixProof octal;
+
+  void take(const read::ListRow& row, RadixChoice& choice) {
+    const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
+    if (first != 'X' && first != 'Y') return;
+    const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
+    const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
+    if (!as_hexadecimal || as_hexadecimal == as_octal) return;  // below 8 both are one
+    const auto iec = address::parse_iec(row.iec_address);
+    if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
+    if (!iec || (iec != as_hexadecimal && iec != as_octal)) return;
+    RadixProof& vote = iec == as_hexadecimal ? hexadecimal : octal;
+    ++vote.count;
+    if (vote.proof == nullptr) vote.proof = &row;
+  }
+};
+
 }  // namespace
 
 std::optional<DataType> data_type(std::string_view text) {
@@ -175,32 +200,17 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   return symbol;
 }
 
-RadixChoice choose_radix(const read::SymbolTable& table, std::optional<address::Radix> forced) {
-  using address::Radix;
+RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced) {
   RadixChoice choice;
-  std::array<std::size_t, 2> votes{};
-  std::array<const read::ListRow*, 2> proofs{};
-  for (const read::ListRow& row : table.rows) {
-    const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
-    if (first != 'X' && first != 'Y') continue;
-    const auto hexadecimal = address::parse_melsec(row.vendor_address, Radix::hexadecimal);
-    const auto octal = address::parse_melsec(row.vendor_address, Radix::octal);
-    if (!hexadecimal || hexadecimal == octal) continue;  // below 8 both are one
-    const auto iec = address::parse_iec(row.iec_address);
-    if (!iec) {
-      if (choice.matters_in == nullptr) choice.matters_in = &row;
-      continue;
-    }
-    const std::size_t vote = iec == hexadecimal ? 1 : iec == octal ? 0 : 2;
-    if (vote == 2) continue;
-    ++votes[vote];
-    if (proofs[vote] == nullptr) proofs[vote] = &row;
+  RadixVotes votes;
+  for (const read::SymbolTable* table : tables) {
+    for (const read::ListRow& row : table->rows) votes.take(row, choice);
   }
-  if (votes[0] != votes[1]) {
-    const std::size_t won = votes[1] > votes[0] ? 1 : 0;
-    choice.radix = won == 1 ? Radix::hexadecimal : Radix::octal;
+  if (votes.octal.count != votes.hexadecimal.count) {
+    const bool octal = votes.octal.count > votes.hexadecimal.count;
+    choice.radix = octal ? address::Radix::octal : address::Radix::hexadecimal;
     choice.by = RadixChoice::By::rows;
-    choice.proof = proofs[won];
+    choice.proof = octal ? votes.octal.proof : votes.hexadecimal.proof;
   } else if (forced) {
     choice.radix = *forced;
     choice.by = RadixChoice::By::option;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <variant>
 
@@ -31,7 +32,8 @@ RowAddress row_address(const read::ListRow& row, address::Radix radix);
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
                                               const RowAddress& address);
 
-/// How the rows count X and Y: what rows with both address columns prove, else `forced`, else hexadecimal.
-RadixChoice choose_radix(const read::SymbolTable& table, std::optional<address::Radix> forced);
+/// How the rows of a controller's lists count X and Y: what rows with both address columns prove, else `forced`, else
+/// hexadecimal.
+RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced);
 
 }  // namespace symplant::model

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/links.hpp"
 #include "symplant/core/tables.hpp"
 #include "symplant/core/time.hpp"
 
@@ -83,6 +84,7 @@ struct Description {
   Defaults defaults;
   std::vector<DeviceDescription> devices;
   std::vector<GivenRequirement> requirements;
+  std::vector<LinkDescription> links;
 };
 
 /// What is wrong with a description: where, as a JSON pointer into plant.json ("/devices/L_P_D/transitions/2/from"),

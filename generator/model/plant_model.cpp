@@ -2,6 +2,7 @@
 #include "model/plant_model.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace symplant::model {
 
@@ -54,9 +55,30 @@ bool Unit::moves_event(std::uint32_t event) const {
   return false;
 }
 
-std::string PlantModel::list_name() const {
-  const std::string& path = list->source->path();
+std::string PlantList::name() const {
+  const std::string& path = table->source->path();
   return path.substr(path.find_last_of("/\\") + 1);
+}
+
+std::uint32_t PlantModel::list_of(const read::ListRow& row) const {
+  const std::less<> before;  // a total order, also of pointers into different lists
+  for (std::uint32_t list = 0; list < lists.size(); ++list) {
+    const std::vector<read::ListRow>& rows = lists[list].table->rows;
+    if (!before(&row, rows.data()) && before(&row, rows.data() + rows.size())) return list;
+  }
+  return 0;
+}
+
+std::string PlantModel::list_names() const {
+  std::string names;
+  for (const PlantList& list : lists) names.append(names.empty() ? "" : ", ").append(list.name());
+  return names;
+}
+
+std::vector<const base::SourceFile*> PlantModel::sources() const {
+  std::vector<const base::SourceFile*> sources;
+  for (const PlantList& list : lists) sources.push_back(list.table->source.get());
+  return sources;
 }
 
 }  // namespace symplant::model

@@ -43,7 +43,7 @@ enum class Unmodelled : std::uint8_t {
   unit_too_large,  ///< its unit has more symbols or states than a unit may have
 };
 
-/// One I/O symbol. Views point into the list.
+/// One I/O symbol. Views point into its list.
 struct Symbol {
   const read::ListRow* row = nullptr;
   name::NameReading reading;
@@ -53,6 +53,7 @@ struct Symbol {
   std::string_view address_cell;  ///< the cell that it was read from; empty without one
   bool initial_known = true;      ///< false: its Initial could not be read
   std::uint64_t initial = 0;      ///< as core::InitialValue has it; 0 where the list says nothing
+  std::uint32_t list = 0;         ///< whose row it is: a place in PlantModel::lists
   Unmodelled unmodelled = Unmodelled::modelled;
   std::uint32_t unit = kNone;
   std::uint32_t leader = kNone;  ///< the symbol whose value it follows, on one address; kNone where it leads itself
@@ -168,6 +169,16 @@ struct RadixChoice {
   const read::ListRow* matters_in = nullptr;  ///< the first row in which it makes a difference; null where in none
 };
 
+/// One symbol list of the plant.
+struct PlantList {
+  std::shared_ptr<const read::SymbolTable> table;  ///< rows that the model points to
+  std::uint32_t controller = 0;                    ///< a place in PlantModel::controllers
+  RadixChoice radix;                               ///< what counts: one for all lists of a controller
+  RadixChoice own;                                 ///< what its own rows and its own option say
+
+  std::string name() const;  ///< the file's name without its folders
+};
+
 /// A row with an address of the PLC's inputs or outputs whose type is none of an I/O symbol's.
 struct TypelessIo {
   const read::ListRow* row;
@@ -183,14 +194,14 @@ struct BadAddress {
 struct PlantModel {
   std::string name;
   std::shared_ptr<const Description> description;  ///< never null
-  std::shared_ptr<const read::SymbolTable> list;   ///< rows that the model points to
+  std::vector<PlantList> lists;                    ///< in the description's order; at least one
+  std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;
-  std::vector<Symbol> symbols;  ///< I/O symbols, in list order
+  std::vector<Symbol> symbols;  ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<DescriptionFault> description_faults;  ///< while there is one, nothing is to be made of the plant
   std::array<std::size_t, kInternalReasons> internal{};
-  RadixChoice radix;
   std::vector<Duplicate> duplicates;
   std::vector<TooLarge> too_large;
   std::vector<BadAddress> bad_addresses;
@@ -198,7 +209,13 @@ struct PlantModel {
   /// Pairs of events that different moving units put on one address: second, first; by the second.
   std::vector<std::array<std::uint32_t, 2>> moved_twice;
 
-  std::string list_name() const;  ///< the list's file name without its folders
+  const PlantList& list_of(const Symbol& symbol) const { return lists[symbol.list]; }
+  /// The list that a row stands in, a place in `lists`. O(lists): for messages.
+  std::uint32_t list_of(const read::ListRow& row) const;
+  std::uint32_t controller_of(const Symbol& symbol) const { return lists[symbol.list].controller; }
+  std::string list_names() const;  ///< of all lists, with commas between
+  /// The files of the lists, in their order.
+  std::vector<const base::SourceFile*> sources() const;
 };
 
 }  // namespace symplant::model

@@ -9,9 +9,19 @@
 namespace symplant::model {
 namespace {
 
-struct HashAddress {
-  std::size_t operator()(const address::Address& a) const {
-    const std::uint64_t kind = static_cast<std::uint64_t>(a.area) << 8 | static_cast<std::uint64_t>(a.size);
+/// Addresses are unique within a controller.
+struct Place {
+  std::uint32_t controller;
+  address::Address address;
+
+  bool operator==(const Place&) const = default;
+};
+
+struct HashPlace {
+  std::size_t operator()(const Place& place) const {
+    const address::Address& a = place.address;
+    const std::uint64_t kind = static_cast<std::uint64_t>(place.controller) << 16 |
+                               static_cast<std::uint64_t>(a.area) << 8 | static_cast<std::uint64_t>(a.size);
     return static_cast<std::size_t>((a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind);
   }
 };
@@ -32,13 +42,13 @@ bool moved(const PlantModel& plant, std::uint32_t index) {
 }  // namespace
 
 void find_shared_addresses(PlantModel& plant) {
-  std::unordered_map<address::Address, std::uint32_t, HashAddress> leaders;
+  std::unordered_map<Place, std::uint32_t, HashPlace> leaders;
   leaders.reserve(plant.symbols.size());
   bool any = false;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     if (!has_place(symbol)) continue;
-    const auto [found, added] = leaders.try_emplace(*symbol.address, i);
+    const auto [found, added] = leaders.try_emplace({plant.controller_of(symbol), *symbol.address}, i);
     if (added) continue;
     any = true;
     if (!moved(plant, i)) continue;
@@ -52,7 +62,7 @@ void find_shared_addresses(PlantModel& plant) {
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
     if (!has_place(symbol)) continue;
-    const std::uint32_t leader = leaders.find(*symbol.address)->second;
+    const std::uint32_t leader = leaders.find({plant.controller_of(symbol), *symbol.address})->second;
     if (leader != i) symbol.leader = leader;
   }
 }

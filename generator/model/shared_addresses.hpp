@@ -5,8 +5,8 @@
 
 namespace symplant::model {
 
-/// Finds them and says which one leads the others: of events the one that a unit moves, else the first. Two events that
-/// different units move are recorded in `moved_twice`. O(symbols).
+/// Finds them, controller by controller, and says which one leads the others: of events the one that a unit moves, else
+/// the first. Two events that different units move are recorded in `moved_twice`. O(symbols).
 void find_shared_addresses(PlantModel& plant);
 
 }  // namespace symplant::model

@@ -135,6 +135,21 @@ void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
 
 void add(Fnv1a64& hash, std::uint32_t value) noexcept { hash.u32(value); }
 
+/// Which symbols are whose: a row each time that the controller changes. How a controller's symbols are spread over
+/// lists does not count.
+void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
+  std::uint32_t before = 0;
+  for (std::size_t i = 0; i < tables.lists.size(); ++i) {
+    const SymbolListRow& list = tables.lists[i];
+    const std::size_t end = i + 1 < tables.lists.size() ? tables.lists[i + 1].first_symbol : tables.symbols.size();
+    if (list.controller == before || list.first_symbol >= end) continue;
+    hash.u32(list.first_symbol);
+    hash.u32(list.controller);
+    before = list.controller;
+  }
+  hash.u32(kNoUnit);  // which is no symbol
+}
+
 /// A table's size goes before its rows, so that no row can pass for one of the next table.
 template <class Row>
 void add_rows(Fnv1a64& hash, std::span<const Row> rows) noexcept {
@@ -152,6 +167,7 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
   add_rows(hash, tables.times);
   add_rows(hash, tables.random_times);
   add_rows(hash, tables.symbols);
+  add_controllers(hash, tables);
   add_rows(hash, tables.initial_values);
   add_rows(hash, tables.shared_addresses);
   add_rows(hash, tables.disables);
@@ -170,7 +186,7 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
     hash.u32(size);
   }
   for (const std::string_view text : {tables.name, tables.unit_names, tables.state_names, tables.symbol_names,
-                                      tables.requirement_names, tables.behaviour_names}) {
+                                      tables.requirement_names, tables.behaviour_names, tables.controller_names}) {
     hash.u64(text.size());
     hash.text(text);
   }

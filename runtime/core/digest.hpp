@@ -28,7 +28,8 @@ class Fnv1a64 {
 };
 
 /// What a plant is, as one number: the same for equal tables wherever they were made, another as soon as any row or
-/// name differs. Lines in the symbol list and the list's file name do not count; the plant's name does. O(tables).
+/// name differs. Lines in the symbol lists, the lists' file names and how a controller's
+/// symbols are spread over lists do not count; the plant's name and its controllers do. O(tables).
 std::uint64_t model_hash(const PlantTables& tables) noexcept;
 
 }  // namespace symplant::core

@@ -213,7 +213,7 @@ constexpr SymbolKind symbol_kind(DataType type, Direction direction, AddressForm
                                  static_cast<std::uint32_t>(form) << 16 | (moved ? 1U : 0U) << 24);
 }
 
-/// One I/O symbol, modelled or not. Rows stand in the order of the symbol list.
+/// One I/O symbol, modelled or not. Rows stand in the order of the lists, and in that of each list.
 struct SymbolRow {
   std::uint32_t index;   ///< BOOL: its bit in its direction's bit plane; else its slot in that direction's value plane
   std::uint32_t unit;    ///< the unit that it is an operation or event of, or kNoUnit
@@ -229,6 +229,12 @@ struct SymbolRow {
 
  private:
   constexpr std::uint32_t part(int shift) const noexcept { return (static_cast<std::uint32_t>(kind) >> shift) & 0xFF; }
+};
+
+/// One symbol list: its symbols are those from the first up to that of the next list. A list may have none.
+struct SymbolListRow {
+  std::uint32_t first_symbol;
+  std::uint32_t controller;  ///< whose addresses they have: its place in PlantTables::controller_names
 };
 
 /// A starting value other than off or zero, of a bit or slot that no unit sets at the start.
@@ -252,6 +258,7 @@ struct PlantTables {
   std::span<const TransitionTimes> times;
   std::span<const RandomTime> random_times;
   std::span<const SymbolRow> symbols;
+  std::span<const SymbolListRow> lists;  ///< sorted by first symbol; the first begins at 0
   std::span<const InitialValue> initial_values;
   std::span<const SharedAddress> shared_addresses;
   std::span<const DisableRow> disables;  ///< sorted by `by`, `state`, `unit`; none twice
@@ -274,7 +281,8 @@ struct PlantTables {
   std::string_view symbol_names;       ///< a symbol: its name, then its address as the list writes it (may be empty)
   std::string_view requirement_names;  ///< a requirement: its name
   std::string_view behaviour_names;    ///< a behaviour: the name of its class
-  std::string_view list;               ///< the symbol list's file name, for messages
+  std::string_view list_names;         ///< a symbol list: its file name, for messages
+  std::string_view controller_names;   ///< a controller: its name, which is empty for the default one
 };
 
 }  // namespace symplant::core

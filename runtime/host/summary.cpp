@@ -16,6 +16,14 @@ constexpr std::size_t kNamesShown = 8;
 
 }  // namespace
 
+std::string lists_text(const core::PlantTables& tables) {
+  const auto names = core::split_names(tables.list_names);
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kNamesShown; ++i) text.append(i == 0 ? "" : ", ").append(names[i]);
+  if (names.size() > kNamesShown) text += fmt::format(" and {} more", names.size() - kNamesShown);
+  return text;
+}
+
 std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more) {
   const auto names = core::split_names(tables.symbol_names);
   std::size_t operations = 0;
@@ -37,7 +45,7 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   }
 
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),
-                                 plural(tables.symbols.size(), "I/O symbol"), shown(tables.list),
+                                 plural(tables.symbols.size(), "I/O symbol"), shown(lists_text(tables)),
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
   for (const std::string& line : more) text += line + "\n";
   text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),

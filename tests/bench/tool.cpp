@@ -34,8 +34,9 @@ void read_parse_derive_lower(benchmark::State& state) {
     diag::Diagnostics diagnostics;
     const auto list = std::make_shared<const read::SymbolTable>(
         std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
-    const auto named = name::read_names(*list, name::built_in_rule());
-    const auto plant = model::build_plant(list, named, {"list", {}});
+    std::vector<model::ListInput> lists;
+    lists.push_back({list, name::read_names(*list, name::built_in_rule())});
+    const auto plant = model::build_plant(lists, {"list"});
     benchmark::DoNotOptimize(lower::lower(plant));
   }
   state.counters["ns_a_row"] =

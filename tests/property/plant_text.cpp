@@ -42,11 +42,10 @@ bool serves_behaviour(const model::Unit& unit) {
 
 model::PlantModel build(const PlantText& text) {
   const auto table = table_of(text);
-  const name::NamedTable named = name::read_names(*table, name::built_in_rule());
   model::BuildOptions options;
   options.plant_name = text.name;
   options.description = std::make_shared<const model::Description>(text.description);
-  return model::build_plant(table, named, options);
+  return model::build_plant({{table, name::read_names(*table, name::built_in_rule())}}, options);
 }
 
 bool runnable(const model::PlantModel& plant) {

@@ -96,19 +96,35 @@ inline Analysed analyse_rows(const std::vector<Row>& rows, std::optional<address
   return analyse_text(list_text(rows), xy);
 }
 
-/// Reads and names rows, builds their plant with a description, checks it: analyse() with what plant.json would say.
-inline Analysed analyse_described(const std::vector<Row>& rows, model::Description description) {
+/// A list of a plant with several.
+struct GivenList {
+  std::string file;
+  std::string text;
+  std::string controller = {};
+  std::optional<address::Radix> xy = {};
+};
+
+/// Reads lists and their names, builds their plant with a description, checks it: analyse() with what plant.json would
+/// say.
+inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Description description = {}) {
   MemoryFileSystem files;
-  files.files["symbols.csv"] = list_text(rows);
   Analysed result;
-  auto table = read::read_symbol_list("symbols.csv", {}, files, result.diagnostics);
-  const auto list = std::make_shared<const read::SymbolTable>(std::move(table.value()));
-  const name::NamedTable named = name::read_names(*list, name::built_in_rule());
-  result.plant = model::build_plant(
-      list, named, {"symbols", {}, std::make_shared<const model::Description>(std::move(description))});
+  std::vector<model::ListInput> lists;
+  for (const GivenList& list : given) {
+    files.files[list.file] = list.text;
+    auto read = read::read_symbol_list(list.file, {}, files, result.diagnostics);
+    const auto table = std::make_shared<const read::SymbolTable>(std::move(read.value()));
+    lists.push_back({table, name::read_names(*table, name::built_in_rule()), list.controller, list.xy});
+  }
+  result.plant =
+      model::build_plant(lists, {"symbols", std::make_shared<const model::Description>(std::move(description))});
   check::check_plant(*result.plant, result.diagnostics);
-  result.diagnostics.sort_by_place();
+  result.diagnostics.sort_by_place(result.plant->sources());
   return result;
+}
+
+inline Analysed analyse_described(const std::vector<Row>& rows, model::Description description) {
+  return analyse_lists({{"symbols.csv", list_text(rows)}}, std::move(description));
 }
 
 struct CompiledText {
@@ -131,15 +147,23 @@ inline CompiledText compile_text(const std::string& text, const std::string& nam
 
 inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_text(list_text(rows)); }
 
-/// compile() with a description; nothing where it, or the list, has a fault.
-inline CompiledText compile_described(const std::vector<Row>& rows, model::Description description) {
-  Analysed analysed = analyse_described(rows, std::move(description));
+/// The tables of a plant without errors; nothing of another.
+inline CompiledText lower_analysed(Analysed analysed) {
   CompiledText result;
   result.diagnostics = std::move(analysed.diagnostics);
   if (result.diagnostics.has_errors() || !analysed.plant->description_faults.empty()) return result;
   lower::EngineTables tables = lower::lower(*analysed.plant);
   result.compiled = app::Compiled{std::move(*analysed.plant), std::move(tables)};
   return result;
+}
+
+/// compile() with a description; nothing where it, or the list, has a fault.
+inline CompiledText compile_described(const std::vector<Row>& rows, model::Description description) {
+  return lower_analysed(analyse_described(rows, std::move(description)));
+}
+
+inline CompiledText compile_lists(const std::vector<GivenList>& given, model::Description description = {}) {
+  return lower_analysed(analyse_lists(given, std::move(description)));
 }
 
 }  // namespace symplant::test

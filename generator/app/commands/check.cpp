@@ -39,8 +39,9 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
     return symbol.reading.fault == name::NameFault::none;
   });
   const std::size_t internal = std::accumulate(plant.internal.begin(), plant.internal.end(), std::size_t{0});
-  return fmt::format("{}: {} of {} I/O names follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
-                     plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
+  const std::string lists = plant.lists.size() == 1 ? "" : fmt::format(" of {} lists", plant.lists.size());
+  return fmt::format("{}: {} of {} I/O names{} follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
+                     lists, plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
                      internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
                      count_text(diagnostics));
 }

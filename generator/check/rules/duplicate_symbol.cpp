@@ -7,7 +7,7 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kPage =
-    R"(Two rows of the list declare one name, with the same address and type. Names are compared without regard to the case of
+    R"(Two rows of the plant's lists declare one name, with the same address and type. Names are compared without regard to the case of
 ASCII letters, as PLC tools do.
 
 **What the model loses.** Nothing: the first row counts, the second is left out.

@@ -12,17 +12,22 @@ MELSEC and an IEC address that would prove it, and numbers occur for which it ma
 
 **What the model loses.** Nothing within the plant. On a link, `X0010` is place 16 in hexadecimal and place 8 in octal.
 
-**How to mend it.** Say `--xy hex` or `--xy octal`, or export the IEC addresses as well.
+**How to mend it.** Say `--xy hex` or `--xy octal` (in plant.json `"xy"` beside the list's file), or export the IEC addresses
+as well.
 )";
 
 void check_radix_assumed(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  if (plant.radix.by != model::RadixChoice::By::nothing || plant.radix.matters_in == nullptr) return;
-  const read::ListRow& row = *plant.radix.matters_in;
-  diagnostics.add(rule.info,
-                  fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
-                              "`--xy octal`",
-                              row.vendor_address),
-                  place_of(plant, row, row.vendor_address));
+  for (std::uint32_t list = 0; list < plant.lists.size(); ++list) {
+    const model::RadixChoice& radix = plant.lists[list].radix;
+    if (radix.by != model::RadixChoice::By::nothing || radix.matters_in == nullptr) continue;
+    const read::ListRow& row = *radix.matters_in;
+    if (plant.list_of(row) != list) continue;  // told once for all lists of a controller
+    diagnostics.add(rule.info,
+                    fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
+                                "`--xy octal`",
+                                row.vendor_address),
+                    place_of(plant, row, row.vendor_address));
+  }
 }
 
 }  // namespace

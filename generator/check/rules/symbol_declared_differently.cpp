@@ -7,8 +7,9 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kPage =
-    R"(Two rows of the list declare one name, but their addresses or types differ. Names are compared without regard to the case
-of ASCII letters, as PLC tools do.
+    R"(Two rows of the plant's lists declare one name, but their addresses or types differ, or they stand in lists of different
+controllers. Names are unique across a plant, addresses within a controller. Names are compared without regard to the case of
+ASCII letters, as PLC tools do.
 
 **What the model loses.** It cannot be built: whichever row counted, the PLC program may mean the other.
 
@@ -19,11 +20,13 @@ void check_symbol_declared_differently(const Rule& rule, const model::PlantModel
                                        diag::Diagnostics& diagnostics) {
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (duplicate.same) continue;
+    const auto controller = [&](const read::ListRow& row) { return plant.lists[plant.list_of(row)].controller; };
+    const bool other = controller(*duplicate.first) != controller(*duplicate.second);
     diagnostics.add(
         rule.info,
-        fmt::format("`{}` is declared again with another address or type: rename it, or delete the row that is "
-                    "wrong",
-                    duplicate.second->name),
+        fmt::format(
+            "`{}` is declared again {}: rename it, or delete the row that is wrong", duplicate.second->name,
+            other ? "for another controller, and names are unique across a plant" : "with another address or type"),
         place_of(plant, *duplicate.second, duplicate.second->name),
         {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
   }

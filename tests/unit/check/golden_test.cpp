@@ -24,8 +24,12 @@ std::set<std::string> cases() {
 }
 
 Analysed analyse_case(const std::string& name) {
-  MemoryFileSystem files;
+  const std::string second = kFolder + name + "/second.csv";
   const std::string list = kFolder + name + "/symbols.csv";
+  if (std::filesystem::exists(second)) {
+    return analyse_lists({{"symbols.csv", read_bytes(list)}, {"second.csv", read_bytes(second)}});
+  }
+  MemoryFileSystem files;
   if (std::filesystem::exists(list)) files.files["symbols.csv"] = read_bytes(list);
   app::CompileOptions options{"symbols.csv", {}, {}};
   if (name == "unknown-input-format") options.read.input_format = "tape";

@@ -48,7 +48,9 @@ struct Sample {
   std::string symbol_names{"S\0Y3\0", 5};
   std::string requirement_names{"R\0", 2};
   std::string behaviour_names{"B\0", 2};
-  std::string list = "list.csv";
+  std::string list_names{"list.csv\0", 9};
+  std::string controller_names{"PLC1\0PLC2\0", 10};
+  std::vector<core::SymbolListRow> lists{{0, 0}};
   std::uint32_t operation_bits = 64;
   std::uint32_t event_bits = 64;
   std::uint32_t operation_slots = 0;
@@ -85,7 +87,9 @@ struct Sample {
     tables.symbol_names = symbol_names;
     tables.requirement_names = requirement_names;
     tables.behaviour_names = behaviour_names;
-    tables.list = list;
+    tables.list_names = list_names;
+    tables.controller_names = controller_names;
+    tables.lists = lists;
     return core::model_hash(tables);
   }
 };
@@ -209,10 +213,32 @@ TEST_CASE("every field of every row counts for the hash") {
   }
 }
 
+TEST_CASE("whose addresses symbols have counts, and how their lists are cut does not") {
+  Sample two;
+  two.symbols.push_back(two.symbols[0]);
+  two.symbols.push_back(two.symbols[0]);
+  const std::uint64_t one_controller = two.hash();
+  two.lists = {{0, 0}, {1, 0}, {3, 0}};
+  CHECK(two.hash() == one_controller);
+  two.lists = {{0, 0}, {1, 1}};
+  const std::uint64_t second = two.hash();
+  CHECK(second != one_controller);
+  two.lists = {{0, 0}, {0, 1}, {0, 0}, {1, 1}, {2, 1}};
+  CHECK(two.hash() == second);
+  two.lists = {{0, 0}, {1, 1}, {2, 0}};
+  CHECK(two.hash() != second);
+  two.lists = {{0, 0}, {2, 1}};
+  CHECK(two.hash() != second);
+  Sample named;
+  const std::uint64_t before = named.hash();
+  named.controller_names = {"PLC1\0PLC3\0", 10};
+  CHECK(named.hash() != before);
+}
+
 TEST_CASE("where the list lies and in which line a symbol stands do not count") {
   Sample sample;
   const std::uint64_t before = sample.hash();
-  sample.list = "other.csv";
+  sample.list_names = {"other.csv\0", 10};
   sample.symbols[0].row = 99;
   CHECK(sample.hash() == before);
 }

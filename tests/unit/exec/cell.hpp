@@ -83,7 +83,7 @@ inline core::PlantTables cell_tables() {
       "EXLINE_MB_AGV_O_P2\0Y0001\0EXLINE_MB_AGV_O_P1\0Y0002\0"
       "EXLINE_MB_MC_I_IDLE1\0X0003\0EXLINE_MB_MC_I_RUN2\0X0004\0"
       "EXLINE_MB_MC_O_IDLE1\0Y0003\0EXLINE_MB_MC_O_RUN2\0Y0004");
-  tables.list = "cell.csv";
+  tables.list_names = {"cell.csv", 9};
   return tables;
 }
 

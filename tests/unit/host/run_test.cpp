@@ -29,7 +29,7 @@ struct Clockwork {
     all.types = types;
     all.units = units;
     all.times = times;
-    all.list = "none";
+    all.list_names = {"none", 5};
     return all;
   }
 };
@@ -64,7 +64,7 @@ TEST_CASE("virtual time ends where it was asked to") {
 
 TEST_CASE("virtual time ends when nothing more is due") {
   core::PlantTables empty = bare_tables("empty", 0, 0);
-  empty.list = "none";
+  empty.list_names = {"none", 5};
   CHECK(contains(run(empty, {}).out, "nothing more is due"));
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("the summary says what can move and names what nobody moves") {
   core::PlantTables tables = bare_tables("cell", 64, 64, 0, symbols);
   tables.units = units;
   tables.symbol_names = names;
-  tables.list = "cell.csv";
+  tables.list_names = {"cell.csv", 9};
   const std::string text = host::summary(tables, 0x1234, {"a further line"});
   CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
   CHECK(contains(text, "a further line\n"));

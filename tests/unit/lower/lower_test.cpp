@@ -4,6 +4,7 @@
 #include <set>
 
 #include "symplant/core/digest.hpp"
+#include "symplant/core/lists.hpp"
 #include "symplant/core/names.hpp"
 #include "unit/lower/altered_model.hpp"
 
@@ -194,6 +195,44 @@ TEST_CASE("Lowering twice gives one model_hash, and the place in the list does n
   std::string with_gap = list;
   with_gap.insert(with_gap.find('\n') + 1, "\n\n");
   CHECK(hash(with_gap, "a.csv") == hash(list, "a.csv"));
+}
+
+TEST_CASE("Every symbol finds its list and its controller") {
+  const CompiledText text = compile_lists({{"a.csv", list_text(bits({"L_P_D_O_A", "L_P_D_I_A"})), "PLC1"},
+                                           {"none.csv", list_text({{"M1", "M1"}}), "PLC2"},
+                                           {"b.csv", list_text(bits({"L_P_E_O_A"})), "PLC3"},
+                                           {"c.csv", list_text(bits({"L_P_F_I_A", "L_P_F_O_A"})), "plc1"}});
+  REQUIRE(text.compiled);
+  const core::PlantTables tables = text.tables().tables();
+  std::vector<std::uint32_t> lists;
+  std::vector<std::uint32_t> controllers;
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    lists.push_back(core::list_of(tables, i));
+    controllers.push_back(core::controller_of(tables, i));
+  }
+  CHECK(lists == std::vector<std::uint32_t>{0, 0, 2, 3, 3});
+  CHECK(controllers == std::vector<std::uint32_t>{0, 0, 2, 0, 0});
+  CHECK(core::split_names(tables.list_names) == std::vector<std::string_view>{"a.csv", "none.csv", "b.csv", "c.csv"});
+  CHECK(core::split_names(tables.controller_names) == std::vector<std::string_view>{"PLC1", "PLC2", "PLC3"});
+}
+
+TEST_CASE("Symbols of two controllers on one address are not kept equal") {
+  const std::vector<Row> first{{"L_P_D_O_A", "Y1"}};
+  const std::vector<Row> second{{"L_P_E_O_A", "Y1"}};
+  const auto shared = [&](const std::string& controller) {
+    const CompiledText text =
+        compile_lists({{"a.csv", list_text(first), "PLC1"}, {"b.csv", list_text(second), controller}});
+    return text.tables().shared_addresses.size();
+  };
+  CHECK(shared("PLC1") == 1);
+  CHECK(shared("PLC2") == 0);
+}
+
+TEST_CASE("A list of the default controller alone is one row and one empty name") {
+  const CompiledText text = compile_bits({"L_P_D_O_A"});
+  CHECK(text.tables().lists.size() == 1);
+  CHECK(text.tables().controller_names == std::string(1, '\0'));
+  CHECK(text.tables().list_names == std::string("symbols.csv\0", 12));
 }
 
 }  // namespace

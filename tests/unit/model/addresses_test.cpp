@@ -34,10 +34,10 @@ TEST_CASE("A cell that is no address is told once, and the name gives the direct
 
 TEST_CASE("Rows with both addresses prove that X and Y count in hexadecimal or in octal") {
   const Analysed hex = analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX16"}});
-  CHECK(hex.model().radix.radix == Radix::hexadecimal);
-  CHECK(hex.model().radix.by == RadixChoice::By::rows);
+  CHECK(hex.model().lists.front().radix.radix == Radix::hexadecimal);
+  CHECK(hex.model().lists.front().radix.by == RadixChoice::By::rows);
   const Analysed octal = analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_E_I_A", "X0020"}});
-  CHECK(octal.model().radix.radix == Radix::octal);
+  CHECK(octal.model().lists.front().radix.radix == Radix::octal);
   CHECK(symbol_of(octal, "L_P_E_I_A").address->number == 16);
   CHECK(octal.count("radix-assumed") == 0);
 }
@@ -45,20 +45,20 @@ TEST_CASE("Rows with both addresses prove that X and Y count in hexadecimal or i
 TEST_CASE("What rows prove stands over the option") {
   const Analysed list =
       analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_E_I_A", "X0020"}}, Radix::hexadecimal);
-  CHECK(list.model().radix.radix == Radix::octal);
+  CHECK(list.model().lists.front().radix.radix == Radix::octal);
   CHECK(symbol_of(list, "L_P_E_I_A").address->number == 16);
 }
 
 TEST_CASE("Where no row proves it, the option counts, without a note") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X0010"}}, Radix::octal);
-  CHECK(list.model().radix.by == RadixChoice::By::option);
+  CHECK(list.model().lists.front().radix.by == RadixChoice::By::option);
   CHECK(symbol_of(list, "L_P_D_I_A").address->number == 8);
   CHECK(list.count("radix-assumed") == 0);
 }
 
 TEST_CASE("Without proof and option it is hexadecimal, with a note where a number from 10 on makes a difference") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X0001"}, {"L_P_D_O_A", "Y0010"}, {"L_P_E_I_A", "X20"}});
-  CHECK(list.model().radix.radix == Radix::hexadecimal);
+  CHECK(list.model().lists.front().radix.radix == Radix::hexadecimal);
   CHECK(symbol_of(list, "L_P_D_O_A").address->number == 16);
   CHECK(place_text(finding_of(list, "radix-assumed")) == "Y0010");
   CHECK(analyse_rows({{"L_P_D_I_A", "X7"}, {"L_P_D_O_A", "Y0007"}}).count("radix-assumed") == 0);
@@ -67,7 +67,8 @@ TEST_CASE("Without proof and option it is hexadecimal, with a note where a numbe
 }
 
 TEST_CASE("A digit that octal has not leaves nothing to assume") {
-  CHECK(analyse_rows({{"L_P_D_I_A", "X001F"}, {"L_P_D_O_A", "Y0010"}}).model().radix.radix == Radix::hexadecimal);
+  CHECK(analyse_rows({{"L_P_D_I_A", "X001F"}, {"L_P_D_O_A", "Y0010"}}).model().lists.front().radix.radix ==
+        Radix::hexadecimal);
 }
 
 TEST_CASE("Two operations on one address are kept equal, with a warning") {

@@ -77,6 +77,11 @@ constexpr core::SymbolRow kSymbols[] = {
     {0, kFree, 2, 17, kOperation_real_number_free},  // SPEED, everything.csv:17
 };
 
+// A symbol list: its first symbol, its controller.
+constexpr core::SymbolListRow kLists[] = {
+    {0, 0},  // everything.csv
+};
+
 // Starting values that no device sets: symbol, value.
 constexpr core::InitialValue kInitialValues[] = {
     {8, 1U},  // L_P_MC_I_BUSY3
@@ -205,6 +210,14 @@ constexpr char kRequirementNames[] =
 constexpr char kBehaviourNames[] =
     "MyStopper\134\0";
 
+// The symbol lists' files.
+constexpr char kListNames[] =
+    "everything.csv\0";
+
+// The controllers; the default one has no name.
+constexpr char kControllerNames[] =
+    "\0";
+
 constinit const core::PlantTables kTables = [] {
   core::PlantTables plant{};
   plant.name = "everything";
@@ -213,6 +226,7 @@ constinit const core::PlantTables kTables = [] {
   plant.times = kTimes;
   plant.random_times = kRandomTimes;
   plant.symbols = kSymbols;
+  plant.lists = kLists;
   plant.initial_values = kInitialValues;
   plant.shared_addresses = kSharedAddresses;
   plant.disables = kDisables;
@@ -235,7 +249,8 @@ constinit const core::PlantTables kTables = [] {
   plant.symbol_names = {kSymbolNames, sizeof kSymbolNames - 1};
   plant.requirement_names = {kRequirementNames, sizeof kRequirementNames - 1};
   plant.behaviour_names = {kBehaviourNames, sizeof kBehaviourNames - 1};
-  plant.list = "everything.csv";
+  plant.list_names = {kListNames, sizeof kListNames - 1};
+  plant.controller_names = {kControllerNames, sizeof kControllerNames - 1};
   return plant;
 }();
 

@@ -55,6 +55,11 @@ constexpr core::SymbolRow kSymbols[] = {
     {3, 1, 4, 9, kOperation_boolean_number_moved},  // EXLINE_MB_MC_O_RUN2, excell.csv:9
 };
 
+// A symbol list: its first symbol, its controller.
+constexpr core::SymbolListRow kLists[] = {
+    {0, 0},  // excell.csv
+};
+
 // The devices' names.
 constexpr char kUnitNames[] =
     "EXLINE_MB_AGV\0"
@@ -75,6 +80,14 @@ constexpr char kSymbolNames[] =
     "EXLINE_MB_MC_O_IDLE1\0" "Y0003\0"
     "EXLINE_MB_MC_O_RUN2\0" "Y0004\0";
 
+// The symbol lists' files.
+constexpr char kListNames[] =
+    "excell.csv\0";
+
+// The controllers; the default one has no name.
+constexpr char kControllerNames[] =
+    "\0";
+
 constinit const core::PlantTables kTables = [] {
   core::PlantTables plant{};
   plant.name = "excell";
@@ -82,6 +95,7 @@ constinit const core::PlantTables kTables = [] {
   plant.units = kUnits;
   plant.times = kTimes;
   plant.symbols = kSymbols;
+  plant.lists = kLists;
   plant.operation_bits = 64;
   plant.event_bits = 64;
   plant.operation_slots = 0;
@@ -89,7 +103,8 @@ constinit const core::PlantTables kTables = [] {
   plant.unit_names = {kUnitNames, sizeof kUnitNames - 1};
   plant.state_names = {kStateNames, sizeof kStateNames - 1};
   plant.symbol_names = {kSymbolNames, sizeof kSymbolNames - 1};
-  plant.list = "excell.csv";
+  plant.list_names = {kListNames, sizeof kListNames - 1};
+  plant.controller_names = {kControllerNames, sizeof kControllerNames - 1};
   return plant;
 }();
 

@@ -12,7 +12,7 @@
 #include "symplant/core/tables.hpp"
 #include "symplant/core/version.hpp"
 
-static_assert(symplant::core::kTablesVersion == 2,
+static_assert(symplant::core::kTablesVersion == 3,
               "generated for another version of the runtime: run symplant generate again");
 
 namespace excell {

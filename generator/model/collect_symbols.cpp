@@ -1,0 +1,110 @@
+// Rows of all lists: symbols, internal rows, repeated names; and whose addresses they have.
+#include "model/collect_symbols.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <variant>
+
+#include "base/ascii.hpp"
+#include "model/classify.hpp"
+
+namespace symplant::model {
+namespace {
+
+/// Takes a row up as symbol, internal row or repeated name.
+class SymbolCollector {
+ public:
+  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant) {
+    plant_.symbols.reserve(rows);
+    by_name_.reserve(rows);
+  }
+
+  void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
+    const auto [first, added] = by_name_.try_emplace(row.name, Place{&row, list});
+    if (!added) {
+      plant_.duplicates.push_back({first->second.row, &row, same(first->second, {&row, list})});
+      return;
+    }
+    const RowAddress address = row_address(row, plant_.lists[list].radix.radix);
+    auto result = classify(row, reading, address);
+    const auto* reason = std::get_if<InternalReason>(&result);
+    // What is internal for another reason may stand where it likes.
+    if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
+      plant_.bad_addresses.push_back({&row, address.bad_cell});
+    }
+    if (reason != nullptr && *reason == InternalReason::type && address.address) {
+      plant_.typeless_io.push_back({&row, address.cell});
+    }
+    if (reason != nullptr) {
+      ++plant_.internal[static_cast<std::size_t>(*reason)];
+    } else {
+      plant_.symbols.push_back(std::get<Symbol>(result));
+      plant_.symbols.back().list = list;
+    }
+  }
+
+ private:
+  struct Place {
+    const read::ListRow* row;
+    std::uint32_t list;
+  };
+
+  bool same(const Place& a, const Place& b) const {
+    const auto address = [&](const Place& place) {
+      return row_address(*place.row, plant_.lists[place.list].radix.radix).address;
+    };
+    return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
+           base::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
+  }
+
+  PlantModel& plant_;
+  std::unordered_map<std::string_view, Place, base::HashIgnoringCase, base::EqualIgnoringCase> by_name_;
+};
+
+void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
+  for (const ListInput& list : lists) {
+    const auto known = std::find_if(plant.controllers.begin(), plant.controllers.end(), [&](const std::string& name) {
+      return base::equal_ignoring_case(name, list.controller);
+    });
+    const auto controller = static_cast<std::uint32_t>(known - plant.controllers.begin());
+    if (known == plant.controllers.end()) plant.controllers.push_back(list.controller);
+    plant.lists.push_back({list.table, controller, {}, {}});
+  }
+}
+
+/// One controller counts X and Y in one way: what the rows of all its lists prove together counts.
+void choose_radices(PlantModel& plant, const std::vector<ListInput>& lists) {
+  for (std::uint32_t controller = 0; controller < plant.controllers.size(); ++controller) {
+    std::vector<const read::SymbolTable*> tables;
+    std::optional<address::Radix> option;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      if (plant.lists[i].controller != controller) continue;
+      tables.push_back(lists[i].table.get());
+      if (!option) option = lists[i].xy;
+    }
+    const RadixChoice choice = choose_radix(tables, option);
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      PlantList& list = plant.lists[i];
+      if (list.controller != controller) continue;
+      const read::SymbolTable* const table = lists[i].table.get();
+      list.own = tables.size() == 1 ? choice : choose_radix({&table, 1}, lists[i].xy);
+      list.radix = choice;
+    }
+  }
+}
+
+}  // namespace
+
+void collect_symbols(PlantModel& plant, const std::vector<ListInput>& lists) {
+  collect_lists(plant, lists);
+  choose_radices(plant, lists);
+  std::size_t rows = 0;
+  for (const ListInput& list : lists) rows += list.table->rows.size();
+  SymbolCollector collector(plant, rows);
+  for (std::uint32_t list = 0; list < lists.size(); ++list) {
+    const auto& table = lists[list].table->rows;
+    for (std::size_t i = 0; i < table.size(); ++i) collector.add(table[i], list, lists[list].named.readings[i]);
+  }
+}
+
+}  // namespace symplant::model

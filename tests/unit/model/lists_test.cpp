@@ -1,0 +1,154 @@
+// A plant of several lists and controllers: names across the plant, addresses within a controller.
+#include "model_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using address::Radix;
+using model::RadixChoice;
+
+const std::vector<Row> kCylinder{{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_B", "Y2"}, {"L_P_D_I_B", "X2"}};
+const std::vector<Row> kOther{{"L_P_E_O_A", "Y1"}, {"L_P_E_I_A", "X1"}, {"L_P_E_O_B", "Y2"}, {"L_P_E_I_B", "X2"}};
+
+Analysed two(const std::vector<Row>& first, const std::vector<Row>& second, const std::string& controller = "",
+             const std::string& other = "") {
+  return analyse_lists({{"first.csv", list_text(first), controller}, {"second.csv", list_text(second), other}});
+}
+
+std::string file_of(const diag::Place& place) { return place.source->path(); }
+
+TEST_CASE("Rows of all lists make one plant, in the order of the lists") {
+  const Analysed plant = two({{"L_P_D_O_A", "Y1"}, {"L_P_E_I_A", "X1"}}, {{"L_P_E_O_A", "Y2"}, {"L_P_D_I_A", "X2"}});
+  std::string names;
+  for (const model::Symbol& symbol : plant.model().symbols) {
+    names += std::to_string(symbol.list) + std::string(symbol.name()) + " ";
+  }
+  CHECK(names == "0L_P_D_O_A 0L_P_E_I_A 1L_P_E_O_A 1L_P_D_I_A ");
+  CHECK(plant.model().units.size() == 2);
+  CHECK(unit_of(plant, "L_P_D").events == std::vector<std::uint32_t>{3});
+  CHECK(plant.model().list_names() == "first.csv, second.csv");
+  CHECK(plant.model().controllers == std::vector<std::string>{""});
+  CHECK(plant.model().list_of(*plant.model().symbols[3].row) == 1);
+  CHECK(plant.fired(diag::Severity::warning) == "");
+}
+
+TEST_CASE("Controllers stand in the order of their first list, and compare without regard to case") {
+  const Analysed plant = analyse_lists({{"a.csv", list_text({{"L_P_D_O_A", "Y1"}}), "PLC1"},
+                                        {"b.csv", list_text({{"L_P_E_O_A", "Y1"}})},
+                                        {"c.csv", list_text({{"L_P_F_O_A", "Y2"}}), "plc1"}});
+  CHECK(plant.model().controllers == std::vector<std::string>{"PLC1", ""});
+  CHECK(plant.model().controller_of(plant.model().symbols[0]) == 0);
+  CHECK(plant.model().controller_of(plant.model().symbols[1]) == 1);
+  CHECK(plant.model().controller_of(plant.model().symbols[2]) == 0);
+}
+
+TEST_CASE("One address in lists of two controllers is two places") {
+  const Analysed plant = two(kCylinder, kOther, "PLC1", "PLC2");
+  CHECK(plant.fired(diag::Severity::warning) == "");
+  for (const model::Symbol& symbol : plant.model().symbols) CHECK(symbol.leader == model::kNone);
+}
+
+TEST_CASE("One address in two lists of one controller is one place") {
+  const Analysed plant = two(kCylinder, kOther, "PLC1", "plc1");
+  CHECK(plant.count("address-used-twice") == 2);
+  CHECK(plant.count("event-moved-twice") == 2);
+  for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
+    if (finding.rule->slug != "event-moved-twice") continue;
+    CHECK(file_of(finding.place) == "second.csv");
+    CHECK(file_of(finding.related.front().place) == "first.csv");
+  }
+}
+
+TEST_CASE("A name in two lists is declared twice, and both places are told in their files") {
+  const Analysed plant = two(kCylinder, {{"L_P_D_O_A", "Y1"}});
+  const diag::Diagnostic& finding = finding_of(plant, "duplicate-symbol");
+  CHECK(file_of(finding.place) == "second.csv");
+  CHECK(file_of(finding.related.front().place) == "first.csv");
+  CHECK(plant.model().symbols.size() == 4);
+  CHECK(two(kCylinder, {{"L_P_D_O_A", "Y7"}}).count("symbol-declared-differently") == 1);
+}
+
+TEST_CASE("A name in lists of two controllers is an error, whatever the address") {
+  const Analysed plant = two(kCylinder, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
+  CHECK(finding_of(plant, "symbol-declared-differently").message ==
+        "`L_P_D_O_A` is declared again for another controller, and names are unique across a plant: rename it, or "
+        "delete the row that is wrong");
+}
+
+TEST_CASE("Findings stand in the order of the lists, whatever the order of rules and the size of lists") {
+  std::vector<Row> long_list(30, Row{"", ""});
+  for (std::size_t i = 0; i < long_list.size(); ++i) {
+    long_list[i] = {"BAD" + std::to_string(i), "X" + std::to_string(i % 10)};
+  }
+  const Analysed plant = two(long_list, {{"L_P_D_O_A", "?"}, {"WORSE", "X9"}});
+  std::string order;
+  for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
+    const std::string file = file_of(finding.place);
+    if (order.empty() || !std::string_view(order).ends_with(file + " ")) order += file + " ";
+  }
+  CHECK(order == "first.csv second.csv ");
+}
+
+TEST_CASE("X and Y count controller by controller") {
+  const std::vector<Row> octal{{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_D_I_B", "X0020"}};
+  const std::vector<Row> hex{{"L_P_E_I_A", "X0010", "BOOL", "", "%IX16"}, {"L_P_E_I_B", "X0020"}};
+  const Analysed plant = two(octal, hex, "PLC1", "PLC2");
+  CHECK(symbol_of(plant, "L_P_D_I_B").address->number == 16);
+  CHECK(symbol_of(plant, "L_P_E_I_B").address->number == 32);
+  CHECK(plant.count("radix-disagrees") == 0);
+}
+
+TEST_CASE("What a list of a controller proves counts for its other lists") {
+  const std::vector<Row> octal{{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}};
+  const Analysed plant = two({{"L_P_E_I_A", "X0020"}}, octal);
+  CHECK(symbol_of(plant, "L_P_E_I_A").address->number == 16);
+  CHECK(plant.model().lists[0].radix.by == RadixChoice::By::rows);
+  CHECK(plant.count("radix-assumed") == 0);
+  CHECK(plant.count("radix-disagrees") == 0);
+  CHECK(two({{"L_P_E_I_A", "X0020"}}, octal, "PLC1", "PLC2").count("radix-assumed") == 1);
+}
+
+TEST_CASE("What is assumed of a controller is told once for all its lists") {
+  const Analysed plant = two({{"L_P_D_I_A", "X1"}, {"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}});
+  CHECK(place_text(finding_of(plant, "radix-assumed")) == "X10");
+  CHECK(two({{"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}}, "PLC1", "PLC2").count("radix-assumed") == 2);
+}
+
+TEST_CASE("Two lists of one controller that count X and Y differently: most rows count, and a warning tells") {
+  const Analysed plant = two({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}}, {{"L_P_E_I_A", "X0010", "BOOL", "", "%IX16"},
+                                                                            {"L_P_E_I_B", "X0011", "BOOL", "", "%IX17"},
+                                                                            {"L_P_E_I_C", "X0020"}});
+  CHECK(symbol_of(plant, "L_P_E_I_C").address->number == 32);
+  const diag::Diagnostic& finding = finding_of(plant, "radix-disagrees");
+  CHECK(file_of(finding.place) == "first.csv");
+  CHECK(place_text(finding) == "X0010");
+  CHECK(file_of(finding.related.front().place) == "second.csv");
+}
+
+TEST_CASE("Of the options of one controller's lists the first counts, and another one is told") {
+  const Analysed plant = analyse_lists({{"a.csv", list_text({{"L_P_D_I_A", "X10"}})},
+                                        {"b.csv", list_text({{"L_P_E_I_A", "X20"}}), "", Radix::octal},
+                                        {"c.csv", list_text({{"L_P_F_I_A", "X30"}}), "", Radix::hexadecimal}});
+  CHECK(symbol_of(plant, "L_P_D_I_A").address->number == 8);
+  CHECK(symbol_of(plant, "L_P_F_I_A").address->number == 24);
+  CHECK(file_of(finding_of(plant, "radix-disagrees").place) == "c.csv");
+}
+
+TEST_CASE("A list without a symbol is a list all the same") {
+  const Analysed plant = two({{"M1", "M1"}}, kCylinder, "PLC1", "PLC2");
+  CHECK(plant.model().lists.size() == 2);
+  CHECK(plant.model().controllers.size() == 2);
+  CHECK(plant.model().symbols.front().list == 1);
+}
+
+TEST_CASE("A controller's name is one that --link NAME=URL can say") {
+  for (const char* good : {"PLC1", "Q03UDV (line 2)", "\xEC\x84\xA4\xEB\xB9\x84"})
+    CHECK(model::is_controller_name(good));
+  for (const char* bad : {"", "A=B", "A:B", " A", "A ", "A\nB", "A\x7F"}) {
+    INFO(bad);
+    CHECK_FALSE(model::is_controller_name(bad));
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test
