@@ -141,6 +141,9 @@ class Plant {
   /// there is armed.
   std::span<const std::uint64_t> disarmed() const noexcept;
 
+  /// Whether a requirement waits for what it expects. O(1).
+  bool is_pending(std::uint32_t requirement) const noexcept;
+
   /// Takes the oldest finding out of the ring; false where there is none.
   bool take_finding(Finding& finding) noexcept;
   /// Findings that a full ring did not take, since reset().

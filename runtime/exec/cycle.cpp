@@ -25,27 +25,26 @@ void write_events(core::Plant& plant, std::span<Exchange* const> links) noexcept
   plant.forget_changed_events();
 }
 
-void run_one(core::Plant& plant, core::Time time, std::span<Exchange* const> links, core::Observer* observer) noexcept {
-  for (Exchange* link : links) link->read_operations(plant);
-  plant.advance_to(time, observer);
-  write_events(plant, links);
-}
-
 }  // namespace
 
 CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
-                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop) noexcept {
+                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop,
+                           Stepper* stepper) noexcept {
   CycleStatistics statistics;
   const core::Time cycle = std::max(options.cycle, core::Time{1});
   const std::int64_t most = std::max(options.max_catch_up, std::int64_t{0});
 
+  const auto advance_to = [&](core::Time to) {
+    stepper != nullptr ? stepper->advance_to(to) : plant.advance_to(to, observer);
+  };
+  const auto over = [&] { return stepper != nullptr && options.until == core::kNever && stepper->over(); };
   core::Time time = plant.now();
-  plant.advance_to(time, observer);
+  advance_to(time);
   write_events(plant, links);
 
   // Real time minus plant time; grows when plant time slips.
   core::Time offset = clock.now() - time;
-  while (time < options.until) {
+  while (time < options.until && !over()) {
     const core::Time next = options.until - time > cycle ? time + cycle : options.until;
     if (!wait_until(next + offset, clock, stop)) break;
 
@@ -57,7 +56,9 @@ CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links,
       statistics.slipped += excess * cycle;
     }
 
-    run_one(plant, next, links, observer);
+    for (Exchange* link : links) link->read_operations(plant);
+    advance_to(next);
+    write_events(plant, links);
     ++statistics.cycles;
     time = next;
     if (clock.now() >= next + offset + cycle) ++statistics.overruns;

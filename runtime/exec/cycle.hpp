@@ -9,6 +9,7 @@
 #include "symplant/core/time.hpp"
 #include "symplant/exec/clock.hpp"
 #include "symplant/exec/exchange.hpp"
+#include "symplant/exec/stepper.hpp"
 
 namespace symplant::exec {
 
@@ -34,9 +35,11 @@ struct CycleStatistics {
 /// same, at once and for its own T, so the plant catches up in order; when more than `max_catch_up` cycles are due
 /// at once beside the present one, the time of the others is slipped.
 ///
-/// `stop` may be set by any thread or a signal handler and is seen within a tenth of a second. Takes no heap and no
-/// lock; its only system calls are the clock's.
+/// With a `stepper` it is that which advances the plant, and the run ends with the cycle in which it is over unless
+/// `options.until` says when. `stop` may be set by any thread or a signal handler and is seen within a tenth of a
+/// second. Takes no heap and no lock; its only system calls are the clock's.
 CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
-                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop) noexcept;
+                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop,
+                           Stepper* stepper = nullptr) noexcept;
 
 }  // namespace symplant::exec

@@ -13,12 +13,18 @@
 
 namespace symplant::host {
 
-/// The URLs of a run's links: those of the command line, else the plant's own. With `--clock virtual` the plant's own
-/// are left out.
+/// Whether the links that a plant brings with it are left out: with `--clock virtual`, and where a scenario is played
+/// unless `--clock real` is given.
+bool keeps_plants_links_closed(const RunOptions& options);
+
+/// The URLs of a run's links: those of the command line, else the plant's own where they are not left out.
 std::vector<std::string> link_urls(const PlantProgram& program, const RunOptions& options);
 
 /// Whether one of them is a PLC, whose time is real.
 bool has_real_link(const std::vector<std::string>& urls);
+
+/// By symbol: operations that a PLC writes through one of them.
+std::vector<bool> carried_operations(const std::vector<std::string>& urls, const core::PlantTables& tables);
 
 using Links = std::vector<std::unique_ptr<link::Link>>;
 

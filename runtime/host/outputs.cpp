@@ -1,42 +1,100 @@
-// The files that a run writes while the plant runs.
+// Where what is recorded of a run goes.
 #include "symplant/host/outputs.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <stop_token>
+
+#include "symplant/host/files_apart.hpp"
 
 namespace symplant::host {
 namespace {
 
-constexpr std::size_t kRingCapacity = std::size_t{1} << 16;
-
-}  // namespace
-
-Outputs::Outputs(const core::PlantTables& tables, const RunOptions& options)
-    : tables_(tables),
-      options_(options),
-      recorder_(tables, options.trace.empty() ? 0 : std::max(kRingCapacity, 2 * tables.symbols.size())) {}
-
-bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
-  if (options_.trace.empty()) return true;
-  trace_ = std::make_unique<trace::TraceFile>(options_.trace, tables_, model_hash, options_.seed);
-  if (trace_->error().empty()) return true;
-  err << "error: " << trace_->error() << "\n";
+/// Tells of a file that went wrong; false where it did.
+template <class File>
+bool is_well(const std::optional<File>& file, const char* severity, std::ostream& err) {
+  if (!file || file->error().empty()) return true;
+  err << severity << ": " << file->error() << "\n";
   return false;
 }
 
+}  // namespace
+
+Outputs::Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder,
+                 trace::History& history, Report& report, std::ostream& out)
+    : names_(names), options_(options), recorder_(recorder), history_(history), report_(report), out_(out) {}
+
+trace::OutputFile Outputs::file(const char* what, const std::string& path, std::uint64_t limit) const {
+  return is_standard_output(path) ? trace::OutputFile(what, out_) : trace::OutputFile(what, path, limit);
+}
+
+bool Outputs::open(std::uint64_t model_hash, std::ostream& err) {
+  if (!options_.trace.empty()) {
+    trace_.emplace(file("trace", options_.trace, options_.trace_limit), names_.tables(), model_hash, options_.seed);
+  }
+  if (!options_.vcd.empty()) vcd_.emplace(file("VCD file", options_.vcd, options_.trace_limit), names_);
+  if (!options_.findings.empty()) findings_.emplace(file("findings", options_.findings, trace::kNoLimit), names_);
+  const bool trace = is_well(trace_, "error", err);
+  const bool vcd = is_well(vcd_, "error", err);
+  return is_well(findings_, "error", err) && trace && vcd;
+}
+
+void Outputs::take(const trace::Record& record) {
+  history_.apply(record);
+  switch (record.kind) {
+    case trace::Record::Kind::change:
+      ++changes_;
+      break;
+    case trace::Record::Kind::unit:
+      break;
+    case trace::Record::Kind::finding:
+      if (loop_goes_on_) {
+        found_.back().of.push_back(record.of);
+      } else {
+        found_.push_back({record.time, record.finding, {record.of}});
+      }
+      loop_goes_on_ = record.more;
+      break;
+    case trace::Record::Kind::note:
+      report_.failed(record.of, static_cast<core::Time>(record.value));
+      return;
+  }
+  if (trace_) trace_->write(record);
+  if (vcd_) vcd_->write(record);
+  if (record.last) end_instant(record.time);
+}
+
+void Outputs::end_instant(core::Time time) {
+  ++instants_;
+  loop_goes_on_ = false;
+  for (const trace::FoundThing& found : found_) {
+    const std::string words = report_.found(found);
+    if (findings_) findings_->write(found, words, history_);
+  }
+  found_.clear();
+  if (vcd_) {
+    vcd_->begin(time, history_);
+    vcd_->part(time, history_);
+  }
+  if (trace_) trace_->part(time, history_);
+}
+
 void Outputs::drain() {
-  if (trace_) recorder_.drain([&](const trace::Change& change) { trace_->write(change); });
+  recorder_.drain([this](const trace::Record& record) { take(record); });
+}
+
+void Outputs::flush() {
+  if (trace_) trace_->flush();
+  if (vcd_) vcd_->flush();
+  if (findings_) findings_->flush();
 }
 
 void Outputs::start_thread() {
-  if (!trace_) return;
   thread_ = std::jthread([this](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       drain();
-      trace_->flush();
+      flush();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   });
@@ -48,13 +106,19 @@ void Outputs::stop_thread() {
   thread_.join();
 }
 
-void Outputs::finish(std::ostream& err) {
-  if (!trace_) return;
+void Outputs::finish(core::Time end, std::ostream& err) {
   drain();
-  trace_->flush();
-  if (!trace_->error().empty()) err << "warning: " << trace_->error() << "\n";
-  if (recorder_.lost() != 0) {
-    err << fmt::format("warning: {} changes are missing in the trace: the disk was too slow\n", recorder_.lost());
+  if (vcd_) {
+    vcd_->begin(0, history_);
+    vcd_->end(end);
+  }
+  flush();
+  is_well(trace_, "warning", err);
+  is_well(vcd_, "warning", err);
+  is_well(findings_, "warning", err);
+  if (recorder_.lost_changes() != 0) {
+    err << fmt::format("warning: {} changes are missing in trace and VCD file: the disk was too slow\n",
+                       recorder_.lost_changes());
   }
 }
 

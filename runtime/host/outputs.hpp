@@ -1,48 +1,62 @@
-// The files that a run writes while the plant runs.
+// Where what is recorded of a run goes: the files that are asked for, and the report.
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <thread>
+#include <vector>
 
-#include "symplant/core/plant.hpp"
+#include "symplant/host/report.hpp"
 #include "symplant/host/run_options.hpp"
+#include "symplant/trace/finding_file.hpp"
+#include "symplant/trace/history.hpp"
 #include "symplant/trace/recorder.hpp"
 #include "symplant/trace/trace_file.hpp"
+#include "symplant/trace/vcd_file.hpp"
 
 namespace symplant::host {
 
-/// What is recorded of a run and where it goes: a recorder in the cycle, files outside it. Costs nothing where no file
-/// is asked for.
+/// Drains a recorder: in virtual time after each step of the run, in real time by a thread, so that the cycle never
+/// waits for a disk. All that is given to it must outlive it.
 class Outputs {
  public:
-  /// `tables` and `options` must outlive it.
-  Outputs(const core::PlantTables& tables, const RunOptions& options);
+  /// `out` is standard output, for files that go there.
+  Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder, trace::History& history,
+          Report& report, std::ostream& out);
 
-  /// To be called before the plant is advanced.
-  void attach(const core::Plant& plant) { recorder_.attach(plant); }
   /// Opens the files; what was recorded before goes into them, too. False where one cannot be, which is told on `err`.
   bool open(std::uint64_t model_hash, std::ostream& err);
 
-  /// What the plant is to be advanced with; null where nobody looks.
-  core::Observer* observer() { return options_.trace.empty() ? nullptr : &recorder_; }
-
-  /// Writes what was recorded; in virtual time, after each instant.
   void drain();
-
-  /// In real time a thread writes, so that the cycle never waits for a disk.
   void start_thread();
   void stop_thread();
-
   /// Writes the rest, and tells on `err` what is missing.
-  void finish(std::ostream& err);
+  void finish(core::Time end, std::ostream& err);
+
+  std::uint64_t changes() const { return changes_; }
+  std::uint64_t instants() const { return instants_; }
 
  private:
-  const core::PlantTables& tables_;
+  trace::OutputFile file(const char* what, const std::string& path, std::uint64_t limit) const;
+  void take(const trace::Record& record);
+  void end_instant(core::Time time);
+  void flush();
+
+  const trace::PlantNames& names_;
   const RunOptions& options_;
-  trace::Recorder recorder_;
-  std::unique_ptr<trace::TraceFile> trace_;
+  trace::Recorder& recorder_;
+  trace::History& history_;
+  Report& report_;
+  std::ostream& out_;
+  std::optional<trace::TraceFile> trace_;
+  std::optional<trace::VcdFile> vcd_;
+  std::optional<trace::FindingFile> findings_;
+  std::vector<trace::FoundThing> found_;  ///< in the instant that is being drained
+  bool loop_goes_on_ = false;
+  std::uint64_t changes_ = 0;
+  std::uint64_t instants_ = 0;
   std::jthread thread_;
 };
 

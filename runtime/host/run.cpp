@@ -1,21 +1,123 @@
 // Runs a plant.
 #include "symplant/host/run.hpp"
 
+#include <chrono>
 #include <ostream>
 
-#include "symplant/core/owned_plant.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/host/files_apart.hpp"
+#include "symplant/host/junit.hpp"
 #include "symplant/host/links.hpp"
-#include "symplant/host/outputs.hpp"
+#include "symplant/host/load_scenario.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/host/run_virtual.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/host/stage.hpp"
+#include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
 
 namespace symplant::host {
+namespace {
+
+/// The files that are written when all is over; opened at the start, so that nobody runs an hour for nothing.
+class LastFiles {
+ public:
+  LastFiles(const RunOptions& options, std::ostream& out) : out_(out) {
+    open(junit_, "JUnit file", options.junit);
+    open(stats_, "statistics", options.stats);
+  }
+
+  bool are_well(std::ostream& err) const {
+    bool well = true;
+    for (const auto* file : {&junit_, &stats_}) {
+      if (!*file || (*file)->error().empty()) continue;
+      err << "error: " << (*file)->error() << "\n";
+      well = false;
+    }
+    return well;
+  }
+
+  template <class Text>
+  void junit(Text text) {
+    write(junit_, text);
+  }
+  template <class Text>
+  void stats(Text text) {
+    write(stats_, text);
+  }
+
+ private:
+  void open(std::optional<trace::OutputFile>& file, const char* what, const std::string& path) {
+    if (path.empty()) return;
+    if (is_standard_output(path)) {
+      file.emplace(what, out_);
+    } else {
+      file.emplace(what, path);
+    }
+  }
+  template <class Text>
+  static void write(std::optional<trace::OutputFile>& file, Text text) {
+    if (!file) return;
+    file->put(text());
+    file->flush();
+  }
+
+  std::ostream& out_;
+  std::optional<trace::OutputFile> junit_;
+  std::optional<trace::OutputFile> stats_;
+};
+
+int exit_code(const RunOptions& options, const Report& report, const std::optional<scenario::Verdict>& verdict) {
+  const bool expected = !verdict || verdict->failed + verdict->unreached == 0;
+  const bool required = report.requirements_violated() == 0;
+  const bool found = options.fail_on_findings && report.findings() != 0;
+  return expected && required && !found ? kGood : kFindings;
+}
+
+/// From the plant at time 0 to the end; `tell` takes what is told on the way.
+int play(Stage& stage, const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
+         const scenario::Scenario* scenario, const std::vector<std::string>& urls, bool real, std::ostream& out,
+         std::ostream& tell, std::ostream& err) {
+  stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
+  Links links;
+  const int opened = open_links(urls, program.tables, stage.plant, links, err);
+  if (opened != kGood) return opened;
+  LastFiles last(options, out);
+  if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
+  tell << summary(program.tables, stage.plant.model_hash(), program.more);
+  if (scenario != nullptr) tell << scenario_summary(options.scenario, *scenario);
+  if (options.links.empty() && keeps_plants_links_closed(options) &&
+      !(program.links.empty() && program.default_link.empty())) {
+    tell << "links of the plant are not opened in virtual time: --clock real opens them\n";
+  }
+
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<exec::CycleStatistics> cycles;
+  if (real) {
+    cycles = run_real(stage, options, links, tell);
+  } else {
+    run_virtual(stage, options, tell);
+  }
+  const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
+
+  if (stage.player) stage.player->end();
+  const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
+  stage.outputs.finish(stage.plant.now(), err);
+  stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), tell);
+  std::optional<scenario::Verdict> verdict;
+  if (scenario != nullptr) verdict = scenario::verdict_of(*scenario, outcomes);
+  last.junit(
+      [&] { return junit_text(stage.plant, names, scenario, outcomes, stage.report, options.fail_on_findings); });
+  last.stats([&] {
+    return stats_text(
+        {stage.plant, options.seed, stage.outputs, stage.report, verdict, cycles, core::Time{wall.count()}});
+  });
+  return last.are_well(err) ? exit_code(options, stage.report, verdict) : kEnvironment;
+}
+
+}  // namespace
 
 int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const core::PlantTables& tables = program.tables;
   const std::vector<std::string> urls = link_urls(program, options);
   const bool linked = has_real_link(urls);
   if (linked && options.clock == RunOptions::Clock::virtual_time) {
@@ -23,28 +125,18 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
            "virtual` away\n";
     return kBadInput;
   }
-  const bool real = linked || options.clock == RunOptions::Clock::real_time;
-  catch_signals();
-
-  // The plant stands where it starts before anybody is answered.
-  core::OwnedPlant plant(tables, program.behaviours);
-  plant.reset(options.seed, real ? options.cycle : 0);
-  Outputs outputs(tables, options);
-  outputs.attach(plant);
-  plant.advance_to(0, outputs.observer());
-
-  Links links;
-  const int opened = open_links(urls, tables, plant, links, err);
-  if (opened != kGood) return opened;
-  if (!outputs.open(plant.model_hash(), err)) return kEnvironment;
-  out << summary(tables, plant.model_hash(), program.more);
-  if (real) {
-    run_real(plant, options, links, outputs, out);
-  } else {
-    run_virtual(plant, options, outputs, out);
+  if (!files_are_apart(options, program.inputs, err)) return kBadInput;
+  const trace::PlantNames names(program.tables);
+  std::optional<scenario::Scenario> scenario;
+  if (!options.scenario.empty()) {
+    scenario = load_scenario(options.scenario, names, carried_operations(urls, program.tables), err);
+    if (!scenario) return kBadInput;
   }
-  outputs.finish(err);
-  return kGood;
+  catch_signals();
+  const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
+  const bool real = linked || options.clock == RunOptions::Clock::real_time;
+  Stage stage(program, options, names, played, real, out, err);
+  return play(stage, program, options, names, played, urls, real, out, uses_standard_output(options) ? err : out, err);
 }
 
 }  // namespace symplant::host

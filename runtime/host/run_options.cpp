@@ -4,7 +4,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <map>
+#include <charconv>
+#include <string_view>
+#include <system_error>
 
 #include "symplant/core/duration.hpp"
 
@@ -22,6 +24,31 @@ core::Time duration(const std::string& text, const char* option) {
                                "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
   }
   return *time;
+}
+
+void add_files(CLI::App& app, RunOptions& options) {
+  app.add_option("--scenario", options.scenario, "play this scenario, and judge what it expects")->type_name("FILE");
+  app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
+      ->type_name("FILE");
+  app.add_option("--vcd", options.vcd, "write symbols and states to this file, for GTKWave and other wave viewers")
+      ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--trace-limit",
+         [&options](const std::string& text) {
+           const auto size = parse_size(text);
+           if (!size) {
+             throw CLI::ValidationError("--trace-limit", "`" + text + "` is no size: write bytes, or 500k, 10M, 1G");
+           }
+           options.trace_limit = *size;
+         },
+         "a trace or VCD file of this size becomes FILE.1, and a new one is begun (default: no limit)")
+      ->type_name("SIZE");
+  app.add_option("--findings", options.findings, "write what goes wrong in the plant to this file, as JSON lines")
+      ->type_name("FILE");
+  app.add_option("--junit", options.junit, "report expectations and requirements to this file, as JUnit XML")
+      ->type_name("FILE");
+  app.add_option("--stats", options.stats, "write what the run came to, in numbers, to this file, as JSON")
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -59,9 +86,22 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("T");
   app.add_option("--link", options.links, "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:")
       ->type_name("URL");
-  app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
-      ->type_name("FILE");
+  add_files(app, options);
   app.add_option("--seed", options.seed, "seed of random times (default: 0)")->type_name("N");
+  app.add_flag("--fail-on-findings", options.fail_on_findings,
+               "any finding gives exit code 1, not only failed expectations and violated requirements");
+}
+
+std::optional<std::uint64_t> parse_size(const std::string& text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [unit, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || number == 0 || end - unit > 1) return std::nullopt;
+  constexpr std::string_view kUnits = "kMG";
+  const std::size_t place = unit == end ? 0 : kUnits.find(*unit) + 1;
+  if (unit != end && place == 0) return std::nullopt;
+  if (number > (~std::uint64_t{0} >> (10 * place))) return std::nullopt;
+  return number << (10 * place);
 }
 
 }  // namespace symplant::host

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "symplant/core/time.hpp"
+#include "symplant/trace/output_file.hpp"
 
 namespace CLI {
 class App;
@@ -14,6 +15,7 @@ class App;
 
 namespace symplant::host {
 
+/// Files are named by their paths; empty: none. Of those that are written `-` is standard output.
 struct RunOptions {
   enum class Clock { automatic, virtual_time, real_time };
 
@@ -21,11 +23,21 @@ struct RunOptions {
   std::optional<core::Time> until;
   core::Time cycle = 10 * core::kMillisecond;
   std::vector<std::string> links;
-  std::string trace;  ///< file; empty: none
+  std::string scenario;
+  std::string trace;
+  std::string vcd;
+  std::string findings;
+  std::string junit;
+  std::string stats;
+  std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, of trace and VCD file each
   std::uint64_t seed = 0;
+  bool fail_on_findings = false;
 };
 
 /// Adds the options to a command; `options` must live until it is parsed.
 void add_run_options(CLI::App& app, RunOptions& options);
+
+/// `500k`, `10M`, `1G`: bytes, with 1024 in a k. Nothing where the text is no size above 0.
+std::optional<std::uint64_t> parse_size(const std::string& text);
 
 }  // namespace symplant::host

@@ -22,7 +22,9 @@ int run_plant(int argc, char** argv, const PlantProgram& program) {
   app.footer(
       "Examples:\n  run beside a PLC:      --link modbus-tcp-server://127.0.0.1:1502\n"
       "  see what it does:      --until 10s --trace trace.jsonl\n"
-      "Exit codes: 0 good, 2 bad usage, 3 the environment (a port in use, no permission).");
+      "  play a scenario:       --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
+      "Exit codes: 0 good, 1 a failed expectation or requirement, 2 bad input or usage, 3 the environment (a port in\n"
+      "use, no permission).");
   RunOptions options;
   add_run_options(app, options);
   try {

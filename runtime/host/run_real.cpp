@@ -5,38 +5,42 @@
 
 #include <vector>
 
-#include "symplant/exec/cycle.hpp"
 #include "symplant/host/signals.hpp"
-#include "symplant/host/words.hpp"
+#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
 
-void run_real(core::Plant& plant, const RunOptions& options, const Links& links, Outputs& outputs, std::ostream& out) {
+using trace::seconds;
+
+exec::CycleStatistics run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
   std::vector<exec::Exchange*> exchanges;
   for (const auto& link : links) {
     exchanges.push_back(link.get());
     out << fmt::format("link {}\n", link->url());
   }
   out << fmt::format("running in real time, a cycle of {} ms{}\n", static_cast<double>(options.cycle) / 1e6,
-                     options.until ? fmt::format(", until {}", seconds(*options.until)) : "; Ctrl-C ends it");
+                     options.until  ? fmt::format(", until {}", seconds(*options.until))
+                     : stage.player ? ", until the scenario is over"
+                                    : "; Ctrl-C ends it");
   out.flush();
-  outputs.start_thread();
+  stage.outputs.start_thread();
   exec::MonotonicClock clock;
   exec::CycleOptions cycle;
   cycle.cycle = options.cycle;
   cycle.until = options.until.value_or(core::kNever);
-  const exec::CycleStatistics done =
-      exec::run_cycles(plant, exchanges, cycle, clock, outputs.observer(), stop_requested());
-  outputs.stop_thread();
+  const exec::CycleStatistics done = exec::run_cycles(stage.plant, exchanges, cycle, clock, &stage.recorder,
+                                                      stop_requested(), stage.player ? &*stage.player : nullptr);
+  stage.outputs.stop_thread();
 
-  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost, latest start {} us late\n", seconds(plant.now()),
-                     stop_requested().load() ? " by a signal" : "", done.cycles, done.overruns, seconds(done.slipped),
-                     done.max_lateness / 1000);
+  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost, latest start {} us late\n",
+                     seconds(stage.plant.now()), stop_requested().load() ? " by a signal" : "", done.cycles,
+                     done.overruns, seconds(done.slipped), done.max_lateness / 1000);
   for (const auto& link : links) {
     const link::LinkStatus status = link->status();
     out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps\n", link->url(), status.requests,
                        status.exceptions, status.writes_to_gaps);
   }
+  return done;
 }
 
 }  // namespace symplant::host

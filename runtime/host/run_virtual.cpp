@@ -4,38 +4,49 @@
 #include <fmt/format.h>
 
 #include "symplant/host/signals.hpp"
-#include "symplant/host/words.hpp"
+#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
 namespace {
 
-/// Where virtual time without `--until` ends at the latest.
+using trace::seconds;
+
+/// Where virtual time with neither `--until` nor a scenario ends at the latest.
 constexpr core::Time kLongest = 3600 * core::kSecond;
+
+void advance(Stage& stage, core::Time time) {
+  stage.advance_to(time);
+  stage.outputs.drain();
+}
 
 }  // namespace
 
-void run_virtual(core::Plant& plant, const RunOptions& options, Outputs& outputs, std::ostream& out) {
-  const core::Time end = options.until.value_or(kLongest);
+void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
+  const bool by_scenario = stage.player && !options.until;
+  const core::Time end = by_scenario ? core::kNever : options.until.value_or(kLongest);
   while (!stop_requested().load(std::memory_order_relaxed)) {
-    const core::Time due = plant.next_due();
-    if (due > end) {
+    if (by_scenario && stage.player->over()) {
+      out << fmt::format("ended at {}: the scenario is over\n", seconds(stage.plant.now()));
+      return;
+    }
+    const core::Time due = stage.next_due();
+    if (due > end || due == core::kNever) {
       const bool nothing_left = due == core::kNever;
-      if (options.until || !nothing_left) plant.advance_to(end, outputs.observer());
-      outputs.drain();
+      if (options.until || !nothing_left) advance(stage, end);
       if (options.until) {
         out << fmt::format("ended at {}, as asked\n", seconds(end));
       } else if (nothing_left) {
-        out << fmt::format("ended at {}: nothing more is due; --link lets a PLC move it\n", seconds(plant.now()));
+        out << fmt::format("ended at {}: nothing more is due; --link lets a PLC move it, --scenario a file\n",
+                           seconds(stage.plant.now()));
       } else {
         out << fmt::format("ended at {} of plant time: the plant would go on for ever; --until says how long\n",
                            seconds(end));
       }
       return;
     }
-    plant.advance_to(due, outputs.observer());
-    outputs.drain();
+    advance(stage, due);
   }
-  out << fmt::format("ended at {} by a signal\n", seconds(plant.now()));
+  out << fmt::format("ended at {} by a signal\n", seconds(stage.plant.now()));
 }
 
 }  // namespace symplant::host

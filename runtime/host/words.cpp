@@ -5,8 +5,6 @@
 
 namespace symplant::host {
 
-std::string seconds(core::Time time) { return fmt::format("{} s", static_cast<double>(time) / 1e9); }
-
 std::string plural(std::size_t count, std::string_view word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }

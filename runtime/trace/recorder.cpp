@@ -1,10 +1,22 @@
-// Records what each instant changed.
+// Records what each instant changed and found.
 #include "symplant/trace/recorder.hpp"
 
 #include <algorithm>
 #include <bit>
 
 namespace symplant::trace {
+namespace {
+
+std::uint32_t initial_word(const core::UnitRow& unit) {
+  return static_cast<std::uint32_t>(unit.initial | unit.initial << 8);
+}
+
+}  // namespace
+
+std::size_t Recorder::enough_for_an_instant(const core::PlantTables& tables) {
+  // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
+  return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 64;
+}
 
 Recorder::Recorder(const core::PlantTables& tables, std::size_t capacity)
     : tables_(tables),
@@ -14,7 +26,8 @@ Recorder::Recorder(const core::PlantTables& tables, std::size_t capacity)
       symbol_of_event_slot_(tables.event_slots, core::kNoUnit),
       changed_(tables.symbols.size()),
       ring_(std::bit_ceil(std::max<std::size_t>(capacity, 2))),
-      mask_(ring_.size() - 1) {
+      mask_(ring_.size() - 1),
+      end_(ring_.size()) {
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& symbol = tables.symbols[i];
     const bool is_bit = symbol.type() == core::DataType::boolean;
@@ -23,6 +36,8 @@ Recorder::Recorder(const core::PlantTables& tables, std::size_t capacity)
                        : (operation ? symbol_of_operation_slot_ : symbol_of_event_slot_);
     map[symbol.index] = i;
   }
+  units_.reserve(tables.units.size());
+  for (const core::UnitRow& unit : tables.units) units_.push_back(initial_word(unit));
 }
 
 void Recorder::note_bits(const core::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept {
@@ -32,21 +47,31 @@ void Recorder::note_bits(const core::WordChange& change, const std::vector<std::
   }
 }
 
-void Recorder::instant(const core::Instant& instant) noexcept {
+bool Recorder::put(const Record& record) noexcept {
+  if (at_ == end_) {
+    end_ = read_.load(std::memory_order_acquire) + ring_.size();
+    if (at_ == end_) return false;
+  }
+  ring_[at_++ & mask_] = record;
+  return true;
+}
+
+void Recorder::publish() noexcept {
+  if (at_ == written_.load(std::memory_order_relaxed)) return;
+  ring_[(at_ - 1) & mask_].last = true;
+  written_.store(at_, std::memory_order_release);
+}
+
+void Recorder::record_symbols(const core::Instant& instant) noexcept {
   changed_count_ = 0;
   for (const core::WordChange& change : instant.operations) note_bits(change, symbol_of_operation_);
   for (const core::WordChange& change : instant.events) note_bits(change, symbol_of_event_);
   for (const std::uint32_t slot : instant.operation_slots) changed_[changed_count_++] = symbol_of_operation_slot_[slot];
   for (const std::uint32_t slot : instant.event_slots) changed_[changed_count_++] = symbol_of_event_slot_[slot];
-  std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changed_count_));
-
-  std::size_t at = written_.load(std::memory_order_relaxed);
-  const std::size_t end = read_.load(std::memory_order_acquire) + ring_.size();
+  if (changed_count_ > 1) {
+    std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changed_count_));
+  }
   for (std::size_t i = 0; i < changed_count_; ++i) {
-    if (at == end) {
-      lost_.fetch_add(changed_count_ - i, std::memory_order_relaxed);
-      break;
-    }
     const std::uint32_t index = changed_[i];
     const core::SymbolRow& symbol = tables_.symbols[index];
     const bool operation = symbol.direction() == core::Direction::operation;
@@ -56,9 +81,40 @@ void Recorder::instant(const core::Instant& instant) noexcept {
     } else {
       value = operation ? plant_->operation_value(symbol.index) : plant_->event_value(symbol.index);
     }
-    ring_[at++ & mask_] = {instant.time, value, index};
+    if (!put({instant.time, value, index})) {
+      lost_changes_.fetch_add(changed_count_ - i, std::memory_order_relaxed);
+      return;
+    }
   }
-  written_.store(at, std::memory_order_release);
+}
+
+void Recorder::record_units(const core::Instant& instant) noexcept {
+  for (const std::uint32_t unit : instant.units) {
+    const auto word = static_cast<std::uint32_t>(pack_unit(plant_->unit(unit)));
+    if (units_[unit] == word) continue;
+    units_[unit] = word;
+    if (!put({instant.time, word, unit, Record::Kind::unit})) {
+      lost_changes_.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+}
+
+void Recorder::instant(const core::Instant& instant) noexcept {
+  record_symbols(instant);
+  record_units(instant);
+  publish();
+}
+
+void Recorder::finding(const core::Finding& finding) noexcept {
+  if (!put({finding.time, 0, finding.of, Record::Kind::finding, finding.kind, finding.more})) {
+    lost_findings_.fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+bool Recorder::note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept {
+  const bool noted = put({time, value, of, Record::Kind::note});
+  publish();
+  return noted;
 }
 
 }  // namespace symplant::trace

@@ -1,4 +1,4 @@
-// Records what each instant changed: in the cycle, into memory that is there already.
+// Records what each instant changed and found: in the cycle, into memory that is there already.
 #pragma once
 
 #include <atomic>
@@ -7,29 +7,29 @@
 #include <vector>
 
 #include "symplant/core/plant.hpp"
+#include "symplant/trace/record.hpp"
 
 namespace symplant::trace {
 
-/// One net change of a symbol.
-struct Change {
-  core::Time time;
-  std::uint64_t value;   ///< 0 or 1; a value plane's content for a numeric symbol
-  std::uint32_t symbol;  ///< its row in PlantTables::symbols
-};
-
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains; wait-free between them.
-/// Within an instant changes stand in the order of the symbol list.
+/// Of an instant its findings come first, in their order, then changes of symbols in the order of the symbol list,
+/// then units. All of an instant is there to be drained, or nothing.
 class Recorder final : public core::Observer {
  public:
-  /// Room for `capacity` changes, rounded up to a power of two; what does not fit is counted as lost.
+  /// Room for `capacity` records, rounded up to a power of two; what does not fit is counted as lost.
   Recorder(const core::PlantTables& tables, std::size_t capacity);
+  /// So many records loses nothing where the ring is drained after each instant.
+  static std::size_t enough_for_an_instant(const core::PlantTables& tables);
 
   /// The plant whose instants come; to be set before it is advanced.
   void attach(const core::Plant& plant) { plant_ = &plant; }
 
   void instant(const core::Instant& instant) noexcept override;
+  void finding(const core::Finding& finding) noexcept override;
+  /// Between instants, by the thread that runs the plant. False where there was no room.
+  bool note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept;
 
-  /// Hands every change recorded so far to `take(const Change&)`.
+  /// Hands every record made so far to `take(const Record&)`.
   template <class Take>
   void drain(Take take) {
     const std::size_t end = written_.load(std::memory_order_acquire);
@@ -38,10 +38,15 @@ class Recorder final : public core::Observer {
     read_.store(at, std::memory_order_release);
   }
 
-  std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
+  std::uint64_t lost_changes() const noexcept { return lost_changes_.load(std::memory_order_relaxed); }
+  std::uint64_t lost_findings() const noexcept { return lost_findings_.load(std::memory_order_relaxed); }
 
  private:
   void note_bits(const core::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
+  void record_symbols(const core::Instant& instant) noexcept;
+  void record_units(const core::Instant& instant) noexcept;
+  bool put(const Record& record) noexcept;
+  void publish() noexcept;
 
   const core::PlantTables& tables_;
   const core::Plant* plant_ = nullptr;
@@ -51,11 +56,15 @@ class Recorder final : public core::Observer {
   std::vector<std::uint32_t> symbol_of_event_slot_;
   std::vector<std::uint32_t> changed_;  ///< of the instant at hand; never grows beyond its first capacity
   std::size_t changed_count_ = 0;
-  std::vector<Change> ring_;
+  std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
+  std::vector<Record> ring_;
   std::size_t mask_;
+  std::size_t at_ = 0;   ///< where the next record goes; behind written_ while an instant is recorded
+  std::size_t end_ = 0;  ///< up to here there is room, as last seen
   std::atomic<std::size_t> written_{0};
   std::atomic<std::size_t> read_{0};
-  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<std::uint64_t> lost_changes_{0};
+  std::atomic<std::uint64_t> lost_findings_{0};
 };
 
 }  // namespace symplant::trace

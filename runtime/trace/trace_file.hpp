@@ -2,47 +2,40 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "symplant/core/tables.hpp"
-#include "symplant/trace/recorder.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/output_file.hpp"
+#include "symplant/trace/record.hpp"
 
 namespace symplant::trace {
 
-/// One writer; not thread-safe. A write that fails (a full disk) ends the file, not the plant: see error().
+/// One writer; not thread-safe.
 class TraceFile {
  public:
-  /// Opens the file and writes the header. What went wrong is in error().
-  TraceFile(const std::string& path, const core::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
+  /// Writes the header. What goes wrong is in error().
+  TraceFile(OutputFile file, const core::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
 
-  void write(const Change& change);
-  /// Gives everything written so far to the system.
-  void flush();
+  /// A record of a change; others are passed over. O(line).
+  void write(const Record& record);
+  /// Between two instants: begins a further part where the file is full. Its header holds `part`, counted from 1, the
+  /// time `t`, and all `values` that are not off or 0, so that it can be read alone. O(1), then O(symbols).
+  void part(core::Time time, const History& history);
 
-  /// Empty while all is well; else what the system said, once and for all.
-  const std::string& error() const { return error_; }
+  void flush() { file_.flush(); }
+  const std::string& error() const { return file_.error(); }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  void put(const std::string& text);
-  void fail();
-
   const core::PlantTables& tables_;
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
-  std::vector<std::string> names_;  ///< of symbols, as JSON strings
-  std::string line_;
-  std::string error_;
+  OutputFile file_;
+  std::string head_;                ///< of every part, without its closing brace
+  std::vector<std::string> names_;  ///< of symbols: what stands between time and value
+  std::string time_;                ///< of the lines being written
+  core::Time last_time_ = -1;
+  std::uint64_t parts_ = 1;
+  bool has_lines_ = false;  ///< this part, so that a large header is not all that is written
 };
-
-/// The value of a symbol as JSON: true or false; a number, or a string where a number cannot say it (integers beyond
-/// 2^53, NaN, infinities). REAL and LREAL in the shortest form that reads back.
-std::string json_value(core::DataType type, std::uint64_t value);
 
 }  // namespace symplant::trace

@@ -22,8 +22,8 @@ constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes inc
 // Lowest first; a floor may use what stands before it.
 constexpr std::array<std::string_view, 10> kGenerator = {"base",  "diag",  "address", "read", "name",
                                                          "model", "lower", "check",   "emit", "app"};
-constexpr std::array<std::string_view, 8> kRuntime = {"core", "condition", "json",  "share",
-                                                      "exec", "link",      "trace", "host"};
+constexpr std::array<std::string_view, 9> kRuntime = {"core", "condition", "json",     "share", "exec",
+                                                      "link", "trace",     "scenario", "host"};
 
 /// How much of the runtime a floor of the generator may use: its first so many floors.
 struct RuntimeUse {

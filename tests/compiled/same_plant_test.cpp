@@ -80,9 +80,11 @@ Trace random_trace(const core::PlantTables& tables, unsigned seed) {
       plant.set_operation_value(symbol.index, random() % 1000);
     }
     plant.advance_to(now, &recorder);
-    recorder.drain([&](const trace::Change& change) { trace.emplace_back(change.time, change.symbol, change.value); });
+    recorder.drain([&](const trace::Record& record) {
+      if (record.kind == trace::Record::Kind::change) trace.emplace_back(record.time, record.of, record.value);
+    });
   }
-  CHECK(recorder.lost() == 0);
+  CHECK(recorder.lost_changes() == 0);
   return trace;
 }
 

@@ -89,9 +89,10 @@ void check_worked_example(core::Plant& plant, Seen seen) {
     plant.advance_to(time, &recorder);
 
     std::string changes;
-    recorder.drain([&](const trace::Change& change) {
+    recorder.drain([&](const trace::Record& change) {
+      if (change.kind != trace::Record::Kind::change) return;
       CHECK(change.time == time);
-      std::string_view name = names[std::size_t{2} * change.symbol];
+      std::string_view name = names[std::size_t{2} * change.of];
       name.remove_prefix(kExamplePrefix.size());
       changes.append(changes.empty() ? "" : " ").append(name).append(change.value != 0 ? "=1" : "=0");
       seen(change);
@@ -100,12 +101,12 @@ void check_worked_example(core::Plant& plant, Seen seen) {
     CHECK(state_text(plant, agv) == row.agv);
     CHECK(state_text(plant, mc) == row.mc);
   }
-  CHECK(recorder.lost() == 0);
+  CHECK(recorder.lost_changes() == 0);
   CHECK(plant.next_due() == core::kNever);
 }
 
 inline void check_worked_example(core::Plant& plant) {
-  check_worked_example(plant, [](const trace::Change&) {});
+  check_worked_example(plant, [](const trace::Record&) {});
 }
 
 }  // namespace symplant::test

@@ -59,10 +59,11 @@ void add_run(CLI::App& app, Context& context) {
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
-      "  symplant run symbols.csv --until 10s --trace trace.jsonl");
+      "  symplant run symbols.csv --until 10s --trace trace.jsonl\n"
+      "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);
-    if (!compiled || overwrites(context, options->run.trace, {options->plant})) return;
+    if (!compiled) return;
     const core::PlantTables tables = compiled->tables.tables();
     host::PlantProgram program{.tables = tables};
     program.more = more(compiled->plant);

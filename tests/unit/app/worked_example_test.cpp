@@ -19,8 +19,8 @@ TEST_CASE("The paper's cell runs as the worked example has it, every change and 
   const TemporaryFolder folder;
   std::string expected;
   {
-    trace::TraceFile file(folder / "trace.jsonl", tables, core::model_hash(tables), 0);
-    check_worked_example(plant, [&](const trace::Change& change) { file.write(change); });
+    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, core::model_hash(tables), 0);
+    check_worked_example(plant, [&](const trace::Record& change) { file.write(change); });
     CHECK(file.error().empty());
   }
   const std::string trace = read_bytes(folder / "trace.jsonl");

@@ -38,7 +38,7 @@ TEST_CASE("Every name of a hostile list reads back from a trace") {
   const auto names = core::split_names(tables.symbol_names);
   const TemporaryFolder folder;
   {
-    trace::TraceFile file(folder / "trace.jsonl", tables, 0, 0);
+    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, 0, 0);
     for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) file.write({0, 1, i});
   }
   std::ifstream file(folder / "trace.jsonl");

@@ -25,9 +25,9 @@ struct FreePlant {
   core::OwnedPlant plant{tables};
 };
 
-std::vector<trace::Change> drained(trace::Recorder& recorder) {
-  std::vector<trace::Change> changes;
-  recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
+std::vector<trace::Record> drained(trace::Recorder& recorder) {
+  std::vector<trace::Record> changes;
+  recorder.drain([&](const trace::Record& change) { changes.push_back(change); });
   return changes;
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("within an instant changes stand in the order of the list") {
   const auto changes = drained(recorder);
   REQUIRE(changes.size() == 3);
   for (std::uint32_t i = 0; i < 3; ++i) {
-    CHECK(changes[i].symbol == i);
+    CHECK(changes[i].of == i);
     CHECK(changes[i].time == 5);
   }
   CHECK(changes[1].value == 7);
@@ -60,7 +60,7 @@ TEST_CASE("what does not fit into the ring is counted, and what came first is ke
   const auto changes = drained(recorder);
   REQUIRE(changes.size() == 4);
   CHECK(changes.front().time == 1);
-  CHECK(recorder.lost() == 6);
+  CHECK(recorder.lost_changes() == 6);
   p.plant.set_operation(0, true);
   p.plant.advance_to(20, &recorder);
   CHECK(drained(recorder).size() == 1);  // there is room again
@@ -70,10 +70,10 @@ TEST_CASE("a thread may drain while the plant runs: every change comes once, in 
   FreePlant p;
   trace::Recorder recorder(p.tables, 1 << 12);
   recorder.attach(p.plant);
-  std::vector<trace::Change> changes;
+  std::vector<trace::Record> changes;
   std::jthread reader([&](const std::stop_token& stop) {
-    while (!stop.stop_requested()) recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
-    recorder.drain([&](const trace::Change& change) { changes.push_back(change); });
+    while (!stop.stop_requested()) recorder.drain([&](const trace::Record& change) { changes.push_back(change); });
+    recorder.drain([&](const trace::Record& change) { changes.push_back(change); });
   });
   constexpr int kSteps = 200'000;
   for (int i = 1; i <= kSteps; ++i) {
@@ -82,7 +82,7 @@ TEST_CASE("a thread may drain while the plant runs: every change comes once, in 
   }
   reader.request_stop();
   reader.join();
-  CHECK(changes.size() + recorder.lost() == kSteps);
+  CHECK(changes.size() + recorder.lost_changes() == kSteps);
   for (std::size_t i = 1; i < changes.size(); ++i) {
     if (changes[i].time <= changes[i - 1].time) FAIL("change " << i << " is out of order");
   }

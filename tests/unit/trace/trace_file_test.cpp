@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "symplant/core/owned_plant.hpp"
+#include "symplant/trace/value_text.hpp"
 
 namespace symplant::test {
 namespace {
@@ -49,7 +50,7 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
   core::PlantTables tables = bare_tables("p\"1", 64, 64, 0, symbols);
   tables.symbol_names = names;
   {
-    trace::TraceFile file(path, tables, 0xABC, 7);
+    trace::TraceFile file({"trace", path}, tables, 0xABC, 7);
     file.write({1'500'000'000, 1, 0});
     file.flush();
     CHECK(file.error().empty());
@@ -71,14 +72,14 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
 TEST_CASE("a full disk ends the file and is told once") {
   if (!std::filesystem::exists("/dev/full")) return;
   const core::PlantTables tables = bare_tables("p", 64, 64);
-  trace::TraceFile file("/dev/full", tables, 0, 0);
+  trace::TraceFile file({"trace", "/dev/full"}, tables, 0, 0);
   file.flush();
   CHECK(file.error().find("/dev/full") != std::string::npos);
 }
 
 TEST_CASE("a file that cannot be opened says why") {
   const core::PlantTables tables = bare_tables("p", 64, 64);
-  const trace::TraceFile file("/no/such/folder/trace.jsonl", tables, 0, 0);
+  const trace::TraceFile file({"trace", "/no/such/folder/trace.jsonl"}, tables, 0, 0);
   CHECK(file.error().find("/no/such/folder/trace.jsonl") != std::string::npos);
 }
 

@@ -1,0 +1,120 @@
+// What goes wrong in a run.
+#include "symplant/host/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "symplant/host/words.hpp"
+
+namespace symplant::host {
+namespace {
+
+using core::FindingKind;
+using trace::seconds;
+
+const char* severity(FindingKind kind) {
+  if (kind == FindingKind::requirement_violated) return "error";
+  return kind == FindingKind::started_on_enabling ? "note" : "warning";
+}
+
+}  // namespace
+
+Report::Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
+               std::string file, std::ostream& err)
+    : names_(names),
+      history_(history),
+      scenario_(scenario),
+      file_(std::move(file)),
+      err_(err),
+      violations_(names.tables().requirements.size()),
+      failures_(scenario == nullptr ? 0 : scenario->steps.size()) {}
+
+std::string Report::place(std::size_t step) const {
+  return fmt::format("{}:{}", shown(file_), scenario_->steps[step].line);
+}
+
+std::string Report::found(const trace::FoundThing& found) {
+  const std::string words = trace::finding_words(found, names_, history_);
+  ++counts_[static_cast<std::size_t>(found.kind)];
+  if (found.kind == FindingKind::requirement_violated) {
+    Violation& violation = violations_[found.of.front()];
+    if (violation.count++ == 0) {
+      violation.first = found.time;
+      violation.words = words;
+    }
+  }
+  if (told_.emplace(found.kind, found.of).second) {
+    err_ << severity(found.kind) << ": " << seconds(found.time) << ": " << shown(words) << "\n";
+  }
+  return words;
+}
+
+void Report::failed(std::uint32_t step, core::Time time) {
+  failures_[step] = scenario::failure_words(scenario_->steps[step], time, names_, history_);
+  err_ << place(step) << ": error: " << shown(failures_[step]) << "\n";
+}
+
+std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
+
+std::size_t Report::requirements_violated() const {
+  return static_cast<std::size_t>(
+      std::count_if(violations_.begin(), violations_.end(), [](const Violation& v) { return v.count != 0; }));
+}
+
+void Report::tell_unreached(const core::Plant& plant, std::span<const scenario::Outcome> outcomes) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
+    failures_[i] = fmt::format("{} was not reached, since the run ended at {}",
+                               scenario::expectation_words(scenario_->steps[i], names_), seconds(plant.now()));
+    err_ << place(i) << ": error: " << shown(failures_[i]) << "\n";
+  }
+}
+
+void Report::tell_findings(std::uint64_t lost, std::ostream& out) const {
+  std::string text;
+  for (std::size_t kind = 0; kind < counts_.size(); ++kind) {
+    if (counts_[kind] == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts_[kind],
+                        trace::finding_name(static_cast<FindingKind>(kind)));
+  }
+  if (!text.empty()) out << "findings: " << text << "\n";
+  if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
+}
+
+void Report::tell_requirements(const core::Plant& plant, std::ostream& out) const {
+  if (violations_.empty()) return;
+  const std::size_t violated = requirements_violated();
+  out << fmt::format("requirements: {} held, {} violated\n", violations_.size() - violated, violated);
+  for (std::uint32_t r = 0; r < violations_.size(); ++r) {
+    if (plant.is_pending(r)) {
+      out << fmt::format("pending at the end: `{}` still waits for what it expects\n", shown(names_.requirement(r)));
+    }
+  }
+}
+
+void Report::tell_disarmed(const core::Plant& plant, std::ostream& out) const {
+  const auto disarmed = plant.disarmed();
+  for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
+    const core::SymbolRow& row = names_.tables().symbols[symbol];
+    if (row.type() != core::DataType::boolean || !names_.is_operation(symbol) || row.unit == core::kNoUnit) continue;
+    if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !plant.operation(row.index)) continue;
+    out << fmt::format("on but without effect until it has been off: {}\n", shown(trace::symbol_words(symbol, names_)));
+  }
+}
+
+void Report::sum_up(const core::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
+                    std::ostream& out) {
+  if (scenario_ != nullptr) {
+    tell_unreached(plant, outcomes);
+    const scenario::Verdict verdict = scenario::verdict_of(*scenario_, outcomes);
+    out << fmt::format("expectations: {} held, {} failed, {} not reached\n", verdict.held, verdict.failed,
+                       verdict.unreached);
+  }
+  tell_requirements(plant, out);
+  tell_findings(lost_findings, out);
+  tell_disarmed(plant, out);
+}
+
+}  // namespace symplant::host

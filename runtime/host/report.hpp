@@ -1,0 +1,69 @@
+// What goes wrong in a run: told as it happens, counted, and summed up at the end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "symplant/core/plant.hpp"
+#include "symplant/scenario/player.hpp"
+#include "symplant/scenario/verdict.hpp"
+#include "symplant/trace/finding_words.hpp"
+
+namespace symplant::host {
+
+/// Of a requirement.
+struct Violation {
+  std::uint64_t count = 0;
+  core::Time first = 0;
+  std::string words;  ///< of the first
+};
+
+/// Used by one thread at a time. Names, history, scenario and the stream must outlive it.
+class Report {
+ public:
+  /// `scenario` is null where none is played; `file` is its path, for messages.
+  Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
+         std::string file, std::ostream& err);
+
+  /// Tells the first of each kind and thing. Gives the sentence.
+  std::string found(const trace::FoundThing& found);
+  /// Step `step` has failed at its time.
+  void failed(std::uint32_t step, core::Time time);
+
+  std::uint64_t count(core::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  std::uint64_t findings() const;
+  const Violation& violation(std::uint32_t requirement) const { return violations_[requirement]; }
+  /// Why a step failed; empty where it did not.
+  const std::string& failure(std::size_t step) const { return failures_[step]; }
+
+  /// At the end: what was not reached, on the stream of messages; counts, what is pending and what is on but not armed
+  /// on `out`. `outcomes` are the scenario's, if there is one.
+  void sum_up(const core::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
+              std::ostream& out);
+
+  std::size_t requirements_violated() const;
+
+ private:
+  void tell_unreached(const core::Plant& plant, std::span<const scenario::Outcome> outcomes);
+  void tell_findings(std::uint64_t lost, std::ostream& out) const;
+  void tell_requirements(const core::Plant& plant, std::ostream& out) const;
+  void tell_disarmed(const core::Plant& plant, std::ostream& out) const;
+  std::string place(std::size_t step) const;
+
+  const trace::PlantNames& names_;
+  const trace::History& history_;
+  const scenario::Scenario* scenario_;
+  std::string file_;
+  std::ostream& err_;
+  std::array<std::uint64_t, core::kFindingKinds> counts_{};
+  std::set<std::pair<core::FindingKind, std::vector<std::uint32_t>>> told_;
+  std::vector<Violation> violations_;
+  std::vector<std::string> failures_;
+};
+
+}  // namespace symplant::host

@@ -1,0 +1,29 @@
+// A plant ready to run.
+#include "symplant/host/stage.hpp"
+
+namespace symplant::host {
+namespace {
+
+/// In real time the one who drains may be held up by a disk for a while.
+constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
+
+std::size_t capacity(const core::PlantTables& tables, bool real_time) {
+  const std::size_t enough = trace::Recorder::enough_for_an_instant(tables);
+  return real_time ? std::max(kRealTimeRecords, 2 * enough) : enough;
+}
+
+}  // namespace
+
+Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
+             const scenario::Scenario* scenario, bool real_time, std::ostream& out, std::ostream& err)
+    : plant(program.tables, program.behaviours),
+      recorder(program.tables, capacity(program.tables, real_time)),
+      history(names),
+      report(names, history, scenario, options.scenario, err),
+      outputs(names, options, recorder, history, report, out) {
+  plant.reset(options.seed, real_time ? options.cycle : 0);
+  recorder.attach(plant);
+  if (scenario != nullptr) player.emplace(*scenario, plant, recorder);
+}
+
+}  // namespace symplant::host

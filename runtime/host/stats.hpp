@@ -1,0 +1,26 @@
+// What a run came to, in numbers, as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "symplant/core/plant.hpp"
+#include "symplant/exec/cycle.hpp"
+#include "symplant/host/outputs.hpp"
+#include "symplant/host/report.hpp"
+
+namespace symplant::host {
+
+struct StatsInput {
+  const core::Plant& plant;
+  std::uint64_t seed;
+  const Outputs& outputs;
+  const Report& report;
+  std::optional<scenario::Verdict> verdict;        ///< where a scenario was played
+  std::optional<exec::CycleStatistics> real_time;  ///< where it was real time
+  core::Time wall;                                 ///< ns that the run took
+};
+
+std::string stats_text(const StatsInput& input);
+
+}  // namespace symplant::host

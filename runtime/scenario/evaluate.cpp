@@ -1,0 +1,72 @@
+// Whether something holds in a plant as it stands.
+#include "symplant/scenario/evaluate.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "symplant/core/compare.hpp"
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::scenario {
+namespace {
+
+bool holds(const condition::Atom& atom, const core::Plant& plant) noexcept {
+  switch (atom.kind) {
+    case condition::Atom::Kind::settled: {
+      const core::UnitView unit = plant.unit(atom.of);
+      return !unit.moving && unit.state == atom.state;
+    }
+    case condition::Atom::Kind::moving:
+      return plant.unit(atom.of).moving;
+    case condition::Atom::Kind::bit:
+      return value_of(plant, atom.of) != 0;
+    case condition::Atom::Kind::number:
+      break;
+  }
+  return core::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, value_of(plant, atom.of));
+}
+
+}  // namespace
+
+std::uint64_t value_of(const core::Plant& plant, std::uint32_t symbol) noexcept {
+  const core::SymbolRow& row = plant.tables().symbols[symbol];
+  const bool operation = row.direction() == core::Direction::operation;
+  if (row.type() == core::DataType::boolean) {
+    return (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
+  }
+  return operation ? plant.operation_value(row.index) : plant.event_value(row.index);
+}
+
+bool equal_values(core::DataType type, std::uint64_t a, std::uint64_t b) noexcept {
+  if (!trace::is_real(type)) return a == b;
+  const double x = std::bit_cast<double>(a);
+  const double y = std::bit_cast<double>(b);
+  return x == y || (std::isnan(x) && std::isnan(y));
+}
+
+bool holds(const condition::Tree& tree, const core::Plant& plant) noexcept {
+  const auto holds_here = [&plant](const condition::Tree& child) { return holds(child, plant); };
+  switch (tree.kind) {
+    case condition::Tree::Kind::constant:
+      return tree.value;
+    case condition::Tree::Kind::atom:
+      return holds(tree.atom, plant);
+    case condition::Tree::Kind::negation:
+      return !holds(tree.children.front(), plant);
+    case condition::Tree::Kind::all:
+      return std::all_of(tree.children.begin(), tree.children.end(), holds_here);
+    case condition::Tree::Kind::any:
+      break;
+  }
+  return std::any_of(tree.children.begin(), tree.children.end(), holds_here);
+}
+
+bool holds(const Expectation& expectation, const core::Plant& plant) noexcept {
+  if (expectation.condition && !holds(*expectation.condition, plant)) return false;
+  return std::all_of(expectation.values.begin(), expectation.values.end(), [&](const SymbolValue& wanted) {
+    return equal_values(plant.tables().symbols[wanted.symbol].type(), value_of(plant, wanted.symbol), wanted.value);
+  });
+}
+
+}  // namespace symplant::scenario

@@ -1,0 +1,21 @@
+// Whether something holds in a plant as it stands.
+#pragma once
+
+#include <cstdint>
+
+#include "symplant/condition/tree.hpp"
+#include "symplant/core/plant.hpp"
+#include "symplant/scenario/scenario.hpp"
+
+namespace symplant::scenario {
+
+/// The value of a symbol after forces, as its plane holds it.
+std::uint64_t value_of(const core::Plant& plant, std::uint32_t symbol) noexcept;
+
+/// REAL and LREAL compare as numbers, NaN with NaN; everything else bit by bit.
+bool equal_values(core::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
+
+bool holds(const condition::Tree& tree, const core::Plant& plant) noexcept;
+bool holds(const Expectation& expectation, const core::Plant& plant) noexcept;
+
+}  // namespace symplant::scenario

@@ -1,0 +1,98 @@
+// Plays a scenario on a plant.
+#include "symplant/scenario/player.hpp"
+
+#include <algorithm>
+
+#include "symplant/scenario/evaluate.hpp"
+
+namespace symplant::scenario {
+
+Player::Player(const Scenario& scenario, core::Plant& plant, trace::Recorder& recorder)
+    : scenario_(scenario), plant_(plant), recorder_(recorder), outcomes_(scenario.steps.size()) {}
+
+core::Time Player::time_of(const Step& step) const noexcept {
+  return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;
+}
+
+core::Time Player::next() const noexcept {
+  if (over()) return core::kNever;
+  if (waiting_) return deadline_;
+  const Step& step = scenario_.steps[at_];
+  return step.when == Step::When::wait ? moment_ : time_of(step);
+}
+
+void Player::instant(const core::Instant& instant) noexcept {
+  recorder_.instant(instant);
+  if (!waiting_ || met_ || instant.time > deadline_) return;
+  met_ = holds(*scenario_.steps[at_].expect, plant_);
+  met_time_ = instant.time;
+}
+
+void Player::set(const SymbolValue& value) noexcept {
+  const core::SymbolRow& row = plant_.tables().symbols[value.symbol];
+  if (row.direction() == core::Direction::event) {
+    plant_.set_input(value.symbol, value.value);
+  } else if (row.type() == core::DataType::boolean) {
+    plant_.set_operation(row.index, value.value != 0);
+  } else {
+    plant_.set_operation_value(row.index, value.value);
+  }
+}
+
+void Player::act(const Step& step) noexcept {
+  for (const SymbolValue& value : step.set) set(value);
+  for (const UnitState& unit : step.states) plant_.set_state(unit.unit, unit.state);
+  for (const SymbolValue& value : step.force) plant_.force(value.symbol, value.value);
+  for (const std::uint32_t symbol : step.release) plant_.release(symbol);
+}
+
+void Player::decide(Outcome::Kind kind, core::Time time) noexcept {
+  outcomes_[at_] = {kind, time};
+  if (kind == Outcome::Kind::failed)
+    recorder_.note(plant_.now(), static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
+  moment_ = time;
+  ++at_;
+}
+
+/// Of the wait that is next, the present instant run: false while it goes on.
+bool Player::wait_on() noexcept {
+  const Step& step = scenario_.steps[at_];
+  if (!waiting_) {
+    waiting_ = true;
+    deadline_ = moment_ + step.time;
+    met_ = holds(*step.expect, plant_);
+    met_time_ = plant_.now();
+  }
+  if (!met_ && plant_.now() < deadline_) return false;
+  waiting_ = false;
+  decide(met_ ? Outcome::Kind::held : Outcome::Kind::failed, met_ ? met_time_ : deadline_);
+  return true;
+}
+
+void Player::advance_to(core::Time time) noexcept {
+  plant_.advance_before(time, this);
+  while (!over()) {
+    const Step& step = scenario_.steps[at_];
+    if (step.when == Step::When::wait) {
+      plant_.advance_to(time, this);
+      if (!wait_on()) break;
+      continue;
+    }
+    const core::Time due = time_of(step);
+    if (due > time) break;
+    act(step);
+    if (!step.expect) {
+      decide(Outcome::Kind::done, due);
+      continue;
+    }
+    plant_.advance_to(time, this);
+    decide(holds(*step.expect, plant_) ? Outcome::Kind::held : Outcome::Kind::failed, due);
+  }
+  plant_.advance_to(time, this);
+}
+
+void Player::end() noexcept {
+  for (; at_ < outcomes_.size(); ++at_) outcomes_[at_] = {Outcome::Kind::unreached, plant_.now()};
+}
+
+}  // namespace symplant::scenario

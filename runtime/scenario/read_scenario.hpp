@@ -1,0 +1,26 @@
+// Reads a scenario file against a plant.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "symplant/json/place.hpp"
+#include "symplant/scenario/scenario.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::scenario {
+
+struct ReadScenario {
+  std::optional<Scenario> scenario;  ///< where there is no fault
+  std::vector<json::Placed> faults;  ///< all that there are, in the order of the text
+};
+
+/// `carried`: by symbol, operations that a link to a PLC writes, so that a scenario cannot; empty: none. O(text +
+/// plant).
+ReadScenario read_scenario(std::string_view text, const trace::PlantNames& names, const std::vector<bool>& carried);
+
+/// The JSON Schema of the format (draft-07), as `symplant schema scenario` prints it.
+std::string_view scenario_schema();
+
+}  // namespace symplant::scenario

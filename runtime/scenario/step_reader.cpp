@@ -1,0 +1,239 @@
+// Reads the steps of a scenario.
+#include "symplant/scenario/step_reader.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "symplant/condition/resolve.hpp"
+#include "symplant/core/duration.hpp"
+#include "symplant/scenario/value.hpp"
+#include "symplant/trace/finding_words.hpp"
+
+namespace symplant::scenario {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr core::Time kDefaultWithin = 10 * core::kSecond;
+// Far from where 64 bits of nanoseconds end, so that sums cannot overflow.
+constexpr core::Time kLatest = 876'000 * (3600 * core::kSecond);
+
+std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+std::string nearest_text(const std::string& nearest) {
+  return nearest.empty() ? "" : ", the nearest is " + ticked(nearest);
+}
+
+/// Symbols that a unit moves, and those on their addresses.
+std::vector<bool> moved_symbols(const core::PlantTables& tables) {
+  std::vector<bool> moved(tables.symbols.size());
+  for (std::size_t s = 0; s < moved.size(); ++s) moved[s] = tables.symbols[s].moved();
+  for (int pass = 0; pass < 2; ++pass) {  // to the leader, then from it
+    for (const core::SharedAddress& shared : tables.shared_addresses) {
+      if (moved[shared.symbol] || moved[shared.leader]) moved[shared.symbol] = moved[shared.leader] = true;
+    }
+  }
+  return moved;
+}
+
+}  // namespace
+
+StepReader::StepReader(const trace::PlantNames& names, const std::vector<bool>& carried)
+    : names_(names), carried_(carried), by_name_(names), moved_(moved_symbols(names.tables())) {}
+
+void StepReader::add(const std::string& pointer, std::string message, bool at_key, std::size_t column) {
+  faults.push_back({pointer, std::move(message), column, at_key});
+}
+
+Step StepReader::read(const Json& step, const std::string& pointer) {
+  Step result;
+  read_when(step, pointer, result);
+  const auto part = [&](const char* key, auto take) {
+    if (const auto found = step.find(key); found != step.end()) take(*found, json::child(pointer, key));
+  };
+  part("set", [&](const Json& value, const std::string& at) { result.set = read_values(value, at, true); });
+  part("state", [&](const Json& value, const std::string& at) { result.states = read_states(value, at); });
+  part("force", [&](const Json& value, const std::string& at) { result.force = read_values(value, at, false); });
+  part("release", [&](const Json& value, const std::string& at) { result.release = read_symbols(value, at); });
+  part("expect", [&](const Json& value, const std::string& at) { read_expect(value, at, result); });
+  return result;
+}
+
+void StepReader::read_when(const Json& step, const std::string& pointer, Step& result) {
+  constexpr std::array<std::pair<const char*, Step::When>, 3> kWhens{
+      {{"at", Step::When::at}, {"plus", Step::When::plus}, {"wait", Step::When::wait}}};
+  const char* given = nullptr;
+  for (const auto& [key, when] : kWhens) {
+    if (!step.contains(key)) continue;
+    if (given != nullptr) {
+      add(json::child(pointer, key), ticked(given) + " says already when this step is, leave one of them out", true);
+      continue;
+    }
+    given = key;
+    result.when = when;
+  }
+  if (given == nullptr) {
+    add(pointer, "this step does not say when it is, add `at`, `plus` or `wait`");
+  } else if (result.when == Step::When::wait) {
+    read_wait(step, pointer, result);
+    return;
+  } else if (const auto time = read_duration(step[given], json::child(pointer, given))) {
+    result.time = *time;
+    check_order(result, json::child(pointer, given));
+  }
+  if (step.contains("within")) {
+    add(json::child(pointer, "within"), "`within` belongs to a `wait`, which this step has not", true);
+  }
+}
+
+void StepReader::read_wait(const Json& step, const std::string& pointer, Step& result) {
+  result.time = kDefaultWithin;
+  Expectation expectation;
+  expectation.text = step["wait"].get<std::string>();
+  expectation.condition = read_condition(expectation.text, json::child(pointer, "wait"));
+  result.expect = std::move(expectation);
+  if (const auto within = step.find("within"); within != step.end()) {
+    result.time = read_duration(*within, json::child(pointer, "within")).value_or(kDefaultWithin);
+  }
+  for (const char* key : {"set", "state", "force", "release", "expect"}) {
+    if (!step.contains(key)) continue;
+    add(json::child(pointer, key),
+        ticked(key) + " stands beside `wait`, give it a step of its own behind, with `plus`: `0s`", true);
+  }
+}
+
+void StepReader::check_order(const Step& step, const std::string& pointer) {
+  if (step.when == Step::When::plus) {
+    if (step.time > kLatest - earliest_) {
+      add(pointer, "this is later than 100 years, the latest that there is");
+      return;
+    }
+    if (step.time > 0) last_ = "plus";
+    earliest_ += step.time;
+    return;
+  }
+  if (step.time < earliest_) {
+    add(pointer, "this is before the " + ticked(last_) + " above, which is at " + trace::seconds(earliest_) +
+                     " at the earliest, put the steps into their order");
+    return;
+  }
+  earliest_ = step.time;
+  last_ = "at";
+}
+
+void StepReader::read_expect(const Json& value, const std::string& pointer, Step& result) {
+  if (result.when == Step::When::wait) return;  // told already
+  Expectation expectation;
+  if (value.is_string()) {
+    expectation.text = value.get<std::string>();
+    expectation.condition = read_condition(expectation.text, pointer);
+  } else {
+    expectation.values = read_values(value, pointer, false);
+  }
+  result.expect = std::move(expectation);
+}
+
+std::optional<core::Time> StepReader::read_duration(const Json& value, const std::string& pointer) {
+  const auto& text = value.get_ref<const std::string&>();
+  const auto time = core::parse_duration(text);
+  if (!time) {
+    add(pointer, ticked(text) + " is no duration, write a number and ns, us, ms, s, min or h, as in `1.5s`");
+  } else if (*time > kLatest) {
+    add(pointer, ticked(text) + " is later than 100 years, the latest that there is");
+    return std::nullopt;
+  }
+  return time;
+}
+
+std::optional<condition::Tree> StepReader::read_condition(const std::string& text, const std::string& pointer) {
+  auto read = condition::parse_and_resolve(text, by_name_);
+  if (auto* tree = std::get_if<condition::Tree>(&read)) return std::move(*tree);
+  auto& fault = std::get<condition::Fault>(read);
+  add(pointer, std::move(fault.message), false, fault.place.offset);
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> StepReader::symbol(const std::string& name, const std::string& pointer, bool at_key) {
+  if (const auto found = by_name_.symbol(name)) return found->index;
+  if (by_name_.unit(name, {})) {
+    add(pointer, ticked(name) + " is a device, name one of its symbols, or put the device into a state by `state`",
+        at_key);
+  } else {
+    add(pointer, "there is no symbol " + ticked(name) + nearest_text(by_name_.nearest_symbol(name)), at_key);
+  }
+  return std::nullopt;
+}
+
+/// Empty where a scenario may.
+std::string StepReader::why_not_set(std::uint32_t symbol) const {
+  const std::string name = ticked(names_.symbol(symbol));
+  if (names_.is_operation(symbol)) {
+    if (symbol >= carried_.size() || !carried_[symbol]) return {};
+    return name + " is written by the PLC through the link, hold it by `force` instead";
+  }
+  if (!moved_[symbol]) return {};
+  const std::uint32_t unit = names_.tables().symbols[symbol].unit;
+  return name + " is moved by " +
+         (unit == core::kNoUnit ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
+         ", move that by `state`, or hold the symbol by `force`";
+}
+
+std::vector<SymbolValue> StepReader::read_values(const Json& object, const std::string& pointer, bool setting) {
+  std::vector<SymbolValue> values;
+  for (const auto& [name, value] : object.items()) {
+    const std::string here = json::child(pointer, name);
+    const auto found = symbol(name, here, true);
+    if (!found) continue;
+    if (const std::string why = setting ? why_not_set(*found) : ""; !why.empty()) add(here, why, true);
+    for (const SymbolValue& other : values) {
+      if (other.symbol == *found) add(here, ticked(name) + " stands here twice, in different letters", true);
+    }
+    auto read = read_value(names_.tables().symbols[*found].type(), value);
+    if (auto* message = std::get_if<std::string>(&read)) {
+      add(here, std::move(*message));
+    } else {
+      values.push_back({*found, std::get<std::uint64_t>(read)});
+    }
+  }
+  return values;
+}
+
+std::vector<UnitState> StepReader::read_states(const Json& object, const std::string& pointer) {
+  std::vector<UnitState> states;
+  for (const auto& [name, value] : object.items()) {
+    const std::string here = json::child(pointer, name);
+    const auto unit = by_name_.unit(name, {});
+    if (!unit) {
+      const bool is_symbol = by_name_.symbol(name).has_value();
+      add(here,
+          is_symbol ? ticked(name) + " is a symbol and has no states, set or force it"
+                    : "there is no device " + ticked(name) + nearest_text(by_name_.nearest_device(name, {})),
+          true);
+      continue;
+    }
+    const auto& wanted = value.get_ref<const std::string&>();
+    if (const auto state = by_name_.state(*unit, wanted)) {
+      states.push_back({*unit, *state});
+      continue;
+    }
+    std::string why = by_name_.why_no_state(*unit, wanted);
+    if (why.empty()) {
+      why = "there is no state " + ticked(wanted) + " of " + ticked(name) +
+            nearest_text(by_name_.nearest_state(*unit, wanted));
+    }
+    add(here, std::move(why));
+  }
+  return states;
+}
+
+std::vector<std::uint32_t> StepReader::read_symbols(const Json& array, const std::string& pointer) {
+  std::vector<std::uint32_t> symbols;
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const auto found = symbol(array[i].get_ref<const std::string&>(), json::child(pointer, i), false);
+    if (found) symbols.push_back(*found);
+  }
+  return symbols;
+}
+
+}  // namespace symplant::scenario

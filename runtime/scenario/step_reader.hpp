@@ -1,0 +1,48 @@
+// Reads the steps of a scenario, one after the other, and notes what is wrong with each.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/json/place.hpp"
+#include "symplant/scenario/scenario.hpp"
+#include "symplant/scenario/table_names.hpp"
+
+namespace symplant::scenario {
+
+/// Expects of its steps the shape that the schema gives them.
+class StepReader {
+ public:
+  StepReader(const trace::PlantNames& names, const std::vector<bool>& carried);
+
+  /// `pointer` is where the step stands in the file.
+  Step read(const nlohmann::json& step, const std::string& pointer);
+
+  std::vector<json::Fault> faults;
+
+ private:
+  void read_when(const nlohmann::json& step, const std::string& pointer, Step& result);
+  void read_wait(const nlohmann::json& step, const std::string& pointer, Step& result);
+  void check_order(const Step& step, const std::string& pointer);
+  void read_expect(const nlohmann::json& value, const std::string& pointer, Step& result);
+  std::optional<core::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
+  std::optional<condition::Tree> read_condition(const std::string& text, const std::string& pointer);
+  std::vector<SymbolValue> read_values(const nlohmann::json& object, const std::string& pointer, bool setting);
+  std::vector<UnitState> read_states(const nlohmann::json& object, const std::string& pointer);
+  std::vector<std::uint32_t> read_symbols(const nlohmann::json& array, const std::string& pointer);
+  std::optional<std::uint32_t> symbol(const std::string& name, const std::string& pointer, bool at_key);
+  std::string why_not_set(std::uint32_t symbol) const;
+  void add(const std::string& pointer, std::string message, bool at_key = false, std::size_t column = 0);
+
+  const trace::PlantNames& names_;
+  const std::vector<bool>& carried_;
+  TableNames by_name_;
+  std::vector<bool> moved_;  ///< symbols that a unit moves, also by another one of their address
+  core::Time earliest_ = 0;  ///< of the next step, as far as the file alone can tell
+  std::string last_;         ///< what set it: `at` or `plus`
+};
+
+}  // namespace symplant::scenario

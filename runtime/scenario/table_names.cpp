@@ -1,0 +1,82 @@
+// A plant's tables by names.
+#include "symplant/scenario/table_names.hpp"
+
+#include "symplant/condition/nearest.hpp"
+
+namespace symplant::scenario {
+namespace {
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return result;
+}
+
+std::string path(std::string_view device, std::string_view facet) {
+  std::string text(device);
+  return facet.empty() ? text : text.append(".").append(facet);
+}
+
+}  // namespace
+
+TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
+  const core::PlantTables& tables = names.tables();
+  units_.reserve(tables.units.size());
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(upper(names.unit(u)), u);
+  symbols_.reserve(tables.symbols.size());
+  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(upper(names.symbol(s)), s);
+}
+
+std::optional<std::uint32_t> TableNames::unit(std::string_view device, std::string_view facet) const {
+  const auto found = units_.find(upper(path(device, facet)));
+  if (found == units_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<std::uint8_t> TableNames::state(std::uint32_t unit, std::string_view name) const {
+  const auto states = names_.states(unit);
+  const std::string wanted = upper(name);
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    if (states[s].size() == name.size() && upper(states[s]) == wanted) return static_cast<std::uint8_t>(s);
+  }
+  return std::nullopt;
+}
+
+std::optional<condition::Names::Symbol> TableNames::symbol(std::string_view name) const {
+  const auto found = symbols_.find(upper(name));
+  if (found == symbols_.end()) return std::nullopt;
+  return Symbol{found->second, names_.tables().symbols[found->second].type()};
+}
+
+std::string TableNames::nearest_device(std::string_view device, std::string_view facet) const {
+  const std::string wanted = path(device, facet);
+  condition::NearestName nearest(wanted);
+  for (std::uint32_t u = 0; u < names_.tables().units.size(); ++u) nearest.offer(names_.unit(u));
+  return std::string(nearest.name());
+}
+
+std::string TableNames::nearest_state(std::uint32_t unit, std::string_view name) const {
+  condition::NearestName nearest(name);
+  for (const std::string_view state : names_.states(unit)) nearest.offer(state);
+  return std::string(nearest.name());
+}
+
+std::string TableNames::nearest_symbol(std::string_view name) const {
+  condition::NearestName nearest(name);
+  for (std::uint32_t s = 0; s < names_.tables().symbols.size(); ++s) nearest.offer(names_.symbol(s));
+  return std::string(nearest.name());
+}
+
+std::string TableNames::why_no_state(std::uint32_t unit, std::string_view name) const {
+  const std::string wanted = upper(name);
+  for (const std::uint32_t symbol : names_.symbols_of(unit)) {
+    if (upper(names_.task(symbol)) != wanted) continue;
+    return "`" + std::string(name) + "` is no state of `" + std::string(names_.unit(unit)) + "`, name the symbol `" +
+           std::string(names_.symbol(symbol)) + "`";
+  }
+  return {};
+}
+
+}  // namespace symplant::scenario

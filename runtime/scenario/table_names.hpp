@@ -1,0 +1,33 @@
+// A plant's tables as conditions and scenarios see them: by names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "symplant/condition/resolve.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::scenario {
+
+/// Without regard to the case of ASCII letters. `names` must outlive it. O(plant) to make, look-ups O(name).
+class TableNames final : public condition::Names {
+ public:
+  explicit TableNames(const trace::PlantNames& names);
+
+  std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override;
+  std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
+  std::optional<Symbol> symbol(std::string_view name) const override;
+  std::string nearest_device(std::string_view device, std::string_view facet) const override;
+  std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
+  std::string nearest_symbol(std::string_view name) const override;
+  std::string why_no_state(std::uint32_t unit, std::string_view name) const override;
+
+ private:
+  const trace::PlantNames& names_;
+  std::unordered_map<std::string, std::uint32_t> units_;  ///< by their names in upper case
+  std::unordered_map<std::string, std::uint32_t> symbols_;
+};
+
+}  // namespace symplant::scenario

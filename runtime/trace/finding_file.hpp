@@ -1,0 +1,26 @@
+// Findings as a file: JSON lines.
+#pragma once
+
+#include <string>
+
+#include "symplant/trace/finding_words.hpp"
+#include "symplant/trace/output_file.hpp"
+
+namespace symplant::trace {
+
+/// One writer; not thread-safe. What goes wrong is in error().
+class FindingFile {
+ public:
+  FindingFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {}
+
+  /// `words` is the sentence of finding_words().
+  void write(const FoundThing& found, const std::string& words, const History& history);
+  void flush() { file_.flush(); }
+  const std::string& error() const { return file_.error(); }
+
+ private:
+  OutputFile file_;
+  const PlantNames& names_;
+};
+
+}  // namespace symplant::trace

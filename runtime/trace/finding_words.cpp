@@ -1,0 +1,218 @@
+// Findings as a PLC programmer speaks of them.
+#include "symplant/trace/finding_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "symplant/trace/requirement_units.hpp"
+
+namespace symplant::trace {
+namespace {
+
+using core::FindingKind;
+
+constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
+                                                                      "stopped under another command",
+                                                                      "command to a disabled unit",
+                                                                      "command without effect",
+                                                                      "lost command",
+                                                                      "started on enabling",
+                                                                      "event too short",
+                                                                      "instantaneous loop",
+                                                                      "requirement violated"};
+
+constexpr std::size_t kOperationsShown = 4;
+
+/// `Y0001`, or the symbol's name where it has no address.
+std::string place(std::uint32_t symbol, const PlantNames& names) {
+  const std::string_view address = names.address(symbol);
+  return std::string(address.empty() ? names.symbol(symbol) : address);
+}
+
+/// Who disables a unit now: `EXLINE_MB_DOOR in OPEN1`.
+std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
+  std::string text;
+  for (const core::DisableRow& row : names.tables().disables) {
+    const core::UnitView by = history.unit(row.by);
+    if (row.unit != unit || by.moving || by.state != row.state) continue;
+    text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
+  }
+  return text;
+}
+
+/// " (Y0001 (operation P2) on since 0.5 s)", or nothing.
+std::string led(std::span<const std::uint32_t> units, const PlantNames& names, const History& history) {
+  const std::string operations = operations_words(units, names, history);
+  return operations.empty() ? ", none of its operations has been on" : "; operations: " + operations;
+}
+
+std::string of_unit(const FoundThing& found, const PlantNames& names, const History& history) {
+  const std::uint32_t unit = found.of.front();
+  const std::string name(names.unit(unit));
+  const std::string state = state_words(unit, names, history);
+  const std::string operations = led({&unit, 1}, names, history);
+  switch (found.kind) {
+    case FindingKind::conflicting_operations:
+      return fmt::format(
+          "conflicting operations: {} ({}) is sent to several states at once and obeys none of them{}; look for an "
+          "interlock that is missing between these outputs",
+          name, state, operations);
+    case FindingKind::stopped_under_another_command:
+      return fmt::format(
+          "stopped under another command: {} ({}) stands still, since its own command is off, while another one is "
+          "on{}; look for why the output went off before it arrived",
+          name, state, operations);
+    default:
+      return fmt::format(
+          "started on enabling: {} ({}) moved as soon as nothing disabled it any more{}; look whether the command "
+          "should have been taken back meanwhile",
+          name, state, operations);
+  }
+}
+
+std::string of_operation(const FoundThing& found, const PlantNames& names, const History& history) {
+  const std::uint32_t symbol = found.of.front();
+  const std::uint32_t unit = names.tables().symbols[symbol].unit;
+  const std::string who = symbol_words(symbol, names);
+  const std::string name(names.unit(unit));
+  const std::string state = state_words(unit, names, history);
+  if (found.kind == FindingKind::command_to_a_disabled_unit) {
+    const std::string by = disablers(unit, names, history);
+    return fmt::format(
+        "command to a disabled unit: {}, came on while {} ({}) cannot move{}; look for an interlock that is missing in "
+        "its rung",
+        who, name, state, by.empty() ? "" : ", disabled by " + by);
+  }
+  if (found.kind == FindingKind::command_without_effect) {
+    return fmt::format(
+        "command without effect: {}, came on while {} is in {}, from where it leads nowhere; look whether the step "
+        "before it was left out, or the wrong output was taken",
+        who, name, state);
+  }
+  return fmt::format(
+      "lost command: {}, on since {}, went off before {} ({}) moved on it; look whether the output should be held "
+      "until "
+      "the device has answered",
+      who, seconds(history.rose(symbol)), name, state);
+}
+
+std::string of_event(const FoundThing& found, const PlantNames& names, const History& history) {
+  const std::uint32_t symbol = found.of.front();
+  const std::uint32_t unit = names.tables().symbols[symbol].unit;
+  std::string text = fmt::format("event too short: {}, changed and changed back too quickly for a PLC to see it",
+                                 symbol_words(symbol, names));
+  if (unit != core::kNoUnit) {
+    text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
+    text += led({&unit, 1}, names, history);
+  }
+  return text + "; look for a state that takes no time";
+}
+
+std::string of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
+  const std::uint32_t requirement = found.of.front();
+  const core::RequirementRow& row = names.tables().requirements[requirement];
+  std::string text = fmt::format("requirement violated: `{}`, ", names.requirement(requirement));
+  text += row.kind == core::RequirementRow::Kind::never
+              ? "what must never hold begins to hold"
+              : "what was expected within " + seconds(row.within) + " has not come";
+  const std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
+  for (const std::uint32_t unit : units) {
+    text += fmt::format("; {} is in {} since {}", names.unit(unit), state_words(unit, names, history),
+                        seconds(history.unit_since(unit)));
+  }
+  const std::string operations = operations_words(units, names, history);
+  return operations.empty() ? text : text + "; operations: " + operations;
+}
+
+}  // namespace
+
+std::string_view finding_name(FindingKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+bool is_of_unit(FindingKind kind) {
+  return kind == FindingKind::conflicting_operations || kind == FindingKind::stopped_under_another_command ||
+         kind == FindingKind::started_on_enabling || kind == FindingKind::instantaneous_loop;
+}
+
+bool is_of_symbol(FindingKind kind) { return !is_of_unit(kind) && kind != FindingKind::requirement_violated; }
+
+std::string name_of(const FoundThing& found, const PlantNames& names) {
+  if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
+  if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
+  std::vector<std::string_view> units;
+  units.reserve(found.of.size());
+  for (const std::uint32_t unit : found.of) units.push_back(names.unit(unit));
+  std::sort(units.begin(), units.end());
+  std::string text;
+  for (const std::string_view unit : units) text.append(text.empty() ? "" : " ").append(unit);
+  return text;
+}
+
+std::vector<std::uint32_t> units_of(const FoundThing& found, const core::PlantTables& tables) {
+  if (is_of_unit(found.kind)) return found.of;
+  if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
+  const std::uint32_t unit = tables.symbols[found.of.front()].unit;
+  return unit == core::kNoUnit ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
+}
+
+std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
+  const bool operation = names.is_operation(symbol);
+  const std::uint32_t unit = names.tables().symbols[symbol].unit;
+  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", place(symbol, names));
+  if (unit == core::kNoUnit) {
+    text += fmt::format("symbol {}", names.symbol(symbol));
+  } else {
+    text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
+  }
+  return text + " (" + names.cite(symbol) + ")";
+}
+
+std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history) {
+  const core::UnitView view = history.unit(unit);
+  std::string text(names.state(unit, view.state));
+  if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
+  if (view.standing) text += ", standing still midway";
+  if (view.disabled) text += ", disabled";
+  if (view.frozen) text += ", frozen";
+  return text;
+}
+
+std::string operations_words(std::span<const std::uint32_t> units, const PlantNames& names, const History& history) {
+  std::string text;
+  for (const std::uint32_t unit : units) {
+    for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
+      text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", place(symbol, names), names.task(symbol),
+                          names.unit(unit));
+      text += history.value(symbol) != 0 ? "on since " + seconds(history.rose(symbol))
+                                         : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)),
+                                                       seconds(history.since(symbol)));
+    }
+  }
+  return text;
+}
+
+std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
+  if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
+  if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
+  if (found.kind == FindingKind::instantaneous_loop) {
+    return fmt::format(
+        "instantaneous loop: {} {} round without time passing and {} frozen until the run ends; look for transitions "
+        "whose `after` and `takes` are 0",
+        name_of(found, names), found.of.size() == 1 ? "goes" : "go", found.of.size() == 1 ? "is" : "are");
+  }
+  return is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history);
+}
+
+std::string seconds(core::Time time) {
+  std::string text = std::to_string(time / core::kSecond);
+  const core::Time rest = time % core::kSecond;
+  if (rest != 0) {
+    std::string digits = std::to_string(core::kSecond + rest);
+    digits.front() = '.';
+    text += digits.substr(0, digits.find_last_not_of('0') + 1);
+  }
+  return text + " s";
+}
+
+}  // namespace symplant::trace

@@ -1,0 +1,49 @@
+// Findings as a PLC programmer speaks of them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/core/finding.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/plant_names.hpp"
+
+namespace symplant::trace {
+
+/// As the table in docs/model.md has it: `lost command`.
+std::string_view finding_name(core::FindingKind kind);
+
+/// One finding, a loop with all its units.
+struct FoundThing {
+  core::Time time;
+  core::FindingKind kind;
+  std::vector<std::uint32_t> of;  ///< a loop's units; else one unit, symbol or requirement
+};
+
+bool is_of_unit(core::FindingKind kind);
+bool is_of_symbol(core::FindingKind kind);
+
+/// What it is of, by name; a loop's units sorted, with blanks between.
+std::string name_of(const FoundThing& found, const PlantNames& names);
+
+/// The units that it is about: its own, its symbol's, those that its requirement looks at.
+std::vector<std::uint32_t> units_of(const FoundThing& found, const core::PlantTables& tables);
+
+/// `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`.
+std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
+
+/// `P1`, `P1->P2 (moving)`, with what stops it.
+std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history);
+
+/// The last operations of units with their times: `Y0001 (operation P2) on since 0.5 s`; empty where none has been on.
+std::string operations_words(std::span<const std::uint32_t> units, const PlantNames& names, const History& history);
+
+/// The whole sentence: what is there, which operations led to it, what to look at. Its time is not in it.
+std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
+
+/// Plant time as people write it: `1.5 s`.
+std::string seconds(core::Time time);
+
+}  // namespace symplant::trace

@@ -1,0 +1,64 @@
+// What the things of a plant are called.
+#include "symplant/trace/plant_names.hpp"
+
+#include "symplant/core/names.hpp"
+
+namespace symplant::trace {
+
+PlantNames::PlantNames(const core::PlantTables& tables)
+    : tables_(tables),
+      symbols_(core::split_names(tables.symbol_names)),
+      units_(core::split_names(tables.unit_names)),
+      states_(core::split_names(tables.state_names)),
+      requirements_(core::split_names(tables.requirement_names)),
+      first_of_(tables.units.size() + 1) {
+  symbols_.resize(2 * tables.symbols.size());
+  units_.resize(tables.units.size());
+  first_states_.reserve(tables.types.size());
+  std::uint32_t states = 0;
+  for (const core::TypeRow& type : tables.types) {
+    first_states_.push_back(states);
+    states += type.states;
+  }
+  states_.resize(states);
+  for (const core::SymbolRow& symbol : tables.symbols) {
+    if (symbol.unit != core::kNoUnit) ++first_of_[symbol.unit + 1];
+  }
+  for (std::size_t u = 1; u < first_of_.size(); ++u) first_of_[u] += first_of_[u - 1];
+  by_unit_.resize(first_of_.back());
+  std::vector<std::uint32_t> at(first_of_.begin(), first_of_.end() - 1);
+  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) {
+    const std::uint32_t unit = tables.symbols[s].unit;
+    if (unit != core::kNoUnit) by_unit_[at[unit]++] = s;
+  }
+}
+
+std::span<const std::string_view> PlantNames::states(std::uint32_t unit) const {
+  const std::uint32_t type = tables_.units[unit].type;
+  return std::span(states_).subspan(first_states_[type], tables_.types[type].states);
+}
+
+std::string_view PlantNames::state(std::uint32_t unit, std::uint8_t state) const { return states(unit)[state]; }
+
+std::string_view PlantNames::task(std::uint32_t symbol) const {
+  const core::SymbolRow& row = tables_.symbols[symbol];
+  if (row.unit != core::kNoUnit && row.type() == core::DataType::boolean && is_operation(symbol)) {
+    const core::UnitRow& unit = tables_.units[row.unit];
+    const std::uint32_t place = row.index - unit.operation_bit;
+    const auto targets = tables_.types[unit.type].operation_targets;
+    if (place < targets.size() && targets[place] != core::kNoState) return state(row.unit, targets[place]);
+  }
+  const std::string_view name = this->symbol(symbol);
+  const std::size_t end = name.find_last_of("_.-: ");
+  return end == name.npos || end + 1 == name.size() ? name : name.substr(end + 1);
+}
+
+std::string PlantNames::cite(std::uint32_t symbol) const {
+  return std::string(tables_.list) + ":" + std::to_string(tables_.symbols[symbol].row);
+}
+
+std::span<const std::uint32_t> PlantNames::symbols_of(std::uint32_t unit) const {
+  return std::span(by_unit_).subspan(first_of_[unit], first_of_[unit + 1] - first_of_[unit]);
+}
+
+}  // namespace symplant::trace

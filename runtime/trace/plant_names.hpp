@@ -1,0 +1,49 @@
+// What the things of a plant are called, and which symbols a unit has.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "symplant/core/tables.hpp"
+
+namespace symplant::trace {
+
+/// Views into the tables' blobs, which must outlive it. O(plant) to make; every member but `cite` is O(1).
+class PlantNames {
+ public:
+  explicit PlantNames(const core::PlantTables& tables);
+
+  const core::PlantTables& tables() const { return tables_; }
+  std::string_view symbol(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol}]; }
+  /// As the list writes it; empty where there is none.
+  std::string_view address(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol} + 1]; }
+  std::string_view unit(std::uint32_t unit) const { return units_[unit]; }
+  std::string_view state(std::uint32_t unit, std::uint8_t state) const;
+  std::span<const std::string_view> states(std::uint32_t unit) const;
+  std::string_view requirement(std::uint32_t requirement) const { return requirements_[requirement]; }
+  /// The task that a unit's symbol stands for, by the end of its name.
+  std::string_view task(std::uint32_t symbol) const;
+  /// Where a symbol is declared, as `symbols.csv:4`.
+  std::string cite(std::uint32_t symbol) const;
+
+  /// The symbols of a unit, in list order.
+  std::span<const std::uint32_t> symbols_of(std::uint32_t unit) const;
+  bool is_operation(std::uint32_t symbol) const {
+    return tables_.symbols[symbol].direction() == core::Direction::operation;
+  }
+
+ private:
+  const core::PlantTables& tables_;
+  std::vector<std::string_view> symbols_;  ///< name and address of each
+  std::vector<std::string_view> units_;
+  std::vector<std::string_view> states_;
+  std::vector<std::string_view> requirements_;
+  std::vector<std::uint32_t> first_states_;  ///< a type: of its states in states_
+  std::vector<std::uint32_t> by_unit_;       ///< symbols of units, unit by unit
+  std::vector<std::uint32_t> first_of_;      ///< a unit: of its symbols in by_unit_; one more at the end
+};
+
+}  // namespace symplant::trace

@@ -1,0 +1,43 @@
+// Which units a requirement looks at.
+#include "symplant/trace/requirement_units.hpp"
+
+#include <set>
+
+namespace symplant::trace {
+namespace {
+
+/// The requirement that a condition is part of, kNoUnit where it is none's.
+std::uint32_t reader_of(const core::PlantTables& tables, std::uint32_t condition) {
+  for (;;) {
+    const core::ConditionRow& row = tables.conditions[condition];
+    if (row.reader_kind == core::ReaderKind::requirement) return row.reader;
+    if (row.reader_kind != core::ReaderKind::condition) return core::kNoUnit;
+    condition = row.reader;
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> requirement_units(const core::PlantTables& tables, std::uint32_t requirement) {
+  const auto reads = [&](std::uint32_t condition) { return reader_of(tables, condition) == requirement; };
+  std::set<std::uint32_t> units;
+  for (const core::UnitWatch& watch : tables.unit_watches) {
+    if (reads(watch.condition)) units.insert(watch.unit);
+  }
+  std::set<std::uint32_t> operations;
+  std::set<std::uint32_t> events;
+  for (const core::BitWatch& watch : tables.operation_watches) {
+    if (reads(watch.condition)) operations.insert(watch.bit);
+  }
+  for (const core::BitWatch& watch : tables.event_watches) {
+    if (reads(watch.condition)) events.insert(watch.bit);
+  }
+  for (const core::SymbolRow& symbol : tables.symbols) {
+    if (symbol.type() != core::DataType::boolean || symbol.unit == core::kNoUnit) continue;
+    const auto& bits = symbol.direction() == core::Direction::operation ? operations : events;
+    if (bits.contains(symbol.index)) units.insert(symbol.unit);
+  }
+  return {units.begin(), units.end()};
+}
+
+}  // namespace symplant::trace

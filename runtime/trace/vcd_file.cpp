@@ -1,0 +1,82 @@
+// The run as a VCD file.
+#include "symplant/trace/vcd_file.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <utility>
+
+#include "symplant/trace/value_text.hpp"
+#include "symplant/trace/vcd_header.hpp"
+
+namespace symplant::trace {
+
+VcdFile::VcdFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {
+  const std::size_t count = names.tables().symbols.size() + names.tables().units.size();
+  identifiers_.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) identifiers_.push_back(vcd_identifier(i) + "\n");
+}
+
+void VcdFile::put_time(core::Time time) {
+  if (time == last_time_) return;
+  last_time_ = time;
+  file_.put("#" + std::to_string(time) + "\n");
+}
+
+void VcdFile::put_symbol(std::uint32_t symbol, std::uint64_t value) {
+  const core::DataType type = names_.tables().symbols[symbol].type();
+  if (type == core::DataType::boolean) {
+    file_.put(value != 0 ? "1" : "0");
+  } else if (is_real(type)) {
+    file_.put(fmt::format("r{:.17g} ", std::bit_cast<double>(value)));
+  } else {
+    const int bits = width(type);
+    file_.put(fmt::format("b{:b} ", bits == 64 ? value : value & ((std::uint64_t{1} << bits) - 1)));
+  }
+  file_.put(identifiers_[symbol]);
+}
+
+void VcdFile::put_unit(std::uint32_t unit, const core::UnitView& view) {
+  file_.put("s");
+  file_.put(vcd_string(names_.state(unit, view.state)));
+  if (view.moving) {
+    file_.put("->");
+    file_.put(vcd_string(names_.state(unit, view.target)));
+  }
+  file_.put(" ");
+  file_.put(identifiers_[names_.tables().symbols.size() + unit]);
+}
+
+void VcdFile::begin(core::Time time, const History& history) {
+  if (begun_) return;
+  begun_ = true;
+  file_.put(vcd_header(names_));
+  put_time(time);
+  file_.put("$dumpvars\n");
+  const core::PlantTables& tables = names_.tables();
+  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) put_symbol(s, history.value(s));
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) put_unit(u, history.unit(u));
+  file_.put("$end\n");
+}
+
+void VcdFile::write(const Record& record) {
+  if (!begun_ || !file_.is_open()) return;
+  if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit) return;
+  has_lines_ = true;
+  put_time(record.time);
+  if (record.kind == Record::Kind::change) {
+    put_symbol(record.of, record.value);
+  } else {
+    put_unit(record.of, unpack_unit(record.value));
+  }
+}
+
+void VcdFile::part(core::Time time, const History& history) {
+  if (!begun_ || !has_lines_ || !file_.full()) return;
+  file_.begin_anew();
+  begun_ = has_lines_ = false;
+  last_time_ = -1;
+  begin(time, history);
+}
+
+}  // namespace symplant::trace

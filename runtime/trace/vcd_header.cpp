@@ -1,0 +1,106 @@
+// The variables of a VCD file.
+#include "symplant/trace/vcd_header.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "symplant/core/version.hpp"
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::trace {
+namespace {
+
+/// A level of paths, with the units whose path ends there.
+struct Scope {
+  std::string name;
+  std::vector<std::uint32_t> units;
+  std::vector<Scope> children;                ///< in the order in which they were first met
+  std::map<std::string, std::size_t> places;  ///< a child's name -> its place
+};
+
+Scope& child_of(Scope& scope, std::string_view name) {
+  const auto [found, is_new] = scope.places.try_emplace(std::string(name), scope.children.size());
+  if (is_new) scope.children.emplace_back().name = vcd_name(name);
+  return scope.children[found->second];
+}
+
+Scope scopes_of(const PlantNames& names) {
+  Scope root;
+  root.name = vcd_name(names.tables().name);
+  for (std::uint32_t unit = 0; unit < names.tables().units.size(); ++unit) {
+    std::string_view path = names.unit(unit);
+    Scope* scope = &root;
+    for (;;) {
+      const std::size_t end = path.find_first_of("_.");
+      const std::string_view level = path.substr(0, end);
+      if (!level.empty()) scope = &child_of(*scope, level);
+      if (end == path.npos) break;
+      path.remove_prefix(end + 1);
+    }
+    scope->units.push_back(unit);
+  }
+  return root;
+}
+
+void write_symbol(std::string& text, const PlantNames& names, std::uint32_t symbol) {
+  const core::DataType type = names.tables().symbols[symbol].type();
+  text += fmt::format("$var {} {} {} {} $end\n", is_real(type) ? "real" : "wire", is_real(type) ? 64 : width(type),
+                      vcd_identifier(symbol), vcd_name(names.symbol(symbol)));
+}
+
+void write_scope(std::string& text, const PlantNames& names, const Scope& scope, bool is_root) {
+  text += "$scope module " + scope.name + " $end\n";
+  const auto symbols = static_cast<std::uint32_t>(names.tables().symbols.size());
+  for (const std::uint32_t unit : scope.units) {
+    text += fmt::format("$var string 1 {} state $end\n", vcd_identifier(std::size_t{symbols} + unit));
+    for (const std::uint32_t symbol : names.symbols_of(unit)) write_symbol(text, names, symbol);
+  }
+  for (std::uint32_t symbol = 0; is_root && symbol < symbols; ++symbol) {
+    if (names.tables().symbols[symbol].unit == core::kNoUnit) write_symbol(text, names, symbol);
+  }
+  for (const Scope& child : scope.children) write_scope(text, names, child, false);
+  text += "$upscope $end\n";
+}
+
+}  // namespace
+
+std::string vcd_identifier(std::size_t number) {
+  constexpr std::size_t kDigits = 94;  // from ! to ~
+  std::string text;
+  do {
+    text += static_cast<char>('!' + number % kDigits);
+    number /= kDigits;
+  } while (number-- != 0);
+  return text;
+}
+
+std::string vcd_name(std::string_view name) {
+  std::string text(name);
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= ' ' || byte == 0x7F) c = '_';
+  }
+  return text.empty() ? "_" : text;
+}
+
+std::string vcd_string(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= ' ' || byte == 0x7F || c == '\\') {
+      escaped += fmt::format("\\x{:02X}", byte);
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string vcd_header(const PlantNames& names) {
+  std::string text = fmt::format("$version symplant {} $end\n$timescale 1 ns $end\n", core::version());
+  write_scope(text, names, scopes_of(names), true);
+  return text + "$enddefinitions $end\n";
+}
+
+}  // namespace symplant::trace

@@ -1,0 +1,129 @@
+// Scenarios as text, read against a plant made of names, and played on it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "support/plant_bench.hpp"
+#include "symplant/scenario/player.hpp"
+#include "symplant/scenario/read_scenario.hpp"
+#include "symplant/scenario/verdict.hpp"
+#include "symplant/trace/history.hpp"
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::test {
+
+/// `steps` between the brackets of a scenario, begun at line 1.
+inline std::string scenario_text(const std::string& steps) {
+  return R"({"symplant-scenario":1,"steps":[)" + steps + "]}";
+}
+
+/// Faults as "column: message", a line each.
+inline std::string faults_text(std::string_view text, const std::vector<json::Placed>& faults) {
+  std::string all;
+  for (const json::Placed& fault : faults) {
+    const json::LineColumn at = json::line_and_column(text, fault.span.begin);
+    all += std::to_string(at.line) + ":" + std::to_string(at.column) + " `" +
+           std::string(text.substr(fault.span.begin, fault.span.end - fault.span.begin)) + "` " + fault.message + "\n";
+  }
+  return all;
+}
+
+/// A scenario played in virtual time, to its end or to a time.
+class Play {
+ public:
+  Play(const BenchTables& tables, const std::string& steps, core::Time until = core::kNever, core::Time cycle = 0)
+      : tables_(tables),
+        names_(tables.rows),
+        history_(names_),
+        scenario_(read(steps)),
+        plant(tables.rows),
+        recorder_(tables.rows, 1024),
+        player_(scenario_, plant, recorder_) {
+    recorder_.attach(plant);
+    advance(0);
+    if (cycle == 0) {
+      play_virtual(until);
+    } else {
+      for (core::Time time = cycle; time <= until && !player_.over(); time += cycle) advance(time);
+    }
+    player_.end();
+  }
+
+  /// "500:AGV_I_P1=0 ...": every change in its order, times in ms; a bar between two instants of one time.
+  const std::string& changes() const { return changes_; }
+  /// A letter a step: d(one), h(eld), f(ailed), u(nreached).
+  std::string outcomes() const {
+    std::string text;
+    for (const scenario::Outcome& outcome : player_.outcomes()) text += "pdhfu"[static_cast<int>(outcome.kind)];
+    return text;
+  }
+  core::Time time_of(std::size_t step) const { return player_.outcomes()[step].time / kMs; }
+  /// Sentences of failed steps, a line each.
+  const std::string& failures() const { return failures_; }
+
+ private:
+  scenario::Scenario read(const std::string& steps) const {
+    const std::string text = scenario_text(steps);
+    auto result = scenario::read_scenario(text, names_, {});
+    INFO(faults_text(text, result.faults));
+    REQUIRE(result.scenario);
+    return std::move(*result.scenario);
+  }
+  void play_virtual(core::Time until) {
+    for (;;) {
+      if (player_.over() && until == core::kNever) return;
+      const core::Time due = std::min(plant.next_due(), player_.next());
+      if (due > until) return advance(until);
+      if (due == core::kNever) return;
+      advance(due);
+    }
+  }
+  void advance(core::Time time) {
+    player_.advance_to(time);
+    recorder_.drain([this](const trace::Record& record) { take(record); });
+  }
+  void take(const trace::Record& record) {
+    history_.apply(record);
+    if (record.kind == trace::Record::Kind::note) {
+      failures_ +=
+          scenario::failure_words(scenario_.steps[record.of], static_cast<core::Time>(record.value), names_, history_) +
+          "\n";
+      return;
+    }
+    if (record.kind == trace::Record::Kind::change) {
+      const std::string value = trace::json_value(tables_.rows.symbols[record.of].type(), record.value);
+      if (ended_ && record.time == last_) changes_ += " |";
+      ended_ = false;
+      last_ = record.time;
+      changes_ += (changes_.empty() ? "" : " ") + std::to_string(record.time / kMs) + ":" +
+                  tables_.symbol_name(record.of) + "=" +
+                  (value == "true"    ? "1"
+                   : value == "false" ? "0"
+                                      : value);
+    }
+    if (record.last) ended_ = true;
+  }
+
+  const BenchTables& tables_;
+  trace::PlantNames names_;
+  trace::History history_;
+  scenario::Scenario scenario_;
+
+ public:
+  core::OwnedPlant plant;
+
+ private:
+  trace::Recorder recorder_;
+  scenario::Player player_;
+  std::string changes_;
+  std::string failures_;
+  core::Time last_ = -1;
+  bool ended_ = false;
+};
+
+/// The paper's vehicle; names go without L_P_ where a test speaks of symbols.
+inline const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"};
+
+}  // namespace symplant::test

@@ -1,0 +1,88 @@
+// Values as a scenario writes them: every type, its bounds, and what is none of it.
+#include "symplant/scenario/value.hpp"
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+#include "symplant/trace/value_text.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::DataType;
+
+/// As a trace would write it, or the message.
+std::string read(DataType type, const char* text) {
+  const auto value = scenario::read_value(type, nlohmann::json::parse(text));
+  if (const auto* message = std::get_if<std::string>(&value)) return *message;
+  return trace::json_value(type, std::get<std::uint64_t>(value));
+}
+
+TEST_CASE("a BOOL is true or false and nothing else") {
+  CHECK(read(DataType::boolean, "true") == "true");
+  CHECK(read(DataType::boolean, "false") == "false");
+  CHECK(contains(read(DataType::boolean, "1"), "`1` stands here, a BOOL is true or false"));
+  CHECK(contains(read(DataType::boolean, "\"true\""), "a BOOL is"));
+}
+
+TEST_CASE("integers keep to the range of their type") {
+  struct Range {
+    DataType type;
+    const char* least;
+    const char* most;
+    const char* below;
+    const char* above;
+  };
+  const std::vector<Range> ranges = {
+      {DataType::sint, "-128", "127", "-129", "128"},
+      {DataType::int_, "-32768", "32767", "-32769", "32768"},
+      {DataType::dint, "-2147483648", "2147483647", "-2147483649", "2147483648"},
+      {DataType::usint, "0", "255", "-1", "256"},
+      {DataType::uint, "0", "65535", "-1", "65536"},
+      {DataType::udint, "0", "4294967295", "-1", "4294967296"},
+      {DataType::byte, "0", "255", "-1", "256"},
+      {DataType::word, "0", "65535", "-1", "65536"},
+      {DataType::dword, "0", "4294967295", "-1", "4294967296"},
+      {DataType::lint, "\"-9223372036854775808\"", "\"9223372036854775807\"", "\"-9223372036854775809\"",
+       "\"9223372036854775808\""},
+      {DataType::ulint, "0", "\"18446744073709551615\"", "-1", "\"18446744073709551616\""},
+      {DataType::lword, "0", "\"18446744073709551615\"", "-1", "18446744073709551616"},
+  };
+  for (const Range& range : ranges) {
+    INFO(range.most);
+    CHECK(read(range.type, range.least) == range.least);
+    CHECK(read(range.type, range.most) == range.most);
+    CHECK(contains(read(range.type, range.below), "is beyond what a"));
+    CHECK(contains(read(range.type, range.above), "is beyond what a"));
+  }
+  CHECK(contains(read(DataType::int_, "40000"), "a INT holds, -32768 to 32767"));
+}
+
+TEST_CASE("an integer is whole, and may be a text in any base") {
+  CHECK(read(DataType::int_, "5.0") == "5");
+  CHECK(read(DataType::word, "\"16#FFFF\"") == "65535");
+  CHECK(read(DataType::byte, "\"2#1010_1010\"") == "170");
+  CHECK(contains(read(DataType::int_, "5.5"), "is no whole number"));
+  CHECK(contains(read(DataType::int_, "\"five\""), "is no number"));
+  CHECK(contains(read(DataType::int_, "true"), "a INT is a number"));
+}
+
+TEST_CASE("REAL and LREAL take the nearest value that they have, and what a trace writes") {
+  CHECK(read(DataType::real, "0.1") == "0.1");
+  CHECK(std::get<std::uint64_t>(scenario::read_value(DataType::real, 0.1)) ==
+        std::bit_cast<std::uint64_t>(double{0.1F}));
+  CHECK(read(DataType::lreal, "1e300") == "1e+300");
+  CHECK(read(DataType::lreal, "3") == "3");
+  CHECK(read(DataType::lreal, "\"nan\"") == "\"nan\"");
+  CHECK(read(DataType::real, "\"-inf\"") == "\"-inf\"");
+  CHECK(contains(read(DataType::real, "1e300"), "is beyond what a REAL holds"));
+  CHECK(contains(read(DataType::lreal, "\"1e999\""), "is beyond what a LREAL holds"));
+  CHECK(contains(read(DataType::lreal, "\"many\""), "is no number"));
+  CHECK(contains(read(DataType::lreal, "false"), "is a number"));
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,49 @@
+// What a failed expectation says: what was expected, what was there, since when, and which operations led to it.
+#include "scenario_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("a failed expectation tells each symbol that differs, its device and the operations that led to it") {
+  const BenchTables tables(kAgv);
+  const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},{"at":"0.7s","set":{"L_P_AGV_O_P2":false}},
+                             {"at":"1.4s","expect":{"L_P_AGV_I_P2":true,"L_P_AGV_I_P1":false}})");
+  CHECK(play.failures() ==
+        "expected L_P_AGV_I_P2 on at 1.4 s; L_P_AGV_I_P2 is off since the start, PLC input %IX1, event P2 of L_P_AGV "
+        "(symbols.csv:3); L_P_AGV is in P1->P2 since 0.5 s; operations: %QX2 (P2 of L_P_AGV) on at 0.5 s, off since "
+        "0.7 s\n");
+}
+
+TEST_CASE("a failed condition tells what it names") {
+  const BenchTables tables(kAgv);
+  const Play play(tables, R"({"at":"1s","expect":"L_P_AGV.P2 or L_P_AGV_O_P1"})");
+  CHECK(play.failures() ==
+        "expected `L_P_AGV.P2 or L_P_AGV_O_P1` at 1 s; L_P_AGV_O_P1 is off since the start, PLC output %QX3, operation "
+        "P1 of L_P_AGV (symbols.csv:5); L_P_AGV is in P1 since the start; none of its operations has been on\n");
+}
+
+TEST_CASE("a symbol of no device tells itself alone") {
+  const BenchTables tables(Told(), {{"SPEED", "D1", "INT", "7", "%IW9"}});
+  const Play play(tables, R"({"at":"1s","expect":{"SPEED":8}})");
+  CHECK(play.failures() ==
+        "expected SPEED 8 at 1 s; SPEED is 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");
+}
+
+TEST_CASE("a verdict counts steps that expect something") {
+  const BenchTables tables(kAgv);
+  const trace::PlantNames names(tables.rows);
+  const auto read = scenario::read_scenario(
+      scenario_text(R"({"at":"0s"},{"at":"0s","expect":"L_P_AGV.P1"},{"wait":"L_P_AGV.P1"},{"at":"9s","expect":{}})"),
+      names, {});
+  REQUIRE(read.scenario);
+  using Kind = scenario::Outcome::Kind;
+  const std::vector<scenario::Outcome> outcomes = {
+      {Kind::done, 0}, {Kind::held, 0}, {Kind::failed, 1}, {Kind::unreached, 2}};
+  const scenario::Verdict verdict = scenario::verdict_of(*read.scenario, outcomes);
+  CHECK(verdict.held == 1);
+  CHECK(verdict.failed == 1);
+  CHECK(verdict.unreached == 1);
+}
+
+}  // namespace
+}  // namespace symplant::test
