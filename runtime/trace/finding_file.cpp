@@ -11,9 +11,8 @@ namespace {
 constexpr std::size_t kOperations = 8;  ///< of each unit
 
 std::string place_json(std::uint32_t symbol, const PlantNames& names) {
-  const std::string cite = names.cite(symbol);
   return fmt::format(R"("address":{},"list":{},"row":{})", json_string(names.address(symbol)),
-                     json_string(std::string_view(cite).substr(0, cite.rfind(':'))),
+                     json_string(names.list(symbol)),
                      names.tables().symbols[symbol].row);
 }
 

@@ -1,6 +1,7 @@
 // What the things of a plant are called.
 #include "symplant/trace/plant_names.hpp"
 
+#include "symplant/core/lists.hpp"
 #include "symplant/core/names.hpp"
 
 namespace symplant::trace {
@@ -11,6 +12,7 @@ PlantNames::PlantNames(const core::PlantTables& tables)
       units_(core::split_names(tables.unit_names)),
       states_(core::split_names(tables.state_names)),
       requirements_(core::split_names(tables.requirement_names)),
+      lists_(core::split_names(tables.list_names)),
       first_of_(tables.units.size() + 1) {
   symbols_.resize(2 * tables.symbols.size());
   units_.resize(tables.units.size());
@@ -53,8 +55,12 @@ std::string_view PlantNames::task(std::uint32_t symbol) const {
   return end == name.npos || end + 1 == name.size() ? name : name.substr(end + 1);
 }
 
+std::string_view PlantNames::list(std::uint32_t symbol) const {
+  return lists_.empty() ? std::string_view() : lists_[core::list_of(tables_, symbol)];
+}
+
 std::string PlantNames::cite(std::uint32_t symbol) const {
-  return std::string(tables_.list) + ":" + std::to_string(tables_.symbols[symbol].row);
+  return std::string(list(symbol)) + ":" + std::to_string(tables_.symbols[symbol].row);
 }
 
 std::span<const std::uint32_t> PlantNames::symbols_of(std::uint32_t unit) const {

@@ -11,7 +11,7 @@
 
 namespace symplant::trace {
 
-/// Views into the tables' blobs, which must outlive it. O(plant) to make; every member but `cite` is O(1).
+/// Views into the tables' blobs, which must outlive it. O(plant) to make; members are O(1) where nothing else is said.
 class PlantNames {
  public:
   explicit PlantNames(const core::PlantTables& tables);
@@ -26,6 +26,8 @@ class PlantNames {
   std::string_view requirement(std::uint32_t requirement) const { return requirements_[requirement]; }
   /// The task that a unit's symbol stands for, by the end of its name.
   std::string_view task(std::uint32_t symbol) const;
+  /// The name of the list that a symbol is declared in. O(log lists).
+  std::string_view list(std::uint32_t symbol) const;
   /// Where a symbol is declared, as `symbols.csv:4`.
   std::string cite(std::uint32_t symbol) const;
 
@@ -41,6 +43,7 @@ class PlantNames {
   std::vector<std::string_view> units_;
   std::vector<std::string_view> states_;
   std::vector<std::string_view> requirements_;
+  std::vector<std::string_view> lists_;
   std::vector<std::uint32_t> first_states_;  ///< a type: of its states in states_
   std::vector<std::uint32_t> by_unit_;       ///< symbols of units, unit by unit
   std::vector<std::uint32_t> first_of_;      ///< a unit: of its symbols in by_unit_; one more at the end

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/plant_bench.hpp"
+#include "support/strings.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "symplant/scenario/verdict.hpp"
