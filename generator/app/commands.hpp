@@ -12,6 +12,7 @@ void add_generate(CLI::App& app, Context& context);
 void add_model(CLI::App& app, Context& context);
 void add_map(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
+void add_schema(CLI::App& app, Context& context);
 void add_completion(CLI::App& app, Context& context);
 
 }  // namespace symplant::app

@@ -69,6 +69,10 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
 }  // namespace
 
 void tell_decisions(Context& context, const model::PlantModel& plant) {
+  if (plant.description_source != nullptr) {
+    context.err << "decided: the plant is called " << plant.name << "\n";
+    for (const std::string& decision : plant.description_decisions) context.err << "decided: " << decision << "\n";
+  }
   for (std::uint32_t i = 0; i < plant.lists.size(); ++i) {
     for (const std::string& decision : plant.lists[i].table->decisions) {
       const std::string of = plant.lists.size() == 1 ? "" : plant.lists[i].name() + ": ";

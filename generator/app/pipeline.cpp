@@ -1,34 +1,58 @@
 // The whole road of the tool.
 #include "app/pipeline.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <set>
+#include <string_view>
 
+#include "app/read_inputs.hpp"
 #include "check/check_plant.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
-#include "name/named_table.hpp"
-#include "name/naming_rule.hpp"
+#include "model/description_rules.hpp"
 
 namespace symplant::app {
+namespace {
+
+/// "/devices/L_P_D" of what stands in a device's entry; empty of what does not.
+std::string_view device_of(std::string_view pointer) {
+  constexpr std::string_view kDevices = "/devices/";
+  return pointer.starts_with(kDevices) ? pointer.substr(0, pointer.find('/', kDevices.size())) : std::string_view();
+}
+
+/// Faults and warnings of the description at their places. Where an entry's form is at fault already, what follows from
+/// that is not told.
+void add_description_findings(const Inputs& inputs, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  std::set<std::string_view> faulty;
+  for (const model::DescriptionFault& fault : inputs.faults) faulty.insert(device_of(fault.pointer));
+  std::vector<model::DescriptionFault> all = inputs.faults;
+  for (const auto* list : {&plant.description_faults, &plant.description_warnings}) {
+    std::copy_if(list->begin(), list->end(), std::back_inserter(all), [&](const model::DescriptionFault& fault) {
+      const std::string_view device = device_of(fault.pointer);
+      return device.empty() || faulty.count(device) == 0;
+    });
+  }
+  model::add_findings(inputs.source, all, diagnostics);
+}
+
+}  // namespace
 
 std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
                                          Progress& progress, diag::Diagnostics& diagnostics) {
-  progress.stage("reading " + options.list);
-  auto table = read::read_symbol_list(options.list, options.read, files, diagnostics);
-  if (!table) return std::nullopt;
-  const auto list = std::make_shared<const read::SymbolTable>(std::move(*table));
-
-  progress.stage("reading names");
-  name::NamedTable named = name::read_names(*list, name::built_in_rule());
+  const auto inputs = read_inputs(options, files, progress, diagnostics);
+  if (!inputs) return std::nullopt;
 
   progress.stage("deriving models");
-  std::vector<model::ListInput> lists;
-  lists.push_back({list, std::move(named), {}, options.xy});
-  model::PlantModel plant = model::build_plant(lists, {std::filesystem::path(options.list).stem().string()});
+  model::PlantModel plant = model::build_plant(inputs->lists, {inputs->name, inputs->description});
+  plant.description_source = inputs->source;
+  if (inputs->source != nullptr) add_description_findings(*inputs, plant, diagnostics);
 
-  progress.stage("checking");
-  check::check_plant(plant, diagnostics);
+  if (inputs->readable) {
+    progress.stage("checking");
+    check::check_plant(plant, diagnostics);
+  }
   diagnostics.sort_by_place(plant.sources());
+  if (!inputs->readable) return std::nullopt;
   return plant;
 }
 

@@ -16,9 +16,9 @@
 namespace symplant::app {
 
 struct CompileOptions {
-  std::string list;
-  read::ReadOptions read;
-  std::optional<address::Radix> xy;
+  std::string plant;                 ///< a plant.json, or a symbol list
+  read::ReadOptions read;            ///< of lists of which plant.json says nothing else
+  std::optional<address::Radix> xy;  ///< likewise
 };
 
 struct Compiled {
@@ -26,7 +26,8 @@ struct Compiled {
   lower::EngineTables tables;
 };
 
-/// Reads a list, derives the model and checks it. Nothing where the list cannot be read; findings are in `diagnostics`.
+/// Reads a plant.json and its lists, or a bare list, derives the model and checks it. Nothing where a file cannot be
+/// read or does not fit its format; findings are in `diagnostics`.
 std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
                                          Progress& progress, diag::Diagnostics& diagnostics);
 

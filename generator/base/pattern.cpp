@@ -1,9 +1,11 @@
 // Patterns with * and ?.
 #include "base/pattern.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "base/ascii.hpp"
+#include "base/utf8.hpp"
 
 namespace symplant::base {
 
@@ -16,7 +18,11 @@ bool matches_pattern(std::string_view text, std::string_view pattern) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;
       reached = t;
-    } else if (p < pattern.size() && (pattern[p] == '?' || upper(pattern[p]) == upper(text[t]))) {
+    } else if (p < pattern.size() && pattern[p] == '?') {
+      ++p;
+      do ++t;
+      while (t < text.size() && is_continuation(text[t]));
+    } else if (p < pattern.size() && upper(pattern[p]) == upper(text[t])) {
       ++p;
       ++t;
     } else if (star != pattern.npos) {
@@ -28,6 +34,11 @@ bool matches_pattern(std::string_view text, std::string_view pattern) {
   }
   while (p < pattern.size() && pattern[p] == '*') ++p;
   return p == pattern.size();
+}
+
+std::size_t literal_characters(std::string_view pattern) {
+  return count_code_points(pattern) - static_cast<std::size_t>(std::count_if(
+                                          pattern.begin(), pattern.end(), [](char c) { return c == '*' || c == '?'; }));
 }
 
 }  // namespace symplant::base

@@ -1,8 +1,11 @@
 // Every rule of the tool.
 #include "check/catalogue.hpp"
 
+#include <algorithm>
+
 #include "base/ascii.hpp"
 #include "check/rules.hpp"
+#include "model/description_rules.hpp"
 #include "read/rules.hpp"
 
 namespace symplant::check {
@@ -10,6 +13,8 @@ namespace symplant::check {
 std::vector<const diag::RuleInfo*> catalogue() {
   std::vector<const diag::RuleInfo*> all(read::rules().begin(), read::rules().end());
   for (const Rule* rule : kRules) all.push_back(&rule->info);
+  all.insert(all.end(), model::rules().begin(), model::rules().end());
+  std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   return all;
 }
 

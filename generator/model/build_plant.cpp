@@ -6,6 +6,7 @@
 #include "base/ascii.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
+#include "model/describe.hpp"
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
@@ -77,26 +78,6 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   });
 }
 
-/// Gives every unit what the description says of its device.
-void describe_units(PlantModel& plant, Faults& faults) {
-  const auto& devices = plant.description->devices;
-  if (devices.empty()) return;
-  ByName<Unit*> by_path;
-  for (Unit& unit : plant.units) by_path.try_emplace(unit.path, &unit);
-  for (const DeviceDescription& device : devices) {
-    const auto found = by_path.find(device.path);
-    if (found == by_path.end()) {
-      const auto nearest =
-          faults.nearest(device.path, plant.units.size(), [&](std::size_t i) { return plant.units[i].path; });
-      faults.add(device_pointer(device).text(), missing("device " + quoted(device.path), nearest));
-    } else if (found->second->described != nullptr) {
-      faults.add(device_pointer(device).text(), quoted(device.path) + " is described twice, join both");
-    } else {
-      found->second->described = &device;
-    }
-  }
-}
-
 /// False where the unit is larger than a unit may be; its symbols are unmodelled then.
 bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
   const std::size_t symbols = unit.operations.size() + unit.events.size();
@@ -104,7 +85,7 @@ bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
       symbols <= core::kMaxStates) {
     return true;  // without counting states: each has a symbol
   }
-  const std::size_t states = states_of(unit, plant.symbols, TaskRoles(unit.described)).size();
+  const std::size_t states = states_of(unit, plant.symbols, TaskRoles(unit, plant.symbols)).size();
   if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
       states <= core::kMaxStates) {
     return true;
@@ -117,7 +98,7 @@ bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
   }
   plant.too_large.push_back(std::move(large));
   if (unit.described != nullptr) {
-    faults.add(device_pointer(*unit.described).text(),
+    faults.add(device_pointer(*unit.described),
                quoted(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
   }
   return false;
@@ -130,6 +111,7 @@ void derive_units(PlantModel& plant, Faults& faults) {
     drop_taken_tasks(unit.operations, plant.symbols);
     drop_taken_tasks(unit.events, plant.symbols);
     if (!within_limits(unit, plant, faults)) continue;
+    if (unit.described != nullptr) faults.describes(*unit.described);
     derive_unit(unit, plant.symbols, plant.description->defaults, faults);
     if (kept != i) {
       for (const auto* side : {&unit.operations, &unit.events}) {
@@ -151,10 +133,11 @@ PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& 
   plant.rule = lists.front().named.rule;
   collect_symbols(plant, lists);
   gather_units(plant);
-  Faults faults(plant.description_faults);
+  Faults faults(plant.description_faults, plant.description_warnings);
   describe_units(plant, faults);
   derive_units(plant, faults);
   add_relations(plant, faults);
+  faults.tell_lacks(plant);
   find_shared_addresses(plant);
   return plant;
 }

@@ -53,10 +53,10 @@ void choose_actuation_and_rest(Unit& unit, const Defaults& defaults, Faults& fau
   if (given == nullptr) return;
   if (given->actuation) unit.actuation = *given->actuation;
   if (!given->rest) return;
-  const Pointer here = device_pointer(*given) / "rest";
+  const Pointer here = key_pointer(*given, DeviceKey::rest);
   if (unit.actuation != core::Actuation::spring) {
-    faults.add(here.text(), quoted(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
-                                "` and returns to no rest state, leave `rest` out or make it `spring`");
+    faults.add(here, quoted(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
+                         "` and returns to no rest state, leave `rest` out or make it `spring`");
     return;
   }
   const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
@@ -84,8 +84,8 @@ bool first_is_decided(const std::vector<State>& states) {
 void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
   std::uint32_t initial = kNone;
   if (unit.described != nullptr && unit.described->initial) {
-    initial = given_state(unit, *unit.described->initial, device_pointer(*unit.described) / "initial", faults);
-    unit.initial_from = InitialFrom::description;
+    initial = given_state(unit, *unit.described->initial, key_pointer(*unit.described, DeviceKey::initial), faults);
+    if (initial != kNone) unit.initial_from = InitialFrom::description;
   }
   if (initial == kNone) {
     initial = state_by_initial_column(unit, symbols);
@@ -160,10 +160,10 @@ void infer_sequence(Unit& unit, const GivenWays& given, core::Time dwell) {
 void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults& defaults, Faults& faults) {
   const DeviceDescription* described = unit.described;
   unit.travel = defaults.travel;
-  unit.states = states_of(unit, symbols, TaskRoles(described));
+  unit.states = states_of(unit, symbols, TaskRoles(unit, symbols));
   if (described != nullptr) add_given_states(unit, faults);
   // All its tasks are commands and reports of states that do not exist: the faults stand already, or will.
-  if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles(nullptr));
+  if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles());
   choose_actuation_and_rest(unit, defaults, faults);
   choose_initial(unit, symbols, faults);
 
@@ -175,7 +175,7 @@ void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults&
   }
   if (unit.transitions.size() > core::kMaxTransitions) {  // never without given ones
     unit.transitions.resize(core::kMaxTransitions);
-    faults.add((device_pointer(*described) / "transitions").text(),
+    faults.add(key_pointer(*described, DeviceKey::transitions),
                "the device has more than " + std::to_string(core::kMaxTransitions) +
                    " transitions, each `*` counted as one a state, leave some out");
   }

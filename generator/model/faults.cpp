@@ -1,6 +1,12 @@
 // Words and places of a description's faults.
 #include "model/faults.hpp"
 
+#include <algorithm>
+
+#include "base/ascii.hpp"
+#include "base/pattern.hpp"
+#include "model/plant_model.hpp"
+
 namespace symplant::model {
 
 std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
@@ -9,8 +15,44 @@ std::string missing(const std::string& what, std::string_view nearest) {
   return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + quoted(nearest));
 }
 
+std::string_view named_text(Named what) {
+  switch (what) {
+    case Named::state:
+      return "state";
+    case Named::operation:
+      return "operation";
+    case Named::event:
+      return "event";
+  }
+  return {};
+}
+
+namespace {
+
+bool has(const PlantModel& plant, const Unit& unit, Named what, std::string_view name) {
+  if (what == Named::state) {
+    return std::any_of(unit.states.begin(), unit.states.end(),
+                       [&](const State& state) { return base::equal_ignoring_case(state.name, name); });
+  }
+  const std::vector<std::uint32_t>& side = what == Named::operation ? unit.operations : unit.events;
+  return std::any_of(side.begin(), side.end(), [&](std::uint32_t symbol) {
+    return base::equal_ignoring_case(plant.symbols[symbol].reading.task, name);
+  });
+}
+
+/// Whether any device that a pattern matches has it, one that takes the key from elsewhere, say.
+bool some_have(const PlantModel& plant, std::string_view pattern, Named what, std::string_view name) {
+  return std::any_of(plant.units.begin(), plant.units.end(), [&](const Unit& unit) {
+    return base::matches_pattern(unit.path, pattern) && has(plant, unit, what, name);
+  });
+}
+
+}  // namespace
+
 Pointer Pointer::operator/(std::string_view key) const {
-  std::string text = text_ + "/";
+  Pointer grown = *this;
+  std::string& text = grown.text_;
+  text += '/';
   for (const char c : key) {
     if (c == '~') {
       text += "~0";
@@ -20,9 +62,71 @@ Pointer Pointer::operator/(std::string_view key) const {
       text += c;
     }
   }
-  return Pointer(std::move(text));
+  return grown;
+}
+
+Pointer Pointer::operator/(std::size_t index) const {
+  Pointer grown = *this;
+  grown.text_ += "/" + std::to_string(index);
+  return grown;
 }
 
 Pointer device_pointer(const DeviceDescription& device) { return Pointer("/devices") / device.path; }
+
+Pointer key_pointer(const DeviceDescription& device, DeviceKey key) {
+  const DeviceDescription& entry = device.entry_of(key);
+  Pointer pointer = device_pointer(entry) / device_key_name(key);
+  if (entry.is_pattern()) pointer.pattern_ = &entry;
+  pointer.key_ = key;
+  return pointer;
+}
+
+void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::size_t column) {
+  if (at.pattern() != nullptr) {
+    const auto [told, added] = told_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
+    if (!added) {
+      std::string& first = faults_[told->second].message;
+      const std::string others = "; so it is with other devices that " + quoted(at.pattern()->path) + " matches";
+      if (!first.ends_with(others)) first += others;
+      return;
+    }
+  }
+  faults_.push_back({at.text(), std::move(message), column, kind});
+}
+
+void Faults::describes(const DeviceDescription& described) {
+  for (std::size_t k = 0; k < kDeviceKeys; ++k) {
+    const auto key = static_cast<DeviceKey>(k);
+    const DeviceDescription& entry = described.entry_of(key);
+    if (entry.is_pattern() && described.gives(key)) ++takers_[&entry][k];
+  }
+}
+
+void Faults::tell_lacks(const PlantModel& plant) {
+  for (auto& [at, lack] : lacks_) {
+    const std::string pattern = quoted(lack.pattern->path);
+    const std::size_t takers = takers_[lack.pattern][static_cast<std::size_t>(lack.key)];
+    if (lack.count == takers && !some_have(plant, lack.pattern->path, at.second, lack.name)) {
+      const std::size_t others = lack.count - 1;
+      if (others == 1) lack.message += "; the other device that takes it from " + pattern + " lacks it too";
+      if (others > 1) {
+        lack.message +=
+            "; the other " + std::to_string(others) + " devices that take it from " + pattern + " lack it too";
+      }
+      add(DescriptionFault{at.first, std::move(lack.message), 0, FaultKind::unknown_name});
+      continue;
+    }
+    std::string paths;
+    for (const std::string_view path : lack.paths) paths += (paths.empty() ? "" : ", ") + quoted(path);
+    if (lack.count > lack.paths.size()) paths += " and " + std::to_string(lack.count - lack.paths.size()) + " more";
+    warnings_.push_back({at.first,
+                         std::to_string(lack.count) + " of the " + std::to_string(takers) +
+                             " devices that take it from " + pattern + (lack.count == 1 ? " has" : " have") + " no " +
+                             std::string(named_text(at.second)) + " " + quoted(lack.name) + ", it is left out for " +
+                             paths,
+                         0, FaultKind::left_out});
+  }
+  lacks_.clear();
+}
 
 }  // namespace symplant::model

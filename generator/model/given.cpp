@@ -24,13 +24,15 @@ std::string_view nearest_task(std::string_view task, const std::vector<std::uint
 class TransitionExpander {
  public:
   TransitionExpander(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
-      : unit_(unit), symbols_(symbols), faults_(faults), pointer_(device_pointer(*unit.described) / "transitions") {}
+      : unit_(unit),
+        symbols_(symbols),
+        faults_(faults),
+        pointer_(key_pointer(*unit.described, DeviceKey::transitions)) {}
 
   void run() {
     const auto& given = unit_.described->transitions;
     for (std::size_t i = 0; i < given.size(); ++i) {
-      const std::uint32_t when = place_of(given[i].when);
-      expand(given[i], i, when);
+      expand(given[i], static_cast<std::uint32_t>(i));
       if (unit_.transitions.size() > core::kMaxTransitions) return;  // derive_unit tells
     }
   }
@@ -41,19 +43,24 @@ class TransitionExpander {
     return places_.try_emplace(when, static_cast<std::uint32_t>(places_.size())).first->second;
   }
 
-  void expand(const GivenTransition& given, std::size_t index, std::uint32_t when) {
-    const Pointer here = pointer_ / index;
+  void expand(const GivenTransition& given, std::uint32_t index) {
+    const Pointer here = pointer_ / std::size_t{index};
     const bool from_all = given.from == "*";
     const std::uint32_t to = given_state(unit_, given.to, here / "to", faults_);
     const std::uint32_t from = from_all ? kNone : given_state(unit_, given.from, here / "from", faults_);
     Transition way;
     way.origin = Origin::given;
     way.to = to;
-    way.when = when;
-    const bool sound = set_cause(way, given, here);
-    if (!sound || to == kNone || (!from_all && from == kNone)) return;
+    bool lacking = to == kNone || (!from_all && from == kNone);
+    const bool sound = set_cause(way, given, here, lacking);
+    if (lacking && pointer_.pattern() != nullptr) {
+      unit_.left_out.push_back(index);
+      return;
+    }
+    way.when = place_of(given.when);
+    if (!sound || lacking) return;
     if (from == to) {
-      faults_.add(here.text(), quoted(given.to) + " to itself is no transition, name two states");
+      faults_.add(here, quoted(given.to) + " to itself is no transition, name two states");
       return;
     }
     way.after = given.after.value_or(Duration::fixed(0));
@@ -66,20 +73,23 @@ class TransitionExpander {
     }
   }
 
-  /// `on` and `spring_way`, and what may stand beside them. False where there is a fault.
-  bool set_cause(Transition& way, const GivenTransition& given, const Pointer& here) {
+  /// `on` and `spring_way`, and what may stand beside them. False where there is a fault; `lacking`: its operation.
+  bool set_cause(Transition& way, const GivenTransition& given, const Pointer& here, bool& lacking) {
     if (given.automatic) {
       if (!given.on.empty()) {
-        faults_.add((here / "on").text(), "an automatic transition has an operation, leave `on` or `automatic` out");
+        faults_.add(here / "on", "an automatic transition has an operation, leave `on` or `automatic` out");
       }
-      if (given.once) faults_.add((here / "once").text(), "`once` stands in an automatic transition, leave it out");
+      if (given.once) faults_.add(here / "once", "`once` stands in an automatic transition, leave it out");
       return given.on.empty() && !given.once;
     }
     if (!given.on.empty()) {
       way.on = find_task(given.on, unit_.operations, symbols_);
       if (way.on == kNone) {
-        faults_.add((here / "on").text(), missing("operation " + quoted(given.on) + " of " + quoted(unit_.path),
-                                                  nearest_task(given.on, unit_.operations, symbols_, faults_)));
+        lacking = true;
+        faults_.lacks(here / "on", unit_.path, Named::operation, given.on, [&] {
+          return missing("operation " + quoted(given.on) + " of " + quoted(unit_.path),
+                         nearest_task(given.on, unit_.operations, symbols_, faults_));
+        });
       }
     } else if (way.to != kNone) {
       way.on = unit_.states[way.to].operation;
@@ -87,14 +97,16 @@ class TransitionExpander {
         return set_spring_way(way, given, here);
       }
       if (way.on == kNone) {
-        faults_.add((here / "to").text(), quoted(given.to) + " has no operation of its name, say with `on` which one " +
-                                              "commands the transition, or `automatic` where it comes by itself");
+        lacking = true;
+        faults_.lacks(here / "to", unit_.path, Named::operation, given.to, [&] {
+          return quoted(given.to) + " has no operation of its name, say with `on` which one commands the transition, " +
+                 "or `automatic` where it comes by itself";
+        });
       }
     }
     if (given.once && unit_.actuation != core::Actuation::latched) {
-      faults_.add((here / "once").text(), "`once` stands in a device that is `" +
-                                              std::string(actuation_name(unit_.actuation)) +
-                                              "`, leave it out or make the device `latched`");
+      faults_.add(here / "once", "`once` stands in a device that is `" + std::string(actuation_name(unit_.actuation)) +
+                                     "`, leave it out or make the device `latched`");
       return false;
     }
     return way.on != kNone;
@@ -105,9 +117,8 @@ class TransitionExpander {
     bool sound = true;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
-      faults_.add((here / key).text(), quoted(key) +
-                                           " stands in what a spring's own way to its rest state takes, where" +
-                                           " only `takes` may, or say with `on` which operation commands it");
+      faults_.add(here / key, quoted(key) + " stands in what a spring's own way to its rest state takes, where" +
+                                  " only `takes` may, or say with `on` which operation commands it");
       sound = false;
     };
     refuse(!given.when.empty(), "when");
@@ -117,16 +128,17 @@ class TransitionExpander {
   }
 
   /// False, and a fault, where the same one stands already.
-  bool add(const Transition& way, std::size_t index) {
+  bool add(const Transition& way, std::uint32_t index) {
     const std::uint64_t on = way.spring_way ? core::kSpringWay : way.on == kNone ? core::kNoOperation : way.on;
     const std::uint64_t key =
         std::uint64_t{way.from} << 56 | std::uint64_t{way.to} << 48 | on << 40 | std::uint64_t{way.when};
     const auto [first, added] = given_by_.try_emplace(key, index);
     if (!added) {
       const std::string from = quoted(unit_.states[way.from].name);
-      faults_.add((pointer_ / index).text(),
-                  "the transition from " + from + " to " + quoted(unit_.states[way.to].name) + " stands at " +
-                      quoted((pointer_ / first->second).text()) + " too, with the same `on` and `when`, leave one out");
+      faults_.add(pointer_ / std::size_t{index}, "the transition from " + from + " to " +
+                                                     quoted(unit_.states[way.to].name) + " stands at " +
+                                                     quoted((pointer_ / std::size_t{first->second}).text()) +
+                                                     " too, with the same `on` and `when`, leave one out");
       return false;
     }
     unit_.transitions.push_back(way);
@@ -138,7 +150,7 @@ class TransitionExpander {
   Faults& faults_;
   const Pointer pointer_;
   std::unordered_map<std::string_view, std::uint32_t> places_;  // a text of `when` -> its place
-  std::unordered_map<std::uint64_t, std::size_t> given_by_;     // from, to, on, when -> a given transition
+  std::unordered_map<std::uint64_t, std::uint32_t> given_by_;   // from, to, on, when -> a given transition
 };
 
 }  // namespace
@@ -165,21 +177,23 @@ void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, Fault
 void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
   const auto& given = unit.described->outputs;
   if (given.empty()) return;
-  const Pointer pointer = device_pointer(*unit.described) / "outputs";
+  const Pointer pointer = key_pointer(*unit.described, DeviceKey::outputs);
   std::vector<bool> seen(unit.states.size());
   unit.outputs.resize(unit.states.size());
   for (const GivenOutputs& output : given) {
     const Pointer here = pointer / output.state;
     const std::uint32_t state = given_state(unit, output.state, here, faults);
-    if (state != kNone && seen[state]) faults.add(here.text(), quoted(output.state) + " stands twice, join both");
+    if (state != kNone && seen[state]) faults.add(here, quoted(output.state) + " stands twice, join both");
     if (state != kNone) seen[state] = true;
     const auto switched = [&](const auto& list, std::string_view key) {
       std::vector<std::pair<std::uint32_t, bool>> events;
       for (const auto& [task, on] : list) {
         const std::uint32_t event = find_task(task, unit.events, symbols);
         if (event == kNone) {
-          faults.add((here / key / task).text(), missing("event " + quoted(task) + " of " + quoted(unit.path),
-                                                         nearest_task(task, unit.events, symbols, faults)));
+          faults.lacks(here / key / task, unit.path, Named::event, task, [&, &name = task] {
+            return missing("event " + quoted(name) + " of " + quoted(unit.path),
+                           nearest_task(name, unit.events, symbols, faults));
+          });
         } else {
           events.emplace_back(event, on);
         }
@@ -195,9 +209,11 @@ std::uint32_t given_state(const Unit& unit, std::string_view name, const Pointer
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     if (base::equal_ignoring_case(unit.states[s].name, name)) return s;
   }
-  const auto nearest =
-      faults.nearest(name, unit.states.size(), [&](std::size_t s) -> std::string_view { return unit.states[s].name; });
-  faults.add(pointer.text(), missing("state " + quoted(name) + " of " + quoted(unit.path), nearest));
+  faults.lacks(pointer, unit.path, Named::state, name, [&] {
+    const auto nearest = faults.nearest(name, unit.states.size(),
+                                        [&](std::size_t s) -> std::string_view { return unit.states[s].name; });
+    return missing("state " + quoted(name) + " of " + quoted(unit.path), nearest);
+  });
   return kNone;
 }
 

@@ -81,4 +81,11 @@ std::vector<const base::SourceFile*> PlantModel::sources() const {
   return sources;
 }
 
+std::vector<std::string> PlantModel::input_files() const {
+  std::vector<std::string> files;
+  if (description_source != nullptr) files.push_back(description_source->path());
+  for (const base::SourceFile* list : sources()) files.push_back(list->path());
+  return files;
+}
+
 }  // namespace symplant::model

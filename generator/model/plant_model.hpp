@@ -125,8 +125,11 @@ struct Unit {
   std::vector<std::vector<std::uint32_t>>
       disables;                       ///< a state each: units, ascending; or empty where no state has any
   std::vector<std::uint32_t> values;  ///< its device's numeric symbols, where it has a behaviour
-  /// What the user says of its device; null where nothing. Points into PlantModel::description.
+  /// What the user says of its device, by name and by patterns; null where nothing. Points into PlantModel::description
+  /// or PlantModel::joined.
   const DeviceDescription* described = nullptr;
+  std::vector<std::uint32_t>
+      left_out;  ///< places in `described->transitions` that name what the device lacks, ascending
 
   // What the derivation decided, for whoever tells the user.
   InitialFrom initial_from = InitialFrom::sequence;
@@ -194,13 +197,18 @@ struct BadAddress {
 struct PlantModel {
   std::string name;
   std::shared_ptr<const Description> description;  ///< never null
-  std::vector<PlantList> lists;                    ///< in the description's order; at least one
+  /// The file that it was read from; null where there is none.
+  std::shared_ptr<const base::SourceFile> description_source;
+  std::vector<std::shared_ptr<const DeviceDescription>> joined;  ///< of devices that several entries speak of
+  std::vector<PlantList> lists;                                  ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;
   std::vector<Symbol> symbols;  ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<DescriptionFault> description_faults;  ///< while there is one, nothing is to be made of the plant
+  std::vector<DescriptionFault> description_warnings;
+  std::vector<std::string> description_decisions;  ///< which pattern speaks of how many devices, for --verbose
   std::array<std::size_t, kInternalReasons> internal{};
   std::vector<Duplicate> duplicates;
   std::vector<TooLarge> too_large;
@@ -216,6 +224,8 @@ struct PlantModel {
   std::string list_names() const;  ///< of all lists, with commas between
   /// The files of the lists, in their order.
   std::vector<const base::SourceFile*> sources() const;
+  /// Every file that it was read from: plant.json, where there is one, then the lists in their order.
+  std::vector<std::string> input_files() const;
 };
 
 }  // namespace symplant::model

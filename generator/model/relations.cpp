@@ -6,12 +6,15 @@
 #include <unordered_set>
 #include <utility>
 
-#include "base/ascii.hpp"
+#include "base/pattern.hpp"
 #include "model/given.hpp"
 #include "model/plant_names.hpp"
 
 namespace symplant::model {
 namespace {
+
+/// More pairs of a state and a device that it disables would be a slip, and not fit a memory.
+constexpr std::size_t kMostDisabled = 10'000'000;
 
 class Relations {
  public:
@@ -36,7 +39,7 @@ class Relations {
   bool resolve(std::string_view text, const Pointer& pointer, condition::Tree& tree) {
     auto resolved = condition::parse_and_resolve(text, names_);
     if (auto* fault = std::get_if<condition::Fault>(&resolved)) {
-      faults_.add(pointer.text(), std::move(fault->message), fault->place.offset);
+      faults_.add(pointer, std::move(fault->message), FaultKind::condition, fault->place.offset);
       return false;
     }
     tree = std::move(std::get<condition::Tree>(resolved));
@@ -48,13 +51,14 @@ class Relations {
   void add_conditions(Unit& unit) {
     std::unordered_map<std::string_view, bool> sound;
     const auto& given = unit.described->transitions;
+    const Pointer pointer = key_pointer(*unit.described, DeviceKey::transitions);
     for (std::size_t i = 0; i < given.size(); ++i) {
       const std::string& text = given[i].when;
-      if (text.empty()) continue;
+      if (text.empty() || std::binary_search(unit.left_out.begin(), unit.left_out.end(), i)) continue;
       const auto [known, added] = sound.try_emplace(text, true);
       if (!added && known->second) continue;
       condition::Tree tree;
-      known->second = resolve(text, device_pointer(*unit.described) / "transitions" / i / "when", tree);
+      known->second = resolve(text, pointer / i / "when", tree);
       if (added) unit.conditions.push_back(std::move(tree));
     }
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
@@ -64,7 +68,7 @@ class Relations {
   void add_inputs(Unit& unit) {
     for (const auto& [name, text] : unit.described->inputs) {
       condition::Tree tree;
-      resolve(text, device_pointer(*unit.described) / "inputs" / name, tree);
+      resolve(text, key_pointer(*unit.described, DeviceKey::inputs) / name, tree);
       if (!unit.described->behaviour.empty()) unit.conditions.push_back(std::move(tree));
     }
   }
@@ -76,9 +80,9 @@ class Relations {
     unit.disables.resize(unit.states.size());
     std::vector<bool> seen(unit.states.size());
     for (const GivenDisables& entry : given) {
-      const Pointer here = device_pointer(*unit.described) / "disables" / entry.state;
+      const Pointer here = key_pointer(*unit.described, DeviceKey::disables) / entry.state;
       const std::uint32_t state = given_state(unit, entry.state, here, faults_);
-      if (state != kNone && seen[state]) faults_.add(here.text(), quoted(entry.state) + " stands twice, join both");
+      if (state != kNone && seen[state]) faults_.add(here, quoted(entry.state) + " stands twice, join both");
       if (state != kNone) seen[state] = true;
       std::vector<std::uint32_t> disabled = disabled_units(by, entry, here);
       if (state != kNone) unit.disables[state] = std::move(disabled);
@@ -89,18 +93,42 @@ class Relations {
     std::vector<std::uint32_t> disabled;
     for (std::size_t i = 0; i < entry.devices.size(); ++i) {
       const std::string& device = entry.devices[i];
+      if (device.find_first_of("*?") != std::string::npos) {
+        for (const std::uint32_t unit : matching(device, here / i)) {
+          if (unit != by) disabled.push_back(unit);
+        }
+        continue;
+      }
       const auto unit = names_.unit(device, {});
       if (!unit) {
-        faults_.add((here / i).text(), missing("device " + quoted(device), names_.nearest_device(device, {})));
+        faults_.add(here / i, missing("device " + quoted(device), names_.nearest_device(device, {})),
+                    FaultKind::unknown_name);
       } else if (*unit == by) {
-        faults_.add((here / i).text(), quoted(device) + " disables itself, leave it out");
+        faults_.add(here / i, quoted(device) + " disables itself, leave it out");
       } else {
         disabled.push_back(*unit);
       }
     }
     std::sort(disabled.begin(), disabled.end());
     disabled.erase(std::unique(disabled.begin(), disabled.end()), disabled.end());
-    return disabled;
+    disabled_ += disabled.size();
+    if (disabled_ <= kMostDisabled) return disabled;
+    if (disabled_ - disabled.size() <= kMostDisabled) {
+      faults_.add(here, "the devices that `disables` names come to more than " + std::to_string(kMostDisabled) +
+                            " in the whole plant, name fewer");
+    }
+    return {};
+  }
+
+  /// The units that a pattern fits.
+  const std::vector<std::uint32_t>& matching(const std::string& pattern, const Pointer& here) {
+    const auto [found, added] = matching_.try_emplace(pattern);
+    if (!added) return found->second;
+    for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
+      if (base::matches_pattern(plant_.units[u].path, pattern)) found->second.push_back(u);
+    }
+    if (found->second.empty()) faults_.warn(here, quoted(pattern) + " matches no device", FaultKind::matches_nothing);
+    return found->second;
   }
 
   /// The numeric symbols of every device with a behaviour.
@@ -121,9 +149,9 @@ class Relations {
     for (std::size_t i = 0; i < given.size(); ++i) {
       const Pointer here = Pointer("/requirements") / i;
       if (given[i].name.empty()) {
-        faults_.add((here / "name").text(), "a requirement without a name, give it one");
+        faults_.add(here / "name", "a requirement without a name, give it one");
       } else if (!seen.insert(given[i].name).second) {
-        faults_.add((here / "name").text(),
+        faults_.add(here / "name",
                     quoted(given[i].name) + " names another requirement already, give each its own name");
       }
       add_requirement(given[i], here);
@@ -133,7 +161,7 @@ class Relations {
   void add_requirement(const GivenRequirement& given, const Pointer& here) {
     const bool never = !given.never.empty();
     if (never == (!given.after.empty() || !given.expect.empty()) || given.after.empty() != given.expect.empty()) {
-      faults_.add(here.text(), "a requirement has either `never`, or `after` with `expect`");
+      faults_.add(here, "a requirement has either `never`, or `after` with `expect`");
       return;
     }
     Requirement requirement;
@@ -149,6 +177,8 @@ class Relations {
   PlantModel& plant_;
   Faults& faults_;
   PlantNames names_;
+  std::unordered_map<std::string, std::vector<std::uint32_t>> matching_;  // of `disables`: a pattern -> its units
+  std::size_t disabled_ = 0;
 };
 
 }  // namespace

@@ -70,9 +70,9 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
 
 void add_given_states(Unit& unit, Faults& faults) {
   const std::vector<std::string>& given = unit.described->states;
-  const Pointer pointer = device_pointer(*unit.described) / "states";
+  const Pointer pointer = key_pointer(*unit.described, DeviceKey::states);
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const std::string here = (pointer / i).text();
+    const Pointer here = pointer / i;
     const State* same = find_state(unit.states, given[i]);
     if (same != nullptr) {
       const bool by_symbol = same->operation != kNone || same->event != kNone;
@@ -83,8 +83,8 @@ void add_given_states(Unit& unit, Faults& faults) {
     } else if (given[i].empty() || given[i] == "*") {
       faults.add(here, quoted(given[i]) + " is no name of a state, give it another");
     } else if (unit.states.size() == core::kMaxStates) {
-      faults.add(pointer.text(), "the device has more than " + std::to_string(core::kMaxStates) +
-                                     " states together with those of its symbols, leave some out");
+      faults.add(pointer, "the device has more than " + std::to_string(core::kMaxStates) +
+                              " states together with those of its symbols, leave some out");
       return;
     } else {
       unit.states.push_back({given[i], kNone, kNone, !sequence_number(given[i]).empty()});

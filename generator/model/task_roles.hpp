@@ -5,7 +5,7 @@
 #include <unordered_set>
 
 #include "base/ascii.hpp"
-#include "model/description.hpp"
+#include "model/plant_model.hpp"
 
 namespace symplant::model {
 
@@ -18,8 +18,10 @@ enum class TaskRole : std::uint8_t {
 /// What a description says of tasks. Views point into it.
 class TaskRoles {
  public:
-  /// Null: every task is a state. O(description of the device).
-  explicit TaskRoles(const DeviceDescription* device);
+  TaskRoles() = default;  ///< every task is a state
+  /// By what is said of the unit's device, but for what a pattern says and the unit's symbols lack. `symbols` are the
+  /// plant's. O(description of the device and symbols of the unit).
+  TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols);
 
   TaskRole of(std::string_view task, bool has_operation, bool has_event) const;
 

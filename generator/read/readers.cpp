@@ -51,21 +51,10 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
 }
 
 /// The file as text; null where an error was added.
-std::shared_ptr<const base::SourceFile> load(const std::string& path, const ReadOptions& options,
-                                             const base::FileSystem& files, diag::Diagnostics& diagnostics,
-                                             base::Encoding& encoding) {
-  auto bytes = files.read(path);
-  if (!bytes) {
-    diagnostics.add(kCannotReadFile, bytes.error().message, whole_file(path));
-    return nullptr;
-  }
-  auto decoded = base::decode(std::move(*bytes), options.encoding ? &*options.encoding : nullptr);
-  if (!decoded) {
-    const base::DecodeError& fault = decoded.error();
-    const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
-    diagnostics.add(kUndecodableText, fault.what, {std::make_shared<base::SourceFile>(path, fault.shown), place});
-    return nullptr;
-  }
+std::shared_ptr<const base::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
+                                             diag::Diagnostics& diagnostics, base::Encoding& encoding) {
+  auto decoded = decode_file(path, std::move(bytes), options.encoding, diagnostics);
+  if (!decoded) return nullptr;
   if (decoded->text.find_first_not_of(" \t\r\n") == std::string::npos) {
     diagnostics.add(kEmptyFile, "the file `" + path + "` is empty; export the list again", whole_file(path));
     return nullptr;
@@ -74,20 +63,43 @@ std::shared_ptr<const base::SourceFile> load(const std::string& path, const Read
   return std::make_shared<base::SourceFile>(path, std::move(decoded->text));
 }
 
+bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics) {
+  const auto is_asked_for = [&](const ReaderInfo& reader) { return reader.name == options.input_format; };
+  if (options.input_format.empty() || std::any_of(kReaders.begin(), kReaders.end(), is_asked_for)) return true;
+  diagnostics.add(kUnknownInputFormat,
+                  "`" + options.input_format + "` is no known format of a list; choose among " + known_names(), {});
+  return false;
+}
+
 }  // namespace
 
 std::span<const ReaderInfo> readers() { return kReaders; }
 
+std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
+                                         const std::optional<base::Encoding>& encoding,
+                                         diag::Diagnostics& diagnostics) {
+  auto decoded = base::decode(std::move(bytes), encoding ? &*encoding : nullptr);
+  if (decoded) return std::move(*decoded);
+  const base::DecodeError& fault = decoded.error();
+  const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
+  diagnostics.add(kUndecodableText, fault.what, {std::make_shared<base::SourceFile>(path, fault.shown), place});
+  return std::nullopt;
+}
+
 std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
                                             const base::FileSystem& files, diag::Diagnostics& diagnostics) {
-  const auto is_asked_for = [&](const ReaderInfo& reader) { return reader.name == options.input_format; };
-  if (!options.input_format.empty() && std::none_of(kReaders.begin(), kReaders.end(), is_asked_for)) {
-    diagnostics.add(kUnknownInputFormat,
-                    "`" + options.input_format + "` is no known format of a list; choose among " + known_names(), {});
-    return std::nullopt;
-  }
+  if (!is_known_format(options, diagnostics)) return std::nullopt;
+  auto bytes = files.read(path);
+  if (bytes) return read_symbol_list(path, std::move(*bytes), options, diagnostics);
+  diagnostics.add(kCannotReadFile, bytes.error().message, whole_file(path));
+  return std::nullopt;
+}
+
+std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
+                                            diag::Diagnostics& diagnostics) {
+  if (!is_known_format(options, diagnostics)) return std::nullopt;
   base::Encoding encoding{};
-  const auto source = load(path, options, files, diagnostics, encoding);
+  const auto source = load(path, std::move(bytes), options, diagnostics, encoding);
   if (!source) return std::nullopt;
   const ReaderInfo* const reader = choose(options, source, diagnostics);
   if (reader == nullptr) return std::nullopt;

@@ -33,5 +33,12 @@ struct ReadOptions {
 /// as it is.
 std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
                                             const base::FileSystem& files, diag::Diagnostics& diagnostics);
+/// Likewise of a file whose bytes have been read.
+std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
+                                            diag::Diagnostics& diagnostics);
+
+/// The text of a file's bytes, and its encoding; nothing where an error was added.
+std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
+                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::read

@@ -1,4 +1,4 @@
-// Lists of any size for benchmarks: devices of a given number of types, four symbols each.
+// Lists of any size for benchmarks: devices of a given number of types, four symbols each; and their descriptions.
 #pragma once
 
 #include <cstdio>
@@ -23,6 +23,30 @@ inline std::string list_text(int devices, int types) {
     }
   }
   return text;
+}
+
+/// The plant.json of such a list with 10 types: an entry a device, by its exact name, with a condition on its
+/// neighbour.
+inline std::string description_text(int devices, const std::string& list) {
+  std::string text = "{\n  \"symplant\": 1,\n  \"symbols\": [\"" + list + "\"],\n  \"devices\": {\n";
+  char line[400];
+  const auto name = [](char(&buffer)[64], int d) {
+    std::snprintf(buffer, sizeof buffer, "LINE%d_ST%d_DEV%d", 1 + d / 5000, 1 + d / 20, d);
+  };
+  char own[64];
+  char other[64];
+  for (int d = 0; d < devices; ++d) {
+    const int neighbour = (d + 1) % devices;
+    name(own, d);
+    name(other, neighbour);
+    const int length = std::snprintf(line, sizeof line,
+                                     "    \"%s\": {\n      \"transitions\": [ { \"from\": \"T%dRET2\", \"to\": "
+                                     "\"T%dADV1\", \"when\": \"%s.T%dRET2 and "
+                                     "not %s.moving\", \"takes\": \"800ms\" } ]\n    }%s\n",
+                                     own, d % 10, d % 10, other, neighbour % 10, other, d + 1 < devices ? "," : "");
+    text.append(line, static_cast<std::size_t>(length));
+  }
+  return text + "  }\n}\n";
 }
 
 }  // namespace symplant::bench

@@ -49,12 +49,17 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
 void check(const CheckOptions& options, Context& context) {
   std::string text;
   std::vector<diag::Diagnostic> all;
+  std::vector<std::string> inputs = options.plants;
   for (const std::string& list : options.plants) {
     diag::Diagnostics diagnostics;
     int code = host::kGood;
     {
       Progress progress(context.err, context.progress);
       const auto plant = analyse({list, options.plant.read, options.plant.xy}, context.files, progress, diagnostics);
+      if (plant) {
+        const std::vector<std::string> read = plant->input_files();
+        inputs.insert(inputs.end(), read.begin(), read.end());
+      }
       if (plant && options.plant.verbose) tell_decisions(context, *plant);
       if (!plant) {
         code = host::kBadInput;
@@ -72,7 +77,7 @@ void check(const CheckOptions& options, Context& context) {
     context.exit_code = std::max(context.exit_code, code);
   }
   if (options.format == "json") text = diag::render_json(all) + "\n";
-  write_result(context, options.output, text, options.plants);
+  write_result(context, options.output, text, inputs);
 }
 
 }  // namespace
@@ -80,7 +85,8 @@ void check(const CheckOptions& options, Context& context) {
 void add_check(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Check names and models; say what the model loses by each fault");
-  command->add_option("PLANT", options->plants, "symbol lists, each a plant of its own")->required();
+  command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a plant of its own")
+      ->required();
   command->add_option("--format", options->format, "text for people, json for programs")
       ->check(CLI::IsMember({"text", "json"}));
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");

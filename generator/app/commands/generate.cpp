@@ -43,7 +43,8 @@ void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Co
               << "\n";
 }
 
-void write(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
+void write(const GenerateOptions& options, const emit::EmitResult& emitted, std::vector<std::string> inputs,
+           Context& context) {
   std::size_t changed = 0;
   for (const emit::EmittedFile& file : emitted.files) {
     const auto written = context.files.write(in_folder(options, file.name), file.content);
@@ -55,10 +56,10 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, Cont
     if (*written) ++changed;
   }
   if (!options.depfile.empty()) {  // last: whoever sees it sees the rest
-    std::vector<std::string> inputs{options.plant};
+    const std::vector<std::string> plant_files = inputs;
     inputs.insert(inputs.end(), emitted.inputs.begin(), emitted.inputs.end());
     if (!options.templates.empty()) inputs.push_back(options.templates);  // its own time tells of templates that come
-    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs), {options.plant}))
+    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs), plant_files))
       return;
   }
   context.out << fmt::format("{}: {} files, {} of them new or changed\n", options.folder, emitted.files.size(),
@@ -84,7 +85,7 @@ void generate(const GenerateOptions& options, Context& context) {
   if (options.check) {
     compare(options, emitted, context);
   } else {
-    write(options, emitted, context);
+    write(options, emitted, compiled->plant.input_files(), context);
   }
 }
 
@@ -94,7 +95,7 @@ void add_generate(CLI::App& app, Context& context) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command =
       app.add_subcommand("generate", "Write the plant as C++ classes, tables, a main and a CMakeLists.txt");
-  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("-o,--output-dir", options->folder, "the folder for the generated files")
       ->required()
       ->type_name("DIR");
@@ -107,7 +108,7 @@ void add_generate(CLI::App& app, Context& context) {
   add_plant_options(*command, options->plant_options);
   command->footer(
       "The generated code is your own: the licence of symplant does not extend to it.\n"
-      "Examples:\n  symplant generate symbols.csv -o plant\n  symplant generate symbols.csv -o plant --check");
+      "Examples:\n  symplant generate plant.json -o plant\n  symplant generate symbols.csv -o plant --check");
   command->callback([options, &context] { generate(*options, context); });
 }
 

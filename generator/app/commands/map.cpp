@@ -108,7 +108,7 @@ void add_map(CLI::App& app, Context& context) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("map", "Show where each I/O symbol stands on a link, and who moves it");
-  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   add_plant_options(*command, options->plant_options);
   command->footer("Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv");
   command->callback([options, &context] { show(options->plant, options->plant_options, context); });

@@ -38,7 +38,7 @@ void show(const ModelOptions& options, Context& context) {
   }
   const std::string text = options.format == "json" ? model_json(compiled->plant, compiled->tables, units)
                                                     : model_table(compiled->plant, units);
-  write_result(context, options.output, text, {options.plant});
+  write_result(context, options.output, text, compiled->plant.input_files());
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void add_model(CLI::App& app, Context& context) {
   auto options = std::make_shared<ModelOptions>();
   CLI::App* command =
       app.add_subcommand("model", "Show the derived models: I, O, S and the five functions of each device");
-  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("--format", options->format, "table for people, json for programs")
       ->check(CLI::IsMember({"table", "json"}));
   command->add_option("--device", options->device, "only the devices that match; * and ? allowed")

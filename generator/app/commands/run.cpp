@@ -54,12 +54,12 @@ void add_run(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("run", "Run the plant, beside a PLC or in virtual time; no compiler is needed");
-  command->add_option("PLANT", options->plant, "a symbol list")->required();
+  command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   host::add_run_options(*command, options->run);
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
-      "  symplant run symbols.csv --until 10s --trace trace.jsonl\n"
+      "  symplant run plant.json --until 10s --trace trace.jsonl\n"
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);
@@ -67,7 +67,12 @@ void add_run(CLI::App& app, Context& context) {
     const core::PlantTables tables = compiled->tables.tables();
     host::PlantProgram program{.tables = tables};
     program.more = more(compiled->plant);
-    program.inputs = {options->plant};
+    program.inputs = compiled->plant.input_files();
+    std::vector<host::DefaultLink> links;
+    for (const model::LinkDescription& link : compiled->plant.description->links) {
+      links.push_back({link.controller, link.url});
+    }
+    program.links = links;
     context.exit_code = host::run(program, options->run, context.out, context.err);
   });
 }

@@ -6,6 +6,7 @@
 
 #include "app/tool.hpp"
 #include "check/rules.hpp"
+#include "model/description_rules.hpp"
 #include "read/rules.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -24,7 +25,7 @@ TEST_CASE("Rules stand by id, each id and slug once") {
     before = rule->id;
     CHECK(slugs.insert(rule->slug).second);
   }
-  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size());
+  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size() + model::rules().size());
 }
 
 TEST_CASE("Every rule has a summary without a full stop and a page that says what to do") {

@@ -45,7 +45,8 @@ Analysed hostile() {
 struct Reader {
   const model::PlantModel& plant;
   std::vector<model::DescriptionFault> found{};
-  model::Faults faults{found};
+  std::vector<model::DescriptionFault> warned{};
+  model::Faults faults{found, warned};
   model::PlantNames names{plant, faults};
 
   Tree read(const std::string& text) const {

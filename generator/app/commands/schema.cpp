@@ -1,0 +1,58 @@
+// symplant schema: the JSON Schemas of the formats.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "model/plant_file.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/scenario/read_scenario.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct Schema {
+  std::string_view format;
+  std::string_view (*text)();  ///< null: this version does not know the format yet
+};
+constexpr std::array kSchemas{
+    Schema{"plant", &model::plant_schema},
+    Schema{"scenario", &scenario::scenario_schema},
+    Schema{"naming", nullptr},
+    Schema{"model", nullptr},
+};
+
+}  // namespace
+
+void add_schema(CLI::App& app, Context& context) {
+  struct Options {
+    std::string format;
+    std::string output;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a format, for editors");
+  command->add_option("FORMAT", options->format, "plant, scenario, naming or model")->required();
+  command->add_option("-o,--output", options->output, "write it to this file")->type_name("FILE");
+  command->footer("Examples:\n  symplant schema plant\n  symplant schema plant -o plant.schema.json");
+  command->callback([options, &context] {
+    const auto* const found = std::find_if(kSchemas.begin(), kSchemas.end(),
+                                           [&](const Schema& schema) { return schema.format == options->format; });
+    if (found == kSchemas.end()) {
+      context.err << "error: `" << options->format
+                  << "` is no format that has a schema: write plant, scenario, naming or model\n";
+      context.exit_code = host::kBadInput;
+    } else if (found->text == nullptr) {
+      context.err << "error: the format `" << options->format << "` is not yet known to this version of symplant\n";
+      context.exit_code = host::kBadInput;
+    } else {
+      write_result(context, options->output, std::string(found->text()), {});
+    }
+  });
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,96 @@
+// Reading the files of a plant.
+#include "app/read_inputs.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "model/description_rules.hpp"
+#include "name/naming_rule.hpp"
+
+namespace symplant::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class InputReader {
+ public:
+  InputReader(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
+              diag::Diagnostics& diagnostics)
+      : options_(options), files_(files), progress_(progress), diagnostics_(diagnostics) {}
+
+  std::optional<Inputs> read() {
+    progress_.stage("reading " + options_.plant);
+    inputs_.name = fs::path(options_.plant).stem().string();
+    auto bytes = files_.read(options_.plant);
+    if (bytes && model::is_plant_file(options_.plant, *bytes)) {
+      return read_description(std::move(*bytes)) ? std::optional(std::move(inputs_)) : std::nullopt;
+    }
+    auto table = bytes ? read::read_symbol_list(options_.plant, std::move(*bytes), options_.read, diagnostics_)
+                       : read::read_symbol_list(options_.plant, options_.read, files_, diagnostics_);
+    if (!table) return std::nullopt;
+    add_list(std::move(*table), {}, options_.xy);
+    return std::move(inputs_);
+  }
+
+ private:
+  void add_list(read::SymbolTable table, const std::string& controller, std::optional<address::Radix> xy) {
+    const auto list = std::make_shared<const read::SymbolTable>(std::move(table));
+    progress_.stage("reading names");
+    inputs_.lists.push_back({list, name::read_names(*list, name::built_in_rule()), controller, xy});
+  }
+
+  bool read_description(std::string bytes) {
+    auto text = read::decode_file(options_.plant, std::move(bytes), std::nullopt, diagnostics_);
+    if (!text) return false;
+    inputs_.source = std::make_shared<base::SourceFile>(options_.plant, std::move(text->text));
+    model::PlantFileReading reading = model::read_plant_file(inputs_.source->text(), inputs_.name);
+    model::add_findings(inputs_.source, reading.syntax, diagnostics_);
+    inputs_.faults = std::move(reading.faults);
+    inputs_.readable = reading.syntax.empty() && inputs_.faults.empty();
+    if (reading.file && read_lists(reading.file->symbols)) {
+      inputs_.name = reading.file->name;
+      inputs_.description = std::make_shared<const model::Description>(std::move(reading.file->description));
+      return true;
+    }
+    model::add_findings(inputs_.source, inputs_.faults, diagnostics_);
+    return false;
+  }
+
+  /// False where one of them cannot be read, or there is none.
+  bool read_lists(const std::vector<model::ListReference>& lists) {
+    bool all = !lists.empty();
+    for (const model::ListReference& reference : lists) {
+      if (reference.file.empty()) {  // told already
+        all = false;
+        continue;
+      }
+      const std::string path = (fs::path(options_.plant).parent_path() / reference.file).lexically_normal().string();
+      progress_.stage("reading " + path);
+      read::ReadOptions how = options_.read;
+      if (!reference.format.empty()) how.input_format = reference.format;
+      if (reference.encoding) how.encoding = reference.encoding;
+      auto table = read::read_symbol_list(path, how, files_, diagnostics_);
+      if (table) {
+        add_list(std::move(*table), reference.controller, reference.xy ? reference.xy : options_.xy);
+      } else {
+        all = false;
+      }
+    }
+    return all;
+  }
+
+  const CompileOptions& options_;
+  const base::FileSystem& files_;
+  Progress& progress_;
+  diag::Diagnostics& diagnostics_;
+  Inputs inputs_;
+};
+
+}  // namespace
+
+std::optional<Inputs> read_inputs(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
+                                  diag::Diagnostics& diagnostics) {
+  return InputReader(options, files, progress, diagnostics).read();
+}
+
+}  // namespace symplant::app

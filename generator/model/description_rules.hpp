@@ -1,0 +1,24 @@
+// The rules of plant.json, and its faults as findings.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "diag/diagnostic.hpp"
+#include "model/description.hpp"
+#include "symplant/json/place.hpp"
+
+namespace symplant::model {
+
+/// By id.
+std::span<const diag::RuleInfo* const> rules();
+
+/// Why the text is no JSON.
+void add_findings(const std::shared_ptr<const base::SourceFile>& source, std::span<const json::Placed> faults,
+                  diag::Diagnostics& diagnostics);
+
+/// Faults and warnings at their places in the file. One pass over its text for all of them.
+void add_findings(const std::shared_ptr<const base::SourceFile>& source, std::span<const DescriptionFault> faults,
+                  diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::model

@@ -1,0 +1,207 @@
+// plant.json through the whole tool: files, places, exit codes.
+#include <nlohmann/json.hpp>
+
+#include "app_support.hpp"
+#include "model/plant_file.hpp"
+
+namespace symplant::test {
+namespace {
+
+using nlohmann::json;
+
+MemoryFileSystem cell(const std::string& plant) {
+  MemoryFileSystem files = lists();
+  files.files["cell/plant.json"] = plant;
+  files.files["cell/symbols.csv"] = excell();
+  return files;
+}
+
+ToolRun run_cell(std::vector<std::string> arguments, const std::string& plant) {
+  MemoryFileSystem files = cell(plant);
+  arguments.push_back("cell/plant.json");
+  return run_tool(arguments, files);
+}
+
+std::string described(const std::string& members) {
+  return "{\n  \"symplant\": 1,\n  \"symbols\": [\"symbols.csv\"],\n  " + members + "\n}\n";
+}
+
+/// "rule line:column message", a line each.
+std::string findings(const std::string& plant) {
+  const ToolRun run = run_cell({"check", "--format", "json"}, plant);
+  const json report = json::parse(run.out);
+  std::string text;
+  for (const json& finding : report.at("findings")) {
+    if (finding.at("rule").get<std::string>().rfind("SP6", 0) != 0) continue;
+    text += finding.at("rule").get<std::string>() + " " + std::to_string(finding.value("line", 0)) + ":" +
+            std::to_string(finding.value("column", 0)) + " " + finding.at("message").get<std::string>() + "\n";
+  }
+  return text;
+}
+
+TEST_CASE("Every command takes a plant.json, its lists beside it") {
+  const std::string plant = described(R"("name": "press", "devices": {"EXLINE_MB_AGV": {"actuation": "held"}})");
+  for (const char* command : {"check", "model", "map"}) {
+    const ToolRun run = run_cell({command}, plant);
+    INFO(command << run.out << run.err);
+    CHECK(run.code == 0);
+  }
+  CHECK(json::parse(run_cell({"model", "--format", "json"}, plant).out).at("plant") == "press");
+  CHECK(json::parse(run_cell({"model", "--format", "json"}, plant).out).at("units")[0].at("actuation") == "held");
+  CHECK(run_cell({"run", "--until", "5s"}, plant).code == 0);
+  MemoryFileSystem files = cell(plant);
+  CHECK(run_tool({"generate", "cell/plant.json", "-o", "out", "--depfile", "out.d"}, files).code == 0);
+  CHECK(files.files["out.d"].find("cell/plant.json \\\n  cell/symbols.csv") != std::string::npos);
+}
+
+TEST_CASE("Without a name the plant is called as its file") {
+  CHECK(json::parse(run_cell({"model", "--format", "json"}, described("\"links\": []")).out).at("plant") == "plant");
+}
+
+TEST_CASE("A plant.json is known by its content, too, and read in UTF-16 as well as UTF-8") {
+  MemoryFileSystem files = lists();
+  const std::string plant = R"({"symplant": 1, "symbols": ["excell.csv"]})";
+  std::string wide = "\xFF\xFE";
+  for (const char c : plant) wide += std::string{c, '\0'};
+  files.files["a.plant"] = plant;
+  files.files["b.json"] = "\xEF\xBB\xBF" + plant;
+  files.files["c.json"] = wide;
+  for (const char* name : {"a.plant", "b.json", "c.json"}) {
+    const ToolRun run = run_tool({"check", name}, files);
+    INFO(name << run.out << run.err);
+    CHECK(run.code == 0);
+  }
+}
+
+TEST_CASE("What is said of one list is said of it alone; options fill what is not said") {
+  MemoryFileSystem files = lists();
+  files.files["p.json"] = R"({"symplant": 1, "symbols": [{"file": "excell.csv", "xy": "octal"}]})";
+  CHECK(contains(run_tool({"check", "--verbose", "p.json"}, files).err, "count in"));
+  files.files["q.json"] = R"({"symplant": 1, "symbols": ["excell.csv"]})";
+  CHECK(run_tool({"check", "q.json", "--input-format", "tape"}, files).code == 2);
+  files.files["r.json"] = R"({"symplant": 1, "symbols": [{"file": "excell.csv", "format": "gx-iec"}]})";
+  CHECK(run_tool({"check", "r.json", "--input-format", "tape"}, files).code == 0);
+}
+
+TEST_CASE("Faults of form make check end with 2, other faults of the description with 1") {
+  CHECK(run_cell({"check"}, "{").code == 2);
+  CHECK(run_cell({"check"}, described("\"device\": {}")).code == 2);
+  CHECK(run_cell({"check"}, described(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 1);
+  CHECK(run_cell({"check"}, described(R"("devices": {"*_AGW": {}})")).code == 0);
+  CHECK(run_cell({"check", "--fail-on", "warning"}, described(R"("devices": {"*_AGW": {}})")).code == 1);
+  for (const char* command : {"model", "map", "run"}) {
+    CHECK(run_cell({command}, described(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 2);
+    CHECK(run_cell({command}, described(R"("devices": {"*_AGW": {}})")).code == 0);
+  }
+}
+
+TEST_CASE("A list that cannot be read is told, and so are the faults of form") {
+  MemoryFileSystem files = cell(R"({"symplant": 1, "symbols": ["missing.csv", "empty.csv"], "nam": "x"})");
+  files.files["cell/empty.csv"] = "";
+  const ToolRun run = run_tool({"check", "cell/plant.json"}, files);
+  CHECK(run.code == 2);
+  CHECK(contains(run.out, "cell/missing.csv"));
+  CHECK(contains(run.out, "[SP103 empty-file]"));
+  CHECK(contains(run.out, "the key `nam` is unknown here, the nearest is `name`"));
+}
+
+TEST_CASE("Faults stand at their line and column, in conditions at the name at fault") {
+  CHECK(findings(described(R"("devices": {
+    "EXLINE_MB_AGV": { "initial": "P9", "transitions": [ { "from": "P1", "to": "P2",
+      "when": "EXLINE_MB_MC.RUN2 and not EXLINE_MB_MD.IDLE1" } ] } })")) ==
+        "SP602 5:35 there is no state `P9` of `EXLINE_MB_AGV`, the nearest is `P1`\n"
+        "SP606 6:42 there is no device `EXLINE_MB_MD`, the nearest is `EXLINE_MB_MC`\n");
+}
+
+TEST_CASE("A column counts characters, and escapes in a condition are counted as they stand") {
+  CHECK(findings(described(
+            "\"requirements\": [ { \"name\": \"\u00e4\u00f6\", \"never\": \"'EXLINE\\u005fMB_MC'.RUN2 and X\" } ]")) ==
+        "SP606 4:76 there is no symbol `X`\n");
+}
+
+TEST_CASE("Faults of form and of names are told in one run, but nothing that only follows") {
+  // AGV's `state` is unknown, so that its DOCK is missing is not told; MC's fault is.
+  CHECK(findings(described(R"("devices": {
+    "EXLINE_MB_AGV": { "state": ["DOCK"], "initial": "DOCK" },
+    "EXLINE_MB_MC": { "initial": "RUN1" } })")) ==
+        "SP601 5:24 the key `state` is unknown here, the nearest is `states`\n"
+        "SP602 6:34 there is no state `RUN1` of `EXLINE_MB_MC`, the nearest is `RUN2`\n");
+}
+
+TEST_CASE("A key twice is told with both places, and nothing is made") {
+  const ToolRun run = run_cell({"check"}, described(R"("name": "a",
+  "name": "b")"));
+  CHECK(run.code == 2);
+  CHECK(contains(run.out, "cell/plant.json:5:3: error: the key `name` stands here for the second time"));
+  CHECK(contains(run.out, "cell/plant.json:4:3: note:"));
+}
+
+TEST_CASE("--verbose tells the plant's name and which pattern speaks of how many devices") {
+  const ToolRun run = run_cell({"check", "--verbose"}, described(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
+  CHECK(contains(run.err, "decided: the plant is called plant\n"));
+  CHECK(contains(run.err, "decided: `EXLINE_*` speaks of 2 devices\n"));
+}
+
+TEST_CASE("No output may take the place of a plant's own files") {
+  MemoryFileSystem files = cell(described("\"name\": \"x\""));
+  const std::string folder = std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/excell.csv";
+  files.files["cell/plant.json"] = "{\"symplant\": 1, \"symbols\": [\"" + folder + "\"]}";
+  files.files[folder] = excell();
+  CHECK(run_tool({"model", "cell/plant.json", "-o", folder}, files).code == 2);
+  CHECK(run_tool({"check", "cell/plant.json", "--output", folder}, files).code == 2);
+}
+
+TEST_CASE("schema prints the schema of plant.json, and says what it does not know") {
+  const ToolRun run = run_tool({"schema", "plant"});
+  CHECK(run.code == 0);
+  CHECK(run.out == model::plant_schema());
+  CHECK(json::parse(run.out).at("$schema") == "http://json-schema.org/draft-07/schema#");
+  CHECK(run_tool({"schema", "naming"}).code == 2);
+  CHECK(contains(run_tool({"schema", "naming"}).err, "not yet known"));
+  CHECK(contains(run_tool({"schema", "palnt"}).err, "`palnt` is no format"));
+}
+
+TEST_CASE("Hostile files end with 2 and words") {
+  const std::string deep = std::string(100'000, '[');
+  const std::string name(20'000, 'N');
+  const std::vector<std::string> hostile{
+      "",
+      " \n",
+      "\xEF\xBB\xBF",
+      "null",
+      "[]",
+      "{}",
+      "{\"symplant\": 1}",
+      "{\"symplant\": 1, \"symbols\": [\"symbols.csv\"], \"name\": \"a\\u0000b\"}",
+      "{\"symplant\": 1, \"symbols\": [\"symbols.csv\"], \"name\": \"\\ud800\"}",
+      "{\"symplant\": 1, \"symbols\": [\"symbols.csv\"], \"x\": " + deep,
+      "{\"symplant\": 1, \"symbols\": [\"symbols.csv\"], \"" + name + "\": 1}",
+      "{\"symplant\": 1e999, \"symbols\": [\"symbols.csv\"]}",
+      "{\"symplant\": 1, \"symbols\": [\"" + name + "\"]}",
+      "{\"symplant\": 1, \"symbols\": [\"../../../etc\"]}",
+      std::string("{\0}", 3),
+      "{\"symplant\": 1, \"symbols\": [\"symbols.csv\"], \"name\": \"\xFF\"}",
+  };
+  for (const std::string& text : hostile) {
+    const ToolRun run = run_cell({"check"}, text);
+    INFO(text.substr(0, 80) << " ... " << run.out.substr(0, 300));
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, "error: "));
+  }
+  const ToolRun run =
+      run_cell({"check"}, described("\"devices\": {\"" + name + "\": {\"initial\": \"" + name + "\"}}"));
+  CHECK(run.code == 1);
+}
+
+TEST_CASE("The order of keys does not matter") {
+  const ToolRun one =
+      run_cell({"model", "--format", "json"}, described(R"("name": "n", "defaults": {"travel": "2s"})"));
+  const ToolRun other =
+      run_cell({"model", "--format", "json"},
+               R"({"defaults": {"travel": "2s"}, "name": "n", "symbols": ["symbols.csv"], "symplant": 1})");
+  CHECK(one.code == 0);
+  CHECK(one.out == other.out);
+}
+
+}  // namespace
+}  // namespace symplant::test

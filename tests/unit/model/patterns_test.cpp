@@ -1,0 +1,251 @@
+// Patterns: which entry speaks of which device, what wins, and what is left out.
+#include "description_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+const std::vector<std::string> kStoppers{"L_P_S1_O_ADV", "L_P_S1_I_ADV", "L_P_S1_O_RET", "L_P_S1_I_RET",
+                                         "L_P_S2_O_ADV", "L_P_S2_I_ADV", "L_P_S2_O_RET", "L_P_S2_I_RET",
+                                         "L_P_M_O_RUN1", "L_P_M_I_RUN1", "L_P_M_O_END2", "L_P_M_I_END2"};
+
+DeviceDescription actuated(std::string path, core::Actuation actuation) {
+  DeviceDescription d = device(std::move(path));
+  d.actuation = actuation;
+  return d;
+}
+
+DeviceDescription with(std::string path, std::vector<GivenTransition> transitions) {
+  DeviceDescription d = device(std::move(path));
+  d.transitions = std::move(transitions);
+  return d;
+}
+
+std::string warnings(const Analysed& analysed) {
+  std::string text;
+  for (const model::DescriptionFault& fault : analysed.model().description_warnings) {
+    text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
+  }
+  return text;
+}
+
+TEST_CASE("A pattern speaks of every device that it matches, whatever the case") {
+  const Analysed list = described(kStoppers, {actuated("l_*_s?", core::Actuation::held)});
+  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::held);
+  CHECK(unit_of(list, "L_P_S2").actuation == core::Actuation::held);
+  CHECK(unit_of(list, "L_P_M").actuation == core::Actuation::latched);
+  CHECK(faults(list) == "");
+  CHECK(warnings(list) == "");
+}
+
+TEST_CASE("An exact name beats every pattern, key by key") {
+  DeviceDescription pattern = actuated("L_P_S*", core::Actuation::held);
+  pattern.initial = "RET";
+  const Analysed list = described(kStoppers, {actuated("L_P_S1", core::Actuation::bistable), pattern});
+  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::bistable);
+  CHECK(unit_of(list, "L_P_S1").initial == 1);
+  CHECK(unit_of(list, "L_P_S2").actuation == core::Actuation::held);
+}
+
+TEST_CASE("Of patterns the one with more literal characters beats the other, key by key") {
+  DeviceDescription wide = actuated("*", core::Actuation::held);
+  wide.initial = "RET";
+  const Analysed list =
+      described({"L_P_S1_O_ADV", "L_P_S1_I_ADV", "L_P_S1_O_RET", "L_P_S1_I_RET", "L_P_T_O_ADV", "L_P_T_O_RET"},
+                {wide, actuated("*_S?", core::Actuation::bistable)});
+  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::bistable);
+  CHECK(unit_of(list, "L_P_S1").initial == 1);
+  CHECK(unit_of(list, "L_P_T").actuation == core::Actuation::held);
+}
+
+TEST_CASE("An array replaces an array, also an empty one") {
+  DeviceDescription nothing = device("L_P_S1");
+  nothing.given[static_cast<std::size_t>(model::DeviceKey::transitions)] = true;
+  const Analysed list = described(
+      kStoppers, {with("L_P_S*", {taking(way("ADV", "RET"), 5)}), with("L_P_S2", {way("RET", "ADV")}), nothing});
+  CHECK(origins(unit_of(list, "L_P_S1")) == "dd");
+  CHECK(transitions_text(list, unit_of(list, "L_P_S2")) == "RET-O_ADV>ADV ADV-O_RET>RET");
+  CHECK(unit_of(list, "L_P_S2").transitions[1].takes == Duration::fixed(core::kSecond));
+}
+
+TEST_CASE("`only` of a pattern is undone by an exact false") {
+  DeviceDescription only = device("L_P_S*");
+  only.only = true;
+  DeviceDescription not_only = device("L_P_S2");
+  not_only.given[static_cast<std::size_t>(model::DeviceKey::only)] = true;
+  const Analysed list = described(kStoppers, {only, not_only});
+  CHECK(unit_of(list, "L_P_S1").transitions.empty());
+  CHECK(unit_of(list, "L_P_S2").transitions.size() == 2);
+}
+
+TEST_CASE("Two equally specific patterns must agree, unless something more specific decides") {
+  const auto saying = [](std::string path, std::string text) {
+    DeviceDescription d = actuated(std::move(path), core::Actuation::held);
+    d.texts.resize(model::kDeviceKeys);
+    d.texts[static_cast<std::size_t>(model::DeviceKey::actuation)] = std::move(text);
+    return d;
+  };
+  const std::string fault =
+      "/devices/L_?_S*/actuation: `L_?_S*` and `L_P_*` are equally specific and give `actuation` of `L_P_S1` different "
+      "values, make one more specific or name the device";
+  CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"held\"")})) == "");
+  CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"spring\"")})) == fault);
+  CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"spring\""),
+                                     saying("L_P_S?", "\"bistable\"")})) == "");
+}
+
+TEST_CASE("Two equally specific patterns that disagree are a fault with both places, told once") {
+  DeviceDescription first = actuated("L_P_S*", core::Actuation::held);
+  DeviceDescription second = actuated("L_?_S?*", core::Actuation::spring);
+  second.path = "*L_P_S?";
+  for (DeviceDescription* d : {&first, &second}) {
+    d->texts.resize(model::kDeviceKeys);
+    d->texts[static_cast<std::size_t>(model::DeviceKey::actuation)] = d == &first ? "\"held\"" : "\"spring\"";
+  }
+  const Analysed list = described(kStoppers, {first, second});
+  CHECK(faults(list) ==
+        "/devices/*L_P_S?/actuation: `*L_P_S?` and `L_P_S*` are equally specific and give `actuation` of `L_P_S1` "
+        "different values, make one more specific or name the device");
+  CHECK(list.model().description_faults.front().related == "/devices/L_P_S*/actuation");
+  CHECK(list.model().description_faults.front().kind == model::FaultKind::patterns);
+  CHECK(faults(described(kStoppers, {first, second, actuated("L_P_S1", core::Actuation::held),
+                                     actuated("L_P_S2", core::Actuation::held)})) == "");
+}
+
+TEST_CASE("A pattern that matches no device is a warning") {
+  const Analysed list = described(kStoppers, {actuated("L_*_DOOR?", core::Actuation::held)});
+  CHECK(faults(list) == "");
+  CHECK(warnings(list) == "/devices/L_*_DOOR?: `L_*_DOOR?` matches no device");
+}
+
+TEST_CASE("Under a pattern an entry is left out for devices that lack what it names, with a warning") {
+  const Analysed list =
+      described(kStoppers, {with("L_P_*", {taking(way("ADV", "RET"), 5), taking(way("RUN1", "END2"), 6)})});
+  CHECK(faults(list) == "");
+  CHECK(transitions_text(list, unit_of(list, "L_P_S1")) == "ADV-O_RET>RET RET-O_ADV>ADV");
+  CHECK(unit_of(list, "L_P_S1").transitions[0].takes == Duration::fixed(5));
+  CHECK(unit_of(list, "L_P_M").transitions[0].takes == Duration::fixed(6));
+  CHECK(
+      warnings(list) ==
+      "/devices/L_P_*/transitions/0/from: 1 of the 3 devices that take it from `L_P_*` has no state `ADV`, it is left "
+      "out for `L_P_M`\n"
+      "/devices/L_P_*/transitions/0/to: 1 of the 3 devices that take it from `L_P_*` has no state `RET`, it is left "
+      "out for `L_P_M`\n"
+      "/devices/L_P_*/transitions/1/from: 2 of the 3 devices that take it from `L_P_*` have no state `RUN1`, it is "
+      "left out for `L_P_S1`, `L_P_S2`\n"
+      "/devices/L_P_*/transitions/1/to: 2 of the 3 devices that take it from `L_P_*` have no state `END2`, it is left "
+      "out for `L_P_S1`, `L_P_S2`");
+}
+
+TEST_CASE("What all of them lack is an error") {
+  DeviceDescription d = with("L_P_S?", {way("ADV", "REF"), way("ADV", "RET", "RETT")});
+  d.initial = "HOME";
+  d.outputs = {{"ADV", {{"BUSY", true}}, {}}};
+  const Analysed list = described(kStoppers, {d});
+  const std::string too = "; the other device that takes it from `L_P_S?` lacks it too";
+  CHECK(faults(list) ==
+        "/devices/L_P_S?/initial: there is no state `HOME` of `L_P_S1`" + too +
+            "\n/devices/L_P_S?/outputs/ADV/enter/BUSY: there is no event `BUSY` of `L_P_S1`" + too +
+            "\n/devices/L_P_S?/transitions/0/to: there is no state `REF` of `L_P_S1`, the nearest is `RET`" + too +
+            "\n/devices/L_P_S?/transitions/1/on: there is no operation `RETT` of `L_P_S1`, the nearest is "
+            "`RET`" +
+            too);
+  CHECK(warnings(list) == "");
+}
+
+TEST_CASE("What a matched device has that takes the key from elsewhere is no slip") {
+  DeviceDescription wide = device("L_P_*");
+  wide.initial = "RUN1";
+  DeviceDescription exact = device("L_P_M");
+  exact.initial = "END2";
+  const Analysed list = described(kStoppers, {exact, wide});
+  CHECK(faults(list) == "");
+  CHECK(warnings(list) ==
+        "/devices/L_P_*/initial: 2 of the 2 devices that take it from `L_P_*` have no state `RUN1`, it is left out for "
+        "`L_P_S1`, `L_P_S2`");
+}
+
+TEST_CASE("An initial state, a rest state, outputs and disables are left out likewise") {
+  DeviceDescription d = device("L_P_*");
+  d.initial = "RET";
+  d.outputs = {{"ADV", {}, {{"RUN1", false}}}, {"RUN1", {{"END2", true}}, {}}};
+  d.disables = {{"ADV", {"L_P_M"}}, {"RUN1", {"L_P_S?"}}};
+  d.disables[0].devices = {"*_M"};
+  const Analysed list = described(kStoppers, {d});
+  CHECK(faults(list) == "");
+  CHECK(unit_of(list, "L_P_S1").initial == 1);
+  CHECK(unit_of(list, "L_P_M").initial == 0);
+  CHECK(unit_of(list, "L_P_M").initial_from != model::InitialFrom::description);
+  CHECK(unit_of(list, "L_P_M").outputs[0].enter.size() == 1);
+  CHECK(unit_of(list, "L_P_M").disables[0] == std::vector<std::uint32_t>{0, 1});
+  CHECK(unit_of(list, "L_P_S1").disables[0] == std::vector<std::uint32_t>{2});
+  CHECK(list.model().description_warnings.size() == 7);
+}
+
+TEST_CASE("A state that only a left out entry would have made a mere command stays a state") {
+  // O_GO is `on` of a transition to P2; L_P_B has no P2, so nothing is said of its O_GO.
+  const std::vector<std::string> names{"L_P_A_O_GO", "L_P_A_I_P1", "L_P_A_O_P1", "L_P_A_I_P2",
+                                       "L_P_A_O_P2", "L_P_B_O_GO", "L_P_B_I_P1", "L_P_B_O_P1"};
+  const Analysed list = described(names, {with("L_P_?", {way("P1", "P2", "GO")})});
+  CHECK(states_text(unit_of(list, "L_P_A")) == "P1 P2");
+  CHECK(states_text(unit_of(list, "L_P_B")) == "P1 GO");
+  CHECK(unit_of(list, "L_P_B").left_out == std::vector<std::uint32_t>{0});
+}
+
+TEST_CASE("The condition of a left out entry is no condition of the device") {
+  GivenTransition left = way("RUN1", "END2", "", "L_P_S1.ADV");
+  GivenTransition stays = way("ADV", "RET", "", "L_P_M.END2");
+  const Analysed list = described(kStoppers, {with("L_P_*", {left, stays})});
+  REQUIRE(unit_of(list, "L_P_S1").conditions.size() == 1);
+  CHECK(unit_of(list, "L_P_S1").transitions[0].when == 0);
+  REQUIRE(unit_of(list, "L_P_M").conditions.size() == 1);
+}
+
+TEST_CASE("A commanded transition under a pattern is left out where its target has no operation") {
+  const std::vector<std::string> names{"L_P_A_O_P1", "L_P_A_I_P1", "L_P_A_O_P2", "L_P_A_I_P2", "L_P_A_O_P3",
+                                       "L_P_B_O_P1", "L_P_B_I_P1", "L_P_B_I_P2", "L_P_B_O_P3"};
+  const Analysed list = described(names, {with("L_P_?", {way("P1", "P2")})});
+  CHECK(faults(list) == "");
+  CHECK(
+      warnings(list) ==
+      "/devices/L_P_?/transitions/0/to: 1 of the 2 devices that take it from `L_P_?` has no operation `P2`, it is left "
+      "out for `L_P_B`");
+}
+
+TEST_CASE("A fault under a pattern is told once for all its devices") {
+  CHECK(faults(described(kStoppers, {with("L_P_S?", {way("ADV", "ADV")})})) ==
+        "/devices/L_P_S?/transitions/0: `ADV` to itself is no transition, name two states; so it is with other devices "
+        "that `L_P_S?` matches");
+  DeviceDescription rest = device("L_P_S?");
+  rest.rest = "RET";
+  CHECK(faults(described(kStoppers, {rest})).starts_with("/devices/L_P_S?/rest: `L_P_S1` is `latched`"));
+}
+
+TEST_CASE("A fault leads to the entry that gave the key") {
+  DeviceDescription exact = actuated("L_P_S1", core::Actuation::held);
+  const Analysed list = described(kStoppers, {exact, with("L_P_S*", {way("ADV", "RET", "", "L_P_X.RUN")})});
+  REQUIRE(list.model().description_faults.size() == 1);
+  CHECK(list.model().description_faults[0].pointer == "/devices/L_P_S*/transitions/0/when");
+  CHECK(list.model().description_faults[0].kind == model::FaultKind::condition);
+}
+
+TEST_CASE("A pattern in `disables` leaves out the device itself, and may match nothing") {
+  DeviceDescription d = device("L_P_S1");
+  d.disables = {{"ADV", {"L_P_*", "L_P_M"}}, {"RET", {"*_DOOR"}}};
+  const Analysed list = described(kStoppers, {d});
+  CHECK(faults(list) == "");
+  CHECK(unit_of(list, "L_P_S1").disables[0] == std::vector<std::uint32_t>{1, 2});
+  CHECK(warnings(list) == "/devices/L_P_S1/disables/RET/0: `*_DOOR` matches no device");
+  d.disables = {{"ADV", {"L_P_S1"}}};
+  CHECK(faults(described(kStoppers, {d})) == "/devices/L_P_S1/disables/ADV/0: `L_P_S1` disables itself, leave it out");
+}
+
+TEST_CASE("A question mark is one character, in any script") {
+  const std::vector<std::string> names{"L_P_\u00c4_O_ADV", "L_P_\u00c4_O_RET"};
+  const Analysed list = described(names, {actuated("L_P_?", core::Actuation::held)});
+  CHECK(unit_of(list, "L_P_\u00c4").actuation == core::Actuation::held);
+  CHECK(warnings(described(names, {actuated("L_P_??", core::Actuation::held)})) ==
+        "/devices/L_P_??: `L_P_??` matches no device");
+}
+
+}  // namespace
+}  // namespace symplant::test
