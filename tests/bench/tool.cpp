@@ -1,10 +1,13 @@
 // What the tool takes for a list: read + parse + derive + lower, the checks, the emission.
 #include <benchmark/benchmark.h>
 
+#include <ctime>
 #include <sstream>
 
 #include "app/pipeline.hpp"
 #include "bench/list_text.hpp"
+#include "bench/loops.hpp"
+#include "bench/rich_files.hpp"
 #include "check/check_plant.hpp"
 #include "emit/emit.hpp"
 #include "lower/lower.hpp"
@@ -60,7 +63,18 @@ void generate(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(emit::emit(plant.plant, plant.tables, {}, files));
 }
 
+/// The engine on a plant of files; to be held against the load rich of bench_engine.
+void rich_from_files(benchmark::State& state) {
+  EngineScan<RichFiles> loop(static_cast<std::uint32_t>(state.range(0)));
+  std::int64_t motions = 0;
+  const std::clock_t start = std::clock();
+  for (auto _ : state) motions += loop.step();
+  const double spent = static_cast<double>(std::clock() - start) * (1e9 / CLOCKS_PER_SEC);
+  state.counters["ns_a_motion"] = spent / static_cast<double>(motions);
+}
+
 BENCHMARK(read_parse_derive_lower)->Arg(100'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(rich_from_files)->Arg(10'000);
 BENCHMARK(check)->Arg(100'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(generate)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
