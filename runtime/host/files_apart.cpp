@@ -16,6 +16,13 @@ struct Output {
   std::string path;
 };
 
+/// A pipe or a device: it takes whatever comes, and is never begun anew.
+bool is_device(const std::string& path) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  return is_standard_output(path) || (fs::exists(status) && !fs::is_regular_file(status));
+}
+
 std::vector<Output> outputs_of(const RunOptions& options) {
   std::vector<Output> outputs{{"--trace", options.trace},
                               {"--vcd", options.vcd},
@@ -27,7 +34,7 @@ std::vector<Output> outputs_of(const RunOptions& options) {
       outputs.end());
   if (options.trace_limit == trace::kNoLimit) return outputs;
   for (const std::string* path : {&options.trace, &options.vcd}) {
-    if (!path->empty() && !is_standard_output(*path)) outputs.push_back({"--trace-limit", *path + ".1"});
+    if (!path->empty() && !is_device(*path)) outputs.push_back({"--trace-limit", *path + ".1"});
   }
   return outputs;
 }
@@ -35,9 +42,8 @@ std::vector<Output> outputs_of(const RunOptions& options) {
 /// Also by links, and before a file is there.
 bool same_file(const std::string& a, const std::string& b) {
   if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
+  if (is_device(a)) return false;
   std::error_code unknown;
-  const fs::file_status status = fs::status(a, unknown);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return false;  // a device takes whatever comes
   if (fs::equivalent(a, b, unknown) && !unknown) return true;
   const fs::path first = fs::weakly_canonical(fs::absolute(a), unknown);
   const fs::path second = fs::weakly_canonical(fs::absolute(b), unknown);

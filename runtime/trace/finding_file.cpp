@@ -12,8 +12,7 @@ constexpr std::size_t kOperations = 8;  ///< of each unit
 
 std::string place_json(std::uint32_t symbol, const PlantNames& names) {
   return fmt::format(R"("address":{},"list":{},"row":{})", json_string(names.address(symbol)),
-                     json_string(names.list(symbol)),
-                     names.tables().symbols[symbol].row);
+                     json_string(names.list(symbol)), names.tables().symbols[symbol].row);
 }
 
 std::string operations_json(const FoundThing& found, const PlantNames& names, const History& history) {

@@ -53,7 +53,8 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
   text += "$scope module " + scope.name + " $end\n";
   const auto symbols = static_cast<std::uint32_t>(names.tables().symbols.size());
   for (const std::uint32_t unit : scope.units) {
-    text += fmt::format("$var string 1 {} state $end\n", vcd_identifier(std::size_t{symbols} + unit));
+    text += fmt::format("$var string 1 {} {} $end\n", vcd_identifier(std::size_t{symbols} + unit),
+                        vcd_name(names.unit(unit)));
     for (const std::uint32_t symbol : names.symbols_of(unit)) write_symbol(text, names, symbol);
   }
   for (std::uint32_t symbol = 0; is_root && symbol < symbols; ++symbol) {
@@ -76,10 +77,19 @@ std::string vcd_identifier(std::size_t number) {
 }
 
 std::string vcd_name(std::string_view name) {
-  std::string text(name);
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte <= ' ' || byte == 0x7F) c = '_';
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    if (byte < 0x80) {
+      text += byte <= ' ' || byte == 0x7F ? '_' : name[i];
+      continue;
+    }
+    const unsigned more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : 1;  // names are UTF-8
+    unsigned code = byte & (0x3FU >> more);
+    for (unsigned k = 0; k < more && i + 1 < name.size(); ++k) {
+      code = code << 6 | (static_cast<unsigned char>(name[++i]) & 0x3FU);
+    }
+    text += fmt::format("u{:04X}", code);
   }
   return text.empty() ? "_" : text;
 }
@@ -88,7 +98,7 @@ std::string vcd_string(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte <= ' ' || byte == 0x7F || c == '\\') {
+    if (byte <= ' ' || byte >= 0x7F || c == '\\') {
       escaped += fmt::format("\\x{:02X}", byte);
     } else {
       escaped += c;

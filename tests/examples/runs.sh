@@ -15,5 +15,20 @@ cmp "$work/compiled.jsonl" "$work/interpreted.jsonl" || fail "the traces differ"
 [[ $(sed -n 's/.*model //p' "$work/compiled.log") == "$(sed -n 's/.*model //p' "$work/interpreted.log")" ]] ||
   fail "the model's hashes differ"
 
+# The same options, the same verdict, the same files.
+echo '{"symplant-scenario":1,"steps":[{"at":"0s","expect":"NO_SUCH.STATE"}]}' >"$work/bad.json"
+echo '{"symplant-scenario":1,"steps":[{"at":"1s"}]}' >"$work/good.json"
+for scenario in good bad; do
+  for kind in binary tool; do
+    code=0
+    command=("$binary")
+    [[ $kind == binary ]] || command=("$tool" run "$list")
+    "${command[@]}" --scenario "$work/$scenario.json" --vcd "$work/$kind.vcd" --junit "$work/$kind.xml" \
+      --findings "$work/$kind.findings" >"$work/$kind.$scenario.log" 2>&1 || code=$?
+    [[ $scenario$code == good0 || $scenario$code == bad2 ]] || fail "$kind: exit code $code with a $scenario scenario"
+  done
+done
+for file in vcd xml findings; do cmp "$work/binary.$file" "$work/tool.$file" || fail "$file: the files differ"; done
+
 "$binary" --until never >"$work/usage.log" 2>&1 && fail "an until that is no time is taken"
 [[ $("$binary" --until never >/dev/null 2>&1; echo $?) == 2 ]] || fail "bad usage is not exit code 2"

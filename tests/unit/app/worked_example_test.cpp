@@ -10,21 +10,9 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("The paper's cell runs as the worked example has it, every change and every state") {
-  const CompiledText text = compile_text(excell(), "excell.csv");
-  REQUIRE(text.compiled);
-  const core::PlantTables tables = text.tables().tables();
-  core::OwnedPlant plant(tables);
-
-  const TemporaryFolder folder;
+/// What the example's table says, as lines of a trace.
+std::string expected_lines() {
   std::string expected;
-  {
-    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, core::model_hash(tables), 0);
-    check_worked_example(plant, [&](const trace::Record& change) { file.write(change); });
-    CHECK(file.error().empty());
-  }
-  const std::string trace = read_bytes(folder / "trace.jsonl");
-  const std::size_t lines = trace.find('\n') + 1;
   for (const ExampleRow& row : worked_example()) {
     const std::string time = std::to_string(row.milliseconds * core::kMillisecond);
     std::string_view changes = row.changes;
@@ -36,7 +24,38 @@ TEST_CASE("The paper's cell runs as the worked example has it, every change and 
                   "\",\"value\":" + (change.back() == '1' ? "true" : "false") + "}\n";
     }
   }
-  CHECK(trace.substr(lines) == expected);
+  return expected;
+}
+
+TEST_CASE("The paper's cell runs as the worked example has it, every change and every state") {
+  const CompiledText text = compile_text(excell(), "excell.csv");
+  REQUIRE(text.compiled);
+  const core::PlantTables tables = text.tables().tables();
+  core::OwnedPlant plant(tables);
+
+  const TemporaryFolder folder;
+  {
+    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, core::model_hash(tables), 0);
+    check_worked_example(plant, [&](const trace::Record& change) { file.write(change); });
+    CHECK(file.error().empty());
+  }
+  const std::string trace = read_bytes(folder / "trace.jsonl");
+  const std::size_t lines = trace.find('\n') + 1;
+  CHECK(trace.substr(lines) == expected_lines());
+}
+
+TEST_CASE("The scenario of the worked example leaves its very trace, byte by byte") {
+  const TemporaryFolder folder;
+  MemoryFileSystem files;
+  files.files["excell.csv"] = excell();
+  const ToolRun run = run_tool({"run", "excell.csv", "--scenario",
+                                std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/figure6.json", "--trace",
+                                folder / "trace.jsonl"},
+                               files);
+  CHECK(run.code == 0);
+  CHECK(run.err == "");
+  const std::string trace = read_bytes(folder / "trace.jsonl");
+  CHECK(trace.substr(trace.find('\n') + 1) == expected_lines());
 }
 
 TEST_CASE("The worked example runs alike after a reset") {

@@ -1,0 +1,146 @@
+// Findings as a PLC programmer speaks of them: a sentence each kind.
+#include "symplant/trace/finding_words.hpp"
+
+#include <sstream>
+
+#include "support/plant_bench.hpp"
+#include "support/strings.hpp"
+#include "symplant/trace/finding_file.hpp"
+#include "symplant/trace/recorder.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// A plant whose records are told as sentences, "2 s: ..." a line each.
+class Teller {
+ public:
+  explicit Teller(const BenchTables& tables)
+      : tables_(tables), names_(tables.rows), history_(names_), recorder_(tables.rows, 1024), plant(tables.rows) {
+    recorder_.attach(plant);
+    to(0);
+  }
+  Teller& set(const std::string& name, bool on) {
+    plant.set_operation(tables_.rows.symbols[tables_.symbol(name)].index, on);
+    return *this;
+  }
+  Teller& to(core::Time milliseconds) {
+    plant.advance_to(milliseconds * kMs, &recorder_);
+    std::vector<trace::FoundThing> found;
+    bool more = false;
+    recorder_.drain([&](const trace::Record& record) {
+      history_.apply(record);
+      if (record.kind != trace::Record::Kind::finding) return;
+      if (!more) found.push_back({record.time, record.finding, {}});
+      found.back().of.push_back(record.of);
+      more = record.more;
+    });
+    for (const trace::FoundThing& thing : found) {
+      told += trace::seconds(thing.time) + ": " + trace::finding_words(thing, names_, history_) + "\n";
+      names += trace::name_of(thing, names_) + "\n";
+    }
+    return *this;
+  }
+  std::string told;
+  std::string names;
+
+ private:
+  const BenchTables& tables_;
+  trace::PlantNames names_;
+  trace::History history_;
+  trace::Recorder recorder_;
+
+ public:
+  core::OwnedPlant plant;
+};
+
+const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"};
+
+TEST_CASE("a finding of a unit tells its state and its operations, one of an operation its address and row") {
+  const BenchTables tables(kAgv);
+  Teller teller(tables);
+  teller.set("AGV_O_P2", true).set("AGV_O_P1", true).to(500);
+  CHECK(teller.told ==
+        "0.5 s: conflicting operations: L_P_AGV (P1) is sent to several states at once and obeys none of them; "
+        "operations: %QX2 (P2 of L_P_AGV) on since 0.5 s, %QX3 (P1 of L_P_AGV) on since 0.5 s; look for an interlock "
+        "that is missing between these outputs\n");
+  teller.told.clear();
+  teller.set("AGV_O_P2", false).to(700);
+  CHECK(contains(teller.told,
+                 "0.7 s: lost command: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), on since "
+                 "0.5 s, went off before L_P_AGV (P1) moved on it"));
+}
+
+TEST_CASE("a command that leads nowhere, and one to a disabled device, say why") {
+  Told told;
+  told.disables("DOOR", "SHUT2", "AGV").on_command("AGV", "P1", "P2", fixed(100 * kMs));
+  told.device("AGV").only = true;
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "DOOR_I_OPEN1", "DOOR_I_SHUT2"}, told);
+  Teller teller(tables);
+  teller.plant.set_state(tables.place("DOOR"), tables.state_place("DOOR", "SHUT2"));
+  teller.to(100).set("AGV_O_P2", true).to(200);
+  CHECK(contains(teller.told,
+                 "0.2 s: command to a disabled unit: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), "
+                 "came on while L_P_AGV (P1, disabled) cannot move, disabled by L_P_DOOR in SHUT2"));
+  teller.told.clear();
+  teller.plant.set_state(tables.place("DOOR"), tables.state_place("DOOR", "OPEN1"));
+  teller.to(300);
+  CHECK(contains(teller.told, "0.3 s: started on enabling: L_P_AGV (P1->P2) moved as soon as nothing disabled it"));
+  teller.told.clear();
+  teller.to(400).set("AGV_O_P2", false).to(500).set("AGV_O_P1", true).to(600);
+  CHECK(contains(teller.told,
+                 "0.6 s: command without effect: PLC output %QX3, operation P1 of L_P_AGV (symbols.csv:5), "
+                 "came on while L_P_AGV is in P2, from where it leads nowhere"));
+}
+
+TEST_CASE("a held device that is stopped says which command is on instead") {
+  Told told;
+  told.device("AGV").actuation = core::Actuation::held;
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_I_P3", "AGV_O_P1", "AGV_O_P2", "AGV_O_P3"}, told);
+  Teller teller(tables);
+  teller.set("AGV_O_P2", true).to(100).set("AGV_O_P2", false).set("AGV_O_P3", true).to(200);
+  CHECK(contains(teller.told,
+                 "0.2 s: stopped under another command: L_P_AGV (P1->P2, standing still midway) stands still"));
+  CHECK(
+      contains(teller.told, "%QX5 (P3 of L_P_AGV) on since 0.2 s, %QX4 (P2 of L_P_AGV) on at 0.1 s, off since 0.2 s"));
+}
+
+TEST_CASE("an instantaneous loop names its units in one finding") {
+  const BenchTables tables({"A_I_P1", "A_I_P2"},
+                           Told().by_itself("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(0)));
+  Teller teller(tables);
+  CHECK(contains(teller.told,
+                 "0 s: instantaneous loop: L_P_A goes round without time passing and is frozen until the run ends"));
+  CHECK(contains(teller.names, "L_P_A\n"));
+}
+
+TEST_CASE("an event that comes and goes within an instant is too short for a PLC") {
+  const BenchTables tables({"A_I_P1", "A_I_P2", "A_I_P3", "A_O_P2"}, Told().by_itself("A", "P2", "P3", fixed(0)));
+  Teller teller(tables);
+  teller.set("A_O_P2", true).to(100).to(2000);
+  CHECK(
+      contains(teller.told,
+               "1.1 s: event too short: PLC input %IX1, event P2 of L_P_A (symbols.csv:3), changed and changed back"));
+  CHECK(contains(teller.told, "L_P_A is in P3; operations: %QX3 (P2 of L_P_A) on since 0.1 s"));
+}
+
+TEST_CASE("a requirement tells the devices that it looks at, and what they were told") {
+  Told told;
+  told.description.requirements.push_back({"soon", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 500 * kMs});
+  const BenchTables tables(kAgv, told);
+  Teller teller(tables);
+  teller.to(100).set("AGV_O_P2", true).to(200).to(1000);
+  CHECK(teller.told ==
+        "0.7 s: requirement violated: `soon`, what was expected within 0.5 s has not come; L_P_AGV is in P1->P2 since "
+        "0.2 s; "
+        "operations: %QX2 (P2 of L_P_AGV) on since 0.2 s\n");
+}
+
+TEST_CASE("times are told exactly, without zeros at their end") {
+  CHECK(trace::seconds(0) == "0 s");
+  CHECK(trace::seconds(1) == "0.000000001 s");
+  CHECK(trace::seconds(2'500'000'000) == "2.5 s");
+  CHECK(trace::seconds(3600 * core::kSecond) == "3600 s");
+}
+
+}  // namespace
+}  // namespace symplant::test
