@@ -68,7 +68,7 @@ TEST_CASE("a wait that the end of the run cuts off was not reached") {
 TEST_CASE("in real time a wait is met at its own instant between two cycles, and not after its time") {
   const BenchTables tables(kAgv);
   const std::string steps = R"({"at":"0s","state":{"L_P_AGV":"P1"}},{"at":"100ms","set":{"L_P_AGV_O_P2":true}},)";
-  const Play met(tables, steps + R"({"wait":"L_P_AGV.P2","within":"1s"})", 5 * kSecond, 300 * kMs);
+  const Play met(tables, steps + R"({"wait":"L_P_AGV.P2","within":"1150ms"})", 5 * kSecond, 300 * kMs);
   CHECK(met.outcomes() == "ddf");  // set in the cycle at 0.3 s, in P2 at 1.3 s; waited from 0.1 s on
   const Play late(tables, steps + R"({"wait":"L_P_AGV.P2","within":"1.2s"},{"plus":"0s"})", 5 * kSecond, 300 * kMs);
   CHECK(late.outcomes() == "ddhd");
