@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diag/text.hpp"
+#include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -70,8 +71,10 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
 
 void tell_decisions(Context& context, const model::PlantModel& plant) {
   if (plant.description_source != nullptr) {
-    context.err << "decided: the plant is called " << plant.name << "\n";
-    for (const std::string& decision : plant.description_decisions) context.err << "decided: " << decision << "\n";
+    context.err << "decided: the plant is called " << diag::visible(plant.name) << "\n";
+    for (const std::string& decision : plant.description_decisions) {
+      context.err << "decided: " << diag::visible(decision) << "\n";
+    }
   }
   for (std::uint32_t i = 0; i < plant.lists.size(); ++i) {
     for (const std::string& decision : plant.lists[i].table->decisions) {

@@ -40,7 +40,11 @@ class InputReader {
   }
 
   bool read_description(std::string bytes) {
-    auto text = read::decode_file(options_.plant, std::move(bytes), std::nullopt, diagnostics_);
+    if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) {
+      model::add_empty_file(options_.plant, diagnostics_);
+      return false;
+    }
+    auto text = read::decode_file(options_.plant, std::move(bytes), std::nullopt, diagnostics_, "save it as UTF-8");
     if (!text) return false;
     inputs_.source = std::make_shared<base::SourceFile>(options_.plant, std::move(text->text));
     model::PlantFileReading reading = model::read_plant_file(inputs_.source->text(), inputs_.name);

@@ -97,7 +97,7 @@ bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
     plant.symbols[symbol].unit = kNone;
   }
   plant.too_large.push_back(std::move(large));
-  if (unit.described != nullptr) {
+  if (unit.described != nullptr && !unit.described->is_pattern()) {
     faults.add(device_pointer(*unit.described),
                quoted(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
   }

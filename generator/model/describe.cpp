@@ -63,7 +63,10 @@ class Describer {
             faults_.nearest(device.path, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; });
         faults_.add(device_pointer(device), missing("device " + quoted(device.path), nearest), FaultKind::unknown_name);
       } else if (exact[found->second] != nullptr) {
-        faults_.add(device_pointer(device), quoted(device.path) + " is described twice, join both");
+        DescriptionFault fault{device_pointer(device).text(), quoted(device.path) + " is described twice, join both"};
+        fault.related = device_pointer(*exact[found->second]).text();
+        fault.related_message = "the other description";
+        faults_.add(std::move(fault));
       } else {
         exact[found->second] = &device;
       }

@@ -46,6 +46,14 @@ base::Span span_of(const json::Span& span) { return {span.begin, span.end}; }
 
 std::span<const diag::RuleInfo* const> rules() { return kRules; }
 
+void add_empty_file(const std::string& path, diag::Diagnostics& diagnostics) {
+  diagnostics.add(kDescriptionNotJson,
+                  "the file `" + path +
+                      "` is empty; a plant description begins as `{ \"symplant\": 1, \"symbols\": "
+                      "[\"list.csv\"] }`",
+                  {std::make_shared<base::SourceFile>(path, ""), {}});
+}
+
 void add_findings(const std::shared_ptr<const base::SourceFile>& source, std::span<const json::Placed> faults,
                   diag::Diagnostics& diagnostics) {
   for (const json::Placed& fault : faults) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "diag/diagnostic.hpp"
 #include "model/description.hpp"
@@ -12,6 +13,9 @@ namespace symplant::model {
 
 /// By id.
 std::span<const diag::RuleInfo* const> rules();
+
+/// The file holds nothing.
+void add_empty_file(const std::string& path, diag::Diagnostics& diagnostics);
 
 /// Why the text is no JSON.
 void add_findings(const std::shared_ptr<const base::SourceFile>& source, std::span<const json::Placed> faults,

@@ -22,6 +22,9 @@ class DeviceReader {
     }
     if (device_.is_pattern()) keep_texts();
     device_.states = texts(member(entry_, "states"));
+    for (std::size_t i = 0; i < device_.states.size(); ++i) {
+      check_text(device_.states[i], here_ / "states" / i, faults_);
+    }
     if (const std::string* initial = text_member(entry_, "initial")) device_.initial = *initial;
     if (const std::string* rest = text_member(entry_, "rest")) device_.rest = *rest;
     device_.actuation = actuation_member(entry_);

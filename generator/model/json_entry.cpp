@@ -1,6 +1,7 @@
 // Members of objects, and durations.
 #include "model/json_entry.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,14 @@ std::string text_or_empty(const Json& object, std::string_view key) {
 bool flag_member(const Json& object, std::string_view key) {
   const Json* value = member(object, key);
   return value != nullptr && value->is_boolean() && value->get<bool>();
+}
+
+void check_text(std::string_view text, const Pointer& here, ShapeFaults& faults) {
+  const bool control = std::any_of(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7F;
+  });
+  if (control) faults.add(here, "a control character stands in this name, such as a line's end, leave it out");
 }
 
 std::optional<core::Time> time_member(const Json& object, std::string_view key, const Pointer& here,

@@ -32,6 +32,9 @@ class ShapeFaults {
   std::vector<DescriptionFault>& faults_;
 };
 
+/// Refuses control characters, which a name that is shown and written to files must not hold.
+void check_text(std::string_view text, const Pointer& here, ShapeFaults& faults);
+
 /// A duration member; nothing where there is none, or it is none and the fault has been told.
 std::optional<core::Time> time_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                       ShapeFaults& faults);

@@ -74,6 +74,7 @@ class PlantFileReader {
     take_out_later_keys();
     check_shape();
     file_.name = text_or_empty(root_, "name");
+    check_text(file_.name, Pointer("/name"), faults_);
     if (file_.name.empty()) file_.name = stem;
     read_lists();
     read_defaults();
@@ -181,7 +182,9 @@ class PlantFileReader {
     if (requirements == nullptr || !requirements->is_array()) return;
     for (std::size_t i = 0; i < requirements->size(); ++i) {
       const Json& value = (*requirements)[i];
-      const auto within = time_member(value, "within", Pointer("/requirements") / i, faults_);
+      const Pointer here = Pointer("/requirements") / i;
+      const auto within = time_member(value, "within", here, faults_);
+      check_text(text_or_empty(value, "name"), here / "name", faults_);
       file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
                                                 text_or_empty(value, "after"), text_or_empty(value, "expect"),
                                                 within.value_or(0)});

@@ -76,13 +76,15 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
 std::span<const ReaderInfo> readers() { return kReaders; }
 
 std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
-                                         const std::optional<base::Encoding>& encoding,
-                                         diag::Diagnostics& diagnostics) {
+                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics,
+                                         std::string_view remedy) {
   auto decoded = base::decode(std::move(bytes), encoding ? &*encoding : nullptr);
   if (decoded) return std::move(*decoded);
   const base::DecodeError& fault = decoded.error();
   const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
-  diagnostics.add(kUndecodableText, fault.what, {std::make_shared<base::SourceFile>(path, fault.shown), place});
+  std::string what = fault.what;
+  if (!remedy.empty()) what.replace(std::min(what.rfind(';'), what.size()), what.npos, "; " + std::string(remedy));
+  diagnostics.add(kUndecodableText, std::move(what), {std::make_shared<base::SourceFile>(path, fault.shown), place});
   return std::nullopt;
 }
 

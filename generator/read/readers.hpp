@@ -37,8 +37,10 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadO
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics);
 
-/// The text of a file's bytes, and its encoding; nothing where an error was added.
+/// The text of a file's bytes, and its encoding; nothing where an error was added. `remedy` takes the place of what a
+/// message says is to be done with a list.
 std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
-                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics);
+                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics,
+                                         std::string_view remedy = {});
 
 }  // namespace symplant::read
