@@ -7,6 +7,7 @@
 
 #include "app/tool.hpp"
 #include "base/file_system.hpp"
+#include "base/process.hpp"
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
@@ -15,6 +16,8 @@ int main(int argc, char** argv) {
   symplant::app::Context context{files, std::cout, std::cerr};
   context.colour_out = colour_wanted && isatty(fileno(stdout)) != 0;
   context.colour_err = colour_wanted && isatty(fileno(stderr)) != 0;
+  symplant::base::SystemProcessRunner programs;
+  context.programs = &programs;
   context.progress = isatty(fileno(stderr)) != 0;
   const int code = symplant::app::run_tool(argc, argv, context);
   std::cout.flush();

@@ -4,6 +4,7 @@
 #include <iosfwd>
 
 #include "base/file_system.hpp"
+#include "base/process.hpp"
 
 namespace CLI {
 class App;
@@ -17,8 +18,9 @@ struct Context {
   std::ostream& err;  ///< messages
   bool colour_out = false;
   bool colour_err = false;
-  bool progress = false;  ///< a terminal is there for a progress line
-  int exit_code = 0;      ///< what the command came to
+  bool progress = false;                    ///< a terminal is there for a progress line
+  int exit_code = 0;                        ///< what the command came to
+  base::ProcessRunner* programs = nullptr;  ///< null: no other program is asked for help
 };
 
 /// Runs one command line. Gives the exit code.

@@ -20,8 +20,8 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes included
 
 // Lowest first; a floor may use what stands before it.
-constexpr std::array<std::string_view, 10> kGenerator = {"base",  "diag",  "address", "read", "name",
-                                                         "model", "lower", "check",   "emit", "app"};
+constexpr std::array<std::string_view, 11> kGenerator = {"base",  "diag",  "address", "read", "name", "model",
+                                                         "lower", "check", "emit",    "view", "app"};
 constexpr std::array<std::string_view, 9> kRuntime = {"core", "condition", "json",     "share", "exec",
                                                       "link", "trace",     "scenario", "host"};
 
@@ -31,7 +31,7 @@ struct RuntimeUse {
   std::size_t floors;
 };
 constexpr std::array kRuntimeUse = {RuntimeUse{"model", 3}, RuntimeUse{"lower", 2}, RuntimeUse{"check", 3},
-                                    RuntimeUse{"emit", 1}, RuntimeUse{"app", kRuntime.size()}};
+                                    RuntimeUse{"emit", 1},  RuntimeUse{"view", 2},  RuntimeUse{"app", kRuntime.size()}};
 
 /// Where a third party's headers may be included.
 struct ThirdParty {

@@ -6,11 +6,10 @@
 #include <ostream>
 
 #include "app/commands.hpp"
-#include "app/model_json.hpp"
-#include "app/model_table.hpp"
 #include "app/options.hpp"
 #include "base/pattern.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "view/formats.hpp"
 
 namespace symplant::app {
 namespace {
@@ -36,9 +35,12 @@ void show(const ModelOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
-  const std::string text = options.format == "json" ? model_json(compiled->plant, compiled->tables, units)
-                                                    : model_table(compiled->plant, units);
-  write_result(context, options.output, text, compiled->plant.input_files());
+  const view::View view = view::find_format(options.format)
+                              ->render({compiled->plant, compiled->tables, std::move(units), context.programs});
+  if (options.plant_options.verbose) {
+    for (const std::string& decision : view.decisions) context.err << "decided: " << decision << "\n";
+  }
+  write_result(context, options.output, view.text, compiled->plant.input_files());
 }
 
 }  // namespace
@@ -48,8 +50,13 @@ void add_model(CLI::App& app, Context& context) {
   CLI::App* command =
       app.add_subcommand("model", "Show the derived models: I, O, S and the five functions of each device");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
-  command->add_option("--format", options->format, "table for people, json for programs")
-      ->check(CLI::IsMember({"table", "json"}));
+  std::vector<std::string> names;
+  std::string help;
+  for (const view::Format& format : view::formats()) {
+    names.emplace_back(format.name);
+    help.append(help.empty() ? "" : "; ").append(format.name).append(": ").append(format.what);
+  }
+  command->add_option("--format", options->format, help)->check(CLI::IsMember(names));
   command->add_option("--device", options->device, "only the devices that match; * and ? allowed")
       ->type_name("PATTERN");
   command->add_option("-o,--output", options->output, "write the result to this file")->type_name("FILE");

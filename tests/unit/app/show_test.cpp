@@ -22,7 +22,8 @@ TEST_CASE("model --format json holds I, O, S and the five functions") {
   CHECK(agv.at("initial") == "P1");
   CHECK(agv.at("I") == json({"EXLINE_MB_AGV_O_P2", "EXLINE_MB_AGV_O_P1"}));
   CHECK(agv.at("O") == json({"EXLINE_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2"}));
-  CHECK(agv.at("S") == json({"P1", "P2"}));
+  REQUIRE(agv.at("S").size() == 2);
+  CHECK(agv.at("S")[0] == json({{"name", "P1"}, {"operation", "EXLINE_MB_AGV_O_P1"}, {"event", "EXLINE_MB_AGV_I_P1"}}));
   REQUIRE(agv.at("d_ext").size() == 2);
   CHECK(agv.at("d_ext")[0].at("from") == "P2");
   CHECK(agv.at("d_ext")[0].at("to") == "P1");
@@ -30,8 +31,8 @@ TEST_CASE("model --format json holds I, O, S and the five functions") {
   CHECK(agv.at("d_ext")[0].at("takes") == 1'000'000'000);
   CHECK(agv.at("d_ext")[0].at("after") == 0);
   CHECK(agv.at("d_int").empty());
-  CHECK(agv.at("l_enter").at("P2") == json({"EXLINE_MB_AGV_I_P2"}));
-  CHECK(agv.at("l_leave").at("P1") == json({"EXLINE_MB_AGV_I_P1"}));
+  CHECK(agv.at("l_enter").at("P2") == json::parse(R"([{"event": "EXLINE_MB_AGV_I_P2", "on": true}])"));
+  CHECK(agv.at("l_leave").at("P1") == json::parse(R"([{"event": "EXLINE_MB_AGV_I_P1", "on": false}])"));
   CHECK(agv.at("l_disable").empty());
   CHECK(model.at("symbols").size() == 8);
 }

@@ -1,0 +1,13 @@
+// A model as the page for browsers wants it: compact, each structure and each layout once.
+#pragma once
+
+#include <string>
+
+#include "view/scene.hpp"
+
+namespace symplant::view {
+
+/// A JSON document for the inside of a `<script>` element, of texts that are safe to show. O(the model).
+std::string html_data(const Scene& scene);
+
+}  // namespace symplant::view

@@ -1,0 +1,65 @@
+// Where the states and arrows of a chart stand: the tool's own layout.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "view/chart.hpp"
+
+namespace symplant::view {
+
+/// In pixels, of text in a monospaced letter.
+inline constexpr int kLetterWidth = 7;
+inline constexpr int kLineHeight = 14;
+
+/// What a layout depends on: no text, only its rough extent, so that devices of one structure share one.
+struct LayoutKey {
+  struct Arrow {
+    std::uint32_t from;  ///< kEveryOther: from every other state
+    std::uint32_t to;
+    std::uint32_t lines;
+    std::uint32_t columns;  ///< of the longest line
+    friend auto operator<=>(const Arrow&, const Arrow&) = default;
+  };
+  std::uint32_t states = 0;
+  std::uint32_t columns = 0;  ///< of the longest name
+  std::vector<Arrow> arrows;  ///< in the order of Chart::edges
+  friend auto operator<=>(const LayoutKey&, const LayoutKey&) = default;
+};
+
+/// Columns that a text takes in a monospaced letter, unsafe characters written out. O(text).
+std::uint32_t columns(const std::string& text);
+
+/// Columns are rounded up, so that names of nearly equal length share a layout.
+LayoutKey layout_key(const Chart& chart);
+
+struct Point {
+  int x = 0;
+  int y = 0;
+};
+
+/// A curve of Bezier from `begin` to `end`, and the middle of its label.
+struct ArrowPlace {
+  Point begin;
+  Point control;
+  Point end;
+  Point label;
+};
+
+struct Layout {
+  int width = 0;
+  int height = 0;
+  int box_width = 0;
+  int box_height = 0;
+  std::vector<Point> states;       ///< the middle of each box
+  std::vector<ArrowPlace> arrows;  ///< as in the key
+};
+
+/// States on an ellipse, the first on top (two: side by side), arrows bent so that there and back differ, labels where
+/// they cover neither states nor each other, the ellipse wide enough for that. The same on every machine. O(arrows^2),
+/// with more than 400 arrows O(arrows), without care for labels.
+Layout lay_out(const LayoutKey& key);
+
+}  // namespace symplant::view

@@ -1,0 +1,12 @@
+// State charts as SCXML (W3C), for editors and simulators of state machines.
+#pragma once
+
+#include "view/scene.hpp"
+
+namespace symplant::view {
+
+/// One `<parallel>` with a region a device. What SCXML has no words for stands in attributes and elements of the
+/// namespace `urn:symplant:model:1`.
+View scxml_view(const Scene& scene);
+
+}  // namespace symplant::view

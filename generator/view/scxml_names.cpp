@@ -1,0 +1,96 @@
+// Names and conditions in SCXML.
+#include "view/scxml_names.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "base/identifier.hpp"
+
+namespace symplant::view {
+namespace {
+
+using condition::Atom;
+using condition::Tree;
+
+std::string comparison_text(core::Comparison comparison) {
+  switch (comparison) {
+    case core::Comparison::less:
+      return "<";
+    case core::Comparison::less_equal:
+      return "<=";
+    case core::Comparison::equal:
+      return "==";
+    case core::Comparison::greater_equal:
+      return ">=";
+    case core::Comparison::greater:
+      return ">";
+  }
+  return "";
+}
+
+std::string operand_text(const Atom& atom) {
+  switch (atom.number) {
+    case core::NumberKind::signed_integer:
+      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
+    case core::NumberKind::unsigned_integer:
+      return fmt::format("{}", atom.operand);
+    case core::NumberKind::real:
+      return fmt::format("{}", std::bit_cast<double>(atom.operand));
+  }
+  return "";
+}
+
+}  // namespace
+
+ScxmlNames::ScxmlNames(const model::PlantModel& plant) {
+  base::IdentifierScope scope;
+  scope.unique("plant");
+  for (const model::Unit& unit : plant.units) {
+    units_.push_back(scope.unique(unit.path));
+    base::IdentifierScope own;
+    std::vector<std::string>& states = states_.emplace_back();
+    for (const model::State& state : unit.states) states.push_back(own.unique(state.name));
+  }
+  for (const model::Symbol& symbol : plant.symbols) symbols_.push_back(scope.unique(symbol.name()));
+}
+
+std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& variables) const {
+  switch (tree.kind) {
+    case Tree::Kind::constant:
+      return tree.value ? "true" : "false";
+    case Tree::Kind::negation: {
+      const std::string child = expression(tree.children.front(), variables);
+      return "!(" + child + ")";
+    }
+    case Tree::Kind::all:
+    case Tree::Kind::any: {
+      std::string text;
+      for (const Tree& child : tree.children) {
+        const bool in_parentheses = child.kind == Tree::Kind::all || child.kind == Tree::Kind::any;
+        const std::string part = expression(child, variables);
+        text.append(text.empty() ? "" : tree.kind == Tree::Kind::all ? " && " : " || ");
+        text.append(in_parentheses ? "(" + part + ")" : part);
+      }
+      return text;
+    }
+    case Tree::Kind::atom:
+      break;
+  }
+  switch (tree.atom.kind) {
+    case Atom::Kind::settled:
+      return "In('" + state(tree.atom.of, tree.atom.state) + "')";
+    case Atom::Kind::moving:
+      variables.push_back(moving(tree.atom.of));
+      return variables.back();
+    case Atom::Kind::bit:
+      variables.push_back(variable(tree.atom.of));
+      return variables.back();
+    case Atom::Kind::number:
+      variables.push_back(variable(tree.atom.of));
+      return variables.back() + " " + comparison_text(tree.atom.comparison) + " " + operand_text(tree.atom);
+  }
+  return "";
+}
+
+}  // namespace symplant::view

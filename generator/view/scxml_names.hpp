@@ -1,0 +1,37 @@
+// What units, states and symbols are called in SCXML, and conditions in its expressions.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model/plant_model.hpp"
+
+namespace symplant::view {
+
+/// Identifiers, unique in one document whatever the user's names hold.
+class ScxmlNames {
+ public:
+  explicit ScxmlNames(const model::PlantModel& plant);
+
+  const std::string& unit(std::uint32_t unit) const { return units_[unit]; }
+  /// `L_P_D.RUN`
+  std::string state(std::uint32_t unit, std::uint32_t state) const { return units_[unit] + "." + states_[unit][state]; }
+  /// The event of a symbol's change: `L_P_D_O_RUN.on`.
+  std::string change(std::uint32_t symbol, bool on) const { return symbols_[symbol] + (on ? ".on" : ".off"); }
+  const std::string& symbol(std::uint32_t symbol) const { return symbols_[symbol]; }
+  /// The variable that stands for a unit's moving.
+  std::string moving(std::uint32_t unit) const { return "moving_" + units_[unit]; }
+  /// The variable of a symbol.
+  std::string variable(std::uint32_t symbol) const { return "value_" + symbols_[symbol]; }
+
+  /// A condition in ECMAScript, its variables added to `variables`. Not encoded for XML.
+  std::string expression(const condition::Tree& tree, std::vector<std::string>& variables) const;
+
+ private:
+  std::vector<std::string> units_;
+  std::vector<std::vector<std::string>> states_;
+  std::vector<std::string> symbols_;
+};
+
+}  // namespace symplant::view

@@ -1,0 +1,195 @@
+// Words for what a model holds.
+#include "view/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "model/classify.hpp"
+#include "model/condition_text.hpp"
+
+namespace symplant::view {
+
+using model::kNone;
+
+std::string time_text(core::Time time) {
+  if (time % core::kSecond == 0) return fmt::format("{} s", time / core::kSecond);
+  if (time % core::kMillisecond != 0) return fmt::format("{} ns", time);
+  if (time < core::kSecond) return fmt::format("{} ms", time / core::kMillisecond);
+  std::string text = fmt::format("{}.{:03}", time / core::kSecond, time % core::kSecond / core::kMillisecond);
+  while (text.back() == '0') text.pop_back();
+  return text + " s";
+}
+
+std::string duration_text(const model::Duration& duration) {
+  switch (duration.kind) {
+    case model::Duration::Kind::fixed:
+      break;
+    case model::Duration::Kind::uniform:
+      return time_text(duration.a) + " to " + time_text(duration.b);
+    case model::Duration::Kind::normal:
+      return time_text(duration.a) + " (sigma " + time_text(duration.b) + ")";
+  }
+  return time_text(duration.a);
+}
+
+std::string_view origin_text(model::Origin origin) {
+  switch (origin) {
+    case model::Origin::given:
+      return "given";
+    case model::Origin::derived:
+      return "derived";
+    case model::Origin::inferred:
+      return "inferred";
+  }
+  return "";
+}
+
+std::string_view initial_key(model::InitialFrom from) {
+  switch (from) {
+    case model::InitialFrom::description:
+      return "description";
+    case model::InitialFrom::initial_column:
+      return "initial-column";
+    case model::InitialFrom::rest_state:
+      return "rest-state";
+    case model::InitialFrom::sequence:
+      return "sequence";
+    case model::InitialFrom::row_order:
+      return "row-order";
+  }
+  return "";
+}
+
+std::string_view initial_reason(model::InitialFrom from) {
+  switch (from) {
+    case model::InitialFrom::description:
+      return "as the description says";
+    case model::InitialFrom::initial_column:
+      return "its event alone has Initial TRUE";
+    case model::InitialFrom::rest_state:
+      return "its rest state";
+    case model::InitialFrom::sequence:
+      return "first in sequence";
+    case model::InitialFrom::row_order:
+      return "by nothing but the order of rows";
+  }
+  return "";
+}
+
+std::string_view unmodelled_key(model::Unmodelled reason) {
+  switch (reason) {
+    case model::Unmodelled::modelled:
+      return "";
+    case model::Unmodelled::numeric:
+      return "numeric";
+    case model::Unmodelled::name:
+      return "name";
+    case model::Unmodelled::task_taken:
+      return "task-taken";
+    case model::Unmodelled::unit_too_large:
+      return "unit-too-large";
+  }
+  return "";
+}
+
+std::string_view unmodelled_reason(model::Unmodelled reason) {
+  switch (reason) {
+    case model::Unmodelled::modelled:
+      return "";
+    case model::Unmodelled::numeric:
+      return "numeric: states come from BOOL symbols only";
+    case model::Unmodelled::name:
+      return "its name does not follow the naming rule";
+    case model::Unmodelled::task_taken:
+      return "another symbol of its device has its task and direction";
+    case model::Unmodelled::unit_too_large:
+      return "its device has more symbols or states than a device may have";
+  }
+  return "";
+}
+
+std::string operation_text(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t operation) {
+  return "O_" + std::string(plant.symbols[unit.operations[operation]].reading.task);
+}
+
+std::string event_text(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
+  return "I_" + std::string(plant.symbols[unit.events[event]].reading.task);
+}
+
+std::vector<std::string_view> inferences(const model::Unit& unit) {
+  std::vector<std::string_view> sentences;
+  if (unit.rest_added) sentences.push_back("the only state got a counterpart without an event");
+  if (unit.single_solenoid) sentences.push_back("one operation and two events: a single solenoid");
+  return sentences;
+}
+
+std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, std::uint32_t state, bool entering) {
+  std::vector<std::pair<std::uint32_t, bool>> events;
+  if (unit.states[state].event != kNone) events.emplace_back(unit.states[state].event, entering);
+  if (unit.outputs.empty()) return events;
+  const auto& more = entering ? unit.outputs[state].enter : unit.outputs[state].leave;
+  events.insert(events.end(), more.begin(), more.end());
+  return events;
+}
+
+std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant) {
+  const std::string condition = model::condition_text(requirement.condition, plant);
+  if (requirement.kind == core::RequirementRow::Kind::never) return "never " + condition;
+  return fmt::format("after {}, expect {} within {}", condition, model::condition_text(requirement.expected, plant),
+                     time_text(requirement.within));
+}
+
+std::string initial_value_text(const model::Symbol& symbol) {
+  using core::DataType;
+  switch (symbol.type) {
+    case DataType::boolean:
+      return symbol.initial == 0 ? "FALSE" : "TRUE";
+    case DataType::real:
+    case DataType::lreal:
+      return fmt::format("{}", std::bit_cast<double>(symbol.initial));
+    case DataType::sint:
+    case DataType::int_:
+    case DataType::dint:
+    case DataType::lint:
+      return fmt::format("{}", static_cast<std::int64_t>(symbol.initial));
+    default:
+      return fmt::format("{}", symbol.initial);
+  }
+}
+
+std::vector<model::Transition> spring_ways(const model::Unit& unit) {
+  std::vector<model::Transition> ways;
+  if (unit.actuation != core::Actuation::spring) return ways;
+  for (std::uint32_t from = 0; from < unit.states.size(); ++from) {
+    if (from == unit.rest) continue;
+    const auto taken = std::find_if(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& t) {
+      return t.from == from && t.to == unit.rest && (t.on != kNone || t.spring_way);
+    });
+    if (taken != unit.transitions.end() && taken->spring_way) continue;
+    model::Transition way;
+    way.from = from;
+    way.to = unit.rest;
+    way.takes = taken == unit.transitions.end() ? model::Duration::fixed(unit.travel) : taken->takes;
+    way.spring_way = true;
+    ways.push_back(way);
+  }
+  return ways;
+}
+
+WayText way_text(const model::Transition& transition, const model::Unit& unit, const model::PlantModel& plant) {
+  WayText text;
+  text.on = transition.spring_way    ? "spring"
+            : transition.on == kNone ? "by itself"
+                                     : operation_text(plant, unit, transition.on);
+  if (transition.once) text.on += ", once";
+  if (transition.when != kNone) text.when = model::condition_text(unit.conditions[transition.when], plant);
+  if (!transition.after.is_zero()) text.after = "after " + duration_text(transition.after);
+  if (transition.on != kNone || transition.spring_way || !transition.takes.is_zero()) {
+    text.takes = "takes " + duration_text(transition.takes);
+  }
+  return text;
+}
+
+}  // namespace symplant::view

@@ -1,0 +1,33 @@
+// Every format of a plant in which everything is described.
+#include "view_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+TEST_CASE("Each view of the described cell is as it was") {
+  const CompiledText cell = described_cell();
+  check_view_golden(cell, "table", "cell.txt");
+  check_view_golden(cell, "json", "cell.json");
+  check_view_golden(cell, "dot", "cell.dot");
+  check_view_golden(cell, "mermaid", "cell.mmd");
+  check_view_golden(cell, "scxml", "cell.scxml");
+  check_view_golden(cell, "svg", "cell.svg");
+}
+
+TEST_CASE("A view is the same each time") {
+  for (const view::Format& format : view::formats()) {
+    INFO(format.name);
+    CHECK(render(described_cell(), format.name).text == render(described_cell(), format.name).text);
+  }
+}
+
+TEST_CASE("A view of no device is a sound file") {
+  const CompiledText none = compile_rows({{"START", "X1"}});
+  for (const view::Format& format : view::formats()) {
+    INFO(format.name);
+    CHECK_FALSE(render(none, format.name).text.empty());
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test

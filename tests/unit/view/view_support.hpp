@@ -1,0 +1,125 @@
+// What the tests of views share: a plant in which everything is described, and one whose names would do harm.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+#include "support/golden.hpp"
+#include "support/strings.hpp"
+#include "view/chart.hpp"
+#include "view/formats.hpp"
+
+namespace symplant::test {
+
+inline model::GivenTransition way(std::string from, std::string to) {
+  model::GivenTransition given;
+  given.from = std::move(from);
+  given.to = std::move(to);
+  return given;
+}
+
+/// A cell: a vehicle that docks, a machine that it feeds, a stopper with a behaviour, a door, a table of six places;
+/// every kind of thing that a description can say stands in it.
+inline CompiledText described_cell() {
+  using model::Duration;
+  std::vector<Row> rows{{"L_P_AGV_O_P1", "Y1", "BOOL", "FALSE", "%QX1"},
+                        {"L_P_AGV_O_P2", "Y2"},
+                        {"L_P_AGV_O_CHARGE", "Y3"},
+                        {"L_P_AGV_I_P1", "X1"},
+                        {"L_P_AGV_I_P2", "X2"},
+                        {"L_P_AGV_I_BUSY", "X3"},
+                        {"L_P_MC_O_IDLE1", "Y4"},
+                        {"L_P_MC_O_RUN2", "Y5"},
+                        {"L_P_MC_I_IDLE1", "X4"},
+                        {"L_P_MC_I_RUN2", "X5"},
+                        {"L_Q_STOPPER1_O_ADV", "Y6"},
+                        {"L_Q_STOPPER1_I_ADV", "X6"},
+                        {"L_Q_STOPPER1_I_RET", "X7"},
+                        {"L_Q_STOPPER1_I_WEIGHT", "", "INT", "-5", "%IW9"},
+                        {"L_Q_DOOR_I_OPEN1", "X8", "BOOL", "TRUE"},
+                        {"L_Q_DOOR_I_CLOSED2", "X9"},
+                        {"LEVEL", "", "REAL", "1.5", "%ID20"},
+                        {"BIG", "", "ULINT", "18446744073709551615", "%IL30"},
+                        {"START", "X11"}};
+  for (const char* place : {"A1", "B2", "C3", "D4", "E5", "F6"}) {
+    rows.push_back({std::string("M_T_TABLE_O_") + place});
+    rows.push_back({std::string("M_T_TABLE_I_") + place});
+  }
+
+  model::DeviceDescription agv;
+  agv.path = "L_P_AGV";
+  agv.states = {"DOCK"};
+  agv.initial = "P1";
+  agv.transitions = {way("P1", "P2"), way("*", "P1"), way("P2", "DOCK"), way("P1", "P2")};
+  agv.transitions[0].takes = Duration::fixed(2 * core::kSecond);
+  agv.transitions[1].takes = {Duration::Kind::uniform, 1'800 * core::kMillisecond, 2'200 * core::kMillisecond};
+  agv.transitions[2].on = "CHARGE";
+  agv.transitions[2].takes = {Duration::Kind::normal, 4 * core::kSecond, 100 * core::kMillisecond};
+  agv.transitions[2].once = true;
+  agv.transitions[3].on = "CHARGE";
+  agv.transitions[3].when = "not (L_P_MC.RUN2 or L_Q_DOOR.OPEN1) and LEVEL < 2.5";
+  agv.outputs = {{"DOCK", {{"BUSY", true}}, {{"BUSY", false}}}};
+
+  model::DeviceDescription machine;
+  machine.path = "L_P_MC";
+  machine.only = true;
+  machine.transitions = {way("IDLE1", "RUN2"), way("RUN2", "IDLE1")};
+  machine.transitions[0].when = "L_P_AGV.P2";
+  machine.transitions[1].automatic = true;
+  machine.transitions[1].after = Duration::fixed(5 * core::kSecond);
+  machine.disables = {{"RUN2", {"L_P_AGV", "L_Q_DOOR"}}};
+
+  model::DeviceDescription stopper;
+  stopper.path = "L_Q_STOPPER1";
+  stopper.type = "Stopper";
+  stopper.behaviour = "MyStopper";
+  stopper.inputs = {{"part", "L_P_AGV.P2 and not L_P_AGV.moving"}};
+  stopper.transitions = {way("ADV", "RET")};
+  stopper.transitions[0].takes = Duration::fixed(800 * core::kMillisecond);
+
+  model::Description description;
+  description.devices = {agv, machine, stopper};
+  description.requirements = {{"no machining without part", "L_P_MC.RUN2 and not L_P_AGV.P2", "", "", 0},
+                              {"machine starts", "", "L_P_AGV.P2", "L_P_MC_O_RUN2", 500 * core::kMillisecond}};
+  CompiledText compiled = compile_described(rows, std::move(description));
+  REQUIRE(compiled.compiled);
+  return compiled;
+}
+
+/// Names that would end a string, an element, a comment or a line, wherever a name can stand.
+inline const std::string kHarm = "</script><img src=x onerror=\"a('&')\">]]>--\\N;\xE2\x80\xAE%%\n";
+
+inline CompiledText hostile_cell() {
+  model::DeviceDescription device;
+  device.path = "L_P_D";
+  device.states = {kHarm};
+  device.type = kHarm;
+  device.behaviour = kHarm;
+  device.inputs = {{kHarm, "L_P_D.A1"}};
+  device.transitions = {way("A1", kHarm), way(kHarm, "A1")};
+  device.transitions[0].automatic = true;
+  device.transitions[0].when = "'</script><b>'";
+  model::Description description;
+  description.devices = {device};
+  description.requirements = {{kHarm, "L_P_D.moving", "", "", 0}};
+  CompiledText compiled =
+      compile_described({{"L_P_D_O_A1", "Y1"}, {"L_P_D_I_A1", "X1"}, {"</script><b>", "X2"}}, std::move(description));
+  for (const diag::Diagnostic& finding : compiled.diagnostics.all()) UNSCOPED_INFO(finding.message);
+  REQUIRE(compiled.compiled);
+  return compiled;
+}
+
+inline view::View render(const CompiledText& compiled, std::string_view format,
+                         base::ProcessRunner* programs = nullptr) {
+  std::vector<std::uint32_t> units;
+  for (std::uint32_t u = 0; u < compiled.plant().units.size(); ++u) units.push_back(u);
+  return view::find_format(format)->render({compiled.plant(), compiled.tables(), units, programs});
+}
+
+inline void check_view_golden(const CompiledText& compiled, std::string_view format, const std::string& file) {
+  check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/view/" + file, render(compiled, format).text);
+}
+
+}  // namespace symplant::test
