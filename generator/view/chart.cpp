@@ -38,8 +38,8 @@ std::vector<std::string> label_of(const model::Transition& t, const model::Unit&
   const WayText way = way_text(t, unit, plant);
   std::string when;
   if (!way.when.empty()) {
-    when =
-        base::count_code_points(way.when) + 2 <= kLineColumns ? "[" + way.when + "]" : fmt::format("[c{}]", t.when + 1);
+    const bool in_words = conditions == Conditions::in_words && base::count_code_points(way.when) + 2 <= kLineColumns;
+    when = in_words ? "[" + way.when + "]" : fmt::format("[c{}]", t.when + 1);
   }
   const std::string origin(t.origin == model::Origin::derived ? "" : origin_text(t.origin));
   return packed({way.on, when, way.after, way.takes, origin});
@@ -57,8 +57,8 @@ std::string joined(const std::vector<std::pair<std::uint32_t, bool>>& events, co
 std::string signal_text(const model::Symbol& symbol, const model::PlantModel& plant) {
   std::string address(symbol.row->vendor_address);
   if (!symbol.row->iec_address.empty()) address.append(address.empty() ? "" : " ").append(symbol.row->iec_address);
-  return fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address, plant.list_of(symbol).name(),
-                     symbol.row->line);
+  return fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address,
+                     plant.list_of(symbol).name(), symbol.row->line);
 }
 
 void add_relations(std::vector<std::string>& facts, std::uint32_t index, const model::PlantModel& plant,

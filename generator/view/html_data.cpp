@@ -80,17 +80,13 @@ class DataWriter {
     for (std::size_t i = 0; i < model::kInternalReasons; ++i) {
       internal.push_back({model::internal_reason_text(static_cast<model::InternalReason>(i)), plant_.internal[i]});
     }
-    return {{"plant", visible(plant_.name)},
-            {"hash", fmt::format("{:016x}", core::model_hash(scene_.tables.tables()))},
-            {"lists", std::move(lists)},
-            {"types", std::move(types)},
-            {"reasons", std::move(reasons)},
-            {"internal", std::move(internal)},
-            {"layouts", std::move(layouts_)},
-            {"kinds", std::move(kinds_)},
-            {"units", std::move(units)},
-            {"requirements", std::move(requirements)},
-            {"symbols", std::move(symbols)}};
+    return {
+        {"plant", visible(plant_.name)},  {"hash", fmt::format("{:016x}", core::model_hash(scene_.tables.tables()))},
+        {"lists", std::move(lists)},      {"types", std::move(types)},
+        {"reasons", std::move(reasons)},  {"internal", std::move(internal)},
+        {"layouts", std::move(layouts_)}, {"kinds", std::move(kinds_)},
+        {"units", std::move(units)},      {"requirements", std::move(requirements)},
+        {"symbols", std::move(symbols)}};
   }
 
  private:
@@ -101,7 +97,8 @@ class DataWriter {
     const bool all = scene_.units.size() == plant_.units.size();
     std::vector<bool> shown(plant_.symbols.size(), all);
     for (const std::uint32_t unit : scene_.units) {
-      for (const auto* side : {&plant_.units[unit].operations, &plant_.units[unit].events, &plant_.units[unit].values}) {
+      for (const auto* side :
+           {&plant_.units[unit].operations, &plant_.units[unit].events, &plant_.units[unit].values}) {
         for (const std::uint32_t symbol : *side) shown[symbol] = true;
       }
     }

@@ -81,8 +81,8 @@ class TableWriter {
       if (!symbol.row->vendor_address.empty() && !symbol.row->iec_address.empty()) {
         address.append(" ").append(symbol.row->iec_address);
       }
-      row(fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address, plant_.list_of(symbol).name(),
-                      symbol.row->line));
+      row(fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address,
+                      plant_.list_of(symbol).name(), symbol.row->line));
     }
     end();
   }

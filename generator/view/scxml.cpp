@@ -107,7 +107,8 @@ class ScxmlWriter {
       const model::Symbol& symbol = plant_.symbols[place];
       out("      <symplant:signal element=\"{}\" event=\"{}\"{}{}{}{} row=\"{}\"/>\n", element, names_.symbol(place),
           attribute("name", symbol.name()), attribute("address", symbol.row->vendor_address),
-          attribute("iec-address", symbol.row->iec_address), attribute("list", plant_.list_of(symbol).name()), symbol.row->line);
+          attribute("iec-address", symbol.row->iec_address), attribute("list", plant_.list_of(symbol).name()),
+          symbol.row->line);
     }
   }
 

@@ -1,5 +1,5 @@
-// Shows the model of the JSON in #data: a tree of devices, and the one that the address names. User's texts only ever
-// become text nodes and attributes by the DOM's own functions.
+// Shows the model of the JSON in #data: a tree of devices, and the one that the address names. A user's texts only ever
+// become text nodes and attributes, by the DOM's own functions.
 "use strict";
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
