@@ -16,7 +16,7 @@ constexpr std::size_t kMostWithCare = 400;  // arrows
 constexpr int kMargin = 14;
 constexpr int kGap = 6;              // between labels, and of labels to states
 constexpr double kEveryLength = 34;  // of an arrow from every other state
-constexpr int kInitialMark = 22;     // before a box, at its upper left corner
+constexpr int kInitialMark = 24;     // above a box, at its left
 
 struct Vector {
   double x = 0;
@@ -95,7 +95,7 @@ class Placer {
     };
     for (const Box& box : boxes_) {
       grow_box(box);
-      grow(box.middle - Vector{box.half_width + kInitialMark, box.half_height + kInitialMark / 2.0});
+      grow(box.middle - Vector{box.half_width, box.half_height + kInitialMark});
     }
     for (const Box& label : labels_) grow_box(label);
     for (const Curve& curve : curves_) {

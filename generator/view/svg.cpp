@@ -117,9 +117,9 @@ class CardWriter {
     const int left = middle.x - layout.box_width / 2;
     const int top = middle.y - layout.box_height / 2;
     if (initial) {
-      out("<circle cx=\"{}\" cy=\"{}\" r=\"5\" fill=\"#345\"/><path class=\"way\" d=\"M{} {}L{} {}\" "
+      out("<circle cx=\"{0}\" cy=\"{1}\" r=\"5\" fill=\"#345\"/><path class=\"way\" d=\"M{0} {1}V{2}\" "
           "marker-end=\"url(#head)\"/>\n",
-          left - 14, top - 4, left - 14, top - 4, left + 1, top + 7);
+          left + 14, top - 18, top);
     }
     out("<rect class=\"state{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"7\"/>\n", rest ? " rest" : "", left,
         top, layout.box_width, layout.box_height);

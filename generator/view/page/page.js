@@ -140,8 +140,8 @@
       const left = x - layout.box[0] / 2;
       const top = y - layout.box[1] / 2;
       if (s === unit.initial) {
-        svg.append(draw("circle", {class: "dot", cx: left - 14, cy: top - 4, r: 5}), draw("path", {class: "way",
-          "marker-end": "url(#head)", d: "M" + (left - 14) + " " + (top - 4) + "L" + (left + 1) + " " + (top + 7)}));
+        svg.append(draw("circle", {class: "dot", cx: left + 14, cy: top - 18, r: 5}), draw("path", {class: "way",
+          "marker-end": "url(#head)", d: "M" + (left + 14) + " " + (top - 18) + "V" + top}));
       }
       svg.append(draw("rect", {class: s === kind.rest && kind.actuation === "spring" ? "state rest" : "state", x: left,
         y: top, width: layout.box[0], height: layout.box[1], rx: 7}));

@@ -49,6 +49,24 @@ TEST_CASE("model: a table with the eight elements, a part of the devices by patt
   }
 }
 
+TEST_CASE("model: every format gives a file, another one is a slip") {
+  for (const char* format : {"table", "json", "html", "dot", "svg", "mermaid", "scxml"}) {
+    MemoryFileSystem files = lists();
+    INFO(format);
+    const ToolRun run = run_tool({"model", "excell.csv", "--format", format, "-o", "view"}, files);
+    CHECK(run.code == 0);
+    CHECK(run.out.empty());
+    CHECK(contains(files.files["view"], "EXLINE_MB_AGV"));
+  }
+  CHECK(run_lists({"model", "excell.csv", "--format", "pdf"}).code == 2);
+}
+
+TEST_CASE("model --format svg --verbose says how the picture was laid out") {
+  const ToolRun run = run_lists({"model", "excell.csv", "--format", "svg", "--verbose"});
+  CHECK(contains(run.err, "decided: the picture is laid out by symplant itself\n"));
+  CHECK_FALSE(contains(run_lists({"model", "excell.csv", "--format", "svg"}).err, "laid out"));
+}
+
 TEST_CASE("model and map: an error or an unreadable list is 2, a warning changes nothing") {
   for (const char* command : {"model", "map"}) {
     CHECK(run_lists({command, "warning.csv"}).code == 0);
