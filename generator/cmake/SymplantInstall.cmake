@@ -22,6 +22,7 @@ foreach(floor core condition json share exec link trace scenario host)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
 install(FILES ${PROJECT_SOURCE_DIR}/generator/model/plant.schema.json
+              ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json
               ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -12,6 +12,7 @@
 #include "model/plant_file.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/scenario/read_scenario.hpp"
+#include "view/model_json.hpp"
 
 namespace symplant::app {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::array kSchemas{
     Schema{"plant", &model::plant_schema},
     Schema{"scenario", &scenario::scenario_schema},
     Schema{"naming", nullptr},
-    Schema{"model", nullptr},
+    Schema{"model", &view::model_schema},
 };
 
 }  // namespace
