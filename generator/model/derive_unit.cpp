@@ -54,13 +54,14 @@ void choose_actuation_and_rest(Unit& unit, const Defaults& defaults, Faults& fau
   if (given->actuation) unit.actuation = *given->actuation;
   if (!given->rest) return;
   const Pointer here = key_pointer(*given, DeviceKey::rest);
+  const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
+  if (rest == kNone) return;
   if (unit.actuation != core::Actuation::spring) {
     faults.add(here, quoted(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
                          "` and returns to no rest state, leave `rest` out or make it `spring`");
     return;
   }
-  const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
-  if (rest != kNone) unit.rest = rest;
+  unit.rest = rest;
 }
 
 std::uint32_t state_by_initial_column(Unit& unit, const std::vector<Symbol>& symbols) {

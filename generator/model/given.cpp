@@ -53,7 +53,7 @@ class TransitionExpander {
     way.to = to;
     bool lacking = to == kNone || (!from_all && from == kNone);
     const bool sound = set_cause(way, given, here, lacking);
-    if (lacking && pointer_.pattern() != nullptr) {
+    if (left_out(lacking)) {
       unit_.left_out.push_back(index);
       return;
     }
@@ -72,6 +72,9 @@ class TransitionExpander {
       if (s != to && !add(way, index)) return;
     }
   }
+
+  /// Under a pattern, what the device lacks is not said of it at all.
+  bool left_out(bool lacking) const { return lacking && pointer_.pattern() != nullptr; }
 
   /// `on` and `spring_way`, and what may stand beside them. False where there is a fault; `lacking`: its operation.
   bool set_cause(Transition& way, const GivenTransition& given, const Pointer& here, bool& lacking) {
@@ -94,7 +97,7 @@ class TransitionExpander {
     } else if (way.to != kNone) {
       way.on = unit_.states[way.to].operation;
       if (way.on == kNone && unit_.actuation == core::Actuation::spring && way.to == unit_.rest) {
-        return set_spring_way(way, given, here);
+        return !left_out(lacking) && set_spring_way(way, given, here);
       }
       if (way.on == kNone) {
         lacking = true;
@@ -104,6 +107,7 @@ class TransitionExpander {
         });
       }
     }
+    if (left_out(lacking)) return false;
     if (given.once && unit_.actuation != core::Actuation::latched) {
       faults_.add(here / "once", "`once` stands in a device that is `" + std::string(actuation_name(unit_.actuation)) +
                                      "`, leave it out or make the device `latched`");

@@ -84,12 +84,13 @@ class Relations {
       const std::uint32_t state = given_state(unit, entry.state, here, faults_);
       if (state != kNone && seen[state]) faults_.add(here, quoted(entry.state) + " stands twice, join both");
       if (state != kNone) seen[state] = true;
-      std::vector<std::uint32_t> disabled = disabled_units(by, entry, here);
+      std::vector<std::uint32_t> disabled = disabled_units(by, entry, here, state != kNone);
       if (state != kNone) unit.disables[state] = std::move(disabled);
     }
   }
 
-  std::vector<std::uint32_t> disabled_units(std::uint32_t by, const GivenDisables& entry, const Pointer& here) {
+  std::vector<std::uint32_t> disabled_units(std::uint32_t by, const GivenDisables& entry, const Pointer& here,
+                                            bool has_state) {
     std::vector<std::uint32_t> disabled;
     for (std::size_t i = 0; i < entry.devices.size(); ++i) {
       const std::string& device = entry.devices[i];
@@ -104,7 +105,8 @@ class Relations {
         faults_.add(here / i, missing("device " + quoted(device), names_.nearest_device(device, {})),
                     FaultKind::unknown_name);
       } else if (*unit == by) {
-        faults_.add(here / i, quoted(device) + " disables itself, leave it out");
+        // Under a pattern, of a device without the state, nothing is said.
+        if (has_state) faults_.add(here / i, quoted(device) + " disables itself, leave it out");
       } else {
         disabled.push_back(*unit);
       }

@@ -34,6 +34,12 @@ std::optional<condition::Number> number_of(const nlohmann::json& value) {
   return condition::Number::read(value.dump());
 }
 
+/// Of a zero: a trace writes `-0`, and that reads back.
+bool is_negative(const nlohmann::json& value) {
+  return value.is_string() ? value.get_ref<const std::string&>().starts_with('-')
+                           : value.is_number_float() && std::signbit(value.get<double>());
+}
+
 std::string shown(const nlohmann::json& value) { return "`" + value.dump() + "`"; }
 
 std::variant<std::uint64_t, std::string> read_integer(DataType type, const nlohmann::json& value) {
@@ -65,6 +71,7 @@ std::variant<std::uint64_t, std::string> read_real(DataType type, const nlohmann
     const bool too_large = nearest && type == DataType::real && std::isinf(static_cast<float>(*nearest));
     if (!nearest || too_large) return shown(value) + " is beyond what a " + type_text(type) + " holds";
     real = *nearest;
+    if (real == 0 && is_negative(value)) real = -0.0;
   }
   return std::bit_cast<std::uint64_t>(type == DataType::real ? double{static_cast<float>(real)} : real);
 }

@@ -1,18 +1,26 @@
 # Planted bugs of the engine, one line each. The property test must find every one of them within CI's plants.
 #
+# symplant_planted_source(NAME FOLDER INCLUDE FROM TO): a source in which the line FROM of a file of FOLDER, whose files
+# are included as INCLUDE/..., is TO. Its path is then in `source`, the folder to include first in `include`.
+function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
+  set(include ${CMAKE_CURRENT_BINARY_DIR}/mutants/${NAME})
+  set(source ${include}/mutant.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/tests/property/plant_once.cmake)
+  file(GLOB originals CONFIGURE_DEPENDS ${FOLDER}/*.hpp ${FOLDER}/*.cpp)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DFROM_FOLDER=${FOLDER} -DTO_FOLDER=${include}/${INCLUDE} -DINCLUDE=${INCLUDE}
+            -DSOURCE=${source} "-DFROM=${FROM}" "-DTO=${TO}" -P ${script}
+    DEPENDS ${originals} ${script}
+    VERBATIM)
+  set(include ${include} PARENT_SCOPE)
+  set(source ${source} PARENT_SCOPE)
+endfunction()
+
 # symplant_mutant(NAME FROM TO): the line FROM of runtime/core becomes TO, and the file that it stands in is linked in
 # place of the engine's own.
 function(symplant_mutant NAME FROM TO)
-  set(core ${PROJECT_SOURCE_DIR}/runtime/core)
-  set(include ${CMAKE_CURRENT_BINARY_DIR}/mutants/${NAME})
-  set(source ${include}/mutant.cpp)
-  file(GLOB originals CONFIGURE_DEPENDS ${core}/*.hpp ${core}/*.cpp)
-  add_custom_command(
-    OUTPUT ${source}
-    COMMAND ${CMAKE_COMMAND} -DFROM_FOLDER=${core} -DTO_FOLDER=${include}/symplant/core -DSOURCE=${source}
-            "-DFROM=${FROM}" "-DTO=${TO}" -P ${CMAKE_CURRENT_SOURCE_DIR}/plant_once.cmake
-    DEPENDS ${originals} ${CMAKE_CURRENT_SOURCE_DIR}/plant_once.cmake
-    VERBATIM)
+  symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/core symplant/core "${FROM}" "${TO}")
   add_executable(property_mutant_${NAME} main.cpp ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)

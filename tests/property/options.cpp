@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kUsage =
     "property [--plants N] [--seed S] [--minimum K] [--fixtures DIR] [--quiet] [--wrong] [--print]\n"
-    "         [--replay FILE|DIR]\n";
+    "         [--replay FILE|DIR] [--tool FILE]\n";
 
 template <class Number>
 bool read_number(const std::string& text, Number& number) {
@@ -32,6 +32,8 @@ bool read_value(const std::string& name, const std::string& value, Options& opti
     options.fixtures = value;
   } else if (name == "--replay") {
     options.replay = value;
+  } else if (name == "--tool") {
+    options.tool = value;
   } else {
     return false;
   }

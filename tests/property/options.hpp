@@ -17,6 +17,7 @@ struct Options {
   bool wrong = false;      ///< succeed at the first disagreement, fail where there is none
   std::string replay;      ///< a case, or a folder of such, instead of random ones
   bool print = false;      ///< only print the case of `seed`
+  std::string tool;        ///< of property_files: the program `symplant`, for some of the plants
 };
 
 /// Nothing, and the usage on std::cerr, where an argument is not understood.

@@ -1,6 +1,6 @@
-# Copies the engine's sources with one text replaced, and writes a source that includes the file it stands in. Fails
+# Copies a folder's sources with one text replaced, and writes a source that includes the file it stands in. Fails
 # unless the text stands exactly once in all of them.
-# -DFROM_FOLDER=... -DTO_FOLDER=... -DSOURCE=... -DFROM=... -DTO=...
+# -DFROM_FOLDER=... -DTO_FOLDER=... -DINCLUDE=... -DSOURCE=... -DFROM=... -DTO=...
 file(COPY ${FROM_FOLDER}/ DESTINATION ${TO_FOLDER} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp")
 string(LENGTH "${FROM}" length)
 set(found "")
@@ -24,4 +24,4 @@ endforeach()
 if(NOT found)
   message(FATAL_ERROR "`${FROM}` is nowhere in ${FROM_FOLDER}: plant the bug of this test where its line is now")
 endif()
-file(WRITE ${SOURCE} "// The engine's file with the planted bug, in place of the engine's own.\n#include \"symplant/core/${found}\"\n")
+file(WRITE ${SOURCE} "// The file with the planted bug, in place of the original.\n#include \"${INCLUDE}/${found}\"\n")

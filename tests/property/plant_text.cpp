@@ -14,12 +14,14 @@
 namespace symplant::property {
 namespace {
 
-std::shared_ptr<const read::SymbolTable> table_of(const PlantText& text) {
+std::shared_ptr<const read::SymbolTable> table_of(const PlantText& text, std::size_t begin, std::size_t end) {
   auto table = std::make_shared<read::SymbolTable>();
-  table->source = std::make_shared<const base::SourceFile>(text.name + ".csv", std::string());
+  const std::string name = text.name + (begin == 0 ? ".csv" : "_2.csv");
+  table->source = std::make_shared<const base::SourceFile>(name, std::string());
   const auto cell = [&](const std::string& content) -> std::string_view { return table->arena.emplace_back(content); };
   std::uint32_t line = 1;
-  for (const Row& row : text.rows) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Row& row = text.rows[i];
     read::ListRow made{};
     made.klass = "VAR_GLOBAL";
     made.name = cell(row.name);
@@ -41,11 +43,18 @@ bool serves_behaviour(const model::Unit& unit) {
 }  // namespace
 
 model::PlantModel build(const PlantText& text) {
-  const auto table = table_of(text);
+  std::vector<model::ListInput> lists;
+  const auto add = [&](std::size_t begin, std::size_t end, const std::string& controller) {
+    const auto table = table_of(text, begin, end);
+    lists.push_back({table, name::read_names(*table, name::built_in_rule()), controller});
+  };
+  const std::size_t first_end = text.two_lists() ? text.second_list : text.rows.size();
+  add(0, first_end, "");
+  if (text.two_lists()) add(first_end, text.rows.size(), text.second_controller);
   model::BuildOptions options;
   options.plant_name = text.name;
   options.description = std::make_shared<const model::Description>(text.description);
-  return model::build_plant({{table, name::read_names(*table, name::built_in_rule())}}, options);
+  return model::build_plant(lists, options);
 }
 
 bool runnable(const model::PlantModel& plant) {
@@ -55,12 +64,15 @@ bool runnable(const model::PlantModel& plant) {
   });
 }
 
-std::string list_text(const PlantText& text) {
+std::string list_text(const PlantText& text, std::size_t begin, std::size_t end) {
   std::string list = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
-  for (const Row& row : text.rows) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const Row& row = text.rows[i];
     list += "VAR_GLOBAL," + row.name + ",," + row.address + "," + row.type + "," + row.initial + "\n";
   }
   return list;
 }
+
+std::string list_text(const PlantText& text) { return list_text(text, 0, text.rows.size()); }
 
 }  // namespace symplant::property

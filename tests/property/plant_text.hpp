@@ -1,6 +1,7 @@
 // A plant and what is done to it, as plain values: by names, so that parts can be taken away.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ struct PlantText {
   std::string name = "drawn";
   std::vector<Row> rows;
   model::Description description;
+  std::size_t second_list = 0;  ///< the row with which a second list begins; 0 or beyond the last: there is one list
+  std::string second_controller = {};  ///< whose list that is; empty: the one of the first
+
+  bool two_lists() const { return second_list > 0 && second_list < rows.size(); }
 };
 
 /// One thing done to a running plant. What names something that the plant lacks does nothing.
@@ -60,7 +65,9 @@ model::PlantModel build(const PlantText& text);
 /// behaviours count on is there.
 bool runnable(const model::PlantModel& plant);
 
-/// The list as a GX IEC Developer export has it.
+/// The rows from `begin` to before `end` as a GX IEC Developer export has them.
+std::string list_text(const PlantText& text, std::size_t begin, std::size_t end);
+/// All of them.
 std::string list_text(const PlantText& text);
 
 }  // namespace symplant::property

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "property/dice.hpp"
 #include "property/plant_text.hpp"
 
 namespace symplant::property {
@@ -24,6 +25,9 @@ struct DrawOptions {
 
 /// The same plant for the same seed and options, everywhere.
 DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options = {});
+
+/// A value that a symbol of the type may have: 0 or 1, two's complement, or the bits of a double.
+std::uint64_t random_content(Dice& dice, core::DataType type);
 
 /// What is done to a plant of this model, from a reset on.
 std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant);

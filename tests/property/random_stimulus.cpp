@@ -66,7 +66,9 @@ class StimulusWriter {
     }
   }
 
-  void set(Kind kind, std::uint32_t symbol) { add(kind, name(symbol), random_value(symbol), 0); }
+  void set(Kind kind, std::uint32_t symbol) {
+    add(kind, name(symbol), random_content(dice_, plant_.symbols[symbol].type), 0);
+  }
 
   void operation() {
     if (operations_.empty()) return;
@@ -119,29 +121,6 @@ class StimulusWriter {
     add(Kind::set_state, std::string(unit.path), dice_.below(unit.states.size()), 0);
   }
 
-  std::uint64_t random_value(std::uint32_t symbol) {
-    const core::DataType type = plant_.symbols[symbol].type;
-    if (type == core::DataType::boolean) return dice_.below(2);
-    const auto number = static_cast<std::int64_t>(dice_.below(8));
-    if (type == core::DataType::real || type == core::DataType::lreal) {
-      static const std::vector<double> kReals = {0.0,
-                                                 1.0,
-                                                 2.0,
-                                                 2.5,
-                                                 -1.0,
-                                                 300.0,
-                                                 -0.0,
-                                                 5.0,
-                                                 std::numeric_limits<double>::infinity(),
-                                                 std::numeric_limits<double>::quiet_NaN()};
-      return std::bit_cast<std::uint64_t>(dice_.pick(kReals));
-    }
-    const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
-    if (is_signed && dice_.percent(20)) return static_cast<std::uint64_t>(-number);
-    if (dice_.percent(5)) return is_signed ? 127 : 255;
-    return static_cast<std::uint64_t>(number);
-  }
-
   void keep() {
     if (dice_.percent(5)) add(Kind::save, {}, 0, 0);
     if (dice_.percent(4)) add(Kind::restore, {}, dice_.below(8), static_cast<core::Time>(dice_.below(2)));
@@ -173,6 +152,28 @@ class StimulusWriter {
 };
 
 }  // namespace
+
+std::uint64_t random_content(Dice& dice, core::DataType type) {
+  if (type == core::DataType::boolean) return dice.below(2);
+  const auto number = static_cast<std::int64_t>(dice.below(8));
+  if (type == core::DataType::real || type == core::DataType::lreal) {
+    static const std::vector<double> kReals = {0.0,
+                                               1.0,
+                                               2.0,
+                                               2.5,
+                                               -1.0,
+                                               300.0,
+                                               -0.0,
+                                               5.0,
+                                               std::numeric_limits<double>::infinity(),
+                                               std::numeric_limits<double>::quiet_NaN()};
+    return std::bit_cast<std::uint64_t>(dice.pick(kReals));
+  }
+  const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
+  if (is_signed && dice.percent(20)) return static_cast<std::uint64_t>(-number);
+  if (dice.percent(5)) return is_signed ? 127 : 255;
+  return static_cast<std::uint64_t>(number);
+}
 
 std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant) {
   Dice dice(seed * 2 + 0x5EED'0000'0000);

@@ -40,20 +40,9 @@ class Shrinker {
     return true;
   }
 
-  /// Takes away pieces of a list, larger ones first.
   template <class List>
   void pieces(const List& list_of) {
-    for (std::size_t piece = std::max<std::size_t>(list_of(best_).size() / 2, 1);; piece /= 2) {
-      for (std::size_t end = list_of(best_).size(); end > 0;) {
-        const std::size_t begin = end > piece ? end - piece : 0;
-        Case candidate = best_;
-        auto& list = list_of(candidate);
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end));
-        keep(std::move(candidate));
-        end = begin;
-      }
-      if (piece <= 1) return;
-    }
+    remove_pieces(best_, list_of, [&](Case candidate) { return keep(std::move(candidate)); });
   }
 
   void actions() {

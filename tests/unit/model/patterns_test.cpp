@@ -247,5 +247,17 @@ TEST_CASE("A question mark is one character, in any script") {
         "/devices/L_P_??: `L_P_??` matches no device");
 }
 
+TEST_CASE("What is left out for a device is not wrong for it either") {
+  DeviceDescription pattern = device("L_P_*");
+  pattern.rest = "RET";
+  pattern.disables = {{"ADV", {"L_P_M"}}};
+  pattern.transitions = {taking(way("ADV", "RET"), 5)};
+  pattern.transitions[0].once = true;
+  DeviceDescription spring = actuated("L_P_S?", core::Actuation::spring);
+  spring.given[static_cast<std::size_t>(model::DeviceKey::transitions)] = true;
+  // L_P_M is no spring, would disable itself, and as a held device may not have `once`.
+  CHECK(faults(described(kStoppers, {pattern, spring, actuated("L_P_M", core::Actuation::held)})) == "");
+}
+
 }  // namespace
 }  // namespace symplant::test

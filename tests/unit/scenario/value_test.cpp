@@ -78,6 +78,8 @@ TEST_CASE("REAL and LREAL take the nearest value that they have, and what a trac
   CHECK(read(DataType::lreal, "3") == "3");
   CHECK(read(DataType::lreal, "\"nan\"") == "\"nan\"");
   CHECK(read(DataType::real, "\"-inf\"") == "\"-inf\"");
+  CHECK(read(DataType::real, "-0.0") == "-0");
+  CHECK(read(DataType::lreal, "\"-0\"") == "-0");
   CHECK(contains(read(DataType::real, "1e300"), "is beyond what a REAL holds"));
   CHECK(contains(read(DataType::lreal, "\"1e999\""), "is beyond what a LREAL holds"));
   CHECK(contains(read(DataType::lreal, "\"many\""), "is no number"));

@@ -1,0 +1,144 @@
+// A case on the reference.
+#include "property/files/expected.hpp"
+
+#include <cstdio>
+
+#include "lower/lower.hpp"
+#include "property/files/plant_json.hpp"
+#include "property/files/random_scenario.hpp"
+#include "property/files/resolved_steps.hpp"
+#include "property/files/scenario_json.hpp"
+#include "support/reference/lines.hpp"
+#include "symplant/core/digest.hpp"
+
+namespace symplant::property::files {
+namespace {
+
+using When = Step::When;
+
+bool is_case(const model::PlantModel& plant) { return plant.description_faults.empty() && plant.moved_twice.empty(); }
+
+std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
+  const lower::EngineTables tables = lower::lower(plant);
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(core::model_hash(tables.tables())));
+  return "{\"symplant-trace\":1,\"plant\":\"" + plant.name + "\",\"model_hash\":\"" + hash +
+         "\",\"seed\":" + std::to_string(seed) + "}";
+}
+
+void count_actions(const Step& step, const model::PlantModel& plant, Counts& counts) {
+  counts[Seen::sets] += std::ssize(step.set);
+  for (const auto& [name, value] : step.set) {
+    for (const model::Symbol& symbol : plant.symbols) {
+      counts[Seen::sets_of_inputs] += symbol.name() == name && symbol.direction == core::Direction::event ? 1 : 0;
+    }
+  }
+  counts[Seen::states] += std::ssize(step.states);
+  counts[Seen::forces] += std::ssize(step.force);
+  counts[Seen::releases] += std::ssize(step.release);
+}
+
+void count_verdict(const Step& step, const reference::Verdict& verdict, core::Time start, Counts& counts) {
+  if (!verdict.reached) {
+    ++counts[Seen::never_reached];
+  } else if (step.when == When::wait) {
+    ++(verdict.held ? counts[Seen::waits_met] : counts[Seen::waits_failed]);
+    if (verdict.held && step.time && verdict.time > start && verdict.time == start + *step.time) {
+      ++counts[Seen::waits_met_at_last];
+    }
+  } else {
+    ++(verdict.held ? counts[Seen::expectations_held] : counts[Seen::expectations_failed]);
+    counts[Seen::expected_values] += std::ssize(step.expect);
+    counts[Seen::expected_conditions] += step.expect_condition.empty() ? 0 : 1;
+  }
+}
+
+/// Plays all steps; false where it is no case.
+class CountingRun {
+ public:
+  CountingRun(const FileCase& it, const model::PlantModel& plant, reference::Plant& reference, Counts& counts)
+      : it_(it), plant_(plant), reference_(reference), counts_(counts), resolver_(plant) {}
+
+  std::optional<std::vector<reference::Verdict>> play() {
+    reference::ScenarioPlayer player(plant_, reference_, it_.until, 4 * kMostInstants);
+    for (const Step& step : it_.steps) {
+      const auto resolved = resolver_.resolve(step);
+      if (!resolved) return std::nullopt;
+      const core::Time start = reference_.now();
+      const std::size_t before = player.verdicts().size();
+      player.play(*resolved);
+      count(step, start, player.cut());
+      if (player.verdicts().size() > before) count_verdict(step, player.verdicts().back(), start, counts_);
+    }
+    counts_[Seen::until_cut] += player.cut() ? 1 : 0;
+    player.end();
+    if (player.exhausted()) return std::nullopt;
+    return player.verdicts();
+  }
+
+ private:
+  void count(const Step& step, core::Time start, bool cut) {
+    if (cut || step.when == When::wait) return;
+    ++(step.when == When::at ? counts_[Seen::at] : counts_[Seen::plus]);
+    if (step.when == When::at && *step.time < start) ++counts_[Seen::at_past];
+    count_actions(step, plant_, counts_);
+    const bool same_time = reference_.now() == start;
+    if (same_time && after_expect_ && !step.set.empty()) ++counts_[Seen::sets_behind_expect];
+    after_expect_ = (same_time && after_expect_) || !step.expect.empty() || !step.expect_condition.empty();
+  }
+
+  const FileCase& it_;
+  const model::PlantModel& plant_;
+  reference::Plant& reference_;
+  Counts& counts_;
+  StepResolver resolver_;
+  bool after_expect_ = false;
+};
+
+}  // namespace
+
+std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
+  const model::PlantModel plant = build(it.plant);
+  if (!is_case(plant)) return std::nullopt;
+  reference::Plant reference(plant);
+  reference.reset(it.seed);
+  const auto verdicts = CountingRun(it, plant, reference, counts).play();
+  if (!verdicts) return std::nullopt;
+  Outcome outcome;
+  outcome.header = header_of(plant, it.seed);
+  outcome.trace = reference::trace_lines(plant, reference.instants());
+  outcome.findings = reference::finding_lines(plant, reference.instants());
+  bool good = true;
+  const auto add = [&](const std::string& name, bool held) {
+    outcome.verdicts.push_back(name + (held ? " held" : " failed"));
+    good = good && held;
+  };
+  for (const reference::Verdict& verdict : *verdicts) add("step " + std::to_string(verdict.step + 1), verdict.held);
+  std::vector<bool> violated(plant.requirements.size());
+  for (const reference::InstantRecord& instant : reference.instants()) {
+    for (const core::Finding& finding : instant.findings) {
+      ++counts.of(finding.kind);
+      if (finding.kind == core::FindingKind::requirement_violated) violated[finding.of] = true;
+    }
+  }
+  for (std::size_t i = 0; i < violated.size(); ++i) add("requirement: " + plant.requirements[i].name, !violated[i]);
+  outcome.code = good ? 0 : 1;
+  ++(good ? counts[Seen::runs_good] : counts[Seen::runs_failed]);
+  counts[Seen::until] += it.until ? 1 : 0;
+  return outcome;
+}
+
+Files files_of(const FileCase& it, Counts& counts) {
+  const PlantText& plant = it.plant;
+  Files files;
+  const std::size_t first_end = plant.two_lists() ? plant.second_list : plant.rows.size();
+  files.lists.push_back(list_text(plant, 0, first_end));
+  if (plant.two_lists()) files.lists.push_back(list_text(plant, first_end, plant.rows.size()));
+  files.plant = plant_json(plant, it.style, counts);
+  files.scenario = scenario_json(it.steps, build(plant), it.style, counts);
+  files.seed = it.seed;
+  files.until = it.until;
+  return files;
+}
+
+}  // namespace symplant::property::files

@@ -1,0 +1,55 @@
+// A plant, a scenario and how both are to be written down as files: plain values, so that parts can be taken away.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "property/plant_text.hpp"
+
+namespace symplant::property::files {
+
+/// A symbol's name and its value: 0 or 1, two's complement, or the bits of a double.
+using Setting = std::pair<std::string, std::uint64_t>;
+
+/// A step of a scenario.
+struct Step {
+  enum class When : std::uint8_t { at, plus, wait };
+  When when = When::plus;
+  std::optional<core::Time> time;  ///< of `at` and `plus`: always there; of `wait`: its `within`
+  std::string wait;                ///< a condition
+  std::vector<Setting> set;
+  std::vector<std::pair<std::string, std::string>> states;  ///< device and state
+  std::vector<Setting> force;
+  std::vector<std::string> release;
+  std::vector<Setting> expect;   ///< symbols with their values
+  std::string expect_condition;  ///< or a condition
+};
+
+/// How the files are written. The same for the same seed.
+struct Style {
+  std::uint64_t seed = 0;
+  bool patterns = true;   ///< keys of devices are spread over patterns; else each stands under its device's name
+  bool decorated = true;  ///< comments, any order of keys, any case of names, any unit of durations
+};
+
+struct FileCase {
+  PlantText plant;
+  Style style;
+  std::vector<Step> steps;
+  std::uint64_t seed = 0;  ///< of the run
+  std::optional<core::Time> until;
+};
+
+/// What a run of the tool is given.
+struct Files {
+  std::vector<std::string> lists;  ///< one or two
+  std::string plant;
+  std::string scenario;
+  std::uint64_t seed = 0;
+  std::optional<core::Time> until;
+};
+
+}  // namespace symplant::property::files

@@ -1,0 +1,25 @@
+// What random files held, and how often what happened in their runs.
+#pragma once
+
+#include <ostream>
+
+#include "property/files/expected.hpp"
+
+namespace symplant::property::files {
+
+struct FilesTally {
+  long plants = 0;
+  long left_aside = 0;  ///< cases that were none: too many instants
+  long by_program = 0;
+  long steps = 0;
+  long trace_lines = 0;
+  long finding_lines = 0;
+  Counts counts;
+
+  void add(const FileCase& it, const Outcome& outcome);
+  void print(std::ostream& out, double seconds) const;
+  /// Whether something happened less often than `minimum`; says what.
+  bool missed(std::ostream& out, long minimum) const;
+};
+
+}  // namespace symplant::property::files

@@ -1,0 +1,48 @@
+# Planted bugs of the reader of plant.json and of the scenario player, one line each. The property test from files must
+# find every one of them within CI's plants.
+#
+# symplant_files_mutant(NAME FOLDER INCLUDE FROM TO): the line FROM of FOLDER becomes TO.
+function(symplant_files_mutant NAME FOLDER INCLUDE FROM TO)
+  symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/${FOLDER} ${INCLUDE} "${FROM}" "${TO}")
+  add_executable(property_files_mutant_${NAME} main_files.cpp ${source})
+  target_include_directories(property_files_mutant_${NAME} BEFORE PRIVATE ${include})
+  target_link_libraries(property_files_mutant_${NAME} PRIVATE symplant_property_files symplant_options)
+  add_test(NAME property.files.mutant.${NAME} COMMAND property_files_mutant_${NAME} --wrong --quiet --plants 500)
+  set_tests_properties(property.files.mutant.${NAME} PROPERTIES TIMEOUT 600 LABELS mutants)
+endfunction()
+
+symplant_files_mutant(less_specific_pattern_wins generator/model model
+  "return a.literals > b.literals;"
+  "return a.literals < b.literals;")
+
+symplant_files_mutant(pattern_beats_exact_name generator/model model
+  "      if (exact != nullptr && exact->gives(key)) {"
+  "      if (exact != nullptr && exact->gives(key) && best_of(unit, patterns, key) == nullptr) {")
+
+symplant_files_mutant(array_of_a_pattern_stays_where_it_is_empty generator/model model
+  "  if (given[static_cast<std::size_t>(key)]) return true;"
+  "")
+
+symplant_files_mutant(random_times_of_one_kind generator/model model
+  "  if (mean && sigma) return Duration{Duration::Kind::normal, *mean, *sigma};"
+  "  if (mean && sigma) return Duration{Duration::Kind::uniform, *mean, *mean + *sigma};")
+
+symplant_files_mutant(once_is_not_read generator/model model
+  "    given.once = flag_member(value, \"once\");"
+  "")
+
+symplant_files_mutant(last_instant_of_a_wait_not_looked_at runtime/scenario symplant/scenario
+  "  if (!waiting_ || met_ || instant.time > deadline_) return;"
+  "  if (!waiting_ || met_ || instant.time >= deadline_) return;")
+
+symplant_files_mutant(past_at_counts_from_its_own_time runtime/scenario symplant/scenario
+  "  return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;"
+  "  return step.when == Step::When::at ? step.time : moment_ + step.time;")
+
+symplant_files_mutant(plus_counts_from_the_start_of_a_wait runtime/scenario symplant/scenario
+  "met_ ? met_time_ : deadline_);"
+  "met_ ? met_time_ : moment_);")
+
+symplant_files_mutant(release_before_force runtime/scenario symplant/scenario
+  "  for (const std::uint32_t symbol : step.release) plant_.release(symbol);"
+  "  for (const std::uint32_t symbol : step.release) { bool forced = false; for (const SymbolValue& value : step.force) forced = forced || value.symbol == symbol; if (!forced) plant_.release(symbol); }")

@@ -1,0 +1,150 @@
+// plant.json of a random plant.
+#include "property/files/plant_json.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "property/files/json_printer.hpp"
+#include "property/files/spread.hpp"
+#include "property/words.hpp"
+
+namespace symplant::property::files {
+namespace {
+
+using nlohmann::json;
+
+void make_sayable(core::Time& time) { time = std::min(time, core::kNever - 1); }
+
+void make_sayable(std::optional<model::Duration>& duration) {
+  if (!duration) return;
+  make_sayable(duration->a);
+  make_sayable(duration->b);
+}
+
+void make_sayable(std::vector<std::pair<std::string, bool>>& events) {
+  const std::map<std::string, bool> by_name(events.begin(), events.end());
+  events.assign(by_name.begin(), by_name.end());
+}
+
+void add_behaviour(Dice& dice, const PlantText& plant, model::DeviceDescription& device) {
+  device.behaviour = "MyOwnCode";
+  // Conditions that stand elsewhere in the description are sure to name what is there.
+  for (const model::GivenRequirement& requirement : plant.description.requirements) {
+    const std::string& text = requirement.never.empty() ? requirement.expect : requirement.never;
+    if (dice.percent(50)) device.inputs.emplace_back("in_" + requirement.name, text);
+  }
+}
+
+std::set<std::string> tasks_of(const PlantText& plant, const std::string& path, const model::DeviceDescription* said) {
+  std::set<std::string> tasks;
+  const auto upper = [](std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+  };
+  for (const Row& row : plant.rows) {
+    if (!upper(row.name).starts_with(upper(path) + "_") || row.name.size() < path.size() + 3) continue;
+    tasks.insert(upper(row.name.substr(path.size() + 3)));
+  }
+  if (said != nullptr) {
+    for (const std::string& state : said->states) tasks.insert(upper(state));
+  }
+  return tasks;
+}
+
+/// All devices, and what the description wants of each.
+std::vector<Wish> wishes_of(const PlantText& plant, const Style& style, Counts& counts) {
+  const model::PlantModel model = build(plant);
+  std::vector<std::string> paths;
+  for (const model::Unit& unit : model.units) paths.emplace_back(unit.path);
+  std::vector<Wish> wishes;
+  for (const model::Unit& unit : model.units) {
+    Wish wish{std::string(unit.path), tasks_of(plant, std::string(unit.path), unit.described), {}};
+    if (unit.described != nullptr) {
+      Sayer sayer(style, unit.path, counts);
+      wish.keys = sayer.keys(*unit.described, paths);
+    }
+    wishes.push_back(std::move(wish));
+  }
+  return wishes;
+}
+
+json list_of(Sayer& sayer, bool decorated, const char* name, const std::string& controller) {
+  if (controller.empty() && (!decorated || sayer.dice.percent(60))) return name;
+  json list = {{"file", name}};
+  if (!controller.empty()) list["controller"] = controller;
+  if (!decorated) return list;
+  if (sayer.dice.percent(40)) list["format"] = "gx-iec";
+  if (sayer.dice.percent(40)) list["encoding"] = "utf-8";
+  if (sayer.dice.percent(40)) list["xy"] = sayer.dice.percent(50) ? "hex" : "octal";
+  return list;
+}
+
+json defaults_of(const model::Defaults& defaults, Sayer& sayer) {
+  json said = json::object();
+  const model::Defaults without;
+  if (defaults.travel != without.travel) said["travel"] = sayer.time(defaults.travel);
+  if (defaults.dwell != without.dwell) said["dwell"] = sayer.time(defaults.dwell);
+  if (defaults.actuation != without.actuation || sayer.dice.percent(10)) {
+    said["actuation"] = word_of(defaults.actuation);
+  }
+  return said;
+}
+
+}  // namespace
+
+void make_sayable(PlantText& plant, std::uint64_t seed) {
+  Dice dice(seed ^ 0xF11E5);
+  model::Description& description = plant.description;
+  make_sayable(description.defaults.travel);
+  make_sayable(description.defaults.dwell);
+  for (model::GivenRequirement& requirement : description.requirements) make_sayable(requirement.within);
+  if (dice.percent(15)) {
+    plant.second_list = dice.below(plant.rows.size());
+    if (dice.percent(50)) plant.second_controller = "PLC2";
+  }
+  for (model::DeviceDescription& device : description.devices) {
+    for (model::GivenTransition& transition : device.transitions) {
+      make_sayable(transition.after);
+      make_sayable(transition.takes);
+    }
+    for (model::GivenOutputs& outputs : device.outputs) {
+      make_sayable(outputs.enter);
+      make_sayable(outputs.leave);
+    }
+    if (dice.percent(4)) add_behaviour(dice, plant, device);
+    std::sort(device.inputs.begin(), device.inputs.end());
+  }
+}
+
+std::string plant_json(const PlantText& plant, const Style& style, Counts& counts) {
+  Sayer sayer(style, "plant", counts);
+  Dice& dice = sayer.dice;
+  json said = {{"symplant", 1}, {"name", plant.name}, {"symbols", json::array()}};
+  said["symbols"].push_back(list_of(sayer, style.decorated, kListNames[0], ""));
+  if (plant.two_lists()) {
+    ++counts[Seen::second_lists];
+    said["symbols"].push_back(list_of(sayer, style.decorated, kListNames[1], plant.second_controller));
+  }
+  const json defaults = defaults_of(plant.description.defaults, sayer);
+  if (!defaults.empty()) said["defaults"] = defaults;
+  json devices = json::object();
+  for (const Entry& entry : spread(wishes_of(plant, style, counts), style, counts)) devices[entry.name] = entry.keys;
+  if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
+  for (const model::GivenRequirement& requirement : plant.description.requirements) {
+    said["requirements"].push_back(sayer.requirement(requirement));
+  }
+  if (style.decorated) {
+    if (dice.percent(10)) said["$schema"] = "plant.schema.json";
+    if (dice.percent(10)) said["links"] = {{{"url", "loop:"}}};
+    if (dice.percent(10)) {
+      said["check"] = {{"ignore", {{{"rule", "nobody-moves"}, {"symbols", "*SPARE*"}, {"why", "not wired yet"}}}},
+                       {"severity", {{"no-address", "note"}}}};
+    }
+  }
+  return print_json(said, style.decorated, Dice(style.seed), counts[Seen::comments]);
+}
+
+}  // namespace symplant::property::files

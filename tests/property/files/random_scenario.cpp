@@ -1,0 +1,279 @@
+// Draws scenarios step by step, playing them on the reference meanwhile, so that what they expect is not all nonsense.
+#include "property/files/random_scenario.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "property/files/plan_of_model.hpp"
+#include "property/files/resolved_steps.hpp"
+#include "property/random_plant.hpp"
+#include "property/random_unit.hpp"
+
+namespace symplant::property::files {
+namespace {
+
+using When = Step::When;
+using core::kMillisecond;
+
+class ScenarioWriter {
+ public:
+  ScenarioWriter(Dice& dice, std::uint64_t seed, const model::PlantModel& plant)
+      : dice_(dice),
+        plant_(plant),
+        plan_(plan_of(plant)),
+        resolver_(plant),
+        reference_(plant),
+        player_(plant, reference_, std::nullopt, kMostInstants),
+        fails_(dice.percent(55) ? 12 : 0) {
+    reference_.reset(seed);
+    for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+      if (plant.symbols[i].direction == core::Direction::operation) {
+        operations_.push_back(i);
+        continue;
+      }
+      if (may_be_moved_by_code(i)) continue;
+      const reference::World before = reference_.save();
+      if (reference_.set_input(i, 0)) inputs_.push_back(i);
+      reference_.restore(before);
+    }
+    written_.resize(plant.symbols.size());
+  }
+
+  DrawnScenario write() {
+    const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
+    for (std::size_t i = 4 + dice_.below((8 + dice_.below(90)) / large); i > 0 && !ended_; --i) step();
+    DrawnScenario drawn{std::move(steps_), {}};
+    if (dice_.percent(35)) drawn.until = until();
+    return drawn;
+  }
+
+ private:
+  /// On an address with an event of a device that the user's code moves.
+  bool may_be_moved_by_code(std::uint32_t symbol) const {
+    const auto leader = [&](std::uint32_t of) {
+      return plant_.symbols[of].leader == model::kNone ? of : plant_.symbols[of].leader;
+    };
+    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
+      const std::uint32_t unit = plant_.symbols[i].unit;
+      if (leader(i) != leader(symbol) || unit == model::kNone) continue;
+      if (plant_.units[unit].has_behaviour()) return true;
+    }
+    return false;
+  }
+
+  /// Plays the step; false, and nothing done, where it takes too long.
+  bool play(const Step& step) {
+    const auto resolved = resolver_.resolve(step);
+    if (!resolved) return false;
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    player_.play(*resolved);
+    if (!player_.exhausted()) return true;
+    reference_.restore(world);
+    player_ = before;
+    return false;
+  }
+  void take(Step step, core::Time nominal) {
+    if (!play(step)) {
+      ended_ = ++refused_ == 4;
+      return;
+    }
+    earliest_ = nominal;
+    times_.push_back(reference_.now());
+    steps_.push_back(std::move(step));
+  }
+
+  void step() {
+    if (dice_.percent(12)) return wait();
+    Step step;
+    timing(step);
+    const core::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
+    actions(step);
+    if (dice_.percent(35)) expect(step);
+    take(std::move(step), nominal);
+  }
+
+  void timing(Step& step) {
+    static const std::vector<core::Time> kPlus = {
+        10 * kMillisecond, 10 * kMillisecond, 20 * kMillisecond, 50 * kMillisecond,
+        5 * kMillisecond,  core::kSecond,     33'333'333,        1};
+    step.time = dice_.percent(40) ? 0 : dice_.pick(kPlus);
+    const core::Time now = reference_.now();
+    const core::Time due = reference_.next_due();
+    // The very moment at which something happens.
+    if (dice_.percent(25) && due < now + 100 * core::kSecond) step.time = due - now;
+    if (!dice_.percent(30)) return;
+    step.when = When::at;
+    // Past where a wait took long, but never before what the file itself says above.
+    step.time = dice_.percent(25) ? earliest_ + *step.time : std::max(earliest_, now + *step.time);
+  }
+
+  void actions(Step& step) {
+    std::set<std::uint32_t> touched;
+    const auto is_new = [&](std::uint32_t symbol) {
+      const std::uint32_t leader = plant_.symbols[symbol].leader;
+      return touched.insert(leader == model::kNone ? symbol : leader).second;
+    };
+    for (std::size_t i = dice_.percent(80) ? 1 + dice_.below(3) : 0; i > 0; --i) {
+      const auto& side = dice_.percent(85) || inputs_.empty() ? operations_ : inputs_;
+      if (side.empty()) continue;
+      const std::uint32_t symbol = dice_.pick(side);
+      if (is_new(symbol)) step.set.emplace_back(name(symbol), new_value(symbol));
+    }
+    if (dice_.percent(35)) command(step, is_new);
+    if (dice_.percent(6)) state(step);
+    if (dice_.percent(8)) force(step);
+    if (dice_.percent(10) && !forced_.empty()) release(step);
+  }
+
+  /// One operation of a unit on, its others off.
+  template <class IsNew>
+  void command(Step& step, IsNew&& is_new) {
+    if (plant_.units.empty()) return;
+    const auto& operations = plant_.units[dice_.below(plant_.units.size())].operations;
+    if (operations.empty()) return;
+    const std::uint32_t wanted = dice_.pick(operations);
+    for (const std::uint32_t symbol : operations) {
+      if ((written_[symbol] != 0) == (symbol == wanted) || !is_new(symbol)) continue;
+      written_[symbol] = symbol == wanted ? 1 : 0;
+      step.set.emplace_back(name(symbol), written_[symbol]);
+    }
+  }
+
+  void state(Step& step) {
+    std::set<std::string_view> told;
+    for (std::size_t i = 1 + dice_.below(2); i > 0 && !plant_.units.empty(); --i) {
+      const model::Unit& unit = plant_.units[dice_.below(plant_.units.size())];
+      if (unit.states.empty() || !told.insert(unit.path).second) continue;
+      step.states.emplace_back(unit.path, dice_.pick(unit.states).name);
+    }
+  }
+
+  void force(Step& step) {
+    const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
+    step.force.emplace_back(name(symbol), random_content(dice_, plant_.symbols[symbol].type));
+    forced_.push_back(name(symbol));
+  }
+
+  void release(Step& step) {
+    for (std::size_t i = 1 + dice_.below(2); i > 0; --i) step.release.push_back(dice_.pick(forced_));
+  }
+
+  /// What is there once the step has acted; now and then something else.
+  void expect(Step& step) {
+    Step only_looked_at = step;
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    only_looked_at.expect_condition = some_condition();
+    if (only_looked_at.expect_condition.empty() || !play(only_looked_at)) return;
+    const bool held = player_.verdicts().back().held;
+    const bool fails = dice_.percent(fails_);
+    if (dice_.percent(35)) {
+      const std::string& text = only_looked_at.expect_condition;
+      step.expect_condition = held != fails ? text : "not (" + text + ")";
+    } else {
+      values(step, fails);
+    }
+    reference_.restore(world);
+    player_ = before;
+  }
+
+  void values(Step& step, bool fails) {
+    std::set<std::uint32_t> told;
+    for (std::size_t i = 1 + dice_.below(4); i > 0; --i) {
+      const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
+      const bool is_bit = plant_.symbols[symbol].type == core::DataType::boolean;
+      if (!told.insert(symbol).second) continue;
+      std::uint64_t value = reference_.value(symbol);
+      if (fails && i == 1) value = is_bit ? 1 - value : random_content(dice_, plant_.symbols[symbol].type);
+      step.expect.emplace_back(name(symbol), value);
+    }
+  }
+
+  void wait() {
+    Step step;
+    step.when = When::wait;
+    step.wait = some_condition();
+    if (step.wait.empty()) return;
+    if (dice_.percent(75)) step.time = wait_time(step);
+    // Without `fails_` nobody waits in vain.
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    if (fails_ == 0 && (!play(step) || !player_.verdicts().back().held)) {
+      reference_.restore(world);
+      player_ = before;
+      return;
+    }
+    reference_.restore(world);
+    player_ = before;
+    take(std::move(step), earliest_);
+  }
+
+  /// Long, short, just enough, or one nanosecond too little.
+  core::Time wait_time(Step step) {
+    if (dice_.percent(40)) return random_time(dice_) % (100 * core::kSecond);
+    const core::Time start = reference_.now();
+    const reference::World world = reference_.save();
+    const reference::ScenarioPlayer before = player_;
+    step.time = 10 * core::kSecond;
+    const bool met = play(step) && player_.verdicts().back().held;
+    const core::Time took = reference_.now() - start;
+    reference_.restore(world);
+    player_ = before;
+    if (!met) return static_cast<core::Time>(dice_.below(3)) * 15 * kMillisecond;
+    return took > 0 && dice_.percent(25) ? took - 1 : took;
+  }
+
+  std::string some_condition() {
+    if (plan_.units.empty()) return {};
+    for (int tries = 0; tries < 8; ++tries) {
+      std::string text = random_condition(dice_, plan_, dice_.pick(plan_.units));
+      if (resolver_.condition(text) != nullptr) return text;
+    }
+    return {};
+  }
+
+  core::Time until() {
+    const std::size_t kind = dice_.below(100);
+    const core::Time last = times_.empty() ? 0 : times_.back();
+    if (kind < 40 || times_.empty()) return last + static_cast<core::Time>(dice_.below(6)) * 10 * kMillisecond;
+    const core::Time some = dice_.pick(times_);
+    if (kind < 70) return some;
+    return kind < 85 ? some + 1 : std::max<core::Time>(some - 1, 0);
+  }
+
+  std::string name(std::uint32_t symbol) const { return std::string(plant_.symbols[symbol].name()); }
+  std::uint64_t new_value(std::uint32_t symbol) {
+    if (plant_.symbols[symbol].type != core::DataType::boolean) {
+      return random_content(dice_, plant_.symbols[symbol].type);
+    }
+    return written_[symbol] = dice_.percent(90) ? 1 - written_[symbol] : written_[symbol];
+  }
+
+  Dice& dice_;
+  const model::PlantModel& plant_;
+  PlannedPlant plan_;
+  StepResolver resolver_;
+  reference::Plant reference_;
+  reference::ScenarioPlayer player_;
+  unsigned fails_;  ///< percent of expectations that are wrong
+  std::vector<std::uint32_t> operations_;
+  std::vector<std::uint32_t> inputs_;  ///< that no unit moves
+  std::vector<std::uint64_t> written_;
+  std::vector<std::string> forced_;
+  std::vector<Step> steps_;
+  std::vector<core::Time> times_;  ///< when each step was over
+  core::Time earliest_ = 0;        ///< of the next `at`, as far as the file alone can tell
+  int refused_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+DrawnScenario random_scenario(std::uint64_t draw, std::uint64_t seed, const model::PlantModel& plant) {
+  Dice dice(draw * 2 + 0x5CE4'0000'0000);
+  return ScenarioWriter(dice, seed, plant).write();
+}
+
+}  // namespace symplant::property::files

@@ -1,0 +1,197 @@
+// Pieces of files.
+#include "property/files/said.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "property/words.hpp"
+#include "symplant/core/digest.hpp"
+#include "symplant/core/wide.hpp"
+
+namespace symplant::property::files {
+namespace {
+
+using nlohmann::json;
+
+struct Unit {
+  const char* name;
+  core::Time length;
+};
+constexpr std::array<Unit, 6> kUnits{{{"ns", 1},
+                                      {"us", 1000},
+                                      {"ms", core::kMillisecond},
+                                      {"s", core::kSecond},
+                                      {"min", 60 * core::kSecond},
+                                      {"h", 3600 * core::kSecond}}};
+
+std::uint64_t seed_of(const Style& style, std::string_view of) {
+  core::Fnv1a64 hash;
+  hash.u64(style.seed);
+  hash.text(of);
+  return hash.value();
+}
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool fits_from(const std::string& text, std::size_t t, const std::string& pattern, std::size_t p) {
+  if (p == pattern.size()) return t == text.size();
+  if (pattern[p] == '*') {
+    for (std::size_t end = t; end <= text.size(); ++end) {
+      if (fits_from(text, end, pattern, p + 1)) return true;
+    }
+    return false;
+  }
+  if (t == text.size()) return false;
+  return (pattern[p] == '?' || lower(pattern[p]) == lower(text[t])) && fits_from(text, t + 1, pattern, p + 1);
+}
+
+}  // namespace
+
+Sayer::Sayer(const Style& style, std::string_view of, Counts& counts)
+    : dice(seed_of(style, of)), decorated_(style.decorated), counts_(counts) {}
+
+std::string Sayer::time(core::Time time) {
+  const Unit& unit = kUnits[decorated_ ? dice.below(kUnits.size()) : 0];
+  for (int decimals = 0; decimals <= 9; ++decimals) {
+    core::SignedWide scaled = time;
+    for (int i = 0; i < decimals; ++i) scaled *= 10;
+    if (scaled % unit.length != 0) continue;
+    std::string digits = std::to_string(static_cast<std::int64_t>(scaled / unit.length));
+    if (decimals > 0) {
+      const auto least = static_cast<std::size_t>(decimals) + 1;
+      if (digits.size() < least) digits.insert(0, least - digits.size(), '0');
+      digits.insert(digits.size() - static_cast<std::size_t>(decimals), ".");
+      if (dice.percent(20)) digits += "00";
+    }
+    if (decorated_ && decimals == 0 && dice.percent(5)) digits += ".0";
+    return digits + (decorated_ && dice.percent(30) ? " " : "") + unit.name;
+  }
+  return std::to_string(time) + "ns";
+}
+
+json Sayer::duration(const model::Duration& duration) {
+  using Kind = model::Duration::Kind;
+  if (duration.kind == Kind::fixed) return time(duration.a);
+  ++counts_[Seen::random_times];
+  if (duration.kind == Kind::uniform) return {{"min", time(duration.a)}, {"max", time(duration.b)}};
+  return {{"mean", time(duration.a)}, {"sigma", time(duration.b)}};
+}
+
+std::string Sayer::name(const std::string& name) {
+  if (!decorated_ || !dice.percent(8)) return name;
+  ++counts_[Seen::lower_case];
+  std::string changed = name;
+  std::transform(changed.begin(), changed.end(), changed.begin(), lower);
+  return changed;
+}
+
+std::string Sayer::condition(const std::string& text) {
+  if (text.find('\'') != text.npos) ++counts_[Seen::quoted_names];
+  return text;
+}
+
+json Sayer::transition(const model::GivenTransition& given) {
+  json said = {{"from", name(given.from)}, {"to", name(given.to)}};
+  if (given.from == "*") ++counts_[Seen::stars];
+  if (!given.on.empty()) said["on"] = name(given.on);
+  if (!given.when.empty()) said["when"] = condition(given.when);
+  if (given.automatic || (decorated_ && dice.percent(3))) said["automatic"] = given.automatic;
+  if (given.once) said["once"] = true;
+  if (given.after) said["after"] = duration(*given.after);
+  if (given.takes) said["takes"] = duration(*given.takes);
+  return said;
+}
+
+// Members of an object are taken by name, so all names of one object change their case together.
+json Sayer::switched(const std::vector<std::pair<std::string, bool>>& events) {
+  json said = json::object();
+  const bool changed = decorated_ && dice.percent(8);
+  for (const auto& [event, on] : events) {
+    std::string task = event;
+    if (changed) std::transform(task.begin(), task.end(), task.begin(), lower);
+    said[task] = on;
+  }
+  return said;
+}
+
+json Sayer::disabled(const std::string& own, const std::vector<std::string>& devices,
+                     const std::vector<std::string>& units) {
+  json said = json::array();
+  std::vector<std::string> left = devices;
+  for (int tries = 0; tries < 6 && !left.empty() && decorated_; ++tries) {
+    const std::string pattern = random_pattern(dice, dice.pick(left));
+    const auto wanted = [&](const std::string& unit) {
+      return unit == own || !fits(unit, pattern) || std::find(devices.begin(), devices.end(), unit) != devices.end();
+    };
+    if (pattern.find_first_of("*?") == pattern.npos || !std::all_of(units.begin(), units.end(), wanted)) continue;
+    said.push_back(name(pattern));
+    ++counts_[Seen::disabled_by];
+    std::erase_if(left, [&](const std::string& unit) { return fits(unit, pattern); });
+  }
+  for (const std::string& unit : left) said.push_back(name(unit));
+  return said;
+}
+
+Keys Sayer::keys(const model::DeviceDescription& device, const std::vector<std::string>& units) {
+  Keys keys;
+  if (!device.states.empty()) keys["states"] = device.states;
+  if (device.initial) keys["initial"] = name(*device.initial);
+  if (device.rest) keys["rest"] = name(*device.rest);
+  if (device.actuation) keys["actuation"] = word_of(*device.actuation);
+  if (device.only) keys["only"] = true;
+  for (const model::GivenTransition& given : device.transitions) keys["transitions"].push_back(transition(given));
+  for (const model::GivenOutputs& given : device.outputs) {
+    json said = json::object();
+    if (!given.enter.empty()) said["enter"] = switched(given.enter);
+    if (!given.leave.empty()) said["leave"] = switched(given.leave);
+    keys["outputs"][name(given.state)] = said;
+  }
+  for (const model::GivenDisables& given : device.disables) {
+    keys["disables"][name(given.state)] = disabled(device.path, given.devices, units);
+  }
+  if (!device.type.empty()) keys["type"] = device.type;
+  if (!device.behaviour.empty()) keys["behaviour"] = device.behaviour;
+  if (!device.behaviour.empty()) ++counts_[Seen::behaviours];
+  for (const auto& [input, text] : device.inputs) keys["inputs"][input] = condition(text);
+  return keys;
+}
+
+json Sayer::requirement(const model::GivenRequirement& given) {
+  if (!given.never.empty()) return {{"name", given.name}, {"never", condition(given.never)}};
+  return {{"name", given.name},
+          {"after", condition(given.after)},
+          {"expect", condition(given.expect)},
+          {"within", time(given.within)}};
+}
+
+std::string random_pattern(Dice& dice, const std::string& path) {
+  std::string pattern = path;
+  const std::size_t kind = dice.below(100);
+  if (kind < 25) {
+    for (std::size_t i = 1 + dice.below(3); i > 0; --i) pattern[dice.below(pattern.size())] = '?';
+  } else if (kind < 55) {
+    pattern = pattern.substr(0, dice.below(pattern.size())) + "*";
+  } else if (kind < 80) {
+    const std::size_t begin = dice.below(pattern.size());
+    pattern.replace(begin, 1 + dice.below(pattern.size() - begin), dice.percent(15) ? "**" : "*");
+  } else if (kind < 90) {
+    pattern = "*" + pattern.substr(dice.below(pattern.size() + 1));
+  } else if (kind < 95) {
+    pattern = "*";
+  } else {
+    pattern[dice.below(pattern.size())] = '?';
+    pattern = "*" + pattern;
+  }
+  return pattern;
+}
+
+bool fits(const std::string& text, const std::string& pattern) { return fits_from(text, 0, pattern, 0); }
+
+std::size_t literals(const std::string& pattern) {
+  return static_cast<std::size_t>(
+      std::count_if(pattern.begin(), pattern.end(), [](char c) { return c != '*' && c != '?'; }));
+}
+
+}  // namespace symplant::property::files

@@ -1,0 +1,50 @@
+// Pieces of files: times and names as people write them, a device's keys as JSON.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "property/dice.hpp"
+#include "property/files/counts.hpp"
+#include "property/files/file_case.hpp"
+
+namespace symplant::property::files {
+
+/// By key: what an entry of `devices` says.
+using Keys = std::map<std::string, nlohmann::json>;
+
+/// Says things in one of the ways that mean the same.
+class Sayer {
+ public:
+  Sayer(const Style& style, std::string_view of, Counts& counts);
+
+  std::string time(core::Time time);
+  nlohmann::json duration(const model::Duration& duration);
+  std::string name(const std::string& name);
+  /// All that is not as it is without a word. `units`: the paths of all devices.
+  Keys keys(const model::DeviceDescription& device, const std::vector<std::string>& units);
+  nlohmann::json requirement(const model::GivenRequirement& requirement);
+  /// As it is; counts what it uses.
+  std::string condition(const std::string& text);
+
+  Dice dice;
+
+ private:
+  nlohmann::json transition(const model::GivenTransition& given);
+  nlohmann::json switched(const std::vector<std::pair<std::string, bool>>& events);
+  nlohmann::json disabled(const std::string& own, const std::vector<std::string>& devices,
+                          const std::vector<std::string>& units);
+
+  bool decorated_;
+  Counts& counts_;
+};
+
+/// A pattern that fits the path.
+std::string random_pattern(Dice& dice, const std::string& path);
+/// `*` and `?`, without regard to the case of ASCII letters: a second one, as plain as can be.
+bool fits(const std::string& text, const std::string& pattern);
+/// The characters that are neither `*` nor `?`.
+std::size_t literals(const std::string& pattern);
+
+}  // namespace symplant::property::files

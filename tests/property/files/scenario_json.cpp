@@ -1,0 +1,78 @@
+// A scenario as a file.
+#include "property/files/scenario_json.hpp"
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+#include "property/files/json_printer.hpp"
+#include "property/files/said.hpp"
+
+namespace symplant::property::files {
+namespace {
+
+using nlohmann::json;
+
+class ScenarioWriter {
+ public:
+  ScenarioWriter(const model::PlantModel& plant, const Style& style, Counts& counts)
+      : sayer_(style, "scenario", counts) {
+    for (const model::Symbol& symbol : plant.symbols) types_.emplace(symbol.name(), symbol.type);
+  }
+
+  json step(const Step& step) {
+    json said = json::object();
+    if (step.when == Step::When::wait) {
+      said["wait"] = sayer_.condition(step.wait);
+      if (step.time) said["within"] = sayer_.time(*step.time);
+    } else {
+      said[step.when == Step::When::at ? "at" : "plus"] = sayer_.time(*step.time);
+    }
+    if (!step.set.empty()) said["set"] = settings(step.set);
+    for (const auto& [device, state] : step.states) said["state"][sayer_.name(device)] = sayer_.name(state);
+    if (!step.force.empty()) said["force"] = settings(step.force);
+    for (const std::string& symbol : step.release) said["release"].push_back(sayer_.name(symbol));
+    if (!step.expect.empty()) said["expect"] = settings(step.expect);
+    if (!step.expect_condition.empty()) said["expect"] = sayer_.condition(step.expect_condition);
+    return said;
+  }
+
+ private:
+  json settings(const std::vector<Setting>& settings) {
+    json said = json::object();
+    for (const auto& [symbol, value] : settings) said[sayer_.name(symbol)] = number(types_.at(symbol), value);
+    return said;
+  }
+
+  json number(core::DataType type, std::uint64_t value) {
+    if (type == core::DataType::boolean) return value != 0;
+    if (type == core::DataType::real || type == core::DataType::lreal) return real(std::bit_cast<double>(value));
+    const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
+    const json number = is_signed ? json(static_cast<std::int64_t>(value)) : json(value);
+    if (sayer_.dice.percent(5)) return number.dump();  // what a trace writes of large ones
+    return number;
+  }
+
+  json real(double value) {
+    if (std::isnan(value)) return "nan";
+    if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+    if (value > 0 && value == std::floor(value) && sayer_.dice.percent(50)) return static_cast<int>(value);
+    return value;
+  }
+
+  Sayer sayer_;
+  std::unordered_map<std::string_view, core::DataType> types_;
+};
+
+}  // namespace
+
+std::string scenario_json(const std::vector<Step>& steps, const model::PlantModel& plant, const Style& style,
+                          Counts& counts) {
+  ScenarioWriter writer(plant, style, counts);
+  json said = {{"symplant-scenario", 1}, {"steps", json::array()}};
+  for (const Step& step : steps) said["steps"].push_back(writer.step(step));
+  return print_json(said, style.decorated, Dice(style.seed + 1), counts[Seen::comments]);
+}
+
+}  // namespace symplant::property::files

@@ -1,0 +1,229 @@
+// Spreads keys at random, then mends what does not resolve to what was wanted.
+#include "property/files/spread.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace symplant::property::files {
+namespace {
+
+using nlohmann::json;
+
+class Spreader {
+ public:
+  Spreader(const std::vector<Wish>& wishes, const Style& style, Counts& counts)
+      : wishes_(wishes), style_(style), sayer_(style, "entries", counts), dice_(sayer_.dice), counts_(counts) {}
+
+  std::vector<Entry> spread() {
+    for (const Wish& wish : wishes_) entries_.push_back({sayer_.name(wish.path), {}});
+    const bool patterns = style_.patterns && dice_.percent(80);
+    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+      for (const auto& [key, value] : wishes_[i].keys) {
+        if (!patterns || dice_.percent(40) || !by_pattern(i, key, value)) entries_[i].keys[key] = value;
+      }
+    }
+    if (patterns) decoys();
+    mend();
+    count();
+    drop_empty();
+    return std::move(entries_);
+  }
+
+ private:
+  /// An entry of the pattern, perhaps a new one.
+  Entry& entry_of(const std::string& pattern) {
+    for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
+      if (same(entries_[i].name, pattern)) return entries_[i];
+    }
+    entries_.push_back({pattern, {}});
+    return entries_.back();
+  }
+  static bool same(const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+  }
+
+  Entry& some_pattern(const std::string& path) {
+    std::vector<std::size_t> fitting;
+    for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
+      if (fits(path, entries_[i].name)) fitting.push_back(i);
+    }
+    if (!fitting.empty() && dice_.percent(60)) return entries_[dice_.pick(fitting)];
+    for (;;) {
+      const std::string pattern = sayer_.name(random_pattern(dice_, path));
+      if (pattern.find_first_of("*?") != pattern.npos) return entry_of(pattern);
+    }
+  }
+
+  bool by_pattern(std::size_t device, const std::string& key, const json& value) {
+    Entry& entry = some_pattern(wishes_[device].path);
+    const auto there = entry.keys.find(key);
+    if (there == entry.keys.end()) {
+      entry.keys[key] = value;
+      return true;
+    }
+    if (there->second == value) return true;
+    // Two devices that have nothing in common may share an array: each leaves out what it lacks.
+    if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(40)) return false;
+    const json before = there->second;
+    if (value.is_array()) {
+      for (const json& each : value) there->second.push_back(each);
+    } else {
+      there->second.update(value);
+    }
+    if (!same_meaning(key, resolve(entries_, wishes_[device], key).value, value)) {
+      entry.keys[key] = before;
+      return false;
+    }
+    return true;
+  }
+
+  /// Something else that the same device could be told.
+  json another(const std::string& key, json value) {
+    if (value.is_array() && value.size() > 1 && dice_.percent(50)) {
+      std::reverse(value.begin(), value.end());
+    } else if (key == "transitions") {
+      value[0]["takes"] = "17 ms";
+    } else if (value.is_structured()) {
+      value.erase(value.begin());
+    } else if (value.is_boolean()) {
+      value = !value.get<bool>();
+    } else if (key == "actuation") {
+      value = value == "held" ? "bistable" : "held";
+    } else if (key == "type" || key == "behaviour") {
+      value = "Other";
+    }
+    return value;
+  }
+
+  /// Entries that say something in vain, or the same once more.
+  void decoys() {
+    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+      for (const auto& [key, value] : wishes_[i].keys) {
+        if (!dice_.percent(30)) continue;
+        Entry& entry = some_pattern(wishes_[i].path);
+        if (!entry.keys.contains(key)) entry.keys[key] = dice_.percent(40) ? value : another(key, value);
+      }
+    }
+    if (dice_.percent(10)) entry_of("NOBODY_*").keys["initial"] = "NOWHERE";
+  }
+
+  void mend() {
+    std::set<std::string> keys;
+    for (const Entry& entry : entries_) {
+      for (const auto& [key, value] : entry.keys) keys.insert(key);
+    }
+    for (bool mended = true; mended;) {
+      mended = false;
+      for (std::size_t i = 0; i < wishes_.size(); ++i) {
+        for (const std::string& key : keys) mended = mend(i, key) || mended;
+      }
+      for (const std::string& key : keys) {
+        for (std::size_t i = wishes_.size(); !mended && i < entries_.size(); ++i) mended = drop_idle(i, key);
+      }
+    }
+  }
+
+  bool mend(std::size_t device, const std::string& key) {
+    const Wish& wish = wishes_[device];
+    const auto wanted = wish.keys.find(key);
+    const Resolved found = resolve(entries_, wish, key);
+    if (found.clash) {
+      for (std::size_t i = entries_.size(); i-- > wishes_.size();) {
+        if (fits(wish.path, entries_[i].name) && entries_[i].keys.erase(key) > 0) return true;
+      }
+    }
+    if (same_meaning(key, found.value, wanted == wish.keys.end() ? json() : wanted->second)) return false;
+    if (wanted != wish.keys.end()) {
+      entries_[device].keys[key] = wanted->second;
+    } else if (!neutral(key).is_null()) {
+      entries_[device].keys[key] = neutral(key);
+    } else {
+      entries_[*found.entry].keys.erase(key);
+    }
+    return true;
+  }
+
+  /// What every device that has the key from this pattern lacks is an error.
+  bool drop_idle(std::size_t pattern, const std::string& key) {
+    const auto said = entries_[pattern].keys.find(key);
+    if (said == entries_[pattern].keys.end()) return false;
+    std::vector<const Wish*> takers;       // who has the key from it, or from another that says the same
+    std::vector<const Wish*> sure_takers;  // who has it from no other
+    for (const Wish& wish : wishes_) {
+      const Resolved found = resolve(entries_, wish, key);
+      if (!found.best.contains(pattern)) continue;
+      takers.push_back(&wish);
+      if (found.best.size() == 1) sure_takers.push_back(&wish);
+    }
+    const auto idle = [&](const json& value) {
+      const auto lacks = [&](const Wish* wish) {
+        json copy = value;
+        return leave_out(copy, *wish, key) > 0;
+      };
+      return std::any_of(takers.begin(), takers.end(), lacks) &&
+             std::all_of(sure_takers.begin(), sure_takers.end(), lacks);
+    };
+    json kept = said->second;
+    if (kept.is_array()) {
+      kept = json::array();
+      for (const json& each : said->second) {
+        if (!idle(json::array({each}))) kept.push_back(each);
+      }
+    } else if (kept.is_object()) {
+      kept = json::object();
+      for (const auto& member : said->second.items()) {
+        if (!idle({{member.key(), member.value()}})) kept[member.key()] = member.value();
+      }
+    } else if (idle(kept)) {
+      entries_[pattern].keys.erase(key);
+      return true;
+    }
+    if (kept == said->second) return false;
+    said->second = kept;
+    return true;
+  }
+
+  void count() {
+    std::map<std::pair<std::size_t, std::string>, int> winners;
+    for (const Wish& wish : wishes_) {
+      std::set<std::string> keys;
+      for (const Entry& entry : entries_) {
+        for (const auto& [key, value] : entry.keys) keys.insert(key);
+      }
+      for (const std::string& key : keys) {
+        const Resolved found = resolve(entries_, wish, key);
+        if (!found.entry) continue;
+        counts_[Seen::lost] += found.beaten - found.agreeing > 0 ? 1 : 0;
+        counts_[Seen::agreeing] += found.agreeing;
+        if (entries_[*found.entry].exact()) continue;
+        ++counts_[Seen::won];
+        counts_[Seen::left_out] += found.left_out;
+        if (++winners[{*found.entry, key}] == 2) ++counts_[Seen::shared];
+      }
+    }
+  }
+
+  void drop_empty() {
+    std::erase_if(entries_,
+                  [&](const Entry& entry) { return entry.keys.empty() && !(style_.decorated && dice_.percent(2)); });
+  }
+
+  const std::vector<Wish>& wishes_;
+  const Style& style_;
+  Sayer sayer_;
+  Dice& dice_;
+  Counts& counts_;
+  std::vector<Entry> entries_;  ///< a device each, in the order of wishes_, then patterns
+};
+
+}  // namespace
+
+std::vector<Entry> spread(const std::vector<Wish>& wishes, const Style& style, Counts& counts) {
+  return Spreader(wishes, style, counts).spread();
+}
+
+}  // namespace symplant::property::files

@@ -1,0 +1,39 @@
+// The tool on a case's files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "property/files/expected.hpp"
+
+namespace symplant::property::files {
+
+/// A folder for the files of one run after the other; gone with this value.
+class Workshop {
+ public:
+  Workshop();
+  ~Workshop();
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  /// `symplant run` in this process, or the program `tool` where it is not empty. What it said is in said().
+  Outcome run(const Files& files, const std::string& tool);
+  const std::string& said() const { return said_; }
+
+ private:
+  std::string path(const char* name) const { return folder_ + "/" + name; }
+  std::vector<std::string> arguments(const Files& files) const;
+
+  std::string folder_;
+  std::string said_;
+};
+
+/// Whole, as bytes; empty where there is none.
+std::string read_file(const std::string& path);
+void write_file(const std::string& path, const std::string& content);
+std::vector<std::string> lines_of(const std::string& text);
+
+/// The first thing in which a run is not as wanted; empty where there is none. Begins with a word that says of what.
+std::string difference(const Outcome& wanted, const Outcome& got);
+
+}  // namespace symplant::property::files

@@ -1,0 +1,103 @@
+// Lines of traces and findings. Names of random plants need no escapes.
+#include "support/reference/lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace symplant::reference {
+namespace {
+
+template <class Number>
+std::string shortest(Number number) {
+  std::array<char, 64> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+std::string real_text(core::DataType type, double number) {
+  if (std::isnan(number)) return "\"nan\"";
+  if (std::isinf(number)) return number > 0 ? "\"inf\"" : "\"-inf\"";
+  return type == core::DataType::real ? shortest(static_cast<float>(number)) : shortest(number);
+}
+
+/// What a double cannot hold exactly is a string.
+std::string whole_text(bool is_signed, std::uint64_t value) {
+  constexpr std::uint64_t kExact = std::uint64_t{1} << 53;
+  const bool negative = is_signed && static_cast<std::int64_t>(value) < 0;
+  const std::uint64_t magnitude = negative ? 0 - value : value;
+  const std::string text = (negative ? "-" : "") + std::to_string(magnitude);
+  return magnitude > kExact ? '"' + text + '"' : text;
+}
+
+std::string value_text(core::DataType type, std::uint64_t value) {
+  using core::DataType;
+  if (type == DataType::boolean) return value != 0 ? "true" : "false";
+  if (type == DataType::real || type == DataType::lreal) return real_text(type, std::bit_cast<double>(value));
+  return whole_text(type >= DataType::sint && type <= DataType::lint, value);
+}
+
+std::string_view name_of(core::FindingKind kind) {
+  static constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
+                                                                               "stopped under another command",
+                                                                               "command to a disabled unit",
+                                                                               "command without effect",
+                                                                               "lost command",
+                                                                               "started on enabling",
+                                                                               "event too short",
+                                                                               "instantaneous loop",
+                                                                               "requirement violated"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string name_of(const model::PlantModel& model, const core::Finding& finding) {
+  using core::FindingKind;
+  switch (finding.kind) {
+    case FindingKind::conflicting_operations:
+    case FindingKind::stopped_under_another_command:
+    case FindingKind::started_on_enabling:
+    case FindingKind::instantaneous_loop:
+      return std::string(model.units[finding.of].path);
+    case FindingKind::requirement_violated:
+      return model.requirements[finding.of].name;
+    default:
+      return std::string(model.symbols[finding.of].name());
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants) {
+  std::vector<std::string> lines;
+  for (const InstantRecord& instant : instants) {
+    for (const auto& [symbol, value] : instant.changes) {
+      const model::Symbol& it = model.symbols[symbol];
+      lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"symbol\":\"" + std::string(it.name()) +
+                      "\",\"value\":" + value_text(it.type, value) + "}");
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> finding_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants) {
+  std::vector<std::string> lines;
+  for (const InstantRecord& instant : instants) {
+    std::vector<std::string> names;
+    for (const core::Finding& finding : instant.findings) {
+      names.push_back(name_of(model, finding));
+      if (finding.more) continue;
+      std::sort(names.begin(), names.end());
+      std::string of;
+      for (const std::string& name : names) of += (of.empty() ? "" : " ") + name;
+      lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"finding\":\"" +
+                      std::string(name_of(finding.kind)) + "\",\"of\":\"" + of + "\"");
+      names.clear();
+    }
+  }
+  return lines;
+}
+
+}  // namespace symplant::reference

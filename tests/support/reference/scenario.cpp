@@ -1,0 +1,115 @@
+// A scenario on the naive reference.
+#include "support/reference/scenario.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "support/reference/round.hpp"
+
+namespace symplant::reference {
+namespace {
+
+constexpr Time kWaits = 10 * core::kSecond;  ///< a `wait` without `within`
+
+Time plus(Time time, Time further) { return further > core::kNever - 1 - time ? core::kNever - 1 : time + further; }
+
+bool equal(core::DataType type, std::uint64_t a, std::uint64_t b) {
+  if (type != core::DataType::real && type != core::DataType::lreal) return a == b;
+  // 0 and -0 are one number; who expects none (`nan`) is right where none is there.
+  const auto x = std::bit_cast<double>(a);
+  const auto y = std::bit_cast<double>(b);
+  return x == y || (std::isnan(x) && std::isnan(y));
+}
+
+}  // namespace
+
+/// What is due now, with what was done now.
+void ScenarioPlayer::instant() {
+  --left_;
+  plant_->advance_to(plant_->now());
+}
+
+/// Every instant before the time; the one at it is still to run, so that steps act before its rounds.
+bool ScenarioPlayer::go_to(Time time) {
+  const Time target = until_ ? std::min(time, *until_) : time;
+  if (target > plant_->now()) {
+    instant();
+    for (Time due = plant_->next_due(); due < target && !exhausted(); due = plant_->next_due()) {
+      plant_->advance_before(due);
+      instant();
+    }
+    if (exhausted()) return false;
+    plant_->advance_before(target);
+  }
+  cut_ = time > target;
+  return !cut_;
+}
+
+void ScenarioPlayer::act(const ScenarioStep& step) {
+  for (const auto& [symbol, value] : step.set) {
+    if (model_->symbols[symbol].direction == core::Direction::operation) {
+      plant_->set_operation(symbol, value);
+    } else {
+      plant_->set_input(symbol, value);
+    }
+  }
+  for (const auto& [unit, state] : step.states) plant_->set_state(unit, state);
+  for (const auto& [symbol, value] : step.force) plant_->force(symbol, value);
+  for (const std::uint32_t symbol : step.release) plant_->release(symbol);
+}
+
+void ScenarioPlayer::wait(const ScenarioStep& step) {
+  const Time start = plant_->now();
+  const Time given_up = plus(start, step.time.value_or(kWaits));
+  const Time last = until_ ? std::min(given_up, *until_) : given_up;
+  instant();
+  while (!holds(*step.wait, plant_->save()) && !exhausted()) {
+    const Time due = plant_->next_due();
+    if (due > last) {
+      plant_->advance_to(last);
+      cut_ = last < given_up;
+      verdicts_.push_back({number_, false, !cut_, last});
+      return;
+    }
+    plant_->advance_before(due);
+    instant();
+  }
+  verdicts_.push_back({number_, true, true, plant_->now()});
+}
+
+bool ScenarioPlayer::expected(const ScenarioStep& step) const {
+  const World& world = plant_->save();
+  if (step.expect_condition != nullptr && !holds(*step.expect_condition, world)) return false;
+  return std::all_of(step.expect.begin(), step.expect.end(), [&](const auto& each) {
+    return equal(model_->symbols[each.first].type, effective(world.symbols[each.first]), each.second);
+  });
+}
+
+void ScenarioPlayer::play(const ScenarioStep& step) {
+  using When = ScenarioStep::When;
+  const Time now = plant_->now();
+  if (!cut_ && !exhausted()) {
+    if (step.when == When::wait) {
+      wait(step);
+    } else if (go_to(step.when == When::at ? std::max(now, *step.time) : plus(now, *step.time))) {
+      act(step);
+      if (step.expects) {
+        instant();
+        verdicts_.push_back({number_, expected(step), true, plant_->now()});
+      }
+    }
+  }
+  const bool told = !verdicts_.empty() && verdicts_.back().step == number_;
+  if (cut_ && !told && (step.expects || step.when == When::wait)) {
+    verdicts_.push_back({number_, false, false, until_.value_or(0)});
+  }
+  ++number_;
+}
+
+void ScenarioPlayer::end() {
+  if (until_ && !cut_) go_to(*until_);
+  instant();
+}
+
+}  // namespace symplant::reference

@@ -1,0 +1,71 @@
+// A scenario on the naive reference, as docs/plant-description.md tells it: step by step, instant by instant.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "support/reference/reference.hpp"
+#include "symplant/condition/tree.hpp"
+
+namespace symplant::reference {
+
+/// What of a scenario's steps came to what.
+struct Verdict {
+  std::size_t step;
+  bool held;
+  bool reached;  ///< false: `until` came first
+  Time time;     ///< when it was looked at, met or given up
+};
+
+/// Symbols, units and states count as in the model.
+struct ScenarioStep {
+  enum class When : std::uint8_t { at, plus, wait };
+  When when = When::plus;
+  std::optional<Time> time;               ///< of `at` and `plus`; of `wait` its `within`
+  const condition::Tree* wait = nullptr;  ///< of `wait`
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> set;
+  std::vector<std::pair<std::uint32_t, std::uint8_t>> states;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> force;
+  std::vector<std::uint32_t> release;
+  bool expects = false;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> expect;
+  const condition::Tree* expect_condition = nullptr;
+};
+
+/// Plays the steps it is given, one after the other, on a plant that has just been reset.
+class ScenarioPlayer {
+ public:
+  /// Both must outlive the player. It gives up after `most_instants`: see exhausted().
+  ScenarioPlayer(const model::PlantModel& model, Plant& plant, std::optional<Time> until, long most_instants)
+      : model_(&model), plant_(&plant), until_(until), left_(most_instants) {}
+
+  void play(const ScenarioStep& step);
+  /// After the last step.
+  void end();
+
+  /// The plant has more instants than one would wait for. What it shows means nothing then.
+  bool exhausted() const { return left_ <= 0; }
+  /// `until` has come; no further step acts.
+  bool cut() const { return cut_; }
+  const std::vector<Verdict>& verdicts() const { return verdicts_; }
+
+ private:
+  bool go_to(Time time);
+  void act(const ScenarioStep& step);
+  void wait(const ScenarioStep& step);
+  bool expected(const ScenarioStep& step) const;
+  void instant();
+
+  const model::PlantModel* model_;
+  Plant* plant_;
+  std::optional<Time> until_;
+  long left_;
+  bool cut_ = false;
+  std::size_t number_ = 0;
+  std::vector<Verdict> verdicts_;
+};
+
+}  // namespace symplant::reference
