@@ -117,8 +117,10 @@ void Faults::tell_lacks(const PlantModel& plant) {
       continue;
     }
     std::string paths;
-    for (const std::string_view path : lack.paths) paths += (paths.empty() ? "" : ", ") + quoted(path);
-    if (lack.count > lack.paths.size()) paths += " and " + std::to_string(lack.count - lack.paths.size()) + " more";
+    for (const std::string_view path : lack.paths) paths.append(paths.empty() ? "" : ", ").append(quoted(path));
+    if (lack.count > lack.paths.size()) {
+      paths.append(" and ").append(std::to_string(lack.count - lack.paths.size())).append(" more");
+    }
     warnings_.push_back({at.first,
                          std::to_string(lack.count) + " of the " + std::to_string(takers) +
                              " devices that take it from " + pattern + (lack.count == 1 ? " has" : " have") + " no " +

@@ -193,6 +193,22 @@ TEST_CASE("Hostile files end with 2 and words") {
   CHECK(run.code == 1);
 }
 
+TEST_CASE("What a damaged file should be is said of a plant.json, not of a list") {
+  CHECK(contains(run_cell({"check"}, "").out, "is empty; a plant description begins as `{ \"symplant\": 1"));
+  const ToolRun run = run_cell({"check"}, "{ \"symplant\": 1, \"name\": \"\xE4\" }");
+  CHECK(contains(run.out, "save it as UTF-8 [SP102"));
+  CHECK_FALSE(contains(run.out, "list"));
+}
+
+TEST_CASE("Every key of the schema is read, and every key that is read stands in it") {
+  const json schema = json::parse(model::plant_schema());
+  const json& device = schema.at("definitions").at("device").at("properties");
+  CHECK(device.size() == model::kDeviceKeys);
+  for (std::size_t k = 0; k < model::kDeviceKeys; ++k) {
+    CHECK(device.contains(std::string(model::device_key_name(static_cast<model::DeviceKey>(k)))));
+  }
+}
+
 TEST_CASE("The order of keys does not matter") {
   const ToolRun one =
       run_cell({"model", "--format", "json"}, described(R"("name": "n", "defaults": {"travel": "2s"})"));

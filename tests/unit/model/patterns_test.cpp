@@ -239,6 +239,37 @@ TEST_CASE("A pattern in `disables` leaves out the device itself, and may match n
   CHECK(faults(described(kStoppers, {d})) == "/devices/L_P_S1/disables/ADV/0: `L_P_S1` disables itself, leave it out");
 }
 
+TEST_CASE("A device too large to be modelled is a fault of its exact name, not of a pattern") {
+  std::vector<std::string> names{"L_P_A_O_ADV", "L_P_A_O_RET"};
+  for (int i = 0; i < 70; ++i) names.push_back("L_P_BIG_O_T" + std::to_string(i));
+  CHECK(faults(described(names, {actuated("L_P_*", core::Actuation::held)})) == "");
+  CHECK(faults(described(names, {actuated("L_P_BIG", core::Actuation::held)})) ==
+        "/devices/L_P_BIG: `L_P_BIG` is described, but has too many symbols for a device and stays unmodelled");
+}
+
+TEST_CASE("A device described twice is told with both places") {
+  const Analysed list =
+      described(kStoppers, {actuated("L_P_S1", core::Actuation::held), actuated("l_p_s1", core::Actuation::held)});
+  CHECK(faults(list) == "/devices/l_p_s1: `l_p_s1` is described twice, join both");
+  CHECK(list.model().description_faults[0].related == "/devices/L_P_S1");
+}
+
+TEST_CASE("`--verbose` will tell which pattern speaks of how many devices") {
+  const Analysed list =
+      described(kStoppers, {actuated("L_P_S?", core::Actuation::held), actuated("*M", core::Actuation::held)});
+  CHECK(list.model().description_decisions ==
+        std::vector<std::string>{"`L_P_S?` speaks of 2 devices", "`*M` speaks of 1 device"});
+}
+
+TEST_CASE("Devices of which the same entries speak share what is joined, and nothing is joined of one entry") {
+  const Analysed list =
+      described(kStoppers, {actuated("L_P_S?", core::Actuation::held), with("L_*_S?", {way("ADV", "RET")}),
+                            actuated("L_P_M", core::Actuation::held)});
+  CHECK(list.model().joined.size() == 1);
+  CHECK(unit_of(list, "L_P_S1").described == unit_of(list, "L_P_S2").described);
+  CHECK(unit_of(list, "L_P_M").described == &list.model().description->devices[2]);
+}
+
 TEST_CASE("A question mark is one character, in any script") {
   const std::vector<std::string> names{"L_P_\u00c4_O_ADV", "L_P_\u00c4_O_RET"};
   const Analysed list = described(names, {actuated("L_P_?", core::Actuation::held)});

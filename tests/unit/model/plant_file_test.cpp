@@ -253,6 +253,14 @@ TEST_CASE("Lists, controllers and classes that cannot be are refused") {
         "/devices/D/type: `2X` is no name of a C++ class, use letters, digits and `_`");
 }
 
+TEST_CASE("Names may hold anything but control characters") {
+  const std::string control = ": a control character stands in this name, such as a line's end, leave it out";
+  CHECK(shape(R"("name": "a\nb")") == "/name" + control);
+  CHECK(shape(R"("devices": {"D": {"states": ["A", "B\u007f"]}})") == "/devices/D/states/1" + control);
+  CHECK(shape(R"("requirements": [{"name": "\t", "never": "A"}])") == "/requirements/0/name" + control);
+  CHECK(sound(R"("name": "Pr\u00e4zision 7-b */ '\"'")").name == "Pr\u00e4zision 7-b */ '\"'");
+}
+
 TEST_CASE("A requirement is a `never`, or an `after` with `expect` and `within`") {
   CHECK(shape(R"("requirements": [{"name": "a", "never": "A", "within": "1s"}])") != "");
   CHECK(shape(R"("requirements": [{"name": "a", "after": "A", "expect": "B"}])") ==
