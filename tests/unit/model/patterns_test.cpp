@@ -105,6 +105,7 @@ TEST_CASE("Two equally specific patterns that disagree are a fault with both pla
   CHECK(faults(list) ==
         "/devices/*L_P_S?/actuation: `*L_P_S?` and `L_P_S*` are equally specific and give `actuation` of `L_P_S1` "
         "different values, make one more specific or name the device");
+  REQUIRE_FALSE(list.model().description_faults.empty());
   CHECK(list.model().description_faults.front().related == "/devices/L_P_S*/actuation");
   CHECK(list.model().description_faults.front().kind == model::FaultKind::patterns);
   CHECK(faults(described(kStoppers, {first, second, actuated("L_P_S1", core::Actuation::held),
@@ -251,6 +252,7 @@ TEST_CASE("A device described twice is told with both places") {
   const Analysed list =
       described(kStoppers, {actuated("L_P_S1", core::Actuation::held), actuated("l_p_s1", core::Actuation::held)});
   CHECK(faults(list) == "/devices/l_p_s1: `l_p_s1` is described twice, join both");
+  REQUIRE_FALSE(list.model().description_faults.empty());
   CHECK(list.model().description_faults[0].related == "/devices/L_P_S1");
 }
 
