@@ -15,8 +15,6 @@
 #include <optional>
 #include <thread>
 
-extern char** environ;
-
 namespace symplant::base {
 namespace {
 

@@ -31,8 +31,8 @@ Point rounded(Vector a) { return {static_cast<int>(std::lround(a.x)), static_cas
 /// By its middle and its half extents.
 struct Box {
   Vector middle;
-  double half_width;
-  double half_height;
+  double half_width = 0;
+  double half_height = 0;
 };
 double overlap(const Box& a, const Box& b) {
   const double x = a.half_width + b.half_width + kGap - std::abs(a.middle.x - b.middle.x);

@@ -1,9 +1,9 @@
 // Where the states and arrows of a chart stand: the tool's own layout.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "view/chart.hpp"
@@ -21,12 +21,18 @@ struct LayoutKey {
     std::uint32_t to;
     std::uint32_t lines;
     std::uint32_t columns;  ///< of the longest line
-    friend auto operator<=>(const Arrow&, const Arrow&) = default;
+    friend bool operator==(const Arrow&, const Arrow&) = default;
+    friend bool operator<(const Arrow& a, const Arrow& b) {
+      return std::tie(a.from, a.to, a.lines, a.columns) < std::tie(b.from, b.to, b.lines, b.columns);
+    }
   };
   std::uint32_t states = 0;
   std::uint32_t columns = 0;  ///< of the longest name
   std::vector<Arrow> arrows;  ///< in the order of Chart::edges
-  friend auto operator<=>(const LayoutKey&, const LayoutKey&) = default;
+  friend bool operator==(const LayoutKey&, const LayoutKey&) = default;
+  friend bool operator<(const LayoutKey& a, const LayoutKey& b) {
+    return std::tie(a.states, a.columns, a.arrows) < std::tie(b.states, b.columns, b.arrows);
+  }
 };
 
 /// Columns that a text takes in a monospaced letter, unsafe characters written out. O(text).
