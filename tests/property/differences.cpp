@@ -2,26 +2,17 @@
 #include "property/differences.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <string_view>
+
+#include "support/reference/lines.hpp"
 
 namespace symplant::property {
 namespace {
 
-constexpr std::array<std::string_view, core::kFindingKinds> kFindingWords = {"conflicting operations",
-                                                                             "stopped under another command",
-                                                                             "command to a disabled unit",
-                                                                             "command without effect",
-                                                                             "lost command",
-                                                                             "started on enabling",
-                                                                             "event too short",
-                                                                             "instantaneous loop",
-                                                                             "requirement violated"};
-
 std::string text_of(const core::Finding& finding, const model::PlantModel& plant) {
   using Of = core::FindingKind;
-  std::string text(kFindingWords[static_cast<std::size_t>(finding.kind)]);
+  std::string text(reference::finding_name(finding.kind));
   if (finding.more) text += "+";
   text += " of ";
   const bool unit = finding.kind == Of::conflicting_operations || finding.kind == Of::stopped_under_another_command ||

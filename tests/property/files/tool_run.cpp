@@ -8,10 +8,11 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
-#include "app/tool.hpp"
 #include "base/file_system.hpp"
 #include "property/files/plant_json.hpp"
+#include "support/tool.hpp"
 
 namespace symplant::property::files {
 namespace {
@@ -20,18 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOutputs[] = {"trace.jsonl", "findings.jsonl", "junit.xml"};
 
-int run_here(std::vector<std::string> arguments, std::string& said) {
-  arguments.insert(arguments.begin(), "symplant");
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
+int run_here(const std::vector<std::string>& arguments, std::string& said) {
   base::DiskFileSystem disk;
-  std::ostringstream out;
-  std::ostringstream err;
-  app::Context context{disk, out, err};
-  const int code = app::run_tool(static_cast<int>(arguments.size()), argv.data(), context);
-  said = err.str();
-  return code;
+  test::ToolRun run = test::run_tool(arguments, disk);
+  said = std::move(run.err);
+  return run.code;
 }
 
 int run_apart(const std::string& tool, const std::vector<std::string>& arguments, const std::string& said_in,

@@ -6,7 +6,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <string_view>
 
 namespace symplant::reference {
 namespace {
@@ -40,19 +39,6 @@ std::string value_text(core::DataType type, std::uint64_t value) {
   return whole_text(type >= DataType::sint && type <= DataType::lint, value);
 }
 
-std::string_view name_of(core::FindingKind kind) {
-  static constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
-                                                                               "stopped under another command",
-                                                                               "command to a disabled unit",
-                                                                               "command without effect",
-                                                                               "lost command",
-                                                                               "started on enabling",
-                                                                               "event too short",
-                                                                               "instantaneous loop",
-                                                                               "requirement violated"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 std::string name_of(const model::PlantModel& model, const core::Finding& finding) {
   using core::FindingKind;
   switch (finding.kind) {
@@ -69,6 +55,19 @@ std::string name_of(const model::PlantModel& model, const core::Finding& finding
 }
 
 }  // namespace
+
+std::string_view finding_name(core::FindingKind kind) {
+  static constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
+                                                                               "stopped under another command",
+                                                                               "command to a disabled unit",
+                                                                               "command without effect",
+                                                                               "lost command",
+                                                                               "started on enabling",
+                                                                               "event too short",
+                                                                               "instantaneous loop",
+                                                                               "requirement violated"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants) {
   std::vector<std::string> lines;
@@ -93,7 +92,7 @@ std::vector<std::string> finding_lines(const model::PlantModel& model, const std
       std::string of;
       for (const std::string& name : names) of += (of.empty() ? "" : " ") + name;
       lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"finding\":\"" +
-                      std::string(name_of(finding.kind)) + "\",\"of\":\"" + of + "\"");
+                      std::string(finding_name(finding.kind)) + "\",\"of\":\"" + of + "\"");
       names.clear();
     }
   }

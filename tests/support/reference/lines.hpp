@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/reference/reference.hpp"
 
 namespace symplant::reference {
+
+/// As the page's table has it: `lost command`.
+std::string_view finding_name(core::FindingKind kind);
 
 /// The lines of a trace behind its header.
 std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants);
