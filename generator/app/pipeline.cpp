@@ -7,6 +7,7 @@
 
 #include "app/read_inputs.hpp"
 #include "check/check_plant.hpp"
+#include "lower/limits.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
 #include "model/description_rules.hpp"
@@ -62,6 +63,8 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   if (!plant || diagnostics.has_errors()) return std::nullopt;
   progress.stage("lowering");
   lower::EngineTables tables = lower::lower(*plant);
+  lower::check_limits(tables, diagnostics);
+  if (diagnostics.has_errors()) return std::nullopt;
   return Compiled{std::move(*plant), std::move(tables)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/ascii.hpp"
 #include "check/rules.hpp"
+#include "lower/limits.hpp"
 #include "model/description_rules.hpp"
 #include "read/rules.hpp"
 
@@ -13,6 +14,7 @@ namespace symplant::check {
 std::vector<const diag::RuleInfo*> catalogue() {
   std::vector<const diag::RuleInfo*> all(read::rules().begin(), read::rules().end());
   for (const Rule* rule : kRules) all.push_back(&rule->info);
+  all.push_back(&lower::kPlantTooLarge);
   all.insert(all.end(), model::rules().begin(), model::rules().end());
   std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   return all;

@@ -36,6 +36,8 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["device_rows"] = device_rows(plant);
   texts["symbol_constant_rows"] = symbol_constant_rows(plant);
   texts["type_rows"] = type_rows(classes, texts["namespace"]);
+  texts["link_count"] = std::to_string(plant.description->links.size());
+  texts["link_rows"] = link_rows(*plant.description);
   texts["kind_rows"] = kind_rows(tables);
   add_tables(view, tables, plant);
   view.lists["types"] = type_views(tables, plant, classes);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view kTypesFile = "types_gen.hpp";
 constexpr std::string_view kDevicesFile = "devices_gen.hpp";
+constexpr std::string_view kMainFile = "main_gen.cpp";
 constexpr std::string_view kTablesFile = "tables_gen.cpp";
 
 constexpr auto kKeys = std::to_array<Key>({
@@ -50,6 +51,8 @@ constexpr auto kKeys = std::to_array<Key>({
     {"target_list", kTypesFile, false, "of a type: an operation's own state"},
     {"device_rows", kDevicesFile, false, "enumerators of Device"},
     {"symbol_constant_rows", kDevicesFile, false, "enumerators of Symbol"},
+    {"link_count", kMainFile, false, "links of the plant's description"},
+    {"link_rows", kMainFile, false, "those links: controller, URL"},
     {"type_count", kTablesFile, false, "types of the plant"},
     {"type_rows", kTablesFile, false, "the classes' rows"},
     {"kind_rows", kTablesFile, false, "a constant for each kind of symbol"},

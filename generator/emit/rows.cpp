@@ -187,6 +187,14 @@ std::string name_rows(const std::string& blob, int per_line) {
   return rows.take_or("    \"\"");
 }
 
+std::string link_rows(const model::Description& description) {
+  RowWriter rows;
+  for (const model::LinkDescription& link : description.links) {
+    rows.text("    {\"").literal(link.controller).text("\", \"").literal(link.url).text("\"},\n");
+  }
+  return rows.take();
+}
+
 std::string device_rows(const model::PlantModel& plant) {
   RowWriter rows;
   base::IdentifierScope scope;

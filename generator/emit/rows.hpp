@@ -26,6 +26,7 @@ std::string transition_rows(const lower::Type& type, const model::Unit& example,
 /// A blob's texts as string literals, `per_line` on each line.
 std::string name_rows(const std::string& blob, int per_line);
 
+std::string link_rows(const model::Description& description);
 std::string device_rows(const model::PlantModel& plant);
 std::string symbol_constant_rows(const model::PlantModel& plant);
 

@@ -7,6 +7,7 @@
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
 #include "model/describe.hpp"
+#include "model/links.hpp"
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
@@ -134,6 +135,7 @@ PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& 
   collect_symbols(plant, lists);
   gather_units(plant);
   Faults faults(plant.description_faults, plant.description_warnings);
+  check_links(plant, faults);
   describe_units(plant, faults);
   derive_units(plant, faults);
   add_relations(plant, faults);

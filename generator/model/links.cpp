@@ -2,8 +2,50 @@
 #include "model/links.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "base/ascii.hpp"
+#include "model/faults.hpp"
+#include "model/plant_model.hpp"
 
 namespace symplant::model {
+
+namespace {
+
+std::optional<std::size_t> find_controller(const PlantModel& plant, std::string_view wanted) {
+  const auto found = std::find_if(plant.controllers.begin(), plant.controllers.end(),
+                                  [&](const std::string& name) { return base::equal_ignoring_case(name, wanted); });
+  if (found == plant.controllers.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - plant.controllers.begin());
+}
+
+}  // namespace
+
+void check_links(const PlantModel& plant, Faults& faults) {
+  std::vector<bool> linked(plant.controllers.size());
+  const std::vector<LinkDescription>& links = plant.description->links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const LinkDescription& link = links[i];
+    const Pointer place = Pointer("/links") / i;
+    if (link.controller.empty() && link.url == "loop:") continue;
+    const bool the_only = link.controller.empty() && plant.controllers.size() == 1;
+    const auto controller = the_only ? std::optional<std::size_t>(0) : find_controller(plant, link.controller);
+    if (controller && link.url != "loop:") {
+      if (linked[*controller]) {
+        faults.add(place,
+                   "this is the second link of its controller, and both would write its operations: leave one away");
+      }
+      linked[*controller] = true;
+    } else if (!controller && link.controller.empty()) {
+      faults.add(place, "the plant has several controllers, and this link does not say which: give it a `controller`");
+    } else if (!controller) {
+      const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
+                                          [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
+      faults.add(place / "controller", missing("controller " + quoted(link.controller), nearest),
+                 FaultKind::unknown_name);
+    }
+  }
+}
 
 bool is_controller_name(std::string_view name) {
   if (name.empty() || name.front() == ' ' || name.back() == ' ') return false;

@@ -16,4 +16,11 @@ struct LinkDescription {
 /// character, no blank at an end.
 bool is_controller_name(std::string_view name);
 
+class Faults;
+struct PlantModel;
+
+/// Records what is wrong with the links of a plant's description: a controller that the plant has not, none named where
+/// that leaves it open, two links of one controller. O(links * controllers).
+void check_links(const PlantModel& plant, Faults& faults);
+
 }  // namespace symplant::model

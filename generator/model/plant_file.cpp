@@ -196,19 +196,8 @@ class PlantFileReader {
     if (links == nullptr || !links->is_array()) return;
     for (std::size_t i = 0; i < links->size(); ++i) {
       LinkDescription link{text_or_empty((*links)[i], "url"), text_or_empty((*links)[i], "controller")};
-      if (!link.controller.empty()) check_controller(link.controller, Pointer("/links") / i / "controller");
       file_.description.links.push_back(std::move(link));
     }
-  }
-
-  void check_controller(const std::string& controller, const Pointer& here) {
-    condition::NearestName nearest(controller);
-    for (const ListReference& list : file_.symbols) {
-      if (base::equal_ignoring_case(list.controller, controller)) return;
-      nearest.offer(list.controller);
-    }
-    faults_.add(here, missing("list of controller " + model::quoted(controller) + " in `symbols`", nearest.name()),
-                FaultKind::unknown_name);
   }
 
   void read_check() {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
+#include "symplant/core/names.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/io_map.hpp"
 
@@ -15,36 +15,46 @@ bool keeps_plants_links_closed(const RunOptions& options) {
   return options.clock == Clock::virtual_time || (!options.scenario.empty() && options.clock == Clock::automatic);
 }
 
-std::vector<std::string> link_urls(const PlantProgram& program, const RunOptions& options) {
-  if (!options.links.empty() || keeps_plants_links_closed(options)) return options.links;
-  std::vector<std::string> urls;
-  for (const DefaultLink& link : program.links) urls.emplace_back(link.url);
-  if (urls.empty() && !program.default_link.empty()) urls.emplace_back(program.default_link);
-  return urls;
+std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options) {
+  std::vector<link::LinkRequest> requests;
+  for (const std::string& text : options.links) requests.push_back(link::parse_request(text));
+  if (requests.empty() && !keeps_plants_links_closed(options)) {
+    for (const DefaultLink& own : program.links) {
+      requests.push_back({std::string(own.controller), std::string(own.url)});
+    }
+    if (requests.empty() && !program.default_link.empty())
+      requests.push_back(link::parse_request(program.default_link));
+  }
+  return link::choose_links(program.tables, requests);
 }
 
-bool has_real_link(const std::vector<std::string>& urls) {
-  return std::any_of(urls.begin(), urls.end(), [](const std::string& url) { return url != "loop:"; });
+bool has_real_link(const LinkChoices& links) {
+  return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return !link::is_loop(l.url); });
 }
 
-std::vector<bool> carried_operations(const std::vector<std::string>& urls, const core::PlantTables& tables) {
+std::vector<bool> carried_operations(const LinkChoices& links, const core::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
-  if (!has_real_link(urls)) return carried;
-  for (const link::IoPoint& point : link::make_io_map(tables).points) {
-    carried[point.symbol] = tables.symbols[point.symbol].direction() == core::Direction::operation;
+  for (const link::LinkChoice& choice : links) {
+    if (link::is_loop(choice.url)) continue;
+    for (const link::IoPoint& point : link::make_io_map(tables, choice.controller).points) {
+      if (tables.symbols[point.symbol].direction() == core::Direction::operation) carried[point.symbol] = true;
+    }
   }
   return carried;
 }
 
-int open_links(const std::vector<std::string>& urls, const core::PlantTables& tables, const core::Plant& plant,
-               Links& links, std::ostream& err) {
-  for (const std::string& url : urls) {
-    auto opened = link::open_link(url, tables, &plant);
+int open_links(const LinkChoices& chosen, const core::PlantTables& tables, const core::Plant& plant, Links& links,
+               std::ostream& err) {
+  const auto controllers = core::split_names(tables.controller_names);
+  for (const link::LinkChoice& choice : chosen) {
+    auto opened = link::open_link(choice, tables, &plant);
     if (const auto* error = std::get_if<link::LinkError>(&opened)) {
       err << "error: " << error->message << "\n";
       return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
     }
-    links.push_back(std::get<std::unique_ptr<link::Link>>(std::move(opened)));
+    const bool says_whose = controllers.size() > 1 && choice.controller < controllers.size();
+    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(),
+                     std::get<std::unique_ptr<link::Link>>(std::move(opened))});
   }
   return kGood;
 }

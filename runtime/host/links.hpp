@@ -4,11 +4,13 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "symplant/core/plant.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/run_options.hpp"
+#include "symplant/link/choice.hpp"
 #include "symplant/link/link.hpp"
 
 namespace symplant::host {
@@ -17,19 +19,30 @@ namespace symplant::host {
 /// unless `--clock real` is given.
 bool keeps_plants_links_closed(const RunOptions& options);
 
-/// The URLs of a run's links: those of the command line, else the plant's own where they are not left out.
-std::vector<std::string> link_urls(const PlantProgram& program, const RunOptions& options);
+using LinkChoices = std::vector<link::LinkChoice>;
+
+/// Links of a run, and whose symbols each carries: those of the command line, else the plant's own where they are not
+/// left out.
+std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options);
 
 /// Whether one of them is a PLC, whose time is real.
-bool has_real_link(const std::vector<std::string>& urls);
+bool has_real_link(const LinkChoices& links);
 
 /// By symbol: operations that a PLC writes through one of them.
-std::vector<bool> carried_operations(const std::vector<std::string>& urls, const core::PlantTables& tables);
+std::vector<bool> carried_operations(const LinkChoices& links, const core::PlantTables& tables);
 
-using Links = std::vector<std::unique_ptr<link::Link>>;
+/// A link of a run.
+struct OpenLink {
+  std::string controller;  ///< whose symbols it carries, where a plant of several has to say; else empty
+  std::unique_ptr<link::Link> link;
+
+  /// `PLC1=URL` or `URL`, with the real port.
+  std::string text() const { return (controller.empty() ? "" : controller + "=") + link->url(); }
+};
+using Links = std::vector<OpenLink>;
 
 /// Opens each; 0, or the exit code where one cannot be, which is told on `err`.
-int open_links(const std::vector<std::string>& urls, const core::PlantTables& tables, const core::Plant& plant,
-               Links& links, std::ostream& err);
+int open_links(const LinkChoices& chosen, const core::PlantTables& tables, const core::Plant& plant, Links& links,
+               std::ostream& err);
 
 }  // namespace symplant::host

@@ -13,7 +13,7 @@ namespace symplant::host {
 
 /// A link that the plant's description brings with it.
 struct DefaultLink {
-  std::string_view controller;  ///< whose symbols it carries; empty: all
+  std::string_view controller;  ///< whose symbols it carries; empty: none is named, as in `--link URL`
   std::string_view url;
 };
 
@@ -22,7 +22,7 @@ struct PlantProgram {
   const core::PlantTables& tables;
   std::span<const core::Behaviour> behaviours = {};  ///< as core::Plant takes them
   std::span<const DefaultLink> links = {};           ///< of the description, used where no --link is given
-  std::string_view default_link = {};                ///< a URL, used where neither of them is; empty: none
+  std::string_view default_link = {};                ///< as --link takes it, used where neither of them is; empty: none
   std::vector<std::string> more = {};                ///< further lines of what is told at the start
   std::vector<std::string> inputs = {};              ///< files that the plant was read from: no output may replace them
 };

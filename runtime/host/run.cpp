@@ -76,11 +76,11 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
 
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
-         const scenario::Scenario* scenario, const std::vector<std::string>& urls, bool real, std::ostream& out,
+         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, std::ostream& out,
          std::ostream& tell, std::ostream& err) {
   stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
   Links links;
-  const int opened = open_links(urls, program.tables, stage.plant, links, err);
+  const int opened = open_links(chosen, program.tables, stage.plant, links, err);
   if (opened != kGood) return opened;
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
@@ -118,8 +118,13 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, c
 }  // namespace
 
 int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const std::vector<std::string> urls = link_urls(program, options);
-  const bool linked = has_real_link(urls);
+  const auto planned = links_of(program, options);
+  if (const auto* error = std::get_if<link::LinkError>(&planned)) {
+    err << "error: " << error->message << "\n";
+    return kBadInput;
+  }
+  const auto& chosen = std::get<LinkChoices>(planned);
+  const bool linked = has_real_link(chosen);
   if (linked && options.clock == RunOptions::Clock::virtual_time) {
     err << "error: virtual time with a link to a PLC makes no sense, since the PLC's time is real: leave `--clock "
            "virtual` away\n";
@@ -129,14 +134,15 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const trace::PlantNames names(program.tables);
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
-    scenario = load_scenario(options.scenario, names, carried_operations(urls, program.tables), err);
+    scenario = load_scenario(options.scenario, names, carried_operations(chosen, program.tables), err);
     if (!scenario) return kBadInput;
   }
   catch_signals();
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   Stage stage(program, options, names, played, real, out, err);
-  return play(stage, program, options, names, played, urls, real, out, uses_standard_output(options) ? err : out, err);
+  return play(stage, program, options, names, played, chosen, real, out, uses_standard_output(options) ? err : out,
+              err);
 }
 
 }  // namespace symplant::host

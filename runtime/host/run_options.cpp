@@ -84,8 +84,10 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          },
          "in real time: from one exchange with the PLC to the next (default: 10ms)")
       ->type_name("T");
-  app.add_option("--link", options.links, "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:")
-      ->type_name("URL");
+  app.add_option("--link", options.links,
+                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:; of several controllers say which: "
+                 "PLC1=URL. Takes the place of the plant's own links")
+      ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
   app.add_option("--seed", options.seed, "seed of random times (default: 0)")->type_name("N");
   app.add_flag("--fail-on-findings", options.fail_on_findings,

@@ -22,7 +22,7 @@ struct RunOptions {
   Clock clock = Clock::automatic;  ///< real time where there is a link, else virtual time
   std::optional<core::Time> until;
   core::Time cycle = 10 * core::kMillisecond;
-  std::vector<std::string> links;
+  std::vector<std::string> links;  ///< URL or CONTROLLER=URL; none: the plant's own
   std::string scenario;
   std::string trace;
   std::string vcd;

@@ -14,9 +14,9 @@ using trace::seconds;
 
 exec::CycleStatistics run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
   std::vector<exec::Exchange*> exchanges;
-  for (const auto& link : links) {
-    exchanges.push_back(link.get());
-    out << fmt::format("link {}\n", link->url());
+  for (const OpenLink& open : links) {
+    exchanges.push_back(open.link.get());
+    out << fmt::format("link {}\n", open.text());
   }
   out << fmt::format("running in real time, a cycle of {} ms{}\n", static_cast<double>(options.cycle) / 1e6,
                      options.until  ? fmt::format(", until {}", seconds(*options.until))
@@ -35,9 +35,9 @@ exec::CycleStatistics run_real(Stage& stage, const RunOptions& options, const Li
   out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost, latest start {} us late\n",
                      seconds(stage.plant.now()), stop_requested().load() ? " by a signal" : "", done.cycles,
                      done.overruns, seconds(done.slipped), done.max_lateness / 1000);
-  for (const auto& link : links) {
-    const link::LinkStatus status = link->status();
-    out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps\n", link->url(), status.requests,
+  for (const OpenLink& open : links) {
+    const link::LinkStatus status = open.link->status();
+    out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps\n", open.text(), status.requests,
                        status.exceptions, status.writes_to_gaps);
   }
   return done;

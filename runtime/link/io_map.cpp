@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "symplant/core/lists.hpp"
+
 namespace symplant::link {
 
 namespace {
@@ -64,13 +66,14 @@ class Packer {
 
 }  // namespace
 
-IoMap make_io_map(const core::PlantTables& tables) {
+IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller) {
   IoMap map;
   std::vector<std::optional<Table>> table_of_symbol;
   table_of_symbol.reserve(tables.symbols.size());
   for (std::uint32_t index = 0; index < tables.symbols.size(); ++index) {
     const core::SymbolRow& symbol = tables.symbols[index];
-    const auto table = sort_out(symbol, index, map);
+    const bool carried = core::controller_of(tables, index) == controller;
+    const auto table = carried ? sort_out(symbol, index, map) : std::nullopt;
     table_of_symbol.push_back(table);
     const bool fits = symbol.form() == core::AddressForm::number && symbol.number < kPlaces;
     if (table && !fits) map.packed[static_cast<std::size_t>(*table)] = true;

@@ -34,9 +34,10 @@ struct IoMap {
   std::vector<std::uint32_t> too_many;         ///< symbols beyond the 65,536 places of a table
 };
 
-/// The default map: a symbol's number is its address's own; where one symbol of a table has none or one beyond 65535,
-/// that whole table is packed in list order instead. O(symbols).
-IoMap make_io_map(const core::PlantTables& tables);
+/// The default map of one controller's symbols, which is what a link carries: a symbol's number is its address's own;
+/// where one symbol of a table has none or one beyond 65535, that whole table is packed in list order instead.
+/// O(symbols).
+IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller);
 
 /// The Modicon number of a place, counted from 1 and written with its table's digit: coil 0 is 1, discrete input 1 is
 /// 10002; from 10,000 places on with six digits (110001).

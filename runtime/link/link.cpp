@@ -10,16 +10,18 @@ namespace symplant::link {
 
 namespace {
 
-LinkResult open_loop(std::string_view rest, const core::PlantTables& tables, const core::Plant* /*plant*/) {
+LinkResult open_loop(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+                     const core::Plant* /*plant*/) {
   if (!rest.empty()) return LinkError{LinkError::Kind::usage, "`loop:` takes nothing behind the colon"};
-  return std::make_unique<LoopLink>(tables);
+  return std::make_unique<LoopLink>(tables, controller);
 }
 
 /// How a URL begins, and who opens what stands behind its colon.
 struct Scheme {
   std::string_view name;
   std::string_view form;
-  LinkResult (*open)(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant);
+  LinkResult (*open)(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+                     const core::Plant* plant);
 };
 
 constexpr std::array kSchemes = {
@@ -38,13 +40,14 @@ std::string known_forms() {
 
 }  // namespace
 
-LinkResult open_link(std::string_view url, const core::PlantTables& tables, const core::Plant* plant) {
+LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant) {
+  const std::string_view url = link.url;
   const std::size_t colon = url.find(':');
   for (const Scheme& scheme : kSchemes) {
     if (colon == std::string_view::npos || url.substr(0, colon) != scheme.name) continue;
-    return scheme.open(url.substr(colon + 1), tables, plant);
+    return scheme.open(url.substr(colon + 1), tables, link.controller, plant);
   }
-  return LinkError{LinkError::Kind::usage, "`" + std::string(url) + "` names no link: give one of " + known_forms()};
+  return LinkError{LinkError::Kind::usage, "`" + link.url + "` names no link: give one of " + known_forms()};
 }
 
 }  // namespace symplant::link

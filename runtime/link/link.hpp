@@ -34,11 +34,19 @@ class Link : public exec::Exchange {
   virtual LinkStatus status() const noexcept = 0;
 };
 
+inline constexpr std::uint32_t kAllControllers = 0xFFFF'FFFF;
+
+/// A link, and whose symbols it carries.
+struct LinkChoice {
+  std::string url;
+  std::uint32_t controller = 0;  ///< in PlantTables::controller_names; kAllControllers: of `loop:` alone
+};
+
 /// A link, or why there is none.
 using LinkResult = std::variant<std::unique_ptr<Link>, LinkError>;
 
 /// Makes and starts the link that a URL names: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any that is free).
 /// Tables must outlive it. With `plant` given the link has its events before it answers anybody.
-LinkResult open_link(std::string_view url, const core::PlantTables& tables, const core::Plant* plant = nullptr);
+LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant = nullptr);
 
 }  // namespace symplant::link

@@ -3,6 +3,8 @@
 
 #include <bit>
 
+#include "symplant/core/lists.hpp"
+
 namespace symplant::link {
 
 namespace {
@@ -22,8 +24,9 @@ std::vector<std::uint64_t> initial_operations(const core::PlantTables& tables) {
 
 }  // namespace
 
-LoopLink::LoopLink(const core::PlantTables& tables)
+LoopLink::LoopLink(const core::PlantTables& tables, std::uint32_t controller)
     : tables_(tables),
+      controller_(controller),
       names_(tables),
       operation_words_(tables.operation_bits / kWordBits),
       event_words_(tables.event_bits / kWordBits),
@@ -33,6 +36,7 @@ LoopLink::LoopLink(const core::PlantTables& tables)
 
 bool LoopLink::is(std::uint32_t symbol, core::Direction direction, bool bit) const noexcept {
   if (symbol >= tables_.symbols.size()) return false;
+  if (controller_ != kAllControllers && core::controller_of(tables_, symbol) != controller_) return false;
   const core::SymbolRow& row = tables_.symbols[symbol];
   return row.direction() == direction && (row.type() == core::DataType::boolean) == bit;
 }

@@ -18,7 +18,8 @@ namespace symplant::link {
 /// The cycle's thread uses it as an Exchange; one other thread may hold the PLC's end at the same time.
 class LoopLink final : public Link {
  public:
-  explicit LoopLink(const core::PlantTables& tables);
+  /// With the symbols of one controller, or of all: those of others can neither be written nor read.
+  explicit LoopLink(const core::PlantTables& tables, std::uint32_t controller = kAllControllers);
 
   // The PLC's end. Symbols by name or by row in PlantTables::symbols. What was written is seen by the next cycle, and
   // acts on all symbols of the same address; what is read is the state after the latest cycle.
@@ -49,6 +50,7 @@ class LoopLink final : public Link {
   void write_event_word(std::size_t word, std::uint64_t value) noexcept;
 
   const core::PlantTables& tables_;
+  std::uint32_t controller_;
   SymbolNames names_;
   std::size_t operation_words_;  ///< of bits; a word each numeric operation follows
   std::size_t event_words_;

@@ -69,34 +69,55 @@ std::string notes(const link::IoMap& map) {
   return text;
 }
 
-void show(const std::string& plant, const PlantOptions& options, Context& context) {
-  const auto compiled = compile_for(context, plant, options);
-  if (!compiled) return;
-  const core::PlantTables tables = compiled->tables.tables();
-  const link::IoMap map = link::make_io_map(tables);
+/// Who moves a symbol.
+std::string mover(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t index) {
+  const model::Symbol& symbol = plant.symbols[index];
+  const auto unit_of = [&](const model::Symbol& of) { return std::string(plant.units[of.unit].path); };
+  const bool moved = tables.symbols[index].moved();
+  if (symbol.direction == core::Direction::operation) {
+    return moved ? "the PLC, moves " + unit_of(symbol) : "the PLC, moves nothing";
+  }
+  if (moved) return unit_of(symbol);
+  if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved()) {
+    return unit_of(plant.symbols[symbol.leader]);
+  }
+  return "nobody";
+}
+
+/// The map of one controller: what a link to it carries.
+std::string map_text(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t controller) {
+  const link::IoMap map = link::make_io_map(tables, controller);
   std::vector<const link::IoPoint*> points(tables.symbols.size());
   for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
 
   std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "moved by"}}};
-  for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
-    const model::Symbol& symbol = compiled->plant.symbols[i];
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const model::Symbol& symbol = plant.symbols[i];
+    if (plant.controller_of(symbol) != controller) continue;
     const link::IoPoint* point = points[i];
-    std::string mover = "nobody";
-    if (symbol.direction == core::Direction::operation) {
-      mover = tables.symbols[i].moved() ? fmt::format("the PLC, moves {}", compiled->plant.units[symbol.unit].path)
-                                        : "the PLC, moves nothing";
-    } else if (tables.symbols[i].moved()) {
-      mover = compiled->plant.units[symbol.unit].path;
-    } else if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved()) {
-      mover = compiled->plant.units[compiled->plant.symbols[symbol.leader].unit].path;
-    }
-    rows.push_back(
-        {{std::to_string(symbol.row->line), diag::visible(symbol.name()), diag::visible(symbol.row->vendor_address),
-          diag::visible(symbol.row->iec_address),
-          point == nullptr ? "-" : fmt::format("{} {}", link::table_name(point->table), point->number),
-          point == nullptr ? "-" : fmt::format("{:05}", link::modicon_number(point->table, point->number)), mover}});
+    const std::string list = plant.lists.size() == 1 ? "" : diag::visible(plant.list_of(symbol).name()) + ":";
+    rows.push_back({{list + std::to_string(symbol.row->line), diag::visible(symbol.name()),
+                     diag::visible(symbol.row->vendor_address), diag::visible(symbol.row->iec_address),
+                     point == nullptr ? "-" : fmt::format("{} {}", link::table_name(point->table), point->number),
+                     point == nullptr ? "-" : fmt::format("{:05}", link::modicon_number(point->table, point->number)),
+                     mover(plant, tables, i)}});
   }
-  context.out << table_text(rows) << notes(map);
+  return table_text(rows) + notes(map);
+}
+
+void show(const std::string& name, const PlantOptions& options, Context& context) {
+  const auto compiled = compile_for(context, name, options);
+  if (!compiled) return;
+  const model::PlantModel& plant = compiled->plant;
+  const core::PlantTables tables = compiled->tables.tables();
+  for (std::uint32_t controller = 0; controller < plant.controllers.size(); ++controller) {
+    if (plant.controllers.size() > 1) {
+      const std::string& called = plant.controllers[controller];
+      context.out << (controller == 0 ? "" : "\n")
+                  << (called.empty() ? "the controller without a name" : "controller " + diag::visible(called)) << "\n";
+    }
+    context.out << map_text(plant, tables, controller);
+  }
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ void add_run(CLI::App& app, Context& context) {
   command->footer(
       "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
       "  symplant run plant.json --until 10s --trace trace.jsonl\n"
+      "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);

@@ -53,9 +53,9 @@ class ImageResponder final : public Responder {
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const core::PlantTables& tables, Listener listener, const core::Plant* plant)
+  ServerLink(const core::PlantTables& tables, std::uint32_t controller, Listener listener, const core::Plant* plant)
       : bound_(std::move(listener.bound)),
-        images_(tables, make_io_map(tables)),
+        images_(tables, make_io_map(tables, controller)),
         responder_(filled(images_, plant)),
         server_(std::move(listener.socket), responder_) {}
 
@@ -84,7 +84,8 @@ class ServerLink final : public Link {
 
 }  // namespace
 
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant) {
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+                            const core::Plant* plant) {
   if (rest.substr(0, 2) != "//") {
     return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
                                                  ":` is no address: give //HOST:PORT"};
@@ -94,7 +95,7 @@ LinkResult open_server_link(std::string_view rest, const core::PlantTables& tabl
   auto listener = listen_on(std::get<HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   try {
-    return std::make_unique<ServerLink>(tables, std::move(std::get<Listener>(listener)), plant);
+    return std::make_unique<ServerLink>(tables, controller, std::move(std::get<Listener>(listener)), plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
   }

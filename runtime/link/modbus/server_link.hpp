@@ -7,7 +7,8 @@
 
 namespace symplant::link::modbus {
 
-/// Makes and starts the server on `rest`, which is `//HOST:PORT`. Tables must outlive the link.
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, const core::Plant* plant);
+/// Makes and starts the server on `rest`, which is `//HOST:PORT`, with a controller's symbols. Tables must outlive it.
+LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+                            const core::Plant* plant);
 
 }  // namespace symplant::link::modbus

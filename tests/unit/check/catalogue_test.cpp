@@ -25,7 +25,8 @@ TEST_CASE("Rules stand by id, each id and slug once") {
     before = rule->id;
     CHECK(slugs.insert(rule->slug).second);
   }
-  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size() + model::rules().size());
+  const std::size_t of_lower = 1;
+  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size() + model::rules().size() + of_lower);
 }
 
 TEST_CASE("Every rule has a summary without a full stop and a page that says what to do") {

@@ -48,6 +48,7 @@ Analysed analyse_case(const std::string& name) {
 TEST_CASE("Every rule has a golden, and every golden is of a rule") {
   std::set<std::string> rules{"clean"};
   for (const diag::RuleInfo* rule : check::catalogue()) rules.insert(std::string(rule->slug));
+  rules.erase("plant-too-large");  // no list that fits a test: limits_test has it
   CHECK(cases() == rules);
 }
 

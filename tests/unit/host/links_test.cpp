@@ -9,31 +9,84 @@
 namespace symplant::test {
 namespace {
 
-using Urls = std::vector<std::string>;
+constexpr std::string_view kOne{"PLC1\0", 5};
+constexpr std::string_view kTwo{"PLC1\0PLC2\0", 10};
+
+/// A plant of these controllers.
+core::PlantTables tables_of(std::string_view controllers) {
+  core::PlantTables tables = bare_tables("p", 0, 0);
+  tables.controller_names = controllers;
+  return tables;
+}
+
+/// "0=URL 1=URL", or the error's message.
+std::string chosen(const host::PlantProgram& program, const host::RunOptions& options) {
+  const auto links = host::links_of(program, options);
+  if (const auto* error = std::get_if<link::LinkError>(&links)) return error->message;
+  std::string text;
+  for (const link::LinkChoice& choice : std::get<host::LinkChoices>(links)) {
+    text.append(text.empty() ? "" : " ").append(std::to_string(choice.controller) + "=" + choice.url);
+  }
+  return text;
+}
 
 TEST_CASE("links come from the command line, else from the plant, else from what it was built with") {
-  const core::PlantTables tables = bare_tables("p", 0, 0);
-  const std::array<host::DefaultLink, 2> described{{{"PLC1", "loop:"}, {"PLC2", "modbus-tcp-server://127.0.0.1:1"}}};
+  const core::PlantTables tables = tables_of(kTwo);
+  const std::array<host::DefaultLink, 2> described{{{"PLC2", "loop:"}, {"PLC1", "modbus-tcp-server://127.0.0.1:1"}}};
   host::PlantProgram program{.tables = tables};
   host::RunOptions options;
-  CHECK(host::link_urls(program, options).empty());
-  program.default_link = "modbus-tcp-server://127.0.0.1:2";
-  CHECK(host::link_urls(program, options) == Urls{"modbus-tcp-server://127.0.0.1:2"});
+  CHECK(chosen(program, options).empty());
+  program.default_link = "PLC1=modbus-tcp-server://127.0.0.1:2";
+  CHECK(chosen(program, options) == "0=modbus-tcp-server://127.0.0.1:2");
   program.links = described;
-  CHECK(host::link_urls(program, options) == Urls{"loop:", "modbus-tcp-server://127.0.0.1:1"});
-  options.links = {"loop:"};
-  CHECK(host::link_urls(program, options) == Urls{"loop:"});
+  CHECK(chosen(program, options) == "1=loop: 0=modbus-tcp-server://127.0.0.1:1");
+  options.links = {"PLC2=modbus-tcp-server://127.0.0.1:3"};
+  CHECK(chosen(program, options) == "1=modbus-tcp-server://127.0.0.1:3");
+}
+
+TEST_CASE("a link whose controller the plant has not is told") {
+  const core::PlantTables tables = tables_of(kTwo);
+  host::PlantProgram program{.tables = tables};
+  host::RunOptions options;
+  options.links = {"PLC3=loop:"};
+  CHECK(chosen(program, options) == "there is no controller `PLC3`, the nearest is `PLC1`");
 }
 
 TEST_CASE("virtual time leaves out the links that the plant brings, and not those that were asked for") {
-  const core::PlantTables tables = bare_tables("p", 0, 0);
+  const core::PlantTables tables = tables_of(kOne);
   host::PlantProgram program{.tables = tables};
   program.default_link = "modbus-tcp-server://127.0.0.1:2";
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::virtual_time;
-  CHECK(host::link_urls(program, options).empty());
+  CHECK(chosen(program, options).empty());
   options.links = {"modbus-tcp-server://127.0.0.1:3"};
-  CHECK(host::has_real_link(host::link_urls(program, options)));
+  CHECK(chosen(program, options) == "0=modbus-tcp-server://127.0.0.1:3");
+  CHECK(host::has_real_link(std::get<host::LinkChoices>(host::links_of(program, options))));
+  options.links = {"loop:"};
+  CHECK_FALSE(host::has_real_link(std::get<host::LinkChoices>(host::links_of(program, options))));
+}
+
+TEST_CASE("a scenario leaves them out, too, unless real time is asked for") {
+  const core::PlantTables tables = tables_of(kOne);
+  host::PlantProgram program{.tables = tables};
+  program.default_link = "modbus-tcp-server://127.0.0.1:2";
+  host::RunOptions options;
+  options.scenario = "cycle.json";
+  CHECK(chosen(program, options).empty());
+  options.clock = host::RunOptions::Clock::real_time;
+  CHECK(chosen(program, options) == "0=modbus-tcp-server://127.0.0.1:2");
+}
+
+TEST_CASE("a link carries the operations of its controller alone, and the loop none") {
+  const auto kind =
+      core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, false);
+  const std::array<core::SymbolRow, 2> symbols{{{0, core::kNoUnit, 1, 1, kind}, {1, core::kNoUnit, 1, 1, kind}}};
+  const std::array<core::SymbolListRow, 2> lists{{{0, 0}, {1, 1}}};
+  core::PlantTables tables = tables_of(kTwo);
+  tables.symbols = symbols;
+  tables.lists = lists;
+  CHECK(host::carried_operations({{"modbus-tcp-server://127.0.0.1:0", 1}}, tables) == std::vector<bool>{false, true});
+  CHECK(host::carried_operations({{"loop:", link::kAllControllers}}, tables) == std::vector<bool>{false, false});
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct Bench {
   core::Time time = 0;
 
   explicit Bench(const core::PlantTables& given)
-      : tables(given), plant(tables), images(tables, link::make_io_map(tables)) {
+      : tables(given), plant(tables), images(tables, link::make_io_map(tables, 0)) {
     plant->advance_to(0);
     write();
   }

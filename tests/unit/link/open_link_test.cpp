@@ -9,7 +9,7 @@ namespace {
 
 link::LinkError fault(const std::string& url) {
   static const auto tables = test::cell_tables();
-  auto result = link::open_link(url, tables);
+  auto result = link::open_link({url}, tables);
   REQUIRE(std::holds_alternative<link::LinkError>(result));
   return std::get<link::LinkError>(result);
 }
@@ -45,7 +45,7 @@ TEST_CASE("without a host a server is on the loopback") {
 TEST_CASE("a server is found by the name localhost and by IPv6 in brackets") {
   const auto tables = test::cell_tables();
   CHECK_THAT(test::open_or_throw("modbus-tcp-server://localhost:0", tables)->url(), Catch::Contains("localhost:"));
-  auto result = link::open_link("modbus-tcp-server://[::1]:0", tables);
+  auto result = link::open_link({"modbus-tcp-server://[::1]:0"}, tables);
   if (!std::holds_alternative<std::unique_ptr<link::Link>>(result)) return;  // a machine without IPv6
   const auto& link = std::get<std::unique_ptr<link::Link>>(result);
   CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://[::1]:"));

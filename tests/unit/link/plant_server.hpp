@@ -24,7 +24,7 @@ namespace symplant::test {
 using Bytes = std::vector<std::uint8_t>;
 
 inline std::unique_ptr<link::Link> open_or_throw(const std::string& url, const core::PlantTables& tables) {
-  auto result = link::open_link(url, tables);
+  auto result = link::open_link({url}, tables);
   if (auto* error = std::get_if<link::LinkError>(&result)) throw std::runtime_error(error->message);
   return std::move(std::get<std::unique_ptr<link::Link>>(result));
 }

@@ -209,10 +209,10 @@ TEST_CASE("a server starts and stops a thousand times on one port, with clients,
   const std::size_t descriptors = open_descriptors();
   int taken = 0;
   for (int i = 0; i < 1000; ++i) {
-    auto result = link::open_link(url, tables);
+    auto result = link::open_link({url}, tables);
     if (std::holds_alternative<link::LinkError>(result)) {
       ++taken;  // by another program's connection, meanwhile
-      result = link::open_link("modbus-tcp-server://127.0.0.1:0", tables);
+      result = link::open_link({"modbus-tcp-server://127.0.0.1:0"}, tables);
     }
     auto& link = std::get<std::unique_ptr<link::Link>>(result);
     url = link->url();

@@ -38,6 +38,16 @@ class SymbolList {
     return row;
   }
 
+  /// The symbols added from now on are of this controller; those before the first call are of one without a name.
+  void controller(std::string_view name) {
+    if (!rows_.empty() && lists_.empty()) {
+      lists_.push_back({0, 0});
+      controllers_ += '\0';
+    }
+    lists_.push_back({static_cast<std::uint32_t>(rows_.size()), static_cast<std::uint32_t>(lists_.size())});
+    controllers_.append(name).push_back('\0');
+  }
+
   void start_at(std::uint32_t row, std::uint64_t value) { initial_.push_back({row, value}); }
   void share(std::uint32_t row, std::uint32_t leader) { shared_.push_back({row, leader}); }
 
@@ -46,6 +56,8 @@ class SymbolList {
     core::PlantTables tables{};
     tables.name = "list";
     tables.symbols = rows_;
+    tables.lists = lists_;
+    tables.controller_names = controllers_;
     tables.initial_values = initial_;
     tables.shared_addresses = shared_;
     tables.operation_bits = (bits_out_ + 63) / 64 * 64;
@@ -58,6 +70,8 @@ class SymbolList {
 
  private:
   std::vector<Row> rows_;
+  std::vector<core::SymbolListRow> lists_;
+  std::string controllers_;
   std::vector<core::InitialValue> initial_;
   std::vector<core::SharedAddress> shared_;
   std::string names_;

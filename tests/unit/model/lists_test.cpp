@@ -150,5 +150,36 @@ TEST_CASE("A controller's name is one that --link NAME=URL can say") {
   }
 }
 
+/// "/links/0/controller: words", of a plant of these controllers.
+std::string link_faults(const std::vector<std::string>& controllers, std::vector<model::LinkDescription> links) {
+  std::vector<GivenList> lists;
+  for (const std::string& name : controllers) {
+    lists.push_back({"l" + std::to_string(lists.size()) + ".csv",
+                     list_text({{"L_P_D" + std::to_string(lists.size()) + "_O_A", "Y1"}}), name});
+  }
+  model::Description description;
+  description.links = std::move(links);
+  const Analysed plant = analyse_lists(lists, std::move(description));
+  std::string text;
+  for (const model::DescriptionFault& fault : plant.model().description_faults) {
+    text += fault.pointer + ": " + fault.message + "\n";
+  }
+  return text;
+}
+
+TEST_CASE("Links of the description name their controllers") {
+  const std::string url = "modbus-tcp-server://:1502";
+  CHECK(link_faults({"PLC1", "PLC2"}, {{url, "plc2"}, {url, "PLC1"}, {"loop:", ""}, {"loop:", "PLC1"}}) == "");
+  CHECK(link_faults({""}, {{url, ""}}) == "");
+  CHECK(link_faults({"PLC1"}, {{url, ""}}) == "");
+  CHECK(link_faults({"PLC1", ""}, {{url, ""}}) == "");
+  CHECK(link_faults({"PLC1", "PLC2"}, {{"loop:", ""}, {url, "PLC3"}}) ==
+        "/links/1/controller: there is no controller `PLC3`, the nearest is `PLC1`\n");
+  CHECK(link_faults({"PLC1", "PLC2"}, {{url, ""}}) ==
+        "/links/0: the plant has several controllers, and this link does not say which: give it a `controller`\n");
+  CHECK(link_faults({"PLC1", "PLC2"}, {{url, "PLC1"}, {url, "PLC2"}, {url, "plc1"}}) ==
+        "/links/2: this is the second link of its controller, and both would write its operations: leave one away\n");
+}
+
 }  // namespace
 }  // namespace symplant::test

@@ -245,8 +245,6 @@ TEST_CASE("Lists, controllers and classes that cannot be are refused") {
   CHECK(refused(R"({"symplant": 2})") != "");
   CHECK(shape(model::read_plant_file(R"({"symplant": 1, "symbols": []})", "s")) ==
         "/symbols: an array of too few items stands here, wanted is an array of symbol lists");
-  CHECK(shape(R"("links": [{"url": "loop:", "controller": "PLC2"}])") ==
-        "/links/0/controller: there is no list of controller `PLC2` in `symbols`");
   CHECK(shape(R"("devices": {"D": {"behaviour": "my stopper"}})") ==
         "/devices/D/behaviour: `my stopper` is no name of a C++ class, use letters, digits and `_`");
   CHECK(shape(R"("devices": {"D": {"type": "2X"}})") ==

@@ -2,10 +2,21 @@
 // This code is yours: the licence of symplant does not extend to what it generates.
 //
 // The plant excell as a program.
+#include <array>
+
 #include "plant_gen.hpp"
 #include "symplant/host/run_plant.hpp"
 
+namespace {
+
+// The links of a start without --link: controller, URL.
+constexpr std::array<symplant::host::DefaultLink, 0> kLinks{{
+
+}};
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  const symplant::host::PlantProgram program{.tables = excell::tables()};
+  const symplant::host::PlantProgram program{.tables = excell::tables(), .links = kLinks};
   return symplant::host::run_plant(argc, argv, program);
 }
