@@ -102,7 +102,7 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   auto compiled = compile({plant, options.read, options.xy}, context.files, progress, diagnostics);
   std::vector<diag::Diagnostic> shown;
   for (const diag::Diagnostic& finding : diagnostics.all()) {
-    if (options.verbose || finding.rule->severity != diag::Severity::note) shown.push_back(finding);
+    if (options.verbose || finding.severity != diag::Severity::note) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
   if (compiled && options.verbose) tell_decisions(context, compiled->plant);

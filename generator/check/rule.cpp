@@ -14,6 +14,30 @@ diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol
   return place_of(plant, *symbol.row, symbol.name());
 }
 
+diag::Place place_of(diag::Place fallback, const model::Pointer& pointer) {
+  fallback.pointer = pointer.text();
+  return fallback;
+}
+
+diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit, const model::Pointer& pointer) {
+  return place_of(place_of(plant, first_symbol_of(plant, unit)), pointer);
+}
+
+model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key) {
+  const model::Pointer here = model::device_pointer(*unit.described) / "transitions" / std::size_t{way.given};
+  return key.empty() ? here : here / key;
+}
+
+bool has_description(const model::PlantModel& plant) {
+  return plant.description_source != nullptr || !plant.description->devices.empty() ||
+         !plant.description->requirements.empty();
+}
+
+bool is_described(const model::PlantModel& plant) {
+  const model::Description& description = *plant.description;
+  return plant.description_faults.empty() && (!description.devices.empty() || !description.requirements.empty());
+}
+
 const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place) {
   return plant.symbols[unit.operations[place]];
 }
@@ -29,6 +53,16 @@ const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model
   }
   return plant.symbols[first];
 }
+
+std::vector<std::string> about(const model::Symbol& symbol) {
+  std::vector<std::string> names{std::string(symbol.name())};
+  if (symbol.reading.fault == name::NameFault::none) names.emplace_back(symbol.reading.device_path);
+  return names;
+}
+
+std::vector<std::string> about(const model::Unit& unit) { return {std::string(unit.path)}; }
+
+std::vector<std::string> about(const read::ListRow& row) { return {std::string(row.name)}; }
 
 std::string_view direction_text(core::Direction direction) {
   return direction == core::Direction::operation ? "operation" : "event";

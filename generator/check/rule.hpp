@@ -1,9 +1,12 @@
 // A rule: what is known of it, and how it looks for its fault.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "diag/diagnostic.hpp"
+#include "model/faults.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::check {
@@ -18,11 +21,27 @@ struct Rule {
 diag::Place place_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell);
 /// A symbol's name.
 diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol);
+/// A place in the plant description, by JSON pointer; until it is located, or where there is no file, `fallback` stands
+/// for it.
+diag::Place place_of(diag::Place fallback, const model::Pointer& pointer);
+/// What the description says of a unit at one of its keys; the unit's first symbol stands for it. The unit must be
+/// described.
+diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit, const model::Pointer& pointer);
+/// Where a given transition stands, or one of its keys.
+model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key = {});
+/// Whether the plant has a description at all.
+bool has_description(const model::PlantModel& plant);
+/// Whether it says something of devices or has requirements, and is without faults, so that it can be looked at.
+bool is_described(const model::PlantModel& plant);
 /// The symbol at a place of a unit's operations or events.
 const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place);
 const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place);
 /// The first symbol of a unit in list order.
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
+/// What a finding is about, as the user may name it in his settings: a symbol and its device, or a device.
+std::vector<std::string> about(const model::Symbol& symbol);
+std::vector<std::string> about(const model::Unit& unit);
+std::vector<std::string> about(const read::ListRow& row);
 /// "operation" or "event".
 std::string_view direction_text(core::Direction direction);
 

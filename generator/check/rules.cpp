@@ -1,6 +1,7 @@
 // What the rules about names share.
 #include "check/rules.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "base/ascii.hpp"
@@ -61,6 +62,14 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
   return claims;
 }
 
+bool switched_by_outputs(const model::Unit& unit, std::uint32_t event) {
+  const auto is_in = [&](const auto& list) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& output) { return output.first == event; });
+  };
+  return std::any_of(unit.outputs.begin(), unit.outputs.end(),
+                     [&](const model::Outputs& outputs) { return is_in(outputs.enter) || is_in(outputs.leave); });
+}
+
 OverruledNames::OverruledNames(const model::PlantModel& plant) {
   for (const model::Symbol& symbol : plant.symbols) {
     if (!overruled(symbol)) continue;
@@ -71,6 +80,19 @@ OverruledNames::OverruledNames(const model::PlantModel& plant) {
 
 bool OverruledNames::has(const model::Unit& unit, const model::State& state, name::Direction direction) const {
   return !names_.empty() && names_.count(task_key(unit.path, state.name, direction == name::Direction::operation)) != 0;
+}
+
+Unled unled(const model::Unit& unit, std::uint32_t state, const OverruledNames& overruled) {
+  const model::State& of = unit.states[state];
+  if (unit.operations.empty() || of.event == model::kNone || of.operation != model::kNone) return Unled::no;
+  if (unit.reaches(state) || switched_by_outputs(unit, of.event)) return Unled::no;
+  // Its description says the ways, and the list is not to blame.
+  if (unit.described != nullptr && unit.described->only) return Unled::no;
+  if (unit.two_words) return Unled::two_words;
+  if (overruled.has(unit, of, name::Direction::operation)) return Unled::overruled;
+  const auto& ambiguous = unit.ambiguous_sequence;
+  if (std::find(ambiguous.begin(), ambiguous.end(), state) != ambiguous.end()) return Unled::ambiguous;
+  return Unled::no_operation;
 }
 
 }  // namespace symplant::check

@@ -42,9 +42,17 @@ extern const Rule kInitialByRowOrder;          // SP410
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
+extern const Rule kUnreachableState;           // SP610
+extern const Rule kStateNeverLeft;             // SP611
+extern const Rule kZeroTimeLoop;               // SP612
+extern const Rule kCycleOfDisables;            // SP613
+extern const Rule kConditionNeverHolds;        // SP614
+extern const Rule kConditionAlwaysHolds;       // SP615
+extern const Rule kRequirementDecided;         // SP616
+extern const Rule kConditionNotExamined;       // SP617
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 31> kRules{
+inline constexpr std::array<const Rule*, 39> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -76,6 +84,14 @@ inline constexpr std::array<const Rule*, 31> kRules{
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,
+    &kUnreachableState,
+    &kStateNeverLeft,
+    &kZeroTimeLoop,
+    &kCycleOfDisables,
+    &kConditionNeverHolds,
+    &kConditionAlwaysHolds,
+    &kRequirementDecided,
+    &kConditionNotExamined,
 };
 
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
@@ -83,6 +99,9 @@ void narrow(diag::Place& place, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
 /// What a symbol loses that is in no device: "nothing moves it", "it moves nothing".
 std::string_view consequence(const model::Symbol& symbol);
+
+/// Whether the description has a state of the unit switch an event, by place in Unit::events.
+bool switched_by_outputs(const model::Unit& unit, std::uint32_t event);
 
 /// Two symbols of one device with one task and direction: since names are unique, the address of one overruled its
 /// name.
@@ -103,5 +122,15 @@ class OverruledNames {
  private:
   std::set<std::string> names_;
 };
+
+/// Which rule about the list tells that nothing leads to a state.
+enum class Unled : std::uint8_t {
+  no,            ///< none: something leads there, or it is not for want of a symbol
+  two_words,     ///< SP405
+  overruled,     ///< SP305 or SP407
+  ambiguous,     ///< SP409
+  no_operation,  ///< SP402
+};
+Unled unled(const model::Unit& unit, std::uint32_t state, const OverruledNames& overruled);
 
 }  // namespace symplant::check

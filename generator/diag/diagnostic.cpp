@@ -20,9 +20,58 @@ std::string_view severity_name(Severity severity) {
   return {};
 }
 
+std::optional<Severity> severity_of_name(std::string_view name) {
+  for (const Severity severity : {Severity::note, Severity::warning, Severity::error}) {
+    if (severity_name(severity) == name) return severity;
+  }
+  return std::nullopt;
+}
+
 void Diagnostics::add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related) {
-  ++counts_[static_cast<std::size_t>(rule.severity)];
-  all_.push_back({&rule, std::move(message), std::move(place), std::move(related)});
+  add(rule, {}, std::move(message), std::move(place), std::move(related));
+}
+
+void Diagnostics::add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Place place,
+                      std::vector<Related> related) {
+  add({&rule, rule.severity, std::move(message), std::move(place), std::move(related), std::move(about)});
+}
+
+void Diagnostics::add(Diagnostic finding) {
+  ++counts_[static_cast<std::size_t>(finding.severity)];
+  all_.push_back(std::move(finding));
+}
+
+void Diagnostics::ignore(Diagnostic finding, std::string why) {
+  ignored_.push_back({std::move(finding), std::move(why)});
+}
+
+std::vector<std::string> Diagnostics::pointers() const {
+  std::vector<std::string> pointers;
+  const auto add_one = [&](const Place& place) {
+    if (!place.pointer.empty()) pointers.push_back(place.pointer);
+  };
+  for (const Diagnostic& finding : all_) {
+    add_one(finding.place);
+    for (const Related& related : finding.related) add_one(related.place);
+  }
+  std::sort(pointers.begin(), pointers.end());
+  pointers.erase(std::unique(pointers.begin(), pointers.end()), pointers.end());
+  return pointers;
+}
+
+void Diagnostics::locate(const std::shared_ptr<const base::SourceFile>& file,
+                         std::span<const std::optional<base::Span>> spans) {
+  const std::vector<std::string> known = pointers();
+  const auto locate_one = [&](Place& place) {
+    if (place.pointer.empty()) return;
+    const auto found = std::lower_bound(known.begin(), known.end(), place.pointer);
+    const auto index = static_cast<std::size_t>(found - known.begin());
+    if (index < spans.size() && spans[index]) place = {file, *spans[index]};
+  };
+  for (Diagnostic& finding : all_) {
+    locate_one(finding.place);
+    for (Related& related : finding.related) locate_one(related.place);
+  }
 }
 
 void Diagnostics::sort_by_place(std::span<const base::SourceFile* const> files) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,10 +27,16 @@ struct RuleInfo {
   std::string_view page;     ///< the manual page, Markdown: what it means, what the model loses, how to mend it
 };
 
+/// "error" and so on; nothing for another word.
+std::optional<Severity> severity_of_name(std::string_view name);
+
 /// Bytes of a file; `source` may be null where the fault has no place (a file that could not be read).
 struct Place {
   std::shared_ptr<const base::SourceFile> source;
   base::Span span;
+  /// Where the place in the plant description is known as a JSON pointer only: until Diagnostics::locate() finds it,
+  /// `source` and `span` stand for it. Empty else.
+  std::string pointer = {};
 };
 
 struct Related {
@@ -40,26 +47,45 @@ struct Related {
 /// Wording: lower case, no full stop, back-ticks round user text; what is there first, then what to do.
 struct Diagnostic {
   const RuleInfo* rule;
+  Severity severity;  ///< the rule's, unless the user sets another
   std::string message;
   Place place;
   std::vector<Related> related;
+  std::vector<std::string> about;  ///< the symbols and devices (by path) that the user may name to leave it out
+};
+
+/// A finding that the user's settings leave out, and why, in his words.
+struct Ignored {
+  Diagnostic finding;
+  std::string why;
 };
 
 /// Everything found so far.
 class Diagnostics {
  public:
   void add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related = {});
+  void add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Place place,
+           std::vector<Related> related = {});
+  void add(Diagnostic finding);
+  void ignore(Diagnostic finding, std::string why);
 
   /// In the order of their files and of their places in them, those without a place first; of one place in the order of
   /// finding. Files stand in the order of `files`, before them those that are not among them, as they were first found.
   void sort_by_place(std::span<const base::SourceFile* const> files = {});
+  /// The pointers of all places, related ones too, that are not yet located: each once, sorted.
+  std::vector<std::string> pointers() const;
+  /// Gives those places the file and the spans: `spans[i]` is that of the i-th of pointers(); a place without one
+  /// stays as it is.
+  void locate(const std::shared_ptr<const base::SourceFile>& file, std::span<const std::optional<base::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
+  std::span<const Ignored> ignored() const { return ignored_; }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
   bool has_errors() const { return count(Severity::error) != 0; }
 
  private:
   std::vector<Diagnostic> all_;
+  std::vector<Ignored> ignored_;
   std::array<std::size_t, 3> counts_{};
 };
 

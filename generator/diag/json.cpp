@@ -27,7 +27,7 @@ Json finding_of(const Diagnostic& finding) {
   Json object;
   object["rule"] = finding.rule->id;
   object["slug"] = finding.rule->slug;
-  object["severity"] = severity_name(finding.rule->severity);
+  object["severity"] = severity_name(finding.severity);
   object["message"] = finding.message;
   add_place(object, finding.place);
   object["related"] = Json::array();
@@ -49,7 +49,7 @@ std::string render_json(std::span<const Diagnostic> findings) {
   std::array<std::size_t, 3> counts{};
   for (const Diagnostic& finding : findings) {
     document["findings"].push_back(finding_of(finding));
-    ++counts[static_cast<std::size_t>(finding.rule->severity)];
+    ++counts[static_cast<std::size_t>(finding.severity)];
   }
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
     document["counts"][std::string(severity_name(severity))] = counts[static_cast<std::size_t>(severity)];

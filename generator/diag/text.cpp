@@ -120,7 +120,7 @@ class TextRenderer {
   };
 
   void one(const Diagnostic& finding) {
-    head(finding.place, finding.rule->severity, finding.message);
+    head(finding.place, finding.severity, finding.message);
     text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
     row(finding.place);
     for (const Related& related : finding.related) {

@@ -50,6 +50,7 @@ class TransitionExpander {
     const std::uint32_t from = from_all ? kNone : given_state(unit_, given.from, here / "from", faults_);
     Transition way;
     way.origin = Origin::given;
+    way.given = static_cast<std::uint32_t>(index);
     way.to = to;
     bool lacking = to == kNone || (!from_all && from == kNone);
     const bool sound = set_cause(way, given, here, lacking);

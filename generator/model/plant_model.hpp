@@ -86,7 +86,8 @@ struct Transition {
   Origin origin = Origin::derived;
   bool spring_way = false;  ///< only says how long a spring's own way takes
   bool once = false;
-  std::uint32_t when = kNone;  ///< a place in Unit::conditions
+  std::uint32_t when = kNone;   ///< a place in Unit::conditions
+  std::uint32_t given = kNone;  ///< a place in DeviceDescription::transitions
 };
 
 /// Events that l_enter or l_leave switches beyond the state's own, by place in Unit::events, in this order.

@@ -74,7 +74,7 @@ struct Analysed {
   std::string fired(diag::Severity least) const {
     std::string text;
     for (const diag::Diagnostic& finding : diagnostics.all()) {
-      if (finding.rule->severity < least) continue;
+      if (finding.severity < least) continue;
       text += (text.empty() ? "" : " ") + std::string(finding.rule->slug);
     }
     return text;
@@ -123,8 +123,12 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Descri
   return result;
 }
 
+inline Analysed analyse_described(const std::string& text, model::Description description) {
+  return analyse_lists({{"symbols.csv", text}}, std::move(description));
+}
+
 inline Analysed analyse_described(const std::vector<Row>& rows, model::Description description) {
-  return analyse_lists({{"symbols.csv", list_text(rows)}}, std::move(description));
+  return analyse_described(list_text(rows), std::move(description));
 }
 
 struct CompiledText {

@@ -19,7 +19,7 @@ of its name, and it is on no link.
 void check_address_not_understood(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::BadAddress& bad : plant.bad_addresses) {
     diagnostics.add(
-        rule.info,
+        rule.info, about(*bad.row),
         fmt::format("`{}` is no address: `{}` gets none from it; write it like `%IX1`, `%QW5`, `X1F` or `Y0001`",
                     bad.cell, bad.row->name),
         place_of(plant, *bad.row, bad.cell));

@@ -25,7 +25,7 @@ void check_direction_against_address(const Rule& rule, const model::PlantModel& 
     if (name_says_operation == (symbol.direction == core::Direction::operation)) continue;
     if (told.count(&symbol) != 0) continue;
     diagnostics.add(
-        rule.info,
+        rule.info, about(symbol),
         fmt::format("`{}` is an {} by its name and an {} by its address `{}`: the address counts; correct one of "
                     "them",
                     symbol.name(), name_says_operation ? "operation" : "event", direction_text(symbol.direction),

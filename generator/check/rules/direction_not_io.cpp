@@ -22,7 +22,7 @@ void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, di
     if (symbol.reading.fault != name::NameFault::direction_not_io) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` says `{}` where its direction should stand, `{}` wants `I` or `O`: {}; "
                                 "write {}",
                                 symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol),

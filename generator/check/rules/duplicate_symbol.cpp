@@ -19,7 +19,7 @@ void check_duplicate_symbol(const Rule& rule, const model::PlantModel& plant, di
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (!duplicate.same) continue;
     diagnostics.add(
-        rule.info,
+        rule.info, about(*duplicate.second),
         fmt::format("`{}` is declared again, with the same address and type: this row is left out; delete it",
                     duplicate.second->name),
         place_of(plant, *duplicate.second, duplicate.second->name),

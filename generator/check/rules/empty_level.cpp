@@ -19,7 +19,7 @@ void check_empty_level(const Rule& rule, const model::PlantModel& plant, diag::D
     if (symbol.reading.fault != name::NameFault::empty_level) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` has an empty level: its device is unknown, {}; write the missing word or take "
                                 "the surplus separator away",
                                 symbol.name(), consequence(symbol)),

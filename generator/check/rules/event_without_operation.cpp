@@ -1,8 +1,6 @@
 // SP402 event-without-operation: a device reports a state that it can never reach.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -15,25 +13,22 @@ the rest state of a spring nor the next one of a numbered sequence.
 **What the model loses.** The event never comes on by itself. A program that waits for it waits for ever.
 
 **How to mend it.** Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`) if the
-device goes on to this one by itself.
+device goes on to this one by itself. In plant.json a transition to the state says what else leads there.
 )";
 
 void check_event_without_operation(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   const OverruledNames overruled(plant);
   for (const model::Unit& unit : plant.units) {
-    if (unit.operations.empty() || unit.two_words) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
-      const auto& ambiguous = unit.ambiguous_sequence;
-      if (state.event == model::kNone || state.operation != model::kNone || unit.reaches(s)) continue;
-      if (overruled.has(unit, state, name::Direction::operation)) continue;               // SP305 or SP407 tells
-      if (std::find(ambiguous.begin(), ambiguous.end(), s) != ambiguous.end()) continue;  // SP409 tells
+      if (unled(unit, s, overruled) != Unled::no_operation) continue;
       const model::Symbol& symbol = event_of(plant, unit, state.event);
       diagnostics.add(
-          rule.info,
+          rule.info, about(symbol),
           fmt::format("`{}` reports `{}` of `{}`, but no operation leads there: add an operation with task `{}`, or "
-                      "number the tasks if it comes by itself",
-                      symbol.name(), state.name, unit.path, state.name),
+                      "number the tasks if it comes by itself{}",
+                      symbol.name(), state.name, unit.path, state.name,
+                      unit.described == nullptr ? "" : ", or describe a transition"),
           place_of(plant, symbol));
     }
   }

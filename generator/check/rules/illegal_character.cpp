@@ -22,7 +22,7 @@ void check_illegal_character(const Rule& rule, const model::PlantModel& plant, d
     if (symbol.reading.fault != name::NameFault::illegal_character) continue;
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: {}; "
                                 "take it away or write `_` for it",
                                 symbol.name(), faulty_part(symbol), consequence(symbol)),

@@ -9,16 +9,24 @@ namespace {
 constexpr std::string_view kPage =
     R"(Inference 1. A device has one task X only (`O_RUN` and `I_RUN`, a push button `I_ON`, a lamp `O_GREEN`). It was given a
 rest state `NOT_X` without an event, in which it starts. Where X has an operation, the device is a `spring`: it returns to
-rest when the operation goes off.
+rest when the operation goes off. Where plant.json gives it another actuation, it only starts there.
 )";
+
+/// What the unit does with it. A description may have said another actuation, rest or initial state.
+std::string_view more(const model::Unit& unit) {
+  if (!unit.operations.empty() && unit.actuation == core::Actuation::spring && unit.rest == 0) {
+    return " and returns to it like a spring";
+  }
+  const bool given_actuation = unit.described != nullptr && unit.described->actuation;
+  return given_actuation && unit.initial == 0 ? ", in which it starts" : "";
+}
 
 void check_inferred_rest_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
     if (!unit.rest_added) continue;
-    diagnostics.add(rule.info,
-                    fmt::format("`{}` has the one task `{}`: it was given the rest state `{}`{} (inference 1)",
-                                unit.path, unit.states[1].name, unit.states[0].name,
-                                unit.operations.empty() ? "" : " and returns to it like a spring"),
+    diagnostics.add(rule.info, about(unit),
+                    fmt::format("`{}` has the one task `{}`: it was given the {}state `{}`{} (inference 1)", unit.path,
+                                unit.states[1].name, unit.rest == 0 ? "rest " : "", unit.states[0].name, more(unit)),
                     place_of(plant, first_symbol_of(plant, unit)));
   }
 }

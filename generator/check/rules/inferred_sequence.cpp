@@ -17,7 +17,7 @@ void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, d
     for (const model::Transition& transition : unit.transitions) {
       if (transition.origin != model::Origin::inferred) continue;
       const model::State& to = unit.states[transition.to];
-      diagnostics.add(rule.info,
+      diagnostics.add(rule.info, about(unit),
                       fmt::format("`{}` has no operation for `{}`: it goes there by itself from `{}` (inference 3)",
                                   unit.path, to.name, unit.states[transition.from].name),
                       place_of(plant, event_of(plant, unit, to.event)));

@@ -1,6 +1,8 @@
 // SP502 inferred-single-solenoid: a device was taken as a single solenoid.
 #include <fmt/format.h>
 
+#include <string>
+
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -9,18 +11,29 @@ namespace {
 constexpr std::string_view kPage =
     R"(Inference 2. A device has two states, X with an operation and an event, Y with an event alone and no sequence number
 (`O_ADV`, `I_ADV`, `I_RET`). It was taken as a single solenoid: a `spring` that rests in Y and returns there when the
-operation goes off.
+operation goes off. What plant.json says of `actuation`, `rest` and `initial` wins.
 )";
+
+/// What was inferred of actuation, rest and initial state; empty where the description says all of it.
+std::string taken_as(const model::Unit& unit) {
+  const model::DeviceDescription* given = unit.described;
+  const std::string& rest = unit.states[unit.rest].name;
+  if (given == nullptr || !given->actuation)
+    return fmt::format("was taken as a single solenoid that returns to `{}`", rest);
+  if (unit.actuation == core::Actuation::spring)
+    return given->rest ? "" : fmt::format("was taken to rest in `{}`", rest);
+  return unit.initial_from == model::InitialFrom::rest_state ? fmt::format("was taken to start in `{}`", rest) : "";
+}
 
 void check_inferred_single_solenoid(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
     if (!unit.single_solenoid) continue;
-    diagnostics.add(
-        rule.info,
-        fmt::format("`{}` has an operation for `{}` alone: it was taken as a single solenoid that returns to `{}` "
-                    "(inference 2)",
-                    unit.path, unit.states[1 - unit.rest].name, unit.states[unit.rest].name),
-        place_of(plant, first_symbol_of(plant, unit)));
+    const std::string taken = taken_as(unit);
+    if (taken.empty()) continue;
+    diagnostics.add(rule.info, about(unit),
+                    fmt::format("`{}` has an operation for `{}` alone: it {} (inference 2)", unit.path,
+                                unit.states[unit.states[0].operation == model::kNone ? 1 : 0].name, taken),
+                    place_of(plant, first_symbol_of(plant, unit)));
   }
 }
 

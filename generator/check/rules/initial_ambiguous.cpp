@@ -1,8 +1,10 @@
 // SP408 initial-ambiguous: several events of a device are on at the start.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -12,8 +14,15 @@ constexpr std::string_view kPage = R"(Several events of one device have Initial 
 
 **What the model loses.** None of them counts: the device starts in its rest state, or else in the first of its states.
 
-**How to mend it.** Leave Initial TRUE with the one event that is on when the plant starts.
+**How to mend it.** Leave Initial TRUE with the one event that is on when the plant starts, or say `initial` in plant.json.
 )";
+
+/// Else it only reports, as the description says, and starts as its Initial has it.
+bool is_state(const model::Unit& unit, const model::Symbol& symbol) {
+  return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
+    return base::equal_ignoring_case(state.name, symbol.reading.task);
+  });
+}
 
 void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
@@ -22,7 +31,7 @@ void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, d
     const model::Symbol* first = nullptr;
     for (const std::uint32_t index : unit.events) {
       const model::Symbol& symbol = plant.symbols[index];
-      if (symbol.initial == 0) continue;
+      if (symbol.initial == 0 || !is_state(unit, symbol)) continue;
       if (first == nullptr) {
         first = &symbol;
       } else {
@@ -31,7 +40,7 @@ void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, d
     }
     if (first == nullptr) continue;  // never: the candidates are among the events
     diagnostics.add(
-        rule.info,
+        rule.info, about(*first),
         fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
                     unit.initial_candidates, unit.path, unit.states[unit.initial].name),
         place_of(plant, *first->row, first->row->initial), std::move(others));

@@ -20,7 +20,7 @@ starts in another one.
 void check_initial_not_understood(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.initial_known) continue;
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` is no value of type {}: `{}` starts {}; correct it or leave it empty",
                                 symbol.row->initial, model::data_type_name(symbol.type), symbol.name(),
                                 symbol.type == core::DataType::boolean ? "off" : "at 0"),

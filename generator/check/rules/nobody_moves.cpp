@@ -1,6 +1,9 @@
 // SP404 nobody-moves: inputs of the PLC that nobody moves.
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -12,7 +15,8 @@ constexpr std::string_view kPage =
 **What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
 person sets them. A program that waits for healthy contacts never starts on them.
 
-**How to mend it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant.
+**How to mend it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant. Where something in the plant does move
+it, say so in plant.json: automatic transitions with a `when`, or a behaviour.
 )";
 
 /// Whether an event follows another on its address that a unit moves.
@@ -22,29 +26,46 @@ bool follows_a_moved_one(const model::PlantModel& plant, std::uint32_t event) {
   return plant.units[plant.symbols[leader].unit].moves();
 }
 
+/// The events of a unit without operations that nothing switches.
+std::vector<std::uint32_t> left_alone(const model::PlantModel& plant, const model::Unit& unit) {
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t place = 0; place < unit.events.size(); ++place) {
+    if (!unit.moves_event(place) && !follows_a_moved_one(plant, unit.events[place])) left.push_back(unit.events[place]);
+  }
+  return left;
+}
+
+/// Whether an event that nobody moves is on: that of the initial state, or no state's at all and Initial TRUE.
+bool stands_on(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t symbol) {
+  for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+    const std::uint32_t event = unit.states[s].event;
+    if (event != model::kNone && unit.events[event] == symbol) return s == unit.initial;
+  }
+  return plant.symbols[symbol].initial != 0;
+}
+
 void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
-    if (!unit.operations.empty() || follows_a_moved_one(plant, unit.events.front())) continue;
-    const model::Symbol& symbol = first_symbol_of(plant, unit);
-    if (unit.events.size() > 1) {
-      diagnostics.add(
-          rule.info,
-          fmt::format("`{}` and {} more of `{}`: nobody moves them, since the device has no operation; they "
-                      "stay as they start",
-                      symbol.name(), unit.events.size() - 1, unit.path),
-          place_of(plant, symbol));
-      continue;
+    if (!unit.operations.empty()) continue;
+    const std::vector<std::uint32_t> left = left_alone(plant, unit);
+    if (left.empty()) continue;
+    const model::Symbol& symbol = plant.symbols[left.front()];
+    const std::string_view why =
+        unit.moves() ? "since no state that the device comes into switches it" : "since the device has no operation";
+    std::string message;
+    if (left.size() > 1) {
+      message = fmt::format("`{}` and {} more of `{}`: nobody moves them, {}; they stay as they start", symbol.name(),
+                            left.size() - 1, unit.path, why);
+    } else if (stands_on(plant, unit, left.front())) {
+      message = fmt::format("`{}`: nobody moves it, {}; it stays on, as {} says", symbol.name(), why,
+                            symbol.initial != 0 ? "Initial" : "the description");
+    } else {
+      message = fmt::format(
+          "`{}`: nobody moves it, {}; it stays off; if it is a contact that is on in a healthy plant, "
+          "write Initial TRUE",
+          symbol.name(), why);
     }
-    diagnostics.add(
-        rule.info,
-        symbol.initial != 0
-            ? fmt::format("`{}`: nobody moves it, since the device has no operation; it stays on, as Initial "
-                          "says",
-                          symbol.name())
-            : fmt::format("`{}`: nobody moves it, since the device has no operation; it stays off; if it is "
-                          "a contact that is on in a healthy plant, write Initial TRUE",
-                          symbol.name()),
-        place_of(plant, symbol));
+    diagnostics.add(rule.info, about(symbol), std::move(message), place_of(plant, symbol));
   }
 }
 

@@ -19,7 +19,7 @@ void check_operation_initial_ignored(const Rule& rule, const model::PlantModel& 
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.direction != core::Direction::operation || symbol.type != core::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",
                                 symbol.name()),
                     place_of(plant, *symbol.row, symbol.row->initial));

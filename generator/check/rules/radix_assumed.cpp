@@ -22,7 +22,7 @@ void check_radix_assumed(const Rule& rule, const model::PlantModel& plant, diag:
     if (radix.by != model::RadixChoice::By::nothing || radix.matters_in == nullptr) continue;
     const read::ListRow& row = *radix.matters_in;
     if (plant.list_of(row) != list) continue;  // told once for all lists of a controller
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(row),
                     fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
                                 "`--xy octal`",
                                 row.vendor_address),

@@ -18,9 +18,10 @@ number; but several states have that number.
 void check_sequence_ambiguous(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
     for (const std::uint32_t state : unit.ambiguous_sequence) {
+      if (unit.reaches(state)) continue;  // by what the description says
       const model::Symbol& symbol = event_of(plant, unit, unit.states[state].event);
       diagnostics.add(
-          rule.info,
+          rule.info, about(symbol),
           fmt::format("several states of `{}` could come before `{}`: nothing leads there; give each a number of its "
                       "own",
                       unit.path, unit.states[state].name),

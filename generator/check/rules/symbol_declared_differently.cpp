@@ -23,7 +23,7 @@ void check_symbol_declared_differently(const Rule& rule, const model::PlantModel
     const auto controller = [&](const read::ListRow& row) { return plant.lists[plant.list_of(row)].controller; };
     const bool other = controller(*duplicate.first) != controller(*duplicate.second);
     diagnostics.add(
-        rule.info,
+        rule.info, about(*duplicate.second),
         fmt::format(
             "`{}` is declared again {}: rename it, or delete the row that is wrong", duplicate.second->name,
             other ? "for another controller, and names are unique across a plant" : "with another address or type"),

@@ -22,7 +22,7 @@ void check_task_claimed_twice(const Rule& rule, const model::PlantModel& plant, 
     const model::Symbol& other = plant.symbols[claim.other];
     const std::string_view direction = direction_text(symbol.direction);
     diagnostics.add(
-        rule.info,
+        rule.info, about(symbol),
         claim.other_dropped
             ? fmt::format("`{}` is an {} by its address `{}`, and takes the task from `{}`, which is in no device now: "
                           "correct its name or its address",

@@ -22,7 +22,7 @@ void check_two_words_one_state(const Rule& rule, const model::PlantModel& plant,
     const model::Symbol& operation = operation_of(plant, unit, 0);
     const model::Symbol& event = event_of(plant, unit, 0);
     diagnostics.add(
-        rule.info,
+        rule.info, about(event),
         fmt::format("`{}` and `{}`: do `{}` and `{}` mean one state? spell them alike, or `{}` is never reported",
                     operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
         place_of(plant, event), {{place_of(plant, operation), "the operation"}});

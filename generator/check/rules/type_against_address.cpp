@@ -23,7 +23,7 @@ void check_type_against_address(const Rule& rule, const model::PlantModel& plant
     const int bits = model::data_type_bits(symbol.type);
     if (bits == static_cast<int>(symbol.address->size)) continue;
     diagnostics.add(
-        rule.info,
+        rule.info, about(symbol),
         fmt::format("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
                     symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell,
                     static_cast<int>(symbol.address->size)),

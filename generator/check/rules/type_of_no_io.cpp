@@ -19,7 +19,7 @@ command or a report.
 void check_type_of_no_io(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::TypelessIo& io : plant.typeless_io) {
     diagnostics.add(
-        rule.info,
+        rule.info, about(*io.row),
         fmt::format("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the "
                     "number's type",
                     io.row->type, io.row->name, io.address_cell),

@@ -18,7 +18,7 @@ should tell devices apart is the same for all of them.
 void check_unit_too_large(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::TooLarge& large : plant.too_large) {
     diagnostics.add(
-        rule.info,
+        rule.info, {std::string(large.path)},
         fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "
                     "symbols are in no device; see whether the device level of their names tells devices apart",
                     large.path, large.operations, large.events, large.states, core::kMaxOperations, core::kMaxEvents,

@@ -17,7 +17,7 @@ constexpr std::string_view kPage =
 void check_unit_without_events(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   for (const model::Unit& unit : plant.units) {
     if (!unit.events.empty()) continue;
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(unit),
                     fmt::format("`{}` has operations and no event: the PLC is told nothing of it", unit.path),
                     place_of(plant, first_symbol_of(plant, unit)));
   }

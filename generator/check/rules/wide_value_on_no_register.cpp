@@ -20,7 +20,7 @@ void check_wide_value_on_no_register(const Rule& rule, const model::PlantModel& 
   for (const model::Symbol& symbol : plant.symbols) {
     const int bits = model::data_type_bits(symbol.type);
     if (!symbol.address || bits == 1 || bits == 16 || bits != static_cast<int>(symbol.address->size)) continue;
-    diagnostics.add(rule.info,
+    diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` is {}, {} bits: it is in the images and on no register", symbol.name(),
                                 model::data_type_name(symbol.type), bits),
                     place_of(plant, *symbol.row, symbol.row->type));

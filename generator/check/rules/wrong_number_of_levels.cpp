@@ -24,7 +24,7 @@ void check_wrong_number_of_levels(const Rule& rule, const model::PlantModel& pla
     diag::Place place = place_of(plant, symbol);
     narrow(place, symbol);
     diagnostics.add(
-        rule.info,
+        rule.info, about(symbol),
         fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
                     symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
                     consequence(symbol),

@@ -265,7 +265,7 @@ TEST_CASE("A unit without operations has no d_ext and is reported once") {
   CHECK(unit_of(list).transitions.empty());
   CHECK_FALSE(unit_of(list).moves());
   CHECK(list.fired() == "nobody-moves");
-  CHECK(finding_of(list, "nobody-moves").rule->severity == diag::Severity::note);
+  CHECK(finding_of(list, "nobody-moves").severity == diag::Severity::note);
 }
 
 TEST_CASE("A unit without events moves and is reported once") {

@@ -1,0 +1,37 @@
+// SP615 condition-always-holds: a condition says nothing.
+#include <fmt/format.h>
+
+#include "check/conditions.hpp"
+#include "check/decide.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A condition of a device holds whatever the plant does: `not AGV.P1 or not AGV.P2`, a number not below 3 or not above 5.
+
+**What the model loses.** The condition holds nobody back: a transition is taken as if it had no `when`, and an input of a
+behaviour is always on. What it was to guard against can happen.
+
+**How to mend it.** Most often `or` stands where `and` was meant. Correct the condition, or leave it out.
+)";
+
+void check_condition_always_holds(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const AllStates all(plant);
+  for (const WrittenCondition& condition : conditions_of(plant)) {
+    if (!decide(*condition.tree, plant, all).always()) continue;
+    diagnostics.add(rule.info, about(*condition.unit),
+                    fmt::format("`{}` always holds, so that {}: correct it or leave it out", condition.text,
+                                condition.is_when ? "it never holds the transition back" : "this input is always on"),
+                    described_place(plant, *condition.unit, condition.pointer));
+  }
+}
+
+}  // namespace
+
+const Rule kConditionAlwaysHolds{
+    {"SP615", "condition-always-holds", diag::Severity::warning, "a condition says nothing", kPage},
+    check_condition_always_holds};
+
+}  // namespace symplant::check

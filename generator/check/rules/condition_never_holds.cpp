@@ -1,0 +1,38 @@
+// SP614 condition-never-holds: a condition contradicts itself.
+#include <fmt/format.h>
+
+#include "check/conditions.hpp"
+#include "check/decide.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A condition of a device cannot hold, whatever the plant does: it wants one device in two states at once (`AGV.P1 and AGV.P2`),
+in a state and moving, a number below 3 and above 5, or a thing and its opposite. A device that has no transition that takes
+time never moves.
+
+**What the model loses.** A transition with such a `when` is never taken, and an input of a behaviour is always off.
+
+**How to mend it.** Most often `and` stands where `or` was meant, or a state of another device. Correct the condition.
+)";
+
+void check_condition_never_holds(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const AllStates all(plant);
+  for (const WrittenCondition& condition : conditions_of(plant)) {
+    if (!decide(*condition.tree, plant, all).never()) continue;
+    diagnostics.add(rule.info, about(*condition.unit),
+                    fmt::format("`{}` can never hold, so that {}: correct it", condition.text,
+                                condition.is_when ? "the transition is never taken" : "this input is always off"),
+                    described_place(plant, *condition.unit, condition.pointer));
+  }
+}
+
+}  // namespace
+
+const Rule kConditionNeverHolds{
+    {"SP614", "condition-never-holds", diag::Severity::warning, "a condition contradicts itself", kPage},
+    check_condition_never_holds};
+
+}  // namespace symplant::check

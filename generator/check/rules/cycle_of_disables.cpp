@@ -1,0 +1,123 @@
+// SP613 cycle-of-disables: devices disable each other in a circle.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "base/ascii.hpp"
+#include "check/rules.hpp"
+#include "check/strong_parts.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A state of device A disables device B, and a state of B disables A, or the circle is longer. A disabled device still disables
+others while it stands in its state.
+
+**What the model loses.** Once all of them stand in these states, none can leave any more: the plant is stuck until reset, or
+until a scenario or a person moves one of them. Two devices that come into their states in the same instant are enough.
+
+**How to mend it.** Let one of them disable the other only where the other cannot stand in its own disabling state, or use a
+condition (`when`) on the start of the move instead of `disables`.
+)";
+
+using Edges = std::vector<std::vector<std::uint32_t>>;
+
+Edges disables_of(const model::PlantModel& plant) {
+  Edges edges(plant.units.size());
+  for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+    std::vector<std::uint32_t>& to = edges[u];
+    for (const auto& disabled : plant.units[u].disables) to.insert(to.end(), disabled.begin(), disabled.end());
+    std::sort(to.begin(), to.end());
+    to.erase(std::unique(to.begin(), to.end()), to.end());
+  }
+  return edges;
+}
+
+/// A shortest circle through `start`, from it on, within one strongly connected part.
+std::vector<std::uint32_t> circle_through(std::uint32_t start, const Edges& edges) {
+  std::vector<std::uint32_t> before(edges.size(), model::kNone);
+  std::deque<std::uint32_t> open{start};
+  while (!open.empty()) {
+    const std::uint32_t at = open.front();
+    open.pop_front();
+    for (const std::uint32_t to : edges[at]) {
+      if (to == start) {
+        std::vector<std::uint32_t> circle;
+        for (std::uint32_t u = at; u != start; u = before[u]) circle.push_back(u);
+        circle.push_back(start);
+        std::reverse(circle.begin(), circle.end());
+        return circle;
+      }
+      if (before[to] != model::kNone) continue;
+      before[to] = at;
+      open.push_back(to);
+    }
+  }
+  return {};  // never: it is in a part of several
+}
+
+/// Which state of `by` disables `unit`, and where that is said.
+struct Step {
+  std::string state;
+  diag::Place place;
+};
+
+Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t unit) {
+  const model::Unit& from = plant.units[by];
+  for (std::uint32_t s = 0; s < from.disables.size(); ++s) {
+    const auto& disabled = from.disables[s];
+    if (!std::binary_search(disabled.begin(), disabled.end(), unit)) continue;
+    std::string written = from.states[s].name;
+    for (const model::GivenDisables& given : from.described->disables) {
+      if (base::equal_ignoring_case(given.state, written)) written = given.state;
+    }
+    return {from.states[s].name,
+            described_place(plant, from, model::device_pointer(*from.described) / "disables" / written)};
+  }
+  return {};  // never: there is an edge
+}
+
+void check_cycle_of_disables(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  if (!is_described(plant)) return;
+  const Edges edges = disables_of(plant);
+  for (const std::vector<std::uint32_t>& part : strong_parts(edges)) {
+    if (part.size() < 2) continue;
+    const std::vector<std::uint32_t> circle = circle_through(part.front(), edges);
+    std::string text;
+    std::vector<diag::Related> others;
+    std::vector<std::string> names;
+    diag::Place place;
+    for (std::size_t i = 0; i < circle.size(); ++i) {
+      const std::uint32_t next = circle[(i + 1) % circle.size()];
+      const model::Unit& unit = plant.units[circle[i]];
+      Step step = step_of(plant, circle[i], next);
+      names.emplace_back(unit.path);
+      text += fmt::format("{}`{}` in `{}` disables `{}`", i == 0 ? "" : ", ", unit.path, step.state,
+                          plant.units[next].path);
+      if (i == 0) {
+        place = std::move(step.place);
+      } else {
+        others.push_back(
+            {std::move(step.place), fmt::format("`{}` disables `{}` here", unit.path, plant.units[next].path)});
+      }
+    }
+    const std::size_t more = part.size() - circle.size();
+    diagnostics.add(rule.info, std::move(names),
+                    fmt::format("{}: once all stand so none can leave{}; take one of these out", text,
+                                more == 0 ? "" : fmt::format(" ({} more devices are in circles with them)", more)),
+                    std::move(place), std::move(others));
+  }
+}
+
+}  // namespace
+
+const Rule kCycleOfDisables{
+    {"SP613", "cycle-of-disables", diag::Severity::warning, "devices disable each other in a circle", kPage},
+    check_cycle_of_disables};
+
+}  // namespace symplant::check

@@ -1,0 +1,89 @@
+// SP610 unreachable-state: nothing leads to a state.
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "base/ascii.hpp"
+#include "check/reach.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(No chain of transitions leads from the initial state of a device to this one: there is no transition to it, or each of them
+begins in a state that is not reached either, waits for a condition that cannot hold, or is overtaken by an automatic
+transition without condition and time. Whatever the PLC may write counts as written, and devices that nothing in the plant
+moves (push buttons, doors) count as standing anywhere. Two devices that wait for each other are found, too.
+
+**What the model loses.** The state is never entered, so its event never comes on, and what waits for it waits for ever. Only
+a scenario or a person at the panel can put the device there.
+
+**How to mend it.** Give the device a transition to the state in plant.json, take `"only": true` away, or mend the condition
+that the related places show. If only a scenario is meant to enter the state (a fault, say), tell `check` so in plant.json:
+`"check": { "ignore": [ { "rule": "unreachable-state", "symbols": "THE_DEVICE", "why": "..." } ] }`.
+)";
+
+std::string_view reason(Blocked blocked) {
+  switch (blocked) {
+    case Blocked::contradiction:
+      return "a way there, but its condition can never hold";
+    case Blocked::waits:
+      return "a way there, but its condition waits for a state that nothing leads to";
+    case Blocked::overtaken:
+      return "a way there, but an automatic transition leaves its state before";
+    case Blocked::no:
+      break;
+  }
+  return "a way there, but it begins in a state that nothing leads to";
+}
+
+diag::Place place_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
+  const model::Pointer device = model::device_pointer(*unit.described);
+  for (std::size_t i = 0; i < unit.described->states.size(); ++i) {
+    if (base::equal_ignoring_case(unit.described->states[i], state.name)) {
+      return described_place(plant, unit, device / "states" / i);
+    }
+  }
+  diag::Place place = state.event != model::kNone       ? place_of(plant, event_of(plant, unit, state.event))
+                      : state.operation != model::kNone ? place_of(plant, operation_of(plant, unit, state.operation))
+                                                        : place_of(plant, first_symbol_of(plant, unit));
+  return place_of(std::move(place), unit.described->only ? device / "only" : device);
+}
+
+void check_unreachable_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  if (!is_described(plant)) return;
+  const Reach reach(plant);
+  const OverruledNames overruled(plant);
+  for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+    const model::Unit& unit = plant.units[u];
+    if (unit.described == nullptr) continue;
+    for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+      if (reach.settled(u, s) || unled(unit, s, overruled) != Unled::no) continue;
+      std::vector<diag::Related> ways;
+      bool told = true;  // SP614 tells
+      for (const model::Transition& way : unit.transitions) {
+        if (way.to != s || way.given == model::kNone || ways.size() == 5) continue;
+        const Blocked blocked = reach.blocked(u, way);
+        told = told && blocked == Blocked::contradiction;
+        const bool by_condition = blocked == Blocked::contradiction || blocked == Blocked::waits;
+        ways.push_back({described_place(plant, unit, transition_pointer(unit, way, by_condition ? "when" : "")),
+                        std::string(reason(blocked))});
+      }
+      if (told && !ways.empty()) continue;
+      std::string message = fmt::format(
+          "nothing leads to `{}` of `{}`, only a scenario or a person can put it there: {}", unit.states[s].name,
+          unit.path, ways.empty() ? "give it a transition that leads there" : "see why the ways there are not taken");
+      diagnostics.add(rule.info, about(unit), std::move(message), place_of_state(plant, unit, unit.states[s]),
+                      std::move(ways));
+    }
+  }
+}
+
+}  // namespace
+
+const Rule kUnreachableState{{"SP610", "unreachable-state", diag::Severity::warning, "nothing leads to a state", kPage},
+                             check_unreachable_state};
+
+}  // namespace symplant::check

@@ -1,0 +1,83 @@
+// SP612 zero-time-loop: automatic transitions lead in a circle and take no time.
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "check/reach.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(Automatic transitions without a condition (or with one that always holds) lead from a state back to it, and all their
+`after` and `takes` are 0.
+
+**What the model loses.** The device would go round for ever within one instant. The running plant finds that out after 200
+rounds: it names the device and freezes it until reset (*instantaneous loop*).
+
+**How to mend it.** Give one of the transitions a time (`"after": "1s"`) or a condition (`when`).
+)";
+
+constexpr std::uint32_t kNowhere = model::kNone;
+
+/// Where a unit that is settled in a state is taken within the same instant, whatever else there is: a state -> the
+/// transition. Of several the first fires.
+std::vector<std::uint32_t> instant_ways(const model::PlantModel& plant, const model::Unit& unit) {
+  std::vector<std::uint32_t> first(unit.states.size(), kNowhere);
+  for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
+    const model::Transition& way = unit.transitions[i];
+    if (way.on != model::kNone || way.spring_way || !way.after.is_zero() || first[way.from] != kNowhere) continue;
+    if (way.when == model::kNone || decide(unit.conditions[way.when], plant, AllStates(plant)).always()) {
+      first[way.from] = i;
+    }
+  }
+  for (std::uint32_t& way : first) {
+    if (way != kNowhere && !unit.transitions[way].takes.is_zero()) way = kNowhere;
+  }
+  return first;
+}
+
+void check_zero_time_loop(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  if (!is_described(plant)) return;
+  for (const model::Unit& unit : plant.units) {
+    // The user's code has its own times.
+    if (unit.described == nullptr || unit.has_behaviour()) continue;
+    const std::vector<std::uint32_t> ways = instant_ways(plant, unit);
+    std::vector<std::uint32_t> seen_from(unit.states.size(), kNowhere);
+    for (std::uint32_t start = 0; start < unit.states.size(); ++start) {
+      std::uint32_t at = start;
+      while (ways[at] != kNowhere && seen_from[at] == kNowhere) {
+        seen_from[at] = start;
+        at = unit.transitions[ways[at]].to;
+      }
+      if (ways[at] == kNowhere || seen_from[at] != start) continue;  // it ends, or was told already
+      std::string circle = "`" + unit.states[at].name + "`";
+      std::vector<diag::Related> others;
+      const std::uint32_t first = at;
+      do {
+        const model::Transition& way = unit.transitions[ways[at]];
+        if (at != first) {
+          others.push_back({described_place(plant, unit, transition_pointer(unit, way)), "and this one leads on"});
+        }
+        at = way.to;
+        circle += " -> `" + unit.states[at].name + "`";
+      } while (at != first);
+      diagnostics.add(
+          rule.info, about(unit),
+          fmt::format("`{}` goes {} by itself and in no time, so that it is frozen when it runs: give one of "
+                      "these transitions an `after`, a `takes` or a `when`",
+                      unit.path, circle),
+          described_place(plant, unit, transition_pointer(unit, unit.transitions[ways[first]])), std::move(others));
+    }
+  }
+}
+
+}  // namespace
+
+const Rule kZeroTimeLoop{{"SP612", "zero-time-loop", diag::Severity::warning,
+                          "automatic transitions lead in a circle and take no time", kPage},
+                         check_zero_time_loop};
+
+}  // namespace symplant::check

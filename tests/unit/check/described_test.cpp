@@ -1,0 +1,229 @@
+// What is told of descriptions: states, loops, circles, conditions, requirements.
+#include "check_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+// Unreachable states.
+
+TEST_CASE("A state is reached by a chain of commanded and automatic transitions, and a spring's way") {
+  model::DeviceDescription d = device();
+  d.states = {"MID", "END"};
+  d.only = true;
+  d.transitions = {way("P1", "P2"), by_itself("P2", "MID", "L_P_E.A2"), by_itself("MID", "END"), way("END", "P1")};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") == "");
+  model::DeviceDescription s = device();
+  s.only = true;
+  s.actuation = core::Actuation::spring;
+  s.rest = "P1";
+  s.initial = "P2";
+  CHECK(told(analyse_described(two_devices(), describing({s})), "unreachable-state") == "");
+}
+
+TEST_CASE("A state without a way to it is told where the description adds it, or at `only`") {
+  model::DeviceDescription d = device();
+  d.states = {"MID"};
+  d.only = true;
+  d.transitions = {way("MID", "P2"), way("P2", "MID"), way("P2", "P1")};
+  d.transitions[1].on = "P1";
+  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
+        "/devices/L_P_D/states/0: nothing leads to `MID` of `L_P_D`, only a scenario or a person can put it there: see "
+        "why the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but it begins in a state that "
+        "nothing leads to]\n"
+        "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
+        "the ways there are not taken [/devices/L_P_D/transitions/0: a way there, but it begins in a state that "
+        "nothing leads to]");
+}
+
+TEST_CASE("Two devices that wait for each other reach neither state") {
+  model::DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "L_P_E.A2")};
+  model::DeviceDescription e = device("L_P_E");
+  e.transitions = {way("A1", "A2", "L_P_D.P2")};
+  const Analysed list = analyse_described(two_devices(), describing({d, e}));
+  CHECK(list.count("unreachable-state") == 2);
+  CHECK(list.count("state-never-left") == 2);
+  CHECK(list.count("condition-never-holds") == 0);
+  e.transitions = {way("A1", "A2", "L_P_D.P1")};
+  CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
+}
+
+TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so may one with the user's code") {
+  model::DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "L_P_B.ON")};
+  CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
+  model::DeviceDescription e = device("L_P_E");
+  e.only = true;
+  e.behaviour = "MyMachine";
+  d.transitions = {way("P1", "P2", "L_P_E.A2")};
+  CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
+}
+
+TEST_CASE("What stands behind an automatic transition without condition and time is never taken") {
+  model::DeviceDescription d = device();
+  d.states = {"MID"};
+  d.only = true;
+  d.transitions = {by_itself("P1", "MID"), way("P1", "P2"), way("MID", "P1")};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
+        "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
+        "the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but an automatic transition leaves "
+        "its state before]");
+  d.transitions[0].after = model::Duration::fixed(1);
+  CHECK(analyse_described(two_devices(), describing({d})).count("unreachable-state") == 0);
+}
+
+TEST_CASE("A symbol that is missing in the list is told as that, and not once more") {
+  std::vector<Row> rows = two_devices();
+  rows.push_back({"L_P_D_I_P3", "", "BOOL", "FALSE", "%IX90"});
+  rows.push_back({"L_P_E_I_HOT", "", "BOOL", "FALSE", "%IX91"});
+  const Analysed list = analyse_described(rows, describing({device(), device("L_P_E")}));
+  CHECK(list.fired(diag::Severity::warning) == "event-without-operation");
+}
+
+// States that cannot be left.
+
+TEST_CASE("A state that is commanded away and has no way out is told") {
+  model::DeviceDescription d = device();
+  d.only = true;
+  d.transitions = {way("P1", "P2")};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "state-never-left") ==
+        "/devices/L_P_D/only: `L_P_D` never leaves `P2`, though `L_P_D_O_P1` commands it away: give it a transition "
+        "that leads out");
+  d.transitions.push_back(by_itself("P2", "P1"));
+  CHECK(analyse_described(two_devices(), describing({d})).count("state-never-left") == 0);
+}
+
+TEST_CASE("A state that no operation commands away may be the last") {
+  model::DeviceDescription d = device();
+  d.only = true;
+  d.actuation = core::Actuation::latched;
+  d.transitions = {way("NOT_ON", "ON")};
+  CHECK(analyse_described(bits({"L_P_D_O_ON", "L_P_D_I_ON"}), describing({d})).count("state-never-left") == 0);
+}
+
+// Zero-time loops.
+
+TEST_CASE("A circle of automatic transitions is told once, whatever leads into it") {
+  model::DeviceDescription d = device();
+  d.states = {"A", "B"};
+  d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
+        "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` by itself and in no time, so that it is frozen "
+        "when it runs: give one of these transitions an `after`, a `takes` or a `when` [/devices/L_P_D/transitions/2: "
+        "and this one leads on]");
+}
+
+TEST_CASE("A time or a condition in the circle, or code of the user's, makes it none") {
+  model::DeviceDescription d = device();
+  d.transitions = {by_itself("P1", "P2"), by_itself("P2", "P1")};
+  const auto count = [&] { return analyse_described(two_devices(), describing({d})).count("zero-time-loop"); };
+  CHECK(count() == 1);
+  d.transitions[0].takes = model::Duration::fixed(1);
+  CHECK(count() == 0);
+  d.transitions[0].takes.reset();
+  d.transitions[1].after = model::Duration{model::Duration::Kind::uniform, 0, 1};
+  CHECK(count() == 0);
+  d.transitions[1].after.reset();
+  d.transitions[1].when = "L_P_E.A1";
+  CHECK(count() == 0);
+  d.transitions[1].when.clear();
+  d.behaviour = "MyOwn";
+  CHECK(count() == 0);
+}
+
+// Circles of disables.
+
+std::vector<Row> ring(int devices) {
+  std::vector<std::string> names;
+  for (int i = 0; i < devices; ++i) {
+    for (const char* task : {"_O_P1", "_I_P1", "_O_P2", "_I_P2"}) names.push_back("L_P_R" + std::to_string(i) + task);
+  }
+  return bits(names);
+}
+
+model::DeviceDescription disabling(const std::string& path, std::vector<std::string> others) {
+  model::DeviceDescription d = device(path);
+  d.disables = {{"P2", std::move(others)}};
+  return d;
+}
+
+TEST_CASE("A circle of disables is told once, with its members") {
+  const auto described = describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"}),
+                                     disabling("L_P_R2", {"L_P_R0"}), disabling("L_P_R3", {"L_P_R0"})});
+  CHECK(told(analyse_described(ring(4), described), "cycle-of-disables") ==
+        "/devices/L_P_R0/disables/P2: `L_P_R0` in `P2` disables `L_P_R1`, `L_P_R1` in `P2` disables `L_P_R2`, `L_P_R2` "
+        "in `P2` disables `L_P_R0`: once all stand so none can leave; take one of these out "
+        "[/devices/L_P_R1/disables/P2: `L_P_R1` disables `L_P_R2` here] "
+        "[/devices/L_P_R2/disables/P2: `L_P_R2` disables `L_P_R0` here]");
+}
+
+TEST_CASE("Two circles apart are two findings, two that share a device are one") {
+  CHECK(analyse_described(ring(4), describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R0"}),
+                                               disabling("L_P_R2", {"L_P_R3"}), disabling("L_P_R3", {"L_P_R2"})}))
+            .count("cycle-of-disables") == 2);
+  const Analysed shared =
+      analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1", "L_P_R2"}), disabling("L_P_R1", {"L_P_R0"}),
+                                             disabling("L_P_R2", {"L_P_R0"})}));
+  CHECK(shared.count("cycle-of-disables") == 1);
+  CHECK(told(shared, "cycle-of-disables").find("(1 more devices are in circles with them)") != std::string::npos);
+  CHECK(analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"})}))
+            .count("cycle-of-disables") == 0);
+}
+
+// Conditions.
+
+TEST_CASE("A condition that stands in several transitions of a device is told once") {
+  model::DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P2", "P1", "L_P_E.A1 and L_P_E.A2")};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "condition-never-holds") ==
+        "/devices/L_P_D/transitions/0/when: `L_P_E.A1 and L_P_E.A2` can never hold, so that the transition is never "
+        "taken: correct it");
+}
+
+TEST_CASE("Inputs of a behaviour are looked at, too") {
+  model::DeviceDescription d = device();
+  d.behaviour = "MyOwn";
+  d.inputs = {{"fast", "L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6"}, {"part", "L_P_E.A1"}};
+  CHECK(told(analyse_described(two_devices(), describing({d})), "condition-always-holds") ==
+        "/devices/L_P_D/inputs/fast: `L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6` always holds, so that this input is "
+        "always on: correct it or leave it out");
+}
+
+TEST_CASE("A description with faults is not looked at further") {
+  model::DeviceDescription d = device();
+  d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P1", "P9")};
+  CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
+}
+
+// Requirements.
+
+std::string of_requirement(model::GivenRequirement given, std::vector<model::DeviceDescription> devices = {}) {
+  model::Description description = describing(std::move(devices));
+  description.requirements = {std::move(given)};
+  return told(analyse_described(two_devices(), std::move(description)), "requirement-decided");
+}
+
+TEST_CASE("A requirement that cannot be violated, or always is, is told") {
+  CHECK(of_requirement({"r", "L_P_D.P1 and L_P_D.P2", "", "", 0}) ==
+        "/requirements/0/never: requirement `r`: `L_P_D.P1 and L_P_D.P2` can never hold: it cannot be violated, and "
+        "tests nothing");
+  CHECK(of_requirement({"r", "L_P_D.P1 or not L_P_D.P1", "", "", 0}) ==
+        "/requirements/0/never: requirement `r`: `L_P_D.P1 or not L_P_D.P1` always holds: it is violated from the "
+        "start");
+  CHECK(of_requirement({"r", "L_P_D.P1 and L_P_E.A1", "", "", 0}) == "");
+}
+
+TEST_CASE("A requirement that names a state that nothing leads to is told") {
+  model::DeviceDescription d = device();
+  d.states = {"FAULT"};
+  CHECK(of_requirement({"r", "", "L_P_D.FAULT", "L_P_E.A1", 0}, {d}) ==
+        "/requirements/0/after: requirement `r`: `L_P_D.FAULT` can never hold, since nothing leads to a state that it "
+        "names: it never begins, and tests nothing");
+  CHECK(of_requirement({"r", "", "L_P_E.A1", "L_P_D.FAULT", 0}, {d}) ==
+        "/requirements/0/expect: requirement `r`: `L_P_D.FAULT` can never hold, since nothing leads to a state that it "
+        "names: it is violated whenever it begins");
+  CHECK(of_requirement({"r", "", "L_P_E.A1", "L_P_D.P1 or L_P_B_I_ON", 0}, {d}) == "");
+}
+
+}  // namespace
+}  // namespace symplant::test
