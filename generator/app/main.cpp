@@ -1,19 +1,36 @@
 // The tool symplant.
 #include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
+#include <string>
 
 #include "app/tool.hpp"
 #include "base/file_system.hpp"
 #include "base/process.hpp"
+
+namespace {
+
+/// The day where this runs.
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  std::array<char, 16> text{};
+  if (localtime_r(&now, &parts) == nullptr) return {};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   std::ios::sync_with_stdio(false);
   symplant::base::DiskFileSystem files;
   const bool colour_wanted = std::getenv("NO_COLOR") == nullptr;
   symplant::app::Context context{files, std::cout, std::cerr};
+  context.today = today();
   context.colour_out = colour_wanted && isatty(fileno(stdout)) != 0;
   context.colour_err = colour_wanted && isatty(fileno(stderr)) != 0;
   symplant::base::SystemProcessRunner programs;

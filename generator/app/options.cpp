@@ -93,18 +93,29 @@ std::string count_text(const diag::Diagnostics& diagnostics) {
     text +=
         fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, diag::severity_name(severity), count == 1 ? "" : "s");
   }
-  return text.empty() ? "no findings" : text;
+  if (text.empty()) text = "no findings";
+  if (!diagnostics.ignored().empty()) text += fmt::format(", {} ignored by plant.json", diagnostics.ignored().size());
+  return text;
+}
+
+void tell_ignored(Context& context, const diag::Diagnostics& diagnostics) {
+  for (const diag::Ignored& ignored : diagnostics.ignored()) {
+    const diag::RuleInfo& rule = *ignored.finding.rule;
+    context.err << fmt::format("ignored: {} [{} {}], since: {}\n", diag::visible(ignored.finding.message), rule.id,
+                               rule.slug, diag::visible(ignored.why));
+  }
 }
 
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options) {
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
-  auto compiled = compile({plant, options.read, options.xy}, context.files, progress, diagnostics);
+  auto compiled = compile({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
   std::vector<diag::Diagnostic> shown;
   for (const diag::Diagnostic& finding : diagnostics.all()) {
     if (options.verbose || finding.severity != diag::Severity::note) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
+  if (options.verbose) tell_ignored(context, diagnostics);
   if (compiled && options.verbose) tell_decisions(context, compiled->plant);
   if (!compiled) context.exit_code = host::kBadInput;
   return compiled;

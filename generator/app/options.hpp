@@ -25,6 +25,9 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
 /// Tells what the reader decided, for --verbose.
 void tell_decisions(Context& context, const model::PlantModel& plant);
 
+/// Tells the findings that plant.json ignores, and why, for --verbose.
+void tell_ignored(Context& context, const diag::Diagnostics& diagnostics);
+
 /// Whether an output would take the place of an input; says so and sets the exit code.
 bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs);
 
@@ -33,7 +36,7 @@ bool overwrites(Context& context, const std::string& output, const std::vector<s
 bool write_result(Context& context, const std::string& file, const std::string& text,
                   const std::vector<std::string>& inputs);
 
-/// "3 warnings, 1 note".
+/// "3 warnings, 1 note, 2 ignored by plant.json".
 std::string count_text(const diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::app

@@ -2,15 +2,21 @@
 #include "app/pipeline.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/read_inputs.hpp"
 #include "check/check_plant.hpp"
+#include "check/settings.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
 #include "model/description_rules.hpp"
+#include "symplant/json/place.hpp"
 
 namespace symplant::app {
 namespace {
@@ -36,6 +42,20 @@ void add_description_findings(const Inputs& inputs, const model::PlantModel& pla
   model::add_findings(inputs.source, all, diagnostics);
 }
 
+/// Finds the places that rules told as JSON pointers. One pass over the text for all of them.
+void locate(const std::shared_ptr<const base::SourceFile>& source, diag::Diagnostics& diagnostics) {
+  const std::vector<std::string> pointers = diagnostics.pointers();
+  if (source == nullptr || pointers.empty()) return;
+  std::vector<json::Fault> wanted;
+  wanted.reserve(pointers.size());
+  for (const std::string& pointer : pointers)
+    wanted.push_back({pointer, {}, 0, pointer.starts_with("/check/severity/")});
+  std::vector<std::optional<base::Span>> spans;
+  spans.reserve(pointers.size());
+  for (const json::Span& span : json::spans(source->text(), wanted)) spans.push_back(base::Span{span.begin, span.end});
+  diagnostics.locate(source, spans);
+}
+
 }  // namespace
 
 std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
@@ -51,6 +71,8 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   if (inputs->readable) {
     progress.stage("checking");
     check::check_plant(plant, diagnostics);
+    diagnostics = check::apply_settings(diagnostics, plant.description->check, options.today);
+    locate(inputs->source, diagnostics);
   }
   diagnostics.sort_by_place(plant.sources());
   if (!inputs->readable) return std::nullopt;

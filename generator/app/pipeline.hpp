@@ -19,6 +19,7 @@ struct CompileOptions {
   std::string plant;                 ///< a plant.json, or a symbol list
   read::ReadOptions read;            ///< of lists of which plant.json says nothing else
   std::optional<address::Radix> xy;  ///< likewise
+  std::string today = {};            ///< YYYY-MM-DD, for findings ignored until a day; empty: none is over
 };
 
 struct Compiled {

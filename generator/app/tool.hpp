@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 
 #include "base/file_system.hpp"
 #include "base/process.hpp"
@@ -14,8 +15,9 @@ namespace symplant::app {
 
 struct Context {
   base::FileSystem& files;
-  std::ostream& out;  ///< results
-  std::ostream& err;  ///< messages
+  std::ostream& out;       ///< results
+  std::ostream& err;       ///< messages
+  std::string today = {};  ///< YYYY-MM-DD; empty where nobody knows
   bool colour_out = false;
   bool colour_err = false;
   bool progress = false;                    ///< a terminal is there for a progress line

@@ -6,7 +6,9 @@
 namespace symplant::check {
 
 void check_plant(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  for (const Rule* rule : kRules) rule->check(*rule, plant, diagnostics);
+  for (const Rule* rule : kRules) {
+    if (rule->check != nullptr) rule->check(*rule, plant, diagnostics);
+  }
 }
 
 }  // namespace symplant::check

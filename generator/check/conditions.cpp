@@ -5,7 +5,6 @@ namespace symplant::check {
 namespace {
 
 void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& found) {
-  const model::Pointer device = model::device_pointer(*unit.described);
   std::vector<bool> seen(unit.first_input);
   for (const model::Transition& way : unit.transitions) {
     if (way.when == model::kNone || seen[way.when]) continue;
@@ -15,7 +14,8 @@ void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& foun
   }
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
     const auto& [name, text] = unit.described->inputs[i - unit.first_input];
-    found.push_back({&unit, &unit.conditions[i], text, false, device / "inputs" / name});
+    found.push_back({&unit, &unit.conditions[i], text, false,
+                     model::key_pointer(*unit.described, model::DeviceKey::inputs) / name});
   }
 }
 

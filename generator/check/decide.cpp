@@ -2,6 +2,7 @@
 #include "check/decide.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -191,6 +192,45 @@ class Decision {
   std::vector<std::size_t> mode_;  // of each thing
 };
 
+constexpr std::size_t kFewAtoms = 8;
+
+/// The atoms of a tree; false where there are more than a few, or constants among them.
+bool few_atoms(const Tree& tree, std::array<const Atom*, kFewAtoms>& atoms, std::size_t& count) {
+  if (tree.kind == Tree::Kind::constant || (tree.kind == Tree::Kind::atom && count == kFewAtoms)) return false;
+  if (tree.kind == Tree::Kind::atom) atoms[count++] = &tree.atom;
+  return std::all_of(tree.children.begin(), tree.children.end(),
+                     [&](const Tree& child) { return few_atoms(child, atoms, count); });
+}
+
+bool may_be_either(const Atom& atom, const model::PlantModel& plant, const Possible& possible) {
+  if (atom.kind == Atom::Kind::bit || atom.kind == Atom::Kind::number) return true;
+  const bool moving = possible.moving(atom.of);
+  if (atom.kind == Atom::Kind::moving ? !moving : !possible.settled(atom.of, atom.state)) return false;
+  if (atom.kind == Atom::Kind::settled && moving) return true;
+  const auto states = static_cast<std::uint32_t>(plant.units[atom.of].states.size());
+  for (std::uint32_t s = 0; s < states; ++s) {
+    const bool itself = atom.kind == Atom::Kind::settled && s == atom.state;
+    if (!itself && possible.settled(atom.of, s)) return true;
+  }
+  return false;
+}
+
+/// The most common kind of condition, looked at without a store: a few atoms of different things, each of which may be
+/// true and false. Such a condition may be both, too.
+bool is_plainly_open(const Tree& tree, const model::PlantModel& plant, const Possible& possible) {
+  std::array<const Atom*, kFewAtoms> atoms{};
+  std::size_t count = 0;
+  if (!few_atoms(tree, atoms, count)) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Thing thing = Thing::of(*atoms[i]);
+    for (std::size_t k = 0; k < i; ++k) {
+      if (thing.has(*atoms[k])) return false;
+    }
+    if (!may_be_either(*atoms[i], plant, possible)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool travels(const model::Unit& unit) {
@@ -202,6 +242,7 @@ bool travels(const model::Unit& unit) {
 bool AllStates::moving(std::uint32_t unit) const { return travels(plant_.units[unit]); }
 
 Verdict decide(const condition::Tree& tree, const model::PlantModel& plant, const Possible& possible) {
+  if (is_plainly_open(tree, plant, possible)) return {Answer::yes, Answer::yes};
   return Decision(tree, plant, possible).verdict();
 }
 

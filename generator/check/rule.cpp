@@ -24,8 +24,20 @@ diag::Place described_place(const model::PlantModel& plant, const model::Unit& u
 }
 
 model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key) {
-  const model::Pointer here = model::device_pointer(*unit.described) / "transitions" / std::size_t{way.given};
+  const model::Pointer here =
+      model::key_pointer(*unit.described, model::DeviceKey::transitions) / std::size_t{way.given};
   return key.empty() ? here : here / key;
+}
+
+model::Pointer entry_pointer(const model::Unit& unit) {
+  for (const model::DeviceDescription* entry : unit.described->from) {
+    if (entry != nullptr) return model::device_pointer(*entry);
+  }
+  return model::device_pointer(*unit.described);
+}
+
+model::Pointer ways_pointer(const model::Unit& unit) {
+  return unit.described->only ? model::key_pointer(*unit.described, model::DeviceKey::only) : entry_pointer(unit);
 }
 
 bool has_description(const model::PlantModel& plant) {

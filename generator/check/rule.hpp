@@ -13,7 +13,8 @@ namespace symplant::check {
 
 struct Rule {
   diag::RuleInfo info;
-  /// Adds a finding for every place where the rule is broken: one root cause, one finding.
+  /// Adds a finding for every place where the rule is broken: one root cause, one finding. Null for rules about the
+  /// settings, which are no part of the plant.
   void (*check)(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) = nullptr;
 };
 
@@ -27,6 +28,9 @@ diag::Place place_of(diag::Place fallback, const model::Pointer& pointer);
 /// What the description says of a unit at one of its keys; the unit's first symbol stands for it. The unit must be
 /// described.
 diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit, const model::Pointer& pointer);
+/// An entry that speaks of a unit's device; its `only` where that is what takes its ways away.
+model::Pointer entry_pointer(const model::Unit& unit);
+model::Pointer ways_pointer(const model::Unit& unit);
 /// Where a given transition stands, or one of its keys.
 model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key = {});
 /// Whether the plant has a description at all.

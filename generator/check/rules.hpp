@@ -51,8 +51,15 @@ extern const Rule kConditionAlwaysHolds;       // SP615
 extern const Rule kRequirementDecided;         // SP616
 extern const Rule kConditionNotExamined;       // SP617
 
+// Of the section `check` of plant.json: apply_settings() finds them.
+extern const Rule kIgnoreWithoutFinding;  // SP620
+extern const Rule kIgnoreIsOver;          // SP621
+extern const Rule kUnknownRule;           // SP622
+extern const Rule kBindingRule;           // SP623
+extern const Rule kDateNotUnderstood;     // SP624
+
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 39> kRules{
+inline constexpr std::array<const Rule*, 44> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -92,6 +99,11 @@ inline constexpr std::array<const Rule*, 39> kRules{
     &kConditionAlwaysHolds,
     &kRequirementDecided,
     &kConditionNotExamined,
+    &kIgnoreWithoutFinding,
+    &kIgnoreIsOver,
+    &kUnknownRule,
+    &kBindingRule,
+    &kDateNotUnderstood,
 };
 
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.

@@ -1,6 +1,7 @@
 // Findings as JSON for programs.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -11,9 +12,9 @@ namespace symplant::diag {
 /// The version of the form; it changes where a reader of the old form would be misled.
 inline constexpr int kJsonVersion = 1;
 
-/// One object: `symplant-diagnostics` (the version), `findings` in the order of finding, `counts` by severity. Lines
-/// and columns count from 1, columns in characters; `span` is in bytes of the file's text as UTF-8. A finding in an
-/// empty text has no line; one without a source has no file either.
-std::string render_json(std::span<const Diagnostic> findings);
+/// One object: `symplant-diagnostics` (the version), `findings` in the order of finding, `counts` by severity and,
+/// where there are any, `ignored`. Lines and columns count from 1, columns in characters; `span` is in bytes of the
+/// file's text as UTF-8. A finding in an empty text has no line; one without a source has no file either.
+std::string render_json(std::span<const Diagnostic> findings, std::size_t ignored = 0);
 
 }  // namespace symplant::diag

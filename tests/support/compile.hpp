@@ -11,6 +11,7 @@
 
 #include "app/pipeline.hpp"
 #include "check/check_plant.hpp"
+#include "check/settings.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
 #include "name/named_table.hpp"
@@ -106,7 +107,8 @@ struct GivenList {
 
 /// Reads lists and their names, builds their plant with a description, checks it: analyse() with what plant.json would
 /// say.
-inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Description description = {}) {
+inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Description description = {},
+                              std::string_view today = {}) {
   MemoryFileSystem files;
   Analysed result;
   std::vector<model::ListInput> lists;
@@ -119,6 +121,7 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Descri
   result.plant =
       model::build_plant(lists, {"symbols", std::make_shared<const model::Description>(std::move(description))});
   check::check_plant(*result.plant, result.diagnostics);
+  result.diagnostics = check::apply_settings(result.diagnostics, result.plant->description->check, today);
   result.diagnostics.sort_by_place(result.plant->sources());
   return result;
 }

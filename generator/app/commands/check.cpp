@@ -50,17 +50,21 @@ void check(const CheckOptions& options, Context& context) {
   std::string text;
   std::vector<diag::Diagnostic> all;
   std::vector<std::string> inputs = options.plants;
+  std::size_t ignored = 0;
   for (const std::string& list : options.plants) {
     diag::Diagnostics diagnostics;
     int code = host::kGood;
     {
       Progress progress(context.err, context.progress);
-      const auto plant = analyse({list, options.plant.read, options.plant.xy}, context.files, progress, diagnostics);
+      const auto plant =
+          analyse({list, options.plant.read, options.plant.xy, context.today}, context.files, progress, diagnostics);
       if (plant) {
         const std::vector<std::string> read = plant->input_files();
         inputs.insert(inputs.end(), read.begin(), read.end());
       }
       if (plant && options.plant.verbose) tell_decisions(context, *plant);
+      if (options.plant.verbose) tell_ignored(context, diagnostics);
+      ignored += diagnostics.ignored().size();
       if (!plant) {
         code = host::kBadInput;
       } else if (reaches(diagnostics, options.fail_on)) {
@@ -76,7 +80,7 @@ void check(const CheckOptions& options, Context& context) {
     }
     context.exit_code = std::max(context.exit_code, code);
   }
-  if (options.format == "json") text = diag::render_json(all) + "\n";
+  if (options.format == "json") text = diag::render_json(all, ignored) + "\n";
   write_result(context, options.output, text, inputs);
 }
 

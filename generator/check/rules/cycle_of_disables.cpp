@@ -77,7 +77,7 @@ Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t uni
       if (base::equal_ignoring_case(given.state, written)) written = given.state;
     }
     return {from.states[s].name,
-            described_place(plant, from, model::device_pointer(*from.described) / "disables" / written)};
+            described_place(plant, from, model::key_pointer(*from.described, model::DeviceKey::disables) / written)};
   }
   return {};  // never: there is an edge
 }

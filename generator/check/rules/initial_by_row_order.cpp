@@ -26,7 +26,7 @@ void check_initial_by_row_order(const Rule& rule, const model::PlantModel& plant
                                 has_description(plant) ? "say `initial` in plant.json"
                                                        : "write Initial TRUE with the event that is on then"),
                     unit.described == nullptr ? place_of(plant, first_symbol_of(plant, unit))
-                                              : described_place(plant, unit, model::device_pointer(*unit.described)));
+                                              : described_place(plant, unit, entry_pointer(unit)));
   }
 }
 

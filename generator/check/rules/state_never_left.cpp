@@ -51,13 +51,12 @@ void check_state_never_left(const Rule& rule, const model::PlantModel& plant, di
                             ? "a way out, but its condition waits for a state that nothing leads to"
                             : "a way out, but its condition can never hold"});
       }
-      const model::Pointer device = model::device_pointer(*unit.described);
       std::string message =
           fmt::format("`{}` never leaves `{}`, though `{}` commands it away: {}", unit.path, unit.states[s].name,
                       operation_of(plant, unit, command).name(),
                       ways.empty() ? "give it a transition that leads out" : "see why the ways out are not taken");
-      diagnostics.add(rule.info, about(unit), std::move(message),
-                      described_place(plant, unit, unit.described->only ? device / "only" : device), std::move(ways));
+      diagnostics.add(rule.info, about(unit), std::move(message), described_place(plant, unit, ways_pointer(unit)),
+                      std::move(ways));
     }
   }
 }

@@ -40,16 +40,15 @@ std::string_view reason(Blocked blocked) {
 }
 
 diag::Place place_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
-  const model::Pointer device = model::device_pointer(*unit.described);
   for (std::size_t i = 0; i < unit.described->states.size(); ++i) {
     if (base::equal_ignoring_case(unit.described->states[i], state.name)) {
-      return described_place(plant, unit, device / "states" / i);
+      return described_place(plant, unit, model::key_pointer(*unit.described, model::DeviceKey::states) / i);
     }
   }
   diag::Place place = state.event != model::kNone       ? place_of(plant, event_of(plant, unit, state.event))
                       : state.operation != model::kNone ? place_of(plant, operation_of(plant, unit, state.operation))
                                                         : place_of(plant, first_symbol_of(plant, unit));
-  return place_of(std::move(place), unit.described->only ? device / "only" : device);
+  return place_of(std::move(place), ways_pointer(unit));
 }
 
 void check_unreachable_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {

@@ -1,0 +1,81 @@
+// symplant init: a plant description to begin with.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "base/encoding.hpp"
+#include "emit/skeleton.hpp"
+#include "symplant/host/exit_codes.hpp"
+
+namespace symplant::app {
+namespace {
+
+struct InitOptions {
+  std::string list;
+  PlantOptions plant_options;
+  std::string output;
+  bool force = false;
+};
+
+/// The list as seen from where the description will lie; with `/`, which every system reads.
+std::string list_from(const std::string& output, const std::string& list) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const fs::path folder = fs::absolute(output, unknown).lexically_normal().parent_path();
+  const fs::path relative = fs::absolute(list, unknown).lexically_normal().lexically_relative(folder);
+  return (relative.empty() ? fs::path(list) : relative).generic_string();
+}
+
+emit::SkeletonList reference(const InitOptions& options) {
+  const PlantOptions& given = options.plant_options;
+  emit::SkeletonList list;
+  list.file = options.output.empty() ? options.list : list_from(options.output, options.list);
+  list.format = given.read.input_format;
+  if (given.read.encoding) list.encoding = base::encoding_name(*given.read.encoding);
+  if (given.xy) list.xy = *given.xy == address::Radix::hexadecimal ? "hex" : "octal";
+  return list;
+}
+
+void init(const InitOptions& options, Context& context) {
+  if (!options.output.empty() && !options.force && context.files.read(options.output)) {
+    context.err << "error: `" << options.output
+                << "` is there already, and may hold your work: name another file, or say --force\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  const auto compiled = compile_for(context, options.list, options.plant_options);
+  if (!compiled) return;
+  if (compiled->plant.description_source != nullptr) {
+    context.err << "error: `" << options.list << "` is a plant description already: name the symbol list\n";
+    context.exit_code = host::kBadInput;
+    return;
+  }
+  write_result(context, options.output, emit::skeleton(compiled->plant, reference(options)), {options.list});
+}
+
+}  // namespace
+
+void add_init(CLI::App& app, Context& context) {
+  auto options = std::make_shared<InitOptions>();
+  CLI::App* command = app.add_subcommand("init", "Begin a plant.json: what was inferred, and what it would pay to say");
+  command->add_option("LIST", options->list, "a symbol list")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "write it to this file, which must not exist (default: standard output)")
+      ->type_name("FILE");
+  command->add_flag("--force", options->force, "overwrite the file");
+  add_plant_options(*command, options->plant_options);
+  command->footer(
+      "The description is valid as it stands. Take the `//` away before a key to say it.\n"
+      "Examples:\n  symplant init symbols.csv -o plant.json\n  symplant init symbols.csv | less");
+  command->callback([options, &context] { init(*options, context); });
+}
+
+}  // namespace symplant::app

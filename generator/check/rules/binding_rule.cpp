@@ -1,0 +1,23 @@
+// SP623 binding-rule: an error is lowered that cannot be.
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(The section `check` of plant.json lowers or ignores a rule whose findings are errors. After such an error there is no sound
+plant: a file could not be read, two devices move one event, the description contradicts itself. `symbol-declared-differently`
+(SP302) is the one error that may be lowered or ignored, since the first of two rows counts.
+
+**What the model loses.** The entry counts for nothing.
+
+**How to mend it.** Mend what the errors say, and take the entry out.
+)";
+
+}  // namespace
+
+const Rule kBindingRule{{"SP623", "binding-rule", diag::Severity::error,
+                         "the section `check` lowers or ignores an error that cannot be", kPage},
+                        nullptr};
+
+}  // namespace symplant::check

@@ -1,0 +1,21 @@
+// SP621 ignore-is-over: an entry is past its date.
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(An entry of `"check": { "ignore": [ ... ] }` in plant.json has an `until`, the last day on which it counts, and that day is
+over. The findings that it hid are told again.
+
+**What the model loses.** Nothing by the entry; what the findings say, it loses still.
+
+**How to mend it.** Mend what the findings say and take the entry out, or set a new date.
+)";
+
+}  // namespace
+
+const Rule kIgnoreIsOver{
+    {"SP621", "ignore-is-over", diag::Severity::warning, "an entry of `ignore` is past its date", kPage}, nullptr};
+
+}  // namespace symplant::check

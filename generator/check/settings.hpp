@@ -1,0 +1,21 @@
+// What the user's plant description says of the findings themselves: which to leave out, which count more or less.
+#pragma once
+
+#include <string_view>
+
+#include "diag/diagnostic.hpp"
+#include "model/description.hpp"
+
+namespace symplant::check {
+
+/// True for the errors after which nothing sound is left to go on with: they are neither lowered nor ignored.
+bool is_binding(const diag::RuleInfo& rule);
+
+/// The findings as the section `check` of plant.json wants them: levels set, what is ignored among
+/// Diagnostics::ignored(), and what is wrong with the section itself added (SP620 to SP624). Of several entries the
+/// first that fits counts. Places in the section are JSON pointers. `today` is YYYY-MM-DD; where it is empty no entry
+/// is over. O(findings * entries).
+diag::Diagnostics apply_settings(const diag::Diagnostics& findings, const model::GivenCheck& settings,
+                                 std::string_view today);
+
+}  // namespace symplant::check

@@ -1,0 +1,125 @@
+// Devices of equal structure, and patterns that name just them.
+#include "emit/shapes.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/ascii.hpp"
+#include "base/pattern.hpp"
+
+namespace symplant::emit {
+namespace {
+
+std::string key_of(const model::Unit& unit) {
+  std::string key;
+  for (const model::State& state : unit.states) {
+    key += base::to_upper(state.name) + (state.operation != model::kNone ? "\nO" : "\n-") +
+           (state.event != model::kNone ? "I\n" : "-\n");
+  }
+  key += std::string(model::actuation_name(unit.actuation)) + "\n" + std::to_string(unit.rest) + "\n" +
+         std::to_string(unit.initial) + "\n" + std::to_string(static_cast<int>(unit.initial_from));
+  return key;
+}
+
+class Namer {
+ public:
+  explicit Namer(const model::PlantModel& plant) : plant_(plant) {}
+
+  void name(Shape& shape) const {
+    const std::string first(path(shape.units.front()));
+    if (shape.units.size() == 1) return take(shape, first);
+    for (const std::string& pattern : {around(shape.units, true), around(shape.units, false), without_digits(first)}) {
+      if (fits_just(pattern, shape)) return take(shape, pattern);
+    }
+    // From the whole path down: the fewer characters are fixed, the more devices it may fit.
+    std::string best = first;
+    for (std::size_t length = first.size(); length-- > 1;) {
+      if ((static_cast<unsigned char>(first[length]) & 0xC0U) == 0x80U) continue;  // within a character
+      const std::string pattern = first.substr(0, length) + "*";
+      if (!fits_none_but(pattern, shape)) break;
+      best = pattern;
+    }
+    take(shape, best);
+  }
+
+ private:
+  std::string_view path(std::uint32_t unit) const { return plant_.units[unit].path; }
+
+  /// What all begin with, a `*`, and, if wanted, what all end with.
+  std::string around(const std::vector<std::uint32_t>& units, bool with_end) const {
+    const std::string_view first = path(units.front());
+    std::size_t begin = first.size();
+    std::size_t end = first.size();
+    for (const std::uint32_t unit : units) {
+      const std::string_view other = path(unit);
+      const std::size_t shorter = std::min(first.size(), other.size());
+      std::size_t same = 0;
+      while (same < std::min(begin, shorter) && base::upper(first[same]) == base::upper(other[same])) ++same;
+      begin = same;
+      same = 0;
+      while (same < std::min(end, shorter) &&
+             base::upper(first[first.size() - 1 - same]) == base::upper(other[other.size() - 1 - same])) {
+        ++same;
+      }
+      end = same;
+    }
+    while (begin > 0 && begin < first.size() && (static_cast<unsigned char>(first[begin]) & 0xC0U) == 0x80U) --begin;
+    end = std::min(end, first.size() - begin);
+    while (end > 0 && (static_cast<unsigned char>(first[first.size() - end]) & 0xC0U) == 0x80U) --end;
+    return std::string(first.substr(0, begin)) + "*" + (with_end ? std::string(first.substr(first.size() - end)) : "");
+  }
+
+  /// A `*` for each number in it.
+  static std::string without_digits(const std::string& text) {
+    std::string pattern;
+    for (const char c : text) {
+      if (c < '0' || c > '9') {
+        pattern += c;
+      } else if (pattern.empty() || pattern.back() != '*') {
+        pattern += '*';
+      }
+    }
+    return pattern;
+  }
+
+  bool fits_just(const std::string& pattern, const Shape& shape) const {
+    return fits_none_but(pattern, shape) &&
+           std::all_of(shape.units.begin(), shape.units.end(),
+                       [&](std::uint32_t unit) { return base::matches_pattern(path(unit), pattern); });
+  }
+
+  bool fits_none_but(const std::string& pattern, const Shape& shape) const {
+    for (std::uint32_t unit = 0; unit < plant_.units.size(); ++unit) {
+      if (!base::matches_pattern(path(unit), pattern)) continue;
+      if (!std::binary_search(shape.units.begin(), shape.units.end(), unit)) return false;
+    }
+    return true;
+  }
+
+  void take(Shape& shape, const std::string& pattern) const {
+    shape.pattern = pattern;
+    std::copy_if(shape.units.begin(), shape.units.end(), std::back_inserter(shape.named),
+                 [&](std::uint32_t unit) { return base::matches_pattern(path(unit), pattern); });
+  }
+
+  const model::PlantModel& plant_;
+};
+
+}  // namespace
+
+std::vector<Shape> shapes_of(const model::PlantModel& plant) {
+  std::vector<Shape> shapes;
+  std::unordered_map<std::string, std::size_t> by_key;
+  for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+    const auto [found, added] = by_key.try_emplace(key_of(plant.units[u]), shapes.size());
+    if (added) shapes.emplace_back();
+    shapes[found->second].units.push_back(u);
+  }
+  const Namer namer(plant);
+  for (Shape& shape : shapes) namer.name(shape);
+  return shapes;
+}
+
+}  // namespace symplant::emit

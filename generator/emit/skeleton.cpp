@@ -1,0 +1,276 @@
+// A plant description to begin with. A key that is commented out ends in a comma, and one that is not always follows
+// it.
+#include "emit/skeleton.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "emit/shapes.hpp"
+#include "model/condition_text.hpp"
+
+namespace symplant::emit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostNames = 6;    ///< told in a comment; the rest is counted
+constexpr std::size_t kMostSamples = 6;  ///< transitions in a line
+
+/// A text as JSON has it, which is safe behind `//`, too: no line end gets through.
+std::string json_text(std::string_view text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string one_line(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string spaced;  // a blank behind each colon and comma, within texts none is added
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    spaced += text[i];
+    if (in_text && text[i] == '\\') {
+      spaced += text[++i];
+    } else if (text[i] == '"') {
+      in_text = !in_text;
+    } else if (!in_text && (text[i] == ':' || text[i] == ',')) {
+      spaced += ' ';
+    }
+  }
+  return spaced;
+}
+
+std::string seconds(core::Time time) {
+  return time % core::kSecond == 0 ? fmt::format("{}s", time / core::kSecond) : fmt::format("{}ns", time);
+}
+
+/// "A, B, C and 4 more"
+std::string some_of(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
+  return text;
+}
+
+class Skeleton {
+ public:
+  Skeleton(const model::PlantModel& plant, const SkeletonList& list)
+      : plant_(plant), list_(list), shapes_(shapes_of(plant)) {}
+
+  std::string write() {
+    head();
+    line("{");
+    line("  \"symplant\": 1,");
+    line("  \"name\": " + json_text(plant_.name) + ",");
+    line("  // What holds for every device that says nothing else:");
+    line("  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\" },");
+    requirements();
+    check_section();
+    line("  \"symbols\": [" + list_reference() + "],");
+    nobody_moves();
+    line("  \"devices\": {");
+    for (std::size_t i = 0; i < shapes_.size(); ++i) device(shapes_[i], i + 1 == shapes_.size());
+    line("  }");
+    line("}");
+    return std::move(text_);
+  }
+
+ private:
+  void line(std::string_view text) { text_.append(text).append("\n"); }
+  void head() {
+    line(fmt::format("// A plant description, begun by `symplant init`: {} device{} of {} shape{}.",
+                     plant_.units.size(), plant_.units.size() == 1 ? "" : "s", shapes_.size(),
+                     shapes_.size() == 1 ? "" : "s"));
+    line("// As it stands it says nothing that is not inferred from the list anyway. To say more, take the `//` away");
+    line("// before a key and change its value: each such line is right as it stands, alone or with the others.");
+  }
+
+  std::string list_reference() const {
+    if (list_.format.empty() && list_.encoding.empty() && list_.xy.empty()) return json_text(list_.file);
+    Json list{{"file", list_.file}};
+    if (!list_.format.empty()) list["format"] = list_.format;
+    if (!list_.encoding.empty()) list["encoding"] = list_.encoding;
+    if (!list_.xy.empty()) list["xy"] = list_.xy;
+    return one_line(list);
+  }
+
+  /// A unit that can be commanded into a state that it reports.
+  struct Commanded {
+    std::uint32_t unit;
+    std::uint8_t state;
+  };
+  std::vector<Commanded> commanded() const {
+    std::vector<Commanded> found;
+    for (std::uint32_t u = 0; u < plant_.units.size() && found.size() < 2; ++u) {
+      const model::Unit& unit = plant_.units[u];
+      for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+        const model::State& state = unit.states[s];
+        if (state.operation == model::kNone || state.event == model::kNone || s == unit.initial) continue;
+        found.push_back({u, static_cast<std::uint8_t>(s)});
+        break;
+      }
+    }
+    return found;
+  }
+
+  void requirements() {
+    const std::vector<Commanded> samples = commanded();
+    if (samples.empty()) return;
+    const auto atom = [](condition::Atom::Kind kind, std::uint32_t of, std::uint8_t state) {
+      condition::Tree tree;
+      tree.kind = condition::Tree::Kind::atom;
+      tree.atom.kind = kind;
+      tree.atom.of = of;
+      tree.atom.state = state;
+      return tree;
+    };
+    const model::Unit& unit = plant_.units[samples[0].unit];
+    const std::uint32_t command = unit.operations[unit.states[samples[0].state].operation];
+    const condition::Tree reached = atom(condition::Atom::Kind::settled, samples[0].unit, samples[0].state);
+    Json list = Json::array();
+    list.push_back({{"name", fmt::format("{} answers", unit.path)},
+                    {"after", model::condition_text(atom(condition::Atom::Kind::bit, command, 0), plant_)},
+                    {"expect", model::condition_text(reached, plant_)},
+                    {"within", "5s"}});
+    if (samples.size() == 2) {
+      condition::Tree both;
+      both.kind = condition::Tree::Kind::all;
+      both.children = {reached, atom(condition::Atom::Kind::settled, samples[1].unit, samples[1].state)};
+      list.push_back({{"name", fmt::format("{} and {} apart", unit.path, plant_.units[samples[1].unit].path)},
+                      {"never", model::condition_text(both, plant_)}});
+    }
+    line("  // What must hold whenever the plant runs; a violation makes `symplant run` fail:");
+    line("  // \"requirements\": " + one_line(list) + ",");
+  }
+
+  const model::Unit* left_alone() const {
+    const auto found = std::find_if(plant_.units.begin(), plant_.units.end(),
+                                    [](const model::Unit& unit) { return unit.operations.empty(); });
+    return found == plant_.units.end() ? nullptr : &*found;
+  }
+
+  void check_section() {
+    const model::Unit* unit = left_alone();
+    if (unit == nullptr) return;
+    const Json check{{"ignore", {{{"rule", "nobody-moves"}, {"symbols", unit->path}, {"why", "a scenario sets it"}}}}};
+    line("  // Findings of `symplant check` that are meant to be:");
+    line("  // \"check\": " + one_line(check) + ",");
+  }
+
+  void nobody_moves() {
+    std::vector<std::string> names;
+    for (const model::Unit& unit : plant_.units) {
+      if (unit.operations.empty()) names.push_back(json_text(unit.path));
+    }
+    if (!names.empty()) {
+      line(fmt::format(
+          "  // Nobody moves {}: say with `initial` where they stand, or with automatic `transitions` how they",
+          some_of(names)));
+      line("  // move; scenarios and links can set them.");
+    }
+    std::vector<std::string> symbols;
+    for (const model::Symbol& symbol : plant_.symbols) {
+      if (symbol.unmodelled != model::Unmodelled::modelled) symbols.push_back(json_text(symbol.name()));
+    }
+    if (!symbols.empty()) {
+      line(fmt::format("  // In no device, but in the images and on the links: {}.", some_of(symbols)));
+    }
+  }
+
+  void device(const Shape& shape, bool last) {
+    const model::Unit& unit = plant_.units[shape.named.front()];
+    line("    // " + inferred(shape, unit));
+    const std::string hint = worth_saying(unit);
+    if (!hint.empty()) line("    // Worth saying: " + hint);
+    line("    " + json_text(shape.pattern) + ": {");
+    line("      // \"initial\": " + json_text(unit.states[unit.initial].name) + ",");
+    line("      // \"actuation\": " + json_text(model::actuation_name(unit.actuation)) + ",");
+    if (unit.actuation == core::Actuation::spring) {
+      line("      // \"rest\": " + json_text(unit.states[unit.rest].name) + ",");
+    }
+    const Json transitions = transitions_of(unit);
+    if (!transitions.empty()) line("      // \"transitions\": " + one_line(transitions) + ",");
+    line("      \"only\": false  // true: the transitions given here are all, none is derived from operations");
+    line(last ? "    }" : "    },");
+  }
+
+  std::string inferred(const Shape& shape, const model::Unit& unit) const {
+    std::vector<std::string> operations;
+    std::vector<std::string> events;
+    for (const model::State& state : unit.states) {
+      if (state.operation != model::kNone) operations.push_back(state.name);
+      if (state.event != model::kNone) events.push_back(state.name);
+    }
+    std::string text =
+        fmt::format("{} device{}: operations {}; events {}; {}", shape.units.size(), shape.units.size() == 1 ? "" : "s",
+                    operations.empty() ? "none" : some_of(operations), events.empty() ? "none" : some_of(events),
+                    model::actuation_name(unit.actuation));
+    if (unit.actuation == core::Actuation::spring) text += " that rests in " + unit.states[unit.rest].name;
+    text += fmt::format(", starts in {}", unit.states[unit.initial].name);
+    if (shape.named.size() == shape.units.size()) return text;
+    std::vector<std::string> others;
+    for (const std::uint32_t other : shape.units) {
+      const bool named = std::binary_search(shape.named.begin(), shape.named.end(), other);
+      if (!named) others.emplace_back(plant_.units[other].path);
+    }
+    return text + "; alike, but with no pattern in common: " + some_of(others);
+  }
+
+  static std::string worth_saying(const model::Unit& unit) {
+    if (unit.two_words) return "whether the two words mean one state; then spell them alike in the list";
+    std::string hint;
+    const auto add = [&](std::string_view more) { hint.append(hint.empty() ? "" : "; ").append(more); };
+    if (unit.initial_from == model::InitialFrom::row_order) {
+      add("`initial`, which only the order of rows decided");
+    }
+    if (unit.initial_candidates > 1) add("`initial`, since several events start TRUE");
+    if (unit.operations.empty()) {
+      add("what moves it");
+    } else if (unit.actuation == core::Actuation::latched && unit.operations.size() == 2 && unit.states.size() == 2) {
+      add("`actuation`, if it is a double solenoid (bistable) or a motor (held), and how long its ways take");
+    } else {
+      add("how long its ways take");
+    }
+    return hint;
+  }
+
+  /// As they were derived and inferred, `*` for all sources of a target where there are more than two states.
+  static Json transitions_of(const model::Unit& unit) {
+    Json list = Json::array();
+    const auto add = [&](std::string_view from, std::string_view to, Json more) {
+      if (list.size() >= kMostSamples) return;
+      Json transition{{"from", from}, {"to", to}};
+      transition.update(more);
+      list.push_back(std::move(transition));
+    };
+    const std::string travel = seconds(unit.travel);
+    for (std::uint32_t to = 0; to < unit.states.size(); ++to) {
+      const std::string& name = unit.states[to].name;
+      const bool own_way = unit.actuation == core::Actuation::spring && to == unit.rest;
+      if (unit.states[to].operation == model::kNone && !own_way) continue;
+      const std::string_view from = unit.states.size() == 2 ? std::string_view(unit.states[1 - to].name) : "*";
+      add(from, name, {{"takes", travel}});
+    }
+    for (const model::Transition& way : unit.transitions) {
+      if (way.origin != model::Origin::inferred) continue;
+      add(unit.states[way.from].name, unit.states[way.to].name, {{"automatic", true}, {"after", seconds(way.after.a)}});
+    }
+    if (list.empty()) {
+      add(unit.states[0].name, unit.states[1].name, {{"automatic", true}, {"after", "5s"}});
+    }
+    return list;
+  }
+
+  const model::PlantModel& plant_;
+  const SkeletonList& list_;
+  std::vector<Shape> shapes_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string skeleton(const model::PlantModel& plant, const SkeletonList& list) { return Skeleton(plant, list).write(); }
+
+}  // namespace symplant::emit

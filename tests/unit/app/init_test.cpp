@@ -1,0 +1,192 @@
+// symplant init: a description to begin with.
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+bool is_key(const std::string& line) {
+  return line.find("// \"") == line.find_first_not_of(' ') && contains(line, "\": ");
+}
+
+std::string uncommented(const std::string& line) {
+  std::string text = line;
+  return text.erase(text.find("// "), 3);
+}
+
+/// All lines as they stand but those that `wanted` says, which lose their `//`.
+template <class Wanted>
+std::string without_comments(const std::vector<std::string>& lines, Wanted&& wanted) {
+  std::string text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    text += (is_key(lines[i]) && wanted(i) ? uncommented(lines[i]) : lines[i]) + "\n";
+  }
+  return text;
+}
+
+nlohmann::json json_of(const std::string& text) { return nlohmann::json::parse(text, nullptr, true, true); }
+
+/// Every kind of device: a robot, cylinders, a lamp, buttons, a sequence, one of six states, and symbols of no device.
+std::string every_shape() {
+  std::vector<std::string> names{"L_S1_RBT_O_HOME1", "L_S1_RBT_I_HOME1", "L_S1_RBT_O_WORK2", "L_S1_RBT_I_WORK2",
+                                 "L_S1_LMP_O_GREEN", "L_S1_PB_I_ON",     "L_S1_DR_I_OPEN",   "L_S1_DR_I_SHUT",
+                                 "L_S1_MC_O_RUN2",   "L_S1_MC_I_RUN2",   "L_S1_MC_I_IDLE1",  "START"};
+  for (int i = 1; i <= 20; ++i) {
+    const std::string cylinder = "L_S" + std::to_string(i) + "_CYL" + std::to_string(i);
+    for (const char* task : {"_O_ADV", "_I_ADV", "_I_RET"}) names.push_back(cylinder + task);
+  }
+  for (int i = 1; i <= 6; ++i) {
+    names.push_back("L_S2_AGV_O_P" + std::to_string(i));
+    names.push_back("L_S2_AGV_I_P" + std::to_string(i));
+  }
+  return list_text(bits(names));
+}
+
+ToolRun begin(MemoryFileSystem& files, const std::string& list, const std::string& output) {
+  return run_tool({"init", list, "-o", output}, files);
+}
+
+TEST_CASE("init: the skeleton of the paper's cell is what it should be") {
+  check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/init/excell.json",
+               run_lists({"init", "excell.csv"}).out);
+}
+
+TEST_CASE("init: the skeleton of every shape of device is what it should be") {
+  MemoryFileSystem files;
+  files.files["every.csv"] = every_shape();
+  check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/init/every.json",
+               run_tool({"init", "every.csv"}, files).out);
+}
+
+TEST_CASE("init: it is JSON as it stands, and with every key uncommented, alone or together") {
+  for (const std::string& list : {excell(), every_shape()}) {
+    MemoryFileSystem files;
+    files.files["list.csv"] = list;
+    const std::vector<std::string> lines = lines_of(run_tool({"init", "list.csv"}, files).out);
+    CHECK_NOTHROW(json_of(without_comments(lines, [](std::size_t) { return false; })));
+    CHECK_NOTHROW(json_of(without_comments(lines, [](std::size_t) { return true; })));
+    std::size_t keys = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (!is_key(lines[i])) continue;
+      ++keys;
+      INFO(lines[i]);
+      CHECK_NOTHROW(json_of(without_comments(lines, [&](std::size_t line) { return line == i; })));
+    }
+    CHECK(keys >= 5);
+  }
+}
+
+/// What `symplant check` says of a description beside its list, and the plant that it comes to.
+struct Tried {
+  int code;
+  std::string out;
+  std::string model_hash;
+};
+Tried tried(const std::string& list, const std::string& description) {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list;
+  files.files["plant.json"] = description;
+  const ToolRun check = run_tool({"check", "plant.json"}, files);
+  const ToolRun model = run_tool({"model", "plant.json", "--format", "json"}, files);
+  return {check.code, check.out, model.code == 0 ? json_of(model.out).at("model_hash").get<std::string>() : ""};
+}
+
+TEST_CASE("init: as it stands it is the plant of the bare list, and each key uncommented is valid, alone or together") {
+  for (const std::string& list : {excell(), every_shape()}) {
+    MemoryFileSystem files;
+    files.files["list.csv"] = list;
+    const std::string text = run_tool({"init", "list.csv"}, files).out;
+    const ToolRun bare = run_tool({"model", "list.csv", "--format", "json"}, files);
+    const Tried as_it_stands = tried(list, text);
+    CHECK(as_it_stands.code == 0);
+    CHECK(as_it_stands.model_hash == json_of(bare.out).at("model_hash").get<std::string>());
+
+    const std::vector<std::string> lines = lines_of(text);
+    const Tried all = tried(list, without_comments(lines, [](std::size_t) { return true; }));
+    INFO(all.out);
+    CHECK(all.code == 0);
+    CHECK_FALSE(all.model_hash.empty());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (!is_key(lines[i])) continue;
+      const Tried one = tried(list, without_comments(lines, [&](std::size_t line) { return line == i; }));
+      INFO(lines[i] << "\n" << one.out);
+      CHECK(one.code == 0);
+      CHECK_FALSE(one.model_hash.empty());
+    }
+  }
+}
+
+TEST_CASE("init: a plant description is none to begin from") {
+  MemoryFileSystem files = lists();
+  REQUIRE(begin(files, "excell.csv", "plant.json").code == 0);
+  const ToolRun run = begin(files, "plant.json", "other.json");
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "is a plant description already"));
+}
+
+TEST_CASE("init: three thousand devices of few shapes are a short file") {
+  std::vector<std::string> names;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string cylinder = "L" + std::to_string(i % 7) + "_S" + std::to_string(i) + "_CYL";
+    for (const char* task : {"_O_ADV", "_I_ADV", "_I_RET"}) names.push_back(cylinder + task);
+  }
+  for (int i = 0; i < 500; ++i) names.push_back("L1_S" + std::to_string(i) + "_PB_I_ON");
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(bits(names));
+  const std::string text = run_tool({"init", "list.csv"}, files).out;
+  CHECK(lines_of(text).size() < 40);
+  const auto devices = json_of(text).at("devices");
+  CHECK(devices.contains("L*_CYL"));
+  CHECK(devices.contains("L1_S*_PB"));
+}
+
+TEST_CASE("init: the list is named as seen from the description") {
+  MemoryFileSystem files;
+  files.files["lists/list.csv"] = excell();
+  const auto list_in = [&](const std::string& output) {
+    REQUIRE(begin(files, "lists/list.csv", output).code == 0);
+    return json_of(files.files[output]).at("symbols").at(0).get<std::string>();
+  };
+  CHECK(list_in("plant.json") == "lists/list.csv");
+  CHECK(list_in("lists/plant.json") == "list.csv");
+  CHECK(list_in("plants/a/plant.json") == "../../lists/list.csv");
+}
+
+TEST_CASE("init: what the list was read with is said in the description") {
+  MemoryFileSystem files = lists();
+  const ToolRun run =
+      run_tool({"init", "excell.csv", "--xy", "octal", "--encoding", "utf-8", "--input-format", "gx-iec"}, files);
+  CHECK(json_of(run.out).at("symbols").at(0) ==
+        nlohmann::json{{"file", "excell.csv"}, {"format", "gx-iec"}, {"encoding", "utf-8"}, {"xy", "octal"}});
+}
+
+TEST_CASE("init: what is there is not overwritten, unless it is wanted") {
+  MemoryFileSystem files = lists();
+  files.files["plant.json"] = "my work";
+  const ToolRun run = begin(files, "excell.csv", "plant.json");
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "--force"));
+  CHECK(files.files["plant.json"] == "my work");
+  CHECK(run_tool({"init", "excell.csv", "-o", "plant.json", "--force"}, files).code == 0);
+  CHECK(json_of(files.files["plant.json"]).at("symplant") == 1);
+}
+
+TEST_CASE("init: a list with errors gives none, and says them") {
+  MemoryFileSystem files = lists();
+  const ToolRun run = begin(files, "error.csv", "plant.json");
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "SP302"));
+  CHECK(files.written.empty());
+}
+
+}  // namespace
+}  // namespace symplant::test

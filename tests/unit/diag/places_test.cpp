@@ -1,0 +1,53 @@
+// Places that are known as JSON pointers, until the file's text is searched for all of them.
+#include "diag/diagnostic.hpp"
+#include "support/catch.hpp"
+
+namespace symplant::test {
+namespace {
+
+constexpr diag::RuleInfo kRule{"SP999", "some-rule", diag::Severity::warning, "summary", "page"};
+
+diag::Place at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
+
+TEST_CASE("Pointers of all places are listed once, sorted, and each place gets its span") {
+  const auto list = std::make_shared<const base::SourceFile>("symbols.csv", "A\n");
+  const auto file = std::make_shared<const base::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
+  diag::Diagnostics found;
+  found.add(kRule, "first", at("/b"), {{at("/a"), "other"}});
+  found.add(kRule, "second", at("/b"));
+  found.add(kRule, "third", {list, {0, 1}});
+  found.add(kRule, "fourth", {list, {0, 1}, "/c"});
+  CHECK(found.pointers() == std::vector<std::string>{"/a", "/b", "/c"});
+
+  const std::vector<std::optional<base::Span>> spans{base::Span{2, 5}, base::Span{10, 13}, std::nullopt};
+  found.locate(file, spans);
+  const auto all = found.all();
+  CHECK(all[0].place.source == file);
+  CHECK(all[0].place.span.begin == 10);
+  CHECK(all[0].related[0].place.span.begin == 2);
+  CHECK(all[1].place.span.end == 13);
+  CHECK(all[2].place.source == list);
+  CHECK(all[3].place.source == list);  // not found: what stands for it stays
+  CHECK(found.pointers() == std::vector<std::string>{"/c"});
+}
+
+TEST_CASE("A finding has its rule's severity unless it is given another, and counts by it") {
+  diag::Diagnostics found;
+  found.add(kRule, "as it is", {});
+  found.add({&kRule, diag::Severity::error, "raised", {}, {}, {}});
+  CHECK(found.count(diag::Severity::warning) == 1);
+  CHECK(found.has_errors());
+  found.ignore({&kRule, diag::Severity::error, "ignored", {}, {}, {}}, "meant to be");
+  CHECK(found.count(diag::Severity::error) == 1);
+  CHECK(found.all().size() == 2);
+  CHECK(found.ignored().size() == 1);
+}
+
+TEST_CASE("A severity is found by its word") {
+  CHECK(diag::severity_of_name("note") == diag::Severity::note);
+  CHECK(diag::severity_of_name("error") == diag::Severity::error);
+  CHECK_FALSE(diag::severity_of_name("Error"));
+}
+
+}  // namespace
+}  // namespace symplant::test
