@@ -157,4 +157,25 @@ Result<bool, FileError> DiskFileSystem::write(const std::string& path, std::stri
   return true;
 }
 
+Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::string_view content) {
+  if (exists(path)) return false;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code failure;
+  if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+  if (failure) return error_of("write", path, failure.value());
+  std::string temporary;
+  int fault = write_beside(folder.empty() ? "." : folder, 0, content, temporary);
+  if (fault != 0) return error_of("write", path, fault);
+  const bool made = ::link(temporary.c_str(), path.c_str()) == 0;  // unlike a rename it replaces nothing
+  fault = made ? 0 : errno;
+  ::unlink(temporary.c_str());
+  if (fault != 0 && fault != EEXIST) return error_of("write", path, fault);
+  return made;
+}
+
+bool DiskFileSystem::exists(const std::string& path) const {
+  struct stat about {};
+  return ::lstat(path.c_str(), &about) == 0;
+}
+
 }  // namespace symplant::base

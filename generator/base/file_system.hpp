@@ -23,6 +23,12 @@ class FileSystem {
   /// Writes a file whole: beside its place first, then renamed, so that whoever reads sees the old or the new one.
   /// Makes missing folders. Leaves a file with the same content alone (its time too) and gives false.
   virtual Result<bool, FileError> write(const std::string& path, std::string_view content) = 0;
+
+  /// Writes a file where there is none, missing folders too; gives false, and leaves it alone, where anything is there.
+  virtual Result<bool, FileError> write_new(const std::string& path, std::string_view content) = 0;
+
+  /// Whether anything is there, readable or not.
+  virtual bool exists(const std::string& path) const = 0;
 };
 
 /// The machine's own files.
@@ -30,6 +36,8 @@ class DiskFileSystem final : public FileSystem {
  public:
   Result<std::string, FileError> read(const std::string& path) const override;
   Result<bool, FileError> write(const std::string& path, std::string_view content) override;
+  Result<bool, FileError> write_new(const std::string& path, std::string_view content) override;
+  bool exists(const std::string& path) const override;
 };
 
 }  // namespace symplant::base

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "base/identifier.hpp"
+#include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
 #include "emit/render.hpp"
@@ -17,6 +20,8 @@
 
 namespace symplant::emit {
 namespace {
+
+constexpr std::string_view kOwnFile = "behavior.hpp";  ///< the template of the user's own files
 
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
   const std::vector<std::string> classes = class_names(tables, plant);
@@ -41,6 +46,13 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["kind_rows"] = kind_rows(tables);
   add_tables(view, tables, plant);
   view.lists["types"] = type_views(tables, plant, classes);
+  view.lists["behaviours"] = behaviour_views(tables, plant, classes);
+  view.lists["view_includes"];
+  view.lists["own_code"];
+  if (!view.lists["behaviours"].empty()) {
+    view.lists["view_includes"].push_back({{{"include", "symplant/core/device_view.hpp"}}, {}});
+    view.lists["own_code"].emplace_back();
+  }
   return view;
 }
 
@@ -55,34 +67,62 @@ std::string namespace_of(const std::string& plant_name) {
   return scope.unique(words);
 }
 
+namespace {
+
+/// The frame of one file as text: the tool's own, or the user's in its place.
+struct Frame {
+  std::string path;  ///< for messages
+  std::string text;
+};
+
+std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, const base::FileSystem& files,
+                              EmitResult& result) {
+  const auto file = std::filesystem::path(options.templates_folder) / (std::string(own.name) + ".mustache");
+  std::error_code ignored;
+  if (options.templates_folder.empty() || !std::filesystem::exists(file, ignored)) {
+    return Frame{"the tool's own template " + std::string(own.name), std::string(own.text)};
+  }
+  auto read = files.read(file.string());
+  if (!read) {
+    result.errors.push_back(read.error().message);
+    return std::nullopt;
+  }
+  result.inputs.push_back(file.string());
+  return Frame{file.string(), std::move(*read)};
+}
+
+/// Nothing, and an error, where the template has a fault.
+std::optional<std::string> filled(std::string_view name, const Frame& frame, const View& view, EmitResult& result) {
+  auto rendered = render({name, frame.text}, view);
+  if (rendered) return std::move(*rendered);
+  result.errors.push_back(fmt::format("{}:{}: {}", frame.path, rendered.error().line, rendered.error().message));
+  return std::nullopt;
+}
+
+/// The user's own files: a behaviour's texts beside the plant's.
+void add_own_files(const Frame& frame, std::string_view name, const View& plant, EmitResult& result) {
+  for (const View& behaviour : plant.lists.at("behaviours")) {
+    View view{plant.texts, behaviour.lists};
+    view.texts.insert(behaviour.texts.begin(), behaviour.texts.end());
+    auto content = filled(name, frame, view, result);
+    if (!content) return;  // the others have the same fault
+    result.own_files.push_back({view.texts["behaviour"], view.texts["behaviour_file"], std::move(*content)});
+  }
+}
+
+}  // namespace
+
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
                 const base::FileSystem& files) {
   EmitResult result;
   const View view = plant_view(plant, tables);
   for (const Template& own : embedded_templates()) {
-    Template used = own;
-    std::string path = "the tool's own template " + std::string(own.name);
-    std::string text;
-    if (!options.templates_folder.empty()) {
-      const auto file = std::filesystem::path(options.templates_folder) / (std::string(own.name) + ".mustache");
-      std::error_code ignored;
-      if (std::filesystem::exists(file, ignored)) {
-        path = file.string();
-        auto read = files.read(path);
-        if (!read) {
-          result.errors.push_back(read.error().message);
-          continue;
-        }
-        text = std::move(*read);
-        used.text = text;
-        result.inputs.push_back(path);
-      }
-    }
-    auto rendered = render(used, view);
-    if (rendered) {
-      result.files.push_back({std::string(own.name), std::move(*rendered)});
-    } else {
-      result.errors.push_back(fmt::format("{}:{}: {}", path, rendered.error().line, rendered.error().message));
+    const auto frame = frame_of(own, options, files, result);
+    if (!frame) continue;
+    if (own.name == kOwnFile) {
+      add_own_files(*frame, own.name, view, result);
+    } else if (auto content = filled(own.name, *frame, view, result)) {
+      result.files.push_back({std::string(own.name), std::move(*content)});
     }
   }
   return result;

@@ -16,12 +16,20 @@ struct EmittedFile {
   std::string content;
 };
 
+/// A file of the user's own, as it is first written.
+struct OwnFile {
+  std::string behaviour;  ///< his class
+  std::string name;       ///< within the folder of his behaviours
+  std::string content;
+};
+
 struct EmitOptions {
   std::string templates_folder;  ///< --templates: a file NAME.mustache in it takes the place of the tool's own
 };
 
 struct EmitResult {
   std::vector<EmittedFile> files;
+  std::vector<OwnFile> own_files;   ///< a behaviour each; to be written where they are missing
   std::vector<std::string> inputs;  ///< templates read from disk, for the depfile
   std::vector<std::string>
       errors;  ///< faults of templates, in words that name file and line; nothing is to be written then

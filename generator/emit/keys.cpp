@@ -11,6 +11,8 @@ constexpr std::string_view kTypesFile = "types_gen.hpp";
 constexpr std::string_view kDevicesFile = "devices_gen.hpp";
 constexpr std::string_view kMainFile = "main_gen.cpp";
 constexpr std::string_view kTablesFile = "tables_gen.cpp";
+constexpr std::string_view kBehavioursFile = "behaviours_gen.cpp";
+constexpr std::string_view kOwnFile = "behavior.hpp";
 
 constexpr auto kKeys = std::to_array<Key>({
     {"version", "*", false, "the tool's version"},
@@ -49,6 +51,23 @@ constexpr auto kKeys = std::to_array<Key>({
     {"enter_rows", kTypesFile, false, "of a type: l_enter, rows of core::EventMasks, a state each"},
     {"leave_rows", kTypesFile, false, "of a type: l_leave, likewise"},
     {"target_list", kTypesFile, false, "of a type: an operation's own state"},
+    {"view_includes", kTypesFile, true, "one item where a device has a behaviour, else none"},
+    {"include", kTypesFile, false, "of it: the header that is needed for that"},
+    {"behaviour_views", kTypesFile, true, "of a type: one item where its devices have a behaviour, else none"},
+    {"behaviour", kTypesFile, false, "of it: the user's class"},
+    {"inputs", kTypesFile, true, "of it: the conditions that the behaviour sees; `enumerator` and `meaning`"},
+    {"values", kTypesFile, true, "of it: numeric symbols; `enumerator`, `symbol`, `address`, `cite`"},
+    {"value_count", kTypesFile, false, "of it"},
+    {"value_kinds", kTypesFile, false, "of it: values of core::ValueKind, as initialisers"},
+    {"own_code", kBehavioursFile, true, "one item where the plant has behaviours, else none"},
+    {"behaviours", kBehavioursFile, true, "of it: the behaviours, in the order of their places"},
+    {"behaviour", kBehavioursFile, false, "of a behaviour: the user's class"},
+    {"base", kBehavioursFile, false, "of a behaviour: the generated class that it is derived from"},
+    {"behaviour_file", kBehavioursFile, false, "of a behaviour: the user's file"},
+    {"behaviour", kOwnFile, false, "the user's class"},
+    {"base", kOwnFile, false, "the generated class that it is derived from"},
+    {"devices", kOwnFile, true, "lines about its devices"},
+    {"device", kOwnFile, false, "one such line, for a comment"},
     {"device_rows", kDevicesFile, false, "enumerators of Device"},
     {"symbol_constant_rows", kDevicesFile, false, "enumerators of Symbol"},
     {"link_count", kMainFile, false, "links of the plant's description"},

@@ -21,8 +21,8 @@ std::string unit_reader(std::uint32_t place, const lower::Type& type, const mode
     if (t.when == place) return transition_text(t, unit, plant);
   }
   const std::size_t input = place - unit.first_input;
-  if (unit.described != nullptr && place >= unit.first_input && input < unit.described->inputs.size()) {
-    return fmt::format("input {}", unit.described->inputs[input].first);
+  if (place >= unit.first_input && input < unit.input_names.size()) {
+    return fmt::format("input {}", unit.input_names[input]);
   }
   return fmt::format("condition {}", place);
 }

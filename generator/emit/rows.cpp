@@ -10,17 +10,22 @@
 #include "emit/row_writer.hpp"
 
 namespace symplant::emit {
+
+std::string_view data_type_name(core::DataType type) {
+  static constexpr std::array<std::string_view, 15> kNames{"boolean", "sint",  "int_",  "dint",  "lint",
+                                                           "usint",   "uint",  "udint", "ulint", "byte",
+                                                           "word",    "dword", "lword", "real",  "lreal"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
 namespace {
 
-constexpr std::array<std::string_view, 15> kTypeNames{"boolean", "sint",  "int_",  "dint",  "lint",
-                                                      "usint",   "uint",  "udint", "ulint", "byte",
-                                                      "word",    "dword", "lword", "real",  "lreal"};
 constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
 
 /// The name of a kind's constant: direction, type, form of the address, moved or free.
 std::string kind_name(const core::SymbolRow& row) {
   std::string name = row.direction() == core::Direction::operation ? "kOperation_" : "kEvent_";
-  name += kTypeNames[static_cast<std::size_t>(row.type())];
+  name += data_type_name(row.type());
   name.append("_").append(kFormNames[static_cast<std::size_t>(row.form())]);
   return name.append(row.moved() ? "_moved" : "_free");
 }
@@ -35,6 +40,10 @@ std::map<core::SymbolKind, std::string> kind_names(const lower::EngineTables& ta
 }
 
 }  // namespace
+
+std::string_view direction_name(core::Direction direction) {
+  return direction == core::Direction::operation ? "operation" : "event";
+}
 
 std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
@@ -60,8 +69,8 @@ std::string kind_rows(const lower::EngineTables& tables) {
   for (const auto& [kind, name] : kind_names(tables)) {
     const core::SymbolRow row{0, 0, 0, 0, kind};
     rows.text("constexpr auto ").text(name).text(" = core::symbol_kind(core::DataType::");
-    rows.text(kTypeNames[static_cast<std::size_t>(row.type())]).text(", core::Direction::");
-    rows.text(row.direction() == core::Direction::operation ? "operation" : "event").text(", core::AddressForm::");
+    rows.text(data_type_name(row.type())).text(", core::Direction::");
+    rows.text(direction_name(row.direction())).text(", core::AddressForm::");
     rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true);\n" : ", false);\n");
   }
   return rows.take();

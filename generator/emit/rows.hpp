@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lower/engine_tables.hpp"
@@ -22,6 +23,10 @@ std::string shared_rows(const lower::EngineTables& tables, const model::PlantMod
 std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space);
 std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant);
+
+/// The enumerators of core::DataType and core::Direction.
+std::string_view data_type_name(core::DataType type);
+std::string_view direction_name(core::Direction direction);
 
 /// A blob's texts as string literals, `per_line` on each line.
 std::string name_rows(const std::string& blob, int per_line);

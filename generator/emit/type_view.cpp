@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <set>
 
+#include "base/generated_names.hpp"
 #include "base/identifier.hpp"
 #include "emit/encode.hpp"
+#include "emit/model_text.hpp"
 #include "emit/row_writer.hpp"
 #include "emit/rows.hpp"
 
@@ -15,58 +17,6 @@ namespace {
 
 using model::kNone;
 
-/// Names that a class must not have: those that the generated files themselves use.
-constexpr auto kTaken = std::to_array<std::string_view>({"Plant",
-                                                         "Device",
-                                                         "Symbol",
-                                                         "Operation",
-                                                         "Event",
-                                                         "State",
-                                                         "core",
-                                                         "tables",
-                                                         "symplant",
-                                                         "std",
-                                                         "main",
-                                                         "make_plant",
-                                                         "row",
-                                                         "OwnedPlant",
-                                                         "d_ext",
-                                                         "d_int",
-                                                         "l_enter",
-                                                         "l_leave",
-                                                         "l_disable",
-                                                         "kI",
-                                                         "kO",
-                                                         "kS",
-                                                         "kEnter",
-                                                         "kLeave",
-                                                         "kTargets",
-                                                         "kTransitions",
-                                                         "kTypes",
-                                                         "kUnits",
-                                                         "kTimes",
-                                                         "kRandomTimes",
-                                                         "kSymbols",
-                                                         "kTables",
-                                                         "kFree",
-                                                         "kInitialValues",
-                                                         "kSharedAddresses",
-                                                         "kDisables",
-                                                         "kConditions",
-                                                         "kConditionedUnits",
-                                                         "kUnitWatches",
-                                                         "kOperationWatches",
-                                                         "kEventWatches",
-                                                         "kOperationValueWatches",
-                                                         "kEventValueWatches",
-                                                         "kRequirements",
-                                                         "kBehaviourUnits",
-                                                         "kBehaviourValues",
-                                                         "kUnitNames",
-                                                         "kStateNames",
-                                                         "kSymbolNames",
-                                                         "kRequirementNames",
-                                                         "kBehaviourNames"});
 constexpr std::size_t kDevicesShown = 20;
 
 std::string joined(const std::vector<std::string>& parts, std::string_view prefix = "") {
@@ -170,6 +120,30 @@ std::string state_number(std::uint8_t state) {
   return state == core::kNoState ? "symplant::core::kNoState" : std::to_string(state);
 }
 
+/// What a behaviour sees and sets beyond states, operations and events.
+void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel& plant) {
+  View own;
+  own.texts["behaviour"] = base::identifier(unit.described->behaviour);
+  base::IdentifierScope scope;
+  auto& inputs = own.lists["inputs"];
+  for (std::size_t i = 0; i < unit.input_names.size(); ++i) {
+    View item;
+    item.texts["enumerator"] = scope.unique(unit.input_names[i], "k");
+    item.texts["meaning"] = comment_text(short_condition_text(unit.conditions[unit.first_input + i], plant));
+    inputs.push_back(std::move(item));
+  }
+  add_side(own, "values", unit.values, plant);
+  std::vector<std::string> kinds;
+  for (const std::uint32_t index : unit.values) {
+    const model::Symbol& symbol = plant.symbols[index];
+    kinds.push_back(fmt::format("{{symplant::core::DataType::{}, symplant::core::Direction::{}}}",
+                                data_type_name(symbol.type), direction_name(symbol.direction)));
+  }
+  own.texts["value_count"] = std::to_string(kinds.size());
+  own.texts["value_kinds"] = joined(kinds);
+  view.lists["behaviour_views"].push_back(std::move(own));
+}
+
 View type_view(const lower::Type& type, const std::string& class_name, const model::PlantModel& plant) {
   const model::Unit& unit = plant.units[type.example];
   View view;
@@ -193,6 +167,8 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   std::vector<std::string> targets;
   for (const std::uint8_t target : type.operation_targets) targets.push_back(state_number(target));
   texts["target_list"] = joined(targets);
+  view.lists["behaviour_views"];  // a template wants it also where it is empty
+  if (unit.has_behaviour()) add_behaviour(view, unit, plant);
   return view;
 }
 
@@ -206,18 +182,34 @@ std::string without_digits(std::string_view device) {
 
 }  // namespace
 
+std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const model::PlantModel& plant) {
+  std::vector<View> lines;
+  const auto add = [&](std::string text) { lines.push_back({{{"device", std::move(text)}}, {}}); };
+  for (std::size_t i = 0; i < units.size() && i < kDevicesShown; ++i) add(comment_text(plant.units[units[i]].path));
+  if (units.size() > kDevicesShown) add(fmt::format("and {} more", units.size() - kDevicesShown));
+  return lines;
+}
+
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  base::IdentifierScope scope(kTaken);
+  base::IdentifierScope scope(base::kGeneratedNames);
   std::vector<std::string> names(tables.types.size());
-  const auto name_types = [&](bool given) {  // what the user says comes before what a device is called
+  std::set<std::string> own;                          // the user's classes are not to be named again
+  enum class Source { derived_from, given, device };  // what the user's code is derived from has its name first
+  const auto source_of = [](const model::Unit& unit) {
+    if (unit.described == nullptr || unit.described->type.empty()) return Source::device;
+    return unit.has_behaviour() ? Source::derived_from : Source::given;
+  };
+  for (const model::Unit& unit : plant.units) {
+    if (unit.has_behaviour()) own.insert(base::identifier(unit.described->behaviour));
+  }
+  for (const std::string& name : own) scope.unique(name);
+  for (const Source source : {Source::derived_from, Source::given, Source::device}) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       const model::Unit& unit = plant.units[tables.types[i].example];
-      const bool is_given = unit.described != nullptr && !unit.described->type.empty();
-      if (is_given == given) names[i] = scope.unique(given ? unit.described->type : without_digits(unit.device));
+      if (source_of(unit) != source) continue;
+      names[i] = scope.unique(source == Source::device ? without_digits(unit.device) : unit.described->type);
     }
-  };
-  name_types(true);
-  name_types(false);
+  }
   return names;
 }
 
@@ -227,20 +219,9 @@ std::vector<View> type_views(const lower::EngineTables& tables, const model::Pla
   views.reserve(tables.types.size());
   for (std::size_t i = 0; i < tables.types.size(); ++i) views.push_back(type_view(tables.types[i], classes[i], plant));
 
-  std::vector<std::size_t> counts(tables.types.size());
-  for (std::size_t u = 0; u < tables.units.size(); ++u) {
-    const std::uint32_t type = tables.units[u].type;
-    if (++counts[type] > kDevicesShown) continue;
-    View device;
-    device.texts["device"] = comment_text(plant.units[u].path);
-    views[type].lists["devices"].push_back(std::move(device));
-  }
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] <= kDevicesShown) continue;
-    View more;
-    more.texts["device"] = fmt::format("and {} more", counts[i] - kDevicesShown);
-    views[i].lists["devices"].push_back(std::move(more));
-  }
+  std::vector<std::vector<std::uint32_t>> devices(tables.types.size());
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) devices[tables.units[u].type].push_back(u);
+  for (std::size_t i = 0; i < views.size(); ++i) views[i].lists["devices"] = device_lines(devices[i], plant);
   return views;
 }
 

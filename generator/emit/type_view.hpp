@@ -19,4 +19,7 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
 std::vector<View> type_views(const lower::EngineTables& tables, const model::PlantModel& plant,
                              const std::vector<std::string>& classes);
 
+/// Lines about devices, for a list `devices`: the first twenty, and how many more there are.
+std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const model::PlantModel& plant);
+
 }  // namespace symplant::emit

@@ -121,6 +121,8 @@ std::string structure_of(const Type& type, const model::PlantModel& plant) {
     for (const std::uint32_t symbol : *side) text.append(plant.symbols[symbol].reading.task).push_back('\0');
   }
   if (unit.described != nullptr) text.append(unit.described->type);
+  text.push_back('\0');
+  if (unit.has_behaviour()) text.append(unit.described->behaviour);  // its class is derived from
   return text;
 }
 
@@ -129,10 +131,6 @@ std::string structure_of(const Type& type, const model::PlantModel& plant) {
 std::uint32_t TypeTable::type_of(const model::PlantModel& plant, std::uint32_t unit, std::vector<Type>& types) {
   Type type = make_type(plant, unit);
   const auto next = static_cast<std::uint32_t>(types.size());
-  if (plant.units[unit].has_behaviour()) {  // its class is derived from: it shares with none
-    types.push_back(std::move(type));
-    return next;
-  }
   const auto [found, added] = by_structure_.try_emplace(structure_of(type, plant), next);
   if (added) types.push_back(std::move(type));
   return found->second;

@@ -122,7 +122,8 @@ struct Unit {
   core::Time travel = core::kSecond;        ///< the default travel time
   std::vector<condition::Tree> conditions;  ///< what transitions want, by Transition::when, then the behaviour's inputs
   std::uint32_t first_input = 0;            ///< of the behaviour's inputs, in `conditions`
-  std::vector<Outputs> outputs;             ///< a state each, or empty where no state has any
+  std::vector<std::string_view> input_names;  ///< of the behaviour's inputs, sorted by bytes
+  std::vector<Outputs> outputs;               ///< a state each, or empty where no state has any
   std::vector<std::vector<std::uint32_t>>
       disables;                       ///< a state each: units, ascending; or empty where no state has any
   std::vector<std::uint32_t> values;  ///< its device's numeric symbols, where it has a behaviour

@@ -2,11 +2,13 @@
 #include "model/relations.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "base/pattern.hpp"
+#include "model/classes.hpp"
 #include "model/given.hpp"
 #include "model/plant_names.hpp"
 
@@ -31,6 +33,7 @@ class Relations {
       some_behaviour = some_behaviour || !unit.described->behaviour.empty();
     }
     if (some_behaviour) add_values();
+    check_classes(plant_, faults_);
     add_requirements();
   }
 
@@ -64,12 +67,19 @@ class Relations {
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
   }
 
-  /// Without a behaviour nobody reads them, but they are looked at.
+  /// By name, since an object of JSON has no order. Without a behaviour nobody reads them, but they are looked at.
   void add_inputs(Unit& unit) {
-    for (const auto& [name, text] : unit.described->inputs) {
+    const auto& given = unit.described->inputs;
+    std::vector<std::size_t> order(given.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return given[a].first < given[b].first; });
+    for (const std::size_t i : order) {
       condition::Tree tree;
-      resolve(text, key_pointer(*unit.described, DeviceKey::inputs) / name, tree);
-      if (!unit.described->behaviour.empty()) unit.conditions.push_back(std::move(tree));
+      resolve(given[i].second, key_pointer(*unit.described, DeviceKey::inputs) / given[i].first, tree);
+      if (unit.described->behaviour.empty()) continue;
+      unit.conditions.push_back(std::move(tree));
+      unit.input_names.push_back(given[i].first);
     }
   }
 

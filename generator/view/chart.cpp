@@ -75,7 +75,7 @@ void add_relations(std::vector<std::string>& facts, std::uint32_t index, const m
   }
   if (unit.has_behaviour()) facts.push_back("behaviour " + unit.described->behaviour);
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
-    facts.push_back(fmt::format("input {}: {}", unit.described->inputs[i - unit.first_input].first,
+    facts.push_back(fmt::format("input {}: {}", unit.input_names[i - unit.first_input],
                                 model::condition_text(unit.conditions[i], plant)));
   }
   for (const std::uint32_t value : unit.values) facts.push_back("value " + signal_text(plant.symbols[value], plant));

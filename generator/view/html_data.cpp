@@ -217,7 +217,7 @@ class DataWriter {
       json["behaviour"] = visible(unit.described->behaviour);
       json["inputs"] = Json::array();
       for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
-        json["inputs"].push_back({visible(unit.described->inputs[i - unit.first_input].first),
+        json["inputs"].push_back({visible(unit.input_names[i - unit.first_input]),
                                   visible(model::condition_text(unit.conditions[i], plant_))});
       }
     }

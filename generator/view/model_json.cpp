@@ -142,7 +142,7 @@ class UnitWriter {
   Json behaviour() const {
     Json inputs = Json::array();
     for (std::size_t i = unit_.first_input; i < unit_.conditions.size(); ++i) {
-      inputs.push_back({{"name", unit_.described->inputs[i - unit_.first_input].first},
+      inputs.push_back({{"name", unit_.input_names[i - unit_.first_input]},
                         {"condition", model::condition_text(unit_.conditions[i], plant_)}});
     }
     return {

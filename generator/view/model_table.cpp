@@ -157,7 +157,7 @@ class TableWriter {
     begin("behaviour");
     row(unit.described->behaviour);
     for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
-      row(fmt::format("input {}: {}", unit.described->inputs[i - unit.first_input].first,
+      row(fmt::format("input {}: {}", unit.input_names[i - unit.first_input],
                       model::condition_text(unit.conditions[i], plant_)));
     }
     for (const std::uint32_t value : unit.values) row(fmt::format("value {}", plant_.symbols[value].name()));

@@ -84,7 +84,7 @@ class ScxmlWriter {
     add_signals("O", unit.events);
     add_signals("value", unit.values);
     for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
-      out("      <symplant:input{}{}/>\n", attribute("name", unit.described->inputs[i - unit.first_input].first),
+      out("      <symplant:input{}{}/>\n", attribute("name", unit.input_names[i - unit.first_input]),
           attribute("is", model::condition_text(unit.conditions[i], plant_)));
     }
     for (const Disabler& by : references_.disabled_by[index]) {

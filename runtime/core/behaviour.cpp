@@ -2,7 +2,7 @@
 #include "symplant/core/behaviour.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <exception>
 
 #include "symplant/core/digest.hpp"
 #include "symplant/core/draw.hpp"
@@ -121,9 +121,26 @@ std::uint64_t BehaviourView::draw() noexcept {
   return split_mix(state);
 }
 
+std::uint32_t BehaviourView::behaviour() const noexcept { return engine_.tables.behaviour_units[place_].name; }
+
+std::span<const Behaviour> BehaviourView::behaviours() const noexcept { return engine_.behaviours; }
+
+const Transition* BehaviourView::transition(std::uint16_t number) const noexcept {
+  const auto rows = engine_.tables.types[engine_.tables.units[unit_].type].transitions;
+  return number < rows.size() ? &rows[number] : nullptr;
+}
+
+Time BehaviourView::model_takes(std::uint16_t transition) noexcept {
+  const UnitRow& row = engine_.tables.units[unit_];
+  return engine_.takes_by_model(unit_, row, engine_.index.types[row.type], way_to_, transition);
+}
+
+Time BehaviourView::model_after(std::uint16_t transition) noexcept {
+  return engine_.after_by_model(unit_, engine_.tables.units[unit_], transition);
+}
+
 void* BehaviourView::memory_bytes(std::size_t size) noexcept {
-  assert(size <= engine_.memory_of(place_));
-  static_cast<void>(size);
+  if (size > engine_.memory_of(place_)) std::terminate();
   return engine_.behaviour_memory + engine_.memory_begin(place_);
 }
 

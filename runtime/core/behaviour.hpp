@@ -3,21 +3,32 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
+#include "symplant/core/tables.hpp"
 #include "symplant/core/time.hpp"
 
 namespace symplant::core {
 
 class Engine;
+struct Behaviour;
 
 inline constexpr std::size_t kMaxBehaviourMemory = 4096;
 
 /// A unit as its behaviour sees it, while one of its functions is called. Valid only then. All members O(1).
 class BehaviourView {
  public:
-  BehaviourView(Engine& engine, std::uint32_t unit, std::uint32_t place) noexcept
-      : engine_(engine), unit_(unit), place_(place) {}
+  /// `way_to`: where the way leads that `takes` is asked for, kNoState elsewhere.
+  BehaviourView(Engine& engine, std::uint32_t unit, std::uint32_t place, std::uint8_t way_to = kNoState) noexcept
+      : engine_(engine), unit_(unit), place_(place), way_to_(way_to) {}
+
+  std::uint32_t unit() const noexcept { return unit_; }  ///< its place in PlantTables::units
+  std::uint8_t way_to() const noexcept { return way_to_; }
+  std::uint32_t behaviour() const noexcept;                ///< its place in PlantTables::behaviour_names
+  std::span<const Behaviour> behaviours() const noexcept;  ///< those that the plant was made of
+  /// The row of a transition of its table; null for 0xFFFF, a way without a command.
+  const Transition* transition(std::uint16_t number) const noexcept;
 
   Time now() const noexcept;  ///< of this instant
   /// Settled in, or moving from; `target()` is where to, the same where it is settled.
@@ -41,8 +52,12 @@ class BehaviourView {
   void wake_at(Time time) noexcept;
   /// 64 random bits: draw k of the unit's stream of number 0xFFFF (docs/model.md, "Random times").
   std::uint64_t draw() noexcept;
-  /// The behaviour's own memory, at most as large as Behaviour::memory_size: zeros after a reset; saved, restored,
-  /// digested, so without pointers and padding.
+  /// What the model's own rule says, in `takes` (also of 0xFFFF) and in `after`. A random time counts as the draw that
+  /// the model would have made.
+  Time model_takes(std::uint16_t transition) noexcept;
+  Time model_after(std::uint16_t transition) noexcept;
+  /// The behaviour's own memory, at most as large as Behaviour::memory_size (a larger one ends the program): zeros
+  /// after a reset; saved, restored, digested, so without pointers and padding.
   template <class Memory>
   Memory& memory() noexcept {
     static_assert(sizeof(Memory) <= kMaxBehaviourMemory && alignof(Memory) <= 8);
@@ -55,7 +70,8 @@ class BehaviourView {
 
   Engine& engine_;
   std::uint32_t unit_;
-  std::uint32_t place_;  ///< in PlantTables::behaviour_units
+  std::uint32_t place_;
+  std::uint8_t way_to_;
 };
 
 /// What a behaviour defines, as plain functions; null: the model's own rule. Called inside the unit's step: bounded,

@@ -130,6 +130,10 @@ class Engine {
   void make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_event_value(std::uint32_t slot, std::uint64_t value) noexcept;
   void wake_at(std::uint32_t behaviour, Time time) noexcept;
+  /// `transition` may be kNoTransition: a way to `target` without a command.
+  Time takes_by_model(std::uint32_t unit, const UnitRow& row, const TypeIndex& type, std::uint8_t target,
+                      std::uint16_t transition) noexcept;
+  Time after_by_model(std::uint32_t unit, const UnitRow& row, std::uint16_t transition) noexcept;
   /// Bytes of memory that a unit's behaviour has.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
   std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.rich.place_of(unit)]; }
@@ -255,8 +259,8 @@ class Engine {
   void forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t state) noexcept;
   Time takes(std::uint32_t unit, const UnitRow& row, const TypeIndex& type, std::uint8_t target,
              std::uint16_t transition) noexcept;
-  Time after(std::uint32_t unit, const UnitRow& row, std::uint16_t transition, Record& record) noexcept;
-  Time drawn(std::uint32_t unit, std::uint16_t transition, Time time, Record* record) noexcept;
+  Time after(std::uint32_t unit, const UnitRow& row, std::uint16_t transition) noexcept;
+  Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, Time time) noexcept;
   std::uint16_t way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
   void halt_times(std::uint32_t unit) noexcept;
   void resume_times(std::uint32_t unit) noexcept;

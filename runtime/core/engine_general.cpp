@@ -16,7 +16,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const 
   units[unit].holding = 1;
   if (record.holds == 0) {
     record.holds = 1;
-    record.ready = later(head->now, after(unit, row, transition, record));
+    record.ready = later(head->now, after(unit, row, transition));
   }
   if (record.ready <= head->now) return true;
   earliest = std::min(earliest, record.ready);

@@ -7,13 +7,19 @@
 
 namespace symplant::core {
 
-Time Engine::drawn(std::uint32_t unit, std::uint16_t transition, Time time, Record* record) noexcept {
+/// A time as the tables have it: itself, or drawn where it is a random one.
+Time Engine::drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, Time time) noexcept {
   if (time >= 0) return time;
-  const std::uint64_t start = draw_start(head->seed, name_hash(unit), transition, record->draws++);
+  Record& record = records[rich_row(unit).first_record + type.record_of[transition]];
+  const std::uint64_t start = draw_start(head->seed, name_hash(unit), transition, record.draws++);
   return random_time(tables.random_times[static_cast<std::size_t>(-1 - time)], start);
 }
 
-Time Engine::after(std::uint32_t unit, const UnitRow& row, std::uint16_t transition, Record& record) noexcept {
+Time Engine::after_by_model(std::uint32_t unit, const UnitRow& row, std::uint16_t transition) noexcept {
+  return drawn(unit, index.types[row.type], transition, tables.times[row.times + transition + std::uint32_t{1}].after);
+}
+
+Time Engine::after(std::uint32_t unit, const UnitRow& row, std::uint16_t transition) noexcept {
   if (behaves(unit)) {
     const RichRow& rich = rich_row(unit);
     const Behaviour* behaviour = behaviour_of(rich);
@@ -22,7 +28,16 @@ Time Engine::after(std::uint32_t unit, const UnitRow& row, std::uint16_t transit
       return std::max<Time>(0, behaviour->after(view, transition));
     }
   }
-  return drawn(unit, transition, tables.times[row.times + transition + std::uint32_t{1}].after, &record);
+  return after_by_model(unit, row, transition);
+}
+
+Time Engine::takes_by_model(std::uint32_t unit, const UnitRow& row, const TypeIndex& type, std::uint8_t target,
+                            std::uint16_t transition) noexcept {
+  if (transition == kNoTransition) {
+    transition = way_without_command(type, units[unit].state, target);
+    if (transition == kNoTransition) return tables.times[row.times].takes;
+  }
+  return drawn(unit, type, transition, tables.times[row.times + transition + std::uint32_t{1}].takes);
 }
 
 /// Of the transition, or of a way without a command to `target`.
@@ -32,17 +47,11 @@ Time Engine::takes(std::uint32_t unit, const UnitRow& row, const TypeIndex& type
     const RichRow& rich = rich_row(unit);
     const Behaviour* behaviour = behaviour_of(rich);
     if (behaviour->takes != nullptr) {
-      BehaviourView view(*this, unit, rich.behaviour);
+      BehaviourView view(*this, unit, rich.behaviour, target);
       return std::max<Time>(0, behaviour->takes(view, transition));
     }
   }
-  if (transition == kNoTransition) {
-    transition = way_without_command(type, units[unit].state, target);
-    if (transition == kNoTransition) return tables.times[row.times].takes;
-  }
-  const Time time = tables.times[row.times + transition + std::uint32_t{1}].takes;
-  if (time >= 0) return time;
-  return drawn(unit, transition, time, &records[rich_row(unit).first_record + type.record_of[transition]]);
+  return takes_by_model(unit, row, type, target, transition);
 }
 
 std::uint16_t Engine::way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept {

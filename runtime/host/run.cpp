@@ -4,11 +4,13 @@
 #include <chrono>
 #include <ostream>
 
+#include "symplant/exec/rt_check.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/load_scenario.hpp"
+#include "symplant/host/rt_check.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/host/run_virtual.hpp"
 #include "symplant/host/signals.hpp"
@@ -84,7 +86,8 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, c
   if (opened != kGood) return opened;
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
-  tell << summary(program.tables, stage.plant.model_hash(), program.more);
+  tell << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
+       << absent_behaviours(program.tables, program.behaviours);
   if (scenario != nullptr) tell << scenario_summary(options.scenario, *scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {
@@ -93,7 +96,12 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, c
 
   const auto begin = std::chrono::steady_clock::now();
   std::optional<exec::CycleStatistics> cycles;
-  if (real) {
+  bool clean = true;
+  if (options.rt_check) {
+    const RtChecked checked = run_rt_check(stage, options, links, real, tell);
+    cycles = checked.cycles;
+    clean = checked.clean;
+  } else if (real) {
     cycles = run_real(stage, options, links, tell);
   } else {
     run_virtual(stage, options, tell);
@@ -112,7 +120,8 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, c
     return stats_text(
         {stage.plant, options.seed, stage.outputs, stage.report, verdict, cycles, core::Time{wall.count()}});
   });
-  return last.are_well(err) ? exit_code(options, stage.report, verdict) : kEnvironment;
+  if (!last.are_well(err)) return kEnvironment;
+  return clean ? exit_code(options, stage.report, verdict) : kFindings;
 }
 
 }  // namespace
@@ -140,9 +149,12 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   catch_signals();
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
-  Stage stage(program, options, names, played, real, out, err);
-  return play(stage, program, options, names, played, chosen, real, out, uses_standard_output(options) ? err : out,
-              err);
+  PlantProgram staged = program;
+  std::optional<exec::WatchedBehaviours> watched;
+  if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
+  Stage stage(staged, options, names, played, real, out, err);
+  return play(stage, program, options, names, played, chosen, real, out,
+              uses_standard_output(options) ? err : out, err);
 }
 
 }  // namespace symplant::host

@@ -90,6 +90,15 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
   app.add_option("--seed", options.seed, "seed of random times (default: 0)")->type_name("N");
+  app.add_option_function<std::uint64_t>(
+         "--rt-check",
+         [&options](std::uint64_t count) {
+           if (count == 0) throw CLI::ValidationError("--rt-check", "0 cycles show nothing: write how many to look at");
+           options.rt_check = count;
+         },
+         "run so many cycles under a guard that finds heap, locks and system calls in them, and end; exit code 1 if "
+         "any")
+      ->type_name("N");
   app.add_flag("--fail-on-findings", options.fail_on_findings,
                "any finding gives exit code 1, not only failed expectations and violated requirements");
 }

@@ -32,6 +32,7 @@ struct RunOptions {
   std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, of trace and VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;
+  std::optional<std::uint64_t> rt_check;  ///< cycles to be run under the guard of real time, above 0
 };
 
 /// Adds the options to a command; `options` must live until it is parsed.

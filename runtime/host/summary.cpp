@@ -24,17 +24,25 @@ std::string lists_text(const core::PlantTables& tables) {
   return text;
 }
 
-std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more) {
+std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more,
+                    std::span<const core::Behaviour> behaviours) {
   const auto names = core::split_names(tables.symbol_names);
   std::size_t operations = 0;
   std::size_t moving_operations = 0;
+  std::vector<bool> by_code(tables.symbols.size());
+  for (const core::BehaviourUnit& unit : tables.behaviour_units) {
+    if (unit.name >= behaviours.size()) continue;
+    for (const std::uint32_t symbol : tables.behaviour_values.subspan(unit.first_value, unit.value_count)) {
+      by_code[symbol] = true;
+    }
+  }
   std::vector<std::string_view> unmoved;
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const core::SymbolRow& symbol = tables.symbols[i];
     if (symbol.direction() == core::Direction::operation) {
       ++operations;
       if (symbol.moved()) ++moving_operations;
-    } else if (!symbol.moved()) {
+    } else if (!symbol.moved() && !by_code[i]) {
       unmoved.push_back(names[2 * i]);
     }
   }
@@ -56,6 +64,18 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   }
   if (unmoved.size() > kNamesShown) text += fmt::format(" and {} more", unmoved.size() - kNamesShown);
   return text + "\n";
+}
+
+std::string absent_behaviours(const core::PlantTables& tables, std::span<const core::Behaviour> behaviours) {
+  const auto names = core::split_names(tables.behaviour_names);
+  std::string text;
+  for (std::size_t b = behaviours.size(); b < names.size(); ++b) {
+    const auto devices = std::count_if(tables.behaviour_units.begin(), tables.behaviour_units.end(),
+                                       [&](const core::BehaviourUnit& unit) { return unit.name == b; });
+    text += fmt::format("behaviour `{}` of {} absent: the model's own rules serve {}\n", shown(names[b]),
+                        plural(static_cast<std::size_t>(devices), "device"), devices == 1 ? "it" : "them");
+  }
+  return text;
 }
 
 }  // namespace symplant::host

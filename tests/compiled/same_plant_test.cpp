@@ -17,19 +17,24 @@
 
 namespace altered_1 {
 const symplant::core::PlantTables& tables() noexcept;
-}
+std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+}  // namespace altered_1
 namespace altered_2 {
 const symplant::core::PlantTables& tables() noexcept;
-}
+std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+}  // namespace altered_2
 namespace altered_3 {
 const symplant::core::PlantTables& tables() noexcept;
-}
+std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+}  // namespace altered_3
 namespace altered_4 {
 const symplant::core::PlantTables& tables() noexcept;
-}
+std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+}  // namespace altered_4
 namespace altered_5 {
 const symplant::core::PlantTables& tables() noexcept;
-}
+std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+}  // namespace altered_5
 
 namespace symplant::test {
 namespace {

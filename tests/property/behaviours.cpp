@@ -121,6 +121,13 @@ std::vector<Behaviour> all_behaviours() {
           behaviour_of<Behaviour, Waking<View>>()};
 }
 
+/// In behaviour_names(); its size where it is none of them.
+std::size_t place_of(std::string_view name) {
+  const auto& names = behaviour_names();
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name.substr(0, name.find('_'))) -
+                                  names.begin());
+}
+
 }  // namespace
 
 const std::vector<std::string>& behaviour_names() {
@@ -128,26 +135,23 @@ const std::vector<std::string>& behaviour_names() {
   return names;
 }
 
-bool is_behaviour(std::string_view name) {
-  const auto& names = behaviour_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+bool is_behaviour(std::string_view name) { return place_of(name) < behaviour_names().size(); }
 
 std::vector<core::Behaviour> engine_behaviours(const core::PlantTables& tables) {
   const auto all = all_behaviours<core::Behaviour, core::BehaviourView>();
   std::vector<core::Behaviour> wanted;
   for (const std::string_view name : core::split_names(tables.behaviour_names)) {
-    const auto& names = behaviour_names();
-    const auto at = std::find(names.begin(), names.end(), name) - names.begin();
-    wanted.push_back(at < std::ssize(all) ? all[static_cast<std::size_t>(at)] : core::Behaviour{});
+    wanted.push_back(is_behaviour(name) ? all[place_of(name)] : core::Behaviour{});
   }
   return wanted;
 }
 
-std::map<std::string, reference::Behaviour> reference_behaviours() {
+std::map<std::string, reference::Behaviour> reference_behaviours(const core::PlantTables& tables) {
   const auto all = all_behaviours<reference::Behaviour, reference::View>();
   std::map<std::string, reference::Behaviour> by_name;
-  for (std::size_t i = 0; i < all.size(); ++i) by_name.emplace(behaviour_names()[i], all[i]);
+  for (const std::string_view name : core::split_names(tables.behaviour_names)) {
+    if (is_behaviour(name)) by_name.emplace(name, all[place_of(name)]);
+  }
   return by_name;
 }
 

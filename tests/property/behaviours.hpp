@@ -21,10 +21,11 @@ inline constexpr std::size_t kLeastStates = 2;
 inline constexpr std::size_t kLeastInputs = 1;
 
 const std::vector<std::string>& behaviour_names();
+/// One of these, perhaps with `_` and something behind it: `Counting`, `Counting_3`.
 bool is_behaviour(std::string_view name);
 
 /// For core::Plant, by the place of their names in the tables.
 std::vector<core::Behaviour> engine_behaviours(const core::PlantTables& tables);
-std::map<std::string, reference::Behaviour> reference_behaviours();
+std::map<std::string, reference::Behaviour> reference_behaviours(const core::PlantTables& tables);
 
 }  // namespace symplant::property

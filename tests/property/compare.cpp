@@ -27,7 +27,8 @@ class Run {
         tables_(tables),
         behaviours_(with_behaviours ? engine_behaviours(tables) : std::vector<core::Behaviour>()),
         engine_(std::make_unique<EnginePlant>(tables, behaviours_)),
-        reference_(plant, with_behaviours ? reference_behaviours() : std::map<std::string, reference::Behaviour>()),
+        reference_(plant,
+                   with_behaviours ? reference_behaviours(tables) : std::map<std::string, reference::Behaviour>()),
         counts_(counts),
         rises_(tables) {
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.emplace(plant.symbols[i].name(), i);

@@ -128,7 +128,8 @@ class DeviceWriter {
   }
 
   void behaviour() {
-    device_.behaviour = dice_.pick(behaviour_names());
+    // A name of each unit's own: units of one behaviour would have to be alike.
+    device_.behaviour = dice_.pick(behaviour_names()) + "_" + std::to_string(&unit_ - plan_.units.data());
     for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
       device_.inputs.emplace_back("in" + std::to_string(i), random_condition(dice_, plan_, unit_));
     }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include "support/catch.hpp"
-#include "support/guard/guard.hpp"
+#include "symplant/exec/guard/guard.hpp"
 
 namespace symplant::test {
+
+using exec::GuardReport;
+using exec::run_guarded;
 
 /// Where system calls cannot be trapped, the run shows less than it should: ctest then tells the test as skipped
 /// (tests/rt/CMakeLists.txt), unless it has failed already.

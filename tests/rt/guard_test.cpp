@@ -25,6 +25,11 @@
 namespace symplant::test {
 namespace {
 
+using exec::Guard;
+using exec::kMostViolations;
+using exec::Violation;
+using exec::words;
+
 /// The first thing that the work did, without who called it.
 std::string first_of(const std::function<void()>& work) {
   const GuardReport report = run_guarded(work);
@@ -183,9 +188,7 @@ TEST_CASE("everything is counted, the first of it kept in its order") {
 }
 
 TEST_CASE("a thread under the trap may do everything while it is not guarded, again and again") {
-  GuardReport report;
-  std::thread cycle([&] {
-    const std::string no_trap = trap_system_calls();
+  const GuardReport report = exec::run_watched([&] {
     for (int i = 0; i < 10; ++i) {
       {
         const Guard guard;
@@ -195,10 +198,7 @@ TEST_CASE("a thread under the trap may do everything while it is not guarded, ag
       const timespec time{0, 1000};
       clock_nanosleep(CLOCK_MONOTONIC, 0, &time, nullptr);
     }
-    report = take_violations();
-    report.no_trap = no_trap;
   });
-  cycle.join();
   REQUIRE(report.count == 1);
   CHECK(words(report.violations[0]).starts_with("heap: malloc"));
   expect_trap(report);

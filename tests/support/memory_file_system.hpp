@@ -34,6 +34,13 @@ class MemoryFileSystem final : public base::FileSystem {
     return true;
   }
 
+  base::Result<bool, base::FileError> write_new(const std::string& path, std::string_view content) override {
+    if (exists(path)) return false;
+    return write(path, content);
+  }
+
+  bool exists(const std::string& path) const override { return files.count(path) != 0; }
+
  private:
   static base::FileError error(const std::string& act, const std::string& path, const std::string& why) {
     return {"cannot " + act + " `" + path + "`: " + why};

@@ -23,11 +23,34 @@ struct GenerateOptions {
   std::string folder;
   std::string depfile;
   std::string templates;
+  std::string behaviours;
   bool check = false;
 };
 
 std::string in_folder(const GenerateOptions& options, const std::string& name) {
   return (std::filesystem::path(options.folder) / name).string();
+}
+
+std::string own_path(const GenerateOptions& options, const emit::OwnFile& file) {
+  return (std::filesystem::path(options.behaviours) / file.name).string();
+}
+
+/// --behaviours: writes what is missing of the user's own files, and leaves the others alone. False where it fails.
+bool write_own(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
+  if (options.behaviours.empty()) return true;
+  if (emitted.own_files.empty()) {
+    context.err << "note: no device has a `behaviour`: nothing is written to `" << options.behaviours << "`\n";
+  }
+  for (const emit::OwnFile& file : emitted.own_files) {
+    const auto written = context.files.write_new(own_path(options, file), file.content);
+    if (!written) {
+      context.err << "error: " << written.error().message << "\n";
+      context.exit_code = host::kEnvironment;
+      return false;
+    }
+    if (*written) context.out << own_path(options, file) << ": written for you to fill in\n";
+  }
+  return true;
 }
 
 /// --check: tells what is missing or differs, writes nothing.
@@ -39,12 +62,18 @@ void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Co
     context.out << path << (there ? " is out of date" : " is missing") << "\n";
     context.exit_code = host::kFindings;
   }
+  for (const emit::OwnFile& file : emitted.own_files) {
+    if (options.behaviours.empty() || context.files.exists(own_path(options, file))) continue;
+    context.out << own_path(options, file) << " is missing\n";
+    context.exit_code = host::kFindings;
+  }
   context.out << (context.exit_code == host::kGood ? "up to date: " : "run symplant generate again: ") << options.folder
               << "\n";
 }
 
 void write(const GenerateOptions& options, const emit::EmitResult& emitted, std::vector<std::string> inputs,
            Context& context) {
+  if (!write_own(options, emitted, context)) return;
   std::size_t changed = 0;
   for (const emit::EmittedFile& file : emitted.files) {
     const auto written = context.files.write(in_folder(options, file.name), file.content);
@@ -104,11 +133,16 @@ void add_generate(CLI::App& app, Context& context) {
   command
       ->add_option("--templates", options->templates, "a folder with templates that take the place of the tool's own")
       ->type_name("DIR");
+  command
+      ->add_option("--behaviours", options->behaviours,
+                   "a folder of yours: what is missing of your classes for devices is written there, once")
+      ->type_name("DIR");
   command->add_flag("--check", options->check, "write nothing; exit code 1 if the folder is out of date");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "The generated code is your own: the licence of symplant does not extend to it.\n"
-      "Examples:\n  symplant generate plant.json -o plant\n  symplant generate symbols.csv -o plant --check");
+      "Examples:\n  symplant generate plant.json -o plant\n  symplant generate symbols.csv -o plant --check\n"
+      "  symplant generate plant.json -o plant --behaviours behaviours");
   command->callback([options, &context] { generate(*options, context); });
 }
 

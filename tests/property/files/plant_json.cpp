@@ -30,7 +30,10 @@ void make_sayable(std::vector<std::pair<std::string, bool>>& events) {
 }
 
 void add_behaviour(Dice& dice, const PlantText& plant, model::DeviceDescription& device) {
-  device.behaviour = "MyOwnCode";
+  // A name of each device's own: devices of one behaviour would have to be alike.
+  const auto& devices = plant.description.devices;
+  const auto same = [&](const model::DeviceDescription& other) { return other.path == device.path; };
+  device.behaviour = "MyOwnCode" + std::to_string(std::find_if(devices.begin(), devices.end(), same) - devices.begin());
   // Conditions that stand elsewhere in the description are sure to name what is there.
   for (const model::GivenRequirement& requirement : plant.description.requirements) {
     const std::string& text = requirement.never.empty() ? requirement.expect : requirement.never;

@@ -7,10 +7,10 @@
 namespace symplant::test {
 namespace {
 
-const std::vector<std::string> kFiles{"CMakeLists.txt", "devices_gen.hpp", "main_gen.cpp",
-                                      "plant_gen.hpp",  "tables_gen.cpp",  "types_gen.hpp"};
+const std::vector<std::string> kFiles{"CMakeLists.txt", "behaviours_gen.cpp", "devices_gen.hpp", "main_gen.cpp",
+                                      "plant_gen.hpp",  "tables_gen.cpp",     "types_gen.hpp"};
 
-TEST_CASE("generate: six files, and no other") {
+TEST_CASE("generate: seven files, and no other") {
   MemoryFileSystem files = lists();
   const std::size_t before = files.files.size();
   CHECK(run_tool({"generate", "excell.csv", "-o", "out"}, files).code == 0);
@@ -112,6 +112,71 @@ TEST_CASE("generate --templates: an unknown key is 2, names file and line, and n
   CHECK(contains(run.err, "`planet`"));
   CHECK_FALSE(std::filesystem::exists(folder / "out"));
   CHECK(run_tool({"generate", list, "-o", folder / "out", "--templates", folder / "none"}, files).code == 2);
+}
+
+/// A cylinder that is described, with a behaviour or without.
+MemoryFileSystem described(const std::string& device) {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(bits({"L_P_CYL1_O_ADV", "L_P_CYL1_I_ADV", "L_P_CYL1_I_RET"}));
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["list.csv"], "devices": {"L_P_CYL*": {)" + device + "}}}";
+  return files;
+}
+const std::string kBehaving = R"("type": "Cylinder", "behaviour": "SlowCylinder", "inputs": {"air": "L_P_CYL1.RET"})";
+
+TEST_CASE("generate --behaviours: the user's file is written once, and never over what is there") {
+  MemoryFileSystem files = described(kBehaving);
+  const ToolRun first = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files);
+  CHECK(first.err == "");
+  CHECK(first.code == 0);
+  CHECK(contains(first.out, "mine/SlowCylinder_behavior.hpp: written for you to fill in\n"));
+  CHECK(contains(files.files["mine/SlowCylinder_behavior.hpp"], "class SlowCylinder : public Cylinder {"));
+  CHECK(contains(files.files["out/behaviours_gen.cpp"], "behaviour_of<SlowCylinder, Cylinder>()"));
+  CHECK(contains(files.files["out/types_gen.hpp"], "    kair,  // L_P_CYL1.RET\n"));
+
+  files.files["mine/SlowCylinder_behavior.hpp"] = "mine";
+  files.written.clear();
+  const ToolRun second = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files);
+  CHECK(second.code == 0);
+  CHECK_FALSE(contains(second.out, "SlowCylinder"));
+  CHECK(files.written.empty());
+  CHECK(files.files["mine/SlowCylinder_behavior.hpp"] == "mine");
+}
+
+TEST_CASE(
+    "generate --behaviours: what cannot be written is 3, what cannot be a class is 2, and no plant is written then") {
+  MemoryFileSystem files = described(kBehaving);
+  files.faults["mine/SlowCylinder_behavior.hpp"] = "no permission";
+  CHECK(run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files).code == 3);
+  CHECK(files.written.empty());
+  MemoryFileSystem bad = described(R"("behaviour": "class")");
+  const ToolRun run = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, bad);
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "`class` is no name of a C++ class, write `class_`, say"));
+  CHECK(bad.written.empty());
+}
+
+TEST_CASE("generate --check: says which file of a behaviour is missing, where the folder is given") {
+  MemoryFileSystem files = described(kBehaving);
+  run_tool({"generate", "plant.json", "-o", "out"}, files);
+  CHECK(run_tool({"generate", "plant.json", "-o", "out", "--check"}, files).code == 0);
+  const ToolRun run = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine", "--check"}, files);
+  CHECK(run.code == 1);
+  CHECK(contains(run.out, "mine/SlowCylinder_behavior.hpp is missing\n"));
+  CHECK(files.files.count("mine/SlowCylinder_behavior.hpp") == 0);
+}
+
+TEST_CASE("generate --behaviours: without a behaviour nothing is written to the folder, which is said") {
+  MemoryFileSystem files = described(R"("initial": "RET")");
+  const ToolRun run = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "note: no device has a `behaviour`"));
+}
+
+TEST_CASE("run: a behaviour is absent where nothing is compiled, and said to be") {
+  MemoryFileSystem files = described(kBehaving);
+  const ToolRun run = run_tool({"run", "plant.json", "--until", "1s"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "behaviour `SlowCylinder` of 1 device absent: the model's own rules serve it\n"));
 }
 
 }  // namespace

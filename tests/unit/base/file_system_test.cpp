@@ -137,12 +137,30 @@ TEST_CASE("Without permission nothing is read, written or left behind") {
   CHECK(std::distance(fs::directory_iterator(folder / "sub"), fs::directory_iterator()) == 1);
 }
 
+TEST_CASE("What is the user's is written once, and left alone from then on, whatever it is") {
+  const Folder folder;
+  DiskFileSystem disk;
+  CHECK(*disk.write_new(folder / "new/mine", "first"));
+  CHECK_FALSE(*disk.write_new(folder / "new/mine", "second"));
+  CHECK(*disk.read(folder / "new/mine") == "first");
+  CHECK(std::distance(fs::directory_iterator(folder / "new"), fs::directory_iterator()) == 1);
+  fs::create_symlink(folder / "nowhere", folder / "link");
+  CHECK_FALSE(*disk.write_new(folder / "link", "x"));
+  CHECK(disk.exists(folder / "link"));
+  CHECK_FALSE(disk.exists(folder / "nowhere"));
+  CHECK_FALSE(*disk.write_new(folder / "new", "x"));
+  CHECK_THAT(disk.write_new(folder / "new/mine/below", "x").error().message,
+             Catch::Matchers::StartsWith("cannot write `" + (folder / "new/mine/below") + "`: "));
+}
+
 TEST_CASE("The file system of tests behaves likewise") {
   symplant::test::MemoryFileSystem memory;
   CHECK_FALSE(memory.read("a"));
   CHECK(*memory.write("a", "x"));
   CHECK_FALSE(*memory.write("a", "x"));
   CHECK(*memory.read("a") == "x");
+  CHECK_FALSE(*memory.write_new("a", "y"));
+  CHECK(*memory.write_new("b", "y"));
   memory.faults["a"] = "no permission";
   CHECK(memory.read("a").error().message == "cannot read `a`: no permission");
 }

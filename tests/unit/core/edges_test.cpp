@@ -98,6 +98,43 @@ TEST_CASE("asking to be woken in `wanted` leaves nothing behind that a reset or 
   }
 }
 
+/// Twice as long as the model says, in ways and causes.
+const std::array<core::Behaviour, 1> kSlow{core::Behaviour{
+    .takes = [](core::BehaviourView& view,
+                std::uint16_t transition) noexcept { return 2 * view.model_takes(transition); },
+    .after = [](core::BehaviourView& view,
+                std::uint16_t transition) noexcept { return 2 * view.model_after(transition); },
+}};
+
+TEST_CASE("a behaviour may ask what the model's own rule says, also of a way without a command and of a random time") {
+  Told told;
+  told.device("CYL").behaviour = "Slow";
+  told.on_command("CYL", "RET", "ADV", {model::Duration::Kind::uniform, 700 * kMs, 900 * kMs});
+  told.by_itself("CYL", "ADV", "RET", {model::Duration::Kind::uniform, 5 * core::kSecond, 6 * core::kSecond});
+  const BenchTables tables({"CYL_O_ADV", "CYL_I_ADV", "CYL_I_RET"}, told);
+  core::OwnedPlant slow(tables.rows, kSlow);
+  core::OwnedPlant own(tables.rows);
+  for (core::Plant* plant : {static_cast<core::Plant*>(&slow), static_cast<core::Plant*>(&own)}) {
+    plant->reset(7);
+    plant->advance_to(0);
+    plant->set_operation(0, true);
+    plant->advance_to(core::kSecond);
+  }
+  CHECK(own.unit(0).remaining >= 700 * kMs);
+  CHECK(slow.unit(0).remaining == 2 * own.unit(0).remaining);
+  own.advance_to(own.next_due());
+  slow.advance_to(slow.next_due());
+  REQUIRE_FALSE(own.unit(0).moving);
+  REQUIRE_FALSE(slow.unit(0).moving);
+  CHECK(slow.next_due() - slow.now() == 2 * (own.next_due() - own.now()));
+  for (core::Plant* plant : {static_cast<core::Plant*>(&slow), static_cast<core::Plant*>(&own)}) {
+    plant->set_operation(0, false);  // a spring's own way, of the default travel time
+    plant->advance_to(plant->now() + 1);
+  }
+  CHECK(own.unit(0).remaining == core::kSecond);
+  CHECK(slow.unit(0).remaining == 2 * core::kSecond);
+}
+
 TEST_CASE("a loop that a full ring cuts off ends with the last finding kept") {
   std::vector<std::max_align_t> memory(1024);
   core::Arena arena(reinterpret_cast<std::byte*>(memory.data()));

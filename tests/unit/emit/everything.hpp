@@ -47,13 +47,13 @@ inline void add_units(model::PlantModel& plant, const model::DeviceDescription& 
     for (const std::uint32_t symbol : plant.units[side].events) many.children.push_back(bit(symbol));
   }
   stopper.conditions = {many};
+  stopper.input_names = {"part\n"};
 }
 
 inline std::unique_ptr<const Everything> everything() {
   auto made = std::make_unique<Everything>();
   made->described.type = "class";
   made->described.behaviour = "MyStopper\\";
-  made->described.inputs = {{"part\n", ""}};
   Analysed analysed = analyse_text(list_text({{"L_P_AGV_O_P1", "Y1"},
                                               {"L_P_AGV_O_P2", "Y2"},
                                               {"L_P_AGV_I_P1", "X1"},

@@ -1,4 +1,5 @@
 // Every table of the engine as generated code.
+#include "dosing.hpp"
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
 #include "emit_support.hpp"
@@ -17,6 +18,18 @@ TEST_CASE("A plant in which every table has rows is written as the goldens have 
   for (const emit::EmittedFile& file : emit_model(everything()->plant).files) {
     check_golden(kSource + "/tests/golden/emit/everything/" + file.name, file.content);
   }
+}
+
+TEST_CASE("A plant with behaviours is written as the goldens have it, which a test compiles with its user's classes") {
+  const CompiledText text = dosing();
+  REQUIRE(text.compiled);
+  const emit::EmitResult result = emit_model(text.plant());
+  for (const emit::EmittedFile& file : result.files) {
+    check_golden(kSource + "/tests/golden/emit/dosing/" + file.name, file.content);
+  }
+  REQUIRE(result.own_files.size() == 1);
+  CHECK(result.own_files[0].name == "WeighingScale_behavior.hpp");
+  check_golden(kSource + "/tests/golden/emit/dosing/own/" + result.own_files[0].name, result.own_files[0].content);
 }
 
 TEST_CASE("Tables without rows are left out") {

@@ -38,5 +38,17 @@ TEST_CASE("the summary says what can move and names what nobody moves") {
   CHECK(contains(text, "nobody moves: 2 of 3 events: PB, ?[31m?!\n"));  // nothing gets at the terminal
 }
 
+TEST_CASE("behaviours without code are told, with how many devices they are of") {
+  const std::vector<core::BehaviourUnit> units{{0, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}, {3, 1, 0, 0, 0, 0}};
+  core::PlantTables tables = bare_tables("cell", 64, 64);
+  tables.behaviour_units = units;
+  tables.behaviour_names = std::string_view("Lift\0Stop\x1b\0", 11);
+  const std::vector<core::Behaviour> code(2);
+  CHECK(host::absent_behaviours(tables, code).empty());
+  CHECK(host::absent_behaviours(tables, {}) ==
+        "behaviour `Lift` of 1 device absent: the model's own rules serve it\n"
+        "behaviour `Stop?` of 2 devices absent: the model's own rules serve them\n");
+}
+
 }  // namespace
 }  // namespace symplant::test

@@ -174,7 +174,7 @@ TEST_CASE("Disables stand by who disables, then by state, then by whom; both are
   CHECK(tables.units[4].rich == 0);
 }
 
-TEST_CASE("A unit with a behaviour shares its type with none; classes of one name are one") {
+TEST_CASE("A unit with a behaviour shares its type with its like alone; classes of one name are one") {
   model::PlantModel plant = devices(5);
   std::array<model::DeviceDescription, 2> described;
   described[0].behaviour = "MyStopper";

@@ -140,7 +140,7 @@ TEST_CASE("Disabling itself, a device or in a state that is not there, and a sta
 
 // Behaviours.
 
-TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, equal texts too") {
+TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, by name, equal texts too") {
   DeviceDescription d = device();
   d.behaviour = "MyTable";
   d.transitions = {way("P1", "P2", "", "L_P_E.A1")};
@@ -149,7 +149,8 @@ TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, equal 
   CHECK(faults(list) == "");
   CHECK(unit_of(list).conditions.size() == 3);
   CHECK(unit_of(list).first_input == 1);
-  CHECK(unit_of(list).conditions[2].kind == Tree::Kind::negation);
+  CHECK(unit_of(list).conditions[1].kind == Tree::Kind::negation);
+  CHECK(unit_of(list).input_names == std::vector<std::string_view>{"clear", "part"});
 }
 
 TEST_CASE("Inputs that nobody reads are looked at, and are no conditions") {

@@ -116,7 +116,7 @@ TEST_CASE("The JSON form is complete: what a description says is in it, exactly"
   CHECK(symbol("L_Q_STOPPER1_I_WEIGHT").at("initial") == -5);
   CHECK(symbol("START").at("unmodelled") == "name");
   const Json hostile = Json::parse(render(hostile_cell(), "json").text);
-  CHECK(hostile.at("units")[0].at("behaviour").at("class") == kHarm);
+  CHECK(hostile.at("units")[0].at("behaviour").at("class") == "OwnHarm");
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ inline CompiledText hostile_cell() {
   model::DeviceDescription device;
   device.path = "L_P_D";
   device.states = {kHarm};
-  device.type = kHarm;
-  device.behaviour = kHarm;
+  device.type = "Harm";
+  device.behaviour = "OwnHarm";
   device.inputs = {{kHarm, "L_P_D.A1"}};
   device.transitions = {way("A1", kHarm), way(kHarm, "A1")};
   device.transitions[0].automatic = true;

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
+#include "symplant/core/behaviour.hpp"
 #include "symplant/core/owned_plant.hpp"
 #include "symplant/core/tables.hpp"
 
@@ -14,10 +16,13 @@ namespace everything {
 /// The plant's rows: types, devices, times, symbols and names. They live as long as the program.
 const symplant::core::PlantTables& tables() noexcept;
 
+/// The classes of your own that devices behave by, as the engine calls them; none where they are not built in.
+std::span<const symplant::core::Behaviour> behaviours() noexcept;
+
 /// A running plant with its own memory. Any number may live in a process, each in one thread at a time.
 class Plant final : public symplant::core::OwnedPlant {
  public:
-  Plant() : OwnedPlant(::everything::tables()) {}
+  Plant() : OwnedPlant(::everything::tables(), ::everything::behaviours()) {}
 };
 
 /// The factory of the library: a plant at time 0, without threads, signals or files.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "symplant/core/device_view.hpp"
 #include "symplant/core/io_model.hpp"
 #include "symplant/core/tables.hpp"
 #include "symplant/core/version.hpp"
@@ -189,6 +190,24 @@ class class_ {
   static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
     return symplant::core::l_disable(::everything::tables().disables, m, x);
   }
+
+  /// The conditions that MyStopper_u005C sees: the description's `inputs`, by name.
+  enum class Input : std::uint16_t {
+    kpart_u000A,  // L_P_AGV_O_P1 and L_P_AGV_O_P2 and L_P_AGV_I_P1 and L_P_AGV_I_P2 and L_P_MC_O_IDLE1 and L_P_MC_O_RUN2 and L_P_MC_I_IDLE1 and L_P_MC_I_RUN2 and L_P_MC_I_BUSY3
+  };
+
+  /// The device's numeric symbols, in list order.
+  enum class Value : std::uint16_t {
+    kunnamed,  // LEVEL, %IW1, everything.csv:16
+    kunnamed_2,  // SPEED, %QD2, everything.csv:17
+  };
+  static constexpr std::array<symplant::core::ValueKind, 2> kV{{{symplant::core::DataType::int_, symplant::core::Direction::event}, {symplant::core::DataType::real, symplant::core::Direction::operation}}};
+
+  /// What the functions of MyStopper_u005C are given.
+  using Time = symplant::core::Time;
+  using Transition = symplant::core::DeviceTransition<class_>;
+  using Look = symplant::core::DeviceLook<class_>;
+  using View = symplant::core::DeviceView<class_>;
 
   /// What the engine has of this type.
   static constexpr symplant::core::TypeRow row() noexcept {

@@ -16,7 +16,15 @@ constexpr std::array<symplant::host::DefaultLink, 0> kLinks{{
 
 }  // namespace
 
+// The link of a start without --link; the build gives it (LINK_DEFAULT).
+#ifndef SYMPLANT_LINK_DEFAULT
+#define SYMPLANT_LINK_DEFAULT ""
+#endif
+
 int main(int argc, char** argv) {
-  const symplant::host::PlantProgram program{.tables = excell::tables(), .links = kLinks};
+  const symplant::host::PlantProgram program{.tables = excell::tables(),
+                                             .behaviours = excell::behaviours(),
+                                             .links = kLinks,
+                                             .default_link = SYMPLANT_LINK_DEFAULT};
   return symplant::host::run_plant(argc, argv, program);
 }

@@ -1,11 +1,11 @@
 // The system calls that a plant's code may come to make by mistake.
-#include "support/guard/system_calls.hpp"
+#include "symplant/exec/guard/system_calls.hpp"
 
 #include <sys/syscall.h>
 
 #include <array>
 
-namespace symplant::test::guard {
+namespace symplant::exec::guard {
 namespace {
 
 struct Name {
@@ -54,4 +54,4 @@ std::string system_call_name(long number) {
   return "number " + std::to_string(number);
 }
 
-}  // namespace symplant::test::guard
+}  // namespace symplant::exec::guard

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace symplant::test::guard {
+namespace symplant::exec::guard {
 
 /// "write", or "number 512" of one that code of ours is not likely to make.
 std::string system_call_name(long number);
 
-}  // namespace symplant::test::guard
+}  // namespace symplant::exec::guard

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "support/guard/record.hpp"
+#include "symplant/exec/guard/record.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)
 
@@ -48,7 +48,7 @@ symplant_guard_forward_return:
   .size symplant_guard_forward, .-symplant_guard_forward
 )");
 
-namespace symplant::test {
+namespace symplant::exec {
 namespace {
 
 std::string failed(const char* what) { return std::string(what) + ": " + std::strerror(errno); }
@@ -83,7 +83,7 @@ void on_trap(int, siginfo_t* info, void* raw) noexcept {
   auto& context = *static_cast<ucontext_t*>(raw);
   auto& registers = context.uc_mcontext.gregs;
   const long number = info->si_syscall;
-  if (guard::guarded()) guard::record({Violation::Kind::system_call, nullptr, number, info->si_call_addr});
+  if (guard::guarded()) guard::record({Violation::Kind::system_call, nullptr, number, info->si_call_addr, {}});
   if (starts_another(number)) {  // it would begin its life in this handler
     registers[REG_RAX] = -ENOSYS;
   } else if (number == SYS_rt_sigprocmask) {
@@ -159,14 +159,14 @@ std::string trap_system_calls() {
   return fault.empty() ? try_trap() : fault;
 }
 
-}  // namespace symplant::test
+}  // namespace symplant::exec
 
 #else
 
-namespace symplant::test {
+namespace symplant::exec {
 
 std::string trap_system_calls() { return "system calls are trapped on x86-64 Linux only"; }
 
-}  // namespace symplant::test
+}  // namespace symplant::exec
 
 #endif

@@ -1,0 +1,73 @@
+// How the scales of the plant dosing weigh: material flows in at a rate, and the weight can be read on the way.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "types_gen.hpp"
+
+namespace dosing {
+
+/// A way to FULL2 takes what the target needs at the flow of that moment; the weight is shown every 100 ms. A batch is
+/// up to 20 g over its target. Emptying takes what the description says.
+class WeighingScale : public Scale {
+ public:
+  /// Weights in g, so that all computers find the same. No gaps: 8 bytes each.
+  struct Memory {
+    std::int64_t batches;
+    std::int64_t target;  ///< of the batch that flows in
+    std::int64_t flow;    ///< g/s, while it flows
+    std::int64_t began;   ///< since when it flows, ns
+  };
+
+  static Time takes(Look& look, Transition transition) noexcept {
+    if (transition.to() != State::kFULL2) return look.model_takes(transition);
+    return target(look) * kSecond / flow(look);
+  }
+
+  static void left(View& view, State state) noexcept {
+    auto& memory = view.memory<Memory>();
+    if (state == State::kFULL2) return;
+    memory.target = target(view);
+    memory.flow = flow(view);
+    memory.began = view.now();
+    view.wake_after(kShown);
+  }
+
+  static void woken(View& view) noexcept {
+    const auto& memory = view.memory<Memory>();
+    const Time flowed = view.now() - memory.began;
+    show(view, std::min(memory.target, memory.flow * (flowed / kMillisecond) / 1000));
+    view.wake_after(kShown);
+  }
+
+  static void entered(View& view, State state) noexcept {
+    view.wake_at(symplant::core::kNever);
+    if (state == State::kEMPTY1) {
+      show(view, 0);
+      return;
+    }
+    auto& memory = view.memory<Memory>();
+    ++memory.batches;
+    show(view, memory.target + static_cast<std::int64_t>(view.draw() % 21));
+    view.set_value<Value::kBATCHES>(static_cast<std::int16_t>(memory.batches));
+  }
+
+ private:
+  static constexpr Time kMillisecond = symplant::core::kMillisecond;
+  static constexpr Time kSecond = symplant::core::kSecond;
+  static constexpr Time kShown = 100 * kMillisecond;
+
+  /// What the PLC wants, in g: at most 1 t, whatever it writes.
+  static std::int64_t target(const Look& look) noexcept {
+    const double kilograms = look.value<Value::kTARGET>();
+    return kilograms > 0 ? static_cast<std::int64_t>(std::min(kilograms, 1000.0) * 1000.0) : 0;
+  }
+  /// Coarse with the hopper's gate open, else fine.
+  static std::int64_t flow(const Look& look) noexcept { return look.input(Input::khopper_open) ? 10'000 : 2'000; }
+  static void show(View& view, std::int64_t grams) noexcept {
+    view.set_value<Value::kWEIGHT>(static_cast<double>(grams) / 1000.0);
+  }
+};
+
+}  // namespace dosing

@@ -1,0 +1,118 @@
+// Behaviours that tell whose code runs, and the guard's report in words.
+#include "symplant/exec/rt_check.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "symplant/core/names.hpp"
+
+namespace symplant::exec {
+namespace {
+
+using core::Behaviour;
+using core::BehaviourView;
+
+/// The behaviour that a telling one stands for: as many places behind it as there are behaviours.
+const Behaviour& own(const BehaviourView& view) noexcept {
+  const std::span<const Behaviour> all = view.behaviours();
+  return all[all.size() / 2 + view.behaviour()];
+}
+
+constexpr Behaviour kTelling{
+    .takes =
+        [](BehaviourView& view, std::uint16_t transition) noexcept {
+          const DoingNow doing({"takes", view.unit()});
+          return own(view).takes(view, transition);
+        },
+    .after =
+        [](BehaviourView& view, std::uint16_t transition) noexcept {
+          const DoingNow doing({"after", view.unit()});
+          return own(view).after(view, transition);
+        },
+    .wanted =
+        [](BehaviourView& view) noexcept {
+          const DoingNow doing({"wanted", view.unit()});
+          return own(view).wanted(view);
+        },
+    .entered =
+        [](BehaviourView& view, std::uint8_t state) noexcept {
+          const DoingNow doing({"entered", view.unit()});
+          own(view).entered(view, state);
+        },
+    .left =
+        [](BehaviourView& view, std::uint8_t state) noexcept {
+          const DoingNow doing({"left", view.unit()});
+          own(view).left(view, state);
+        },
+    .woken =
+        [](BehaviourView& view) noexcept {
+          const DoingNow doing({"woken", view.unit()});
+          own(view).woken(view);
+        },
+};
+
+Behaviour telling(const Behaviour& behaviour) {
+  Behaviour teller = kTelling;
+  teller.memory_size = behaviour.memory_size;
+  if (behaviour.takes == nullptr) teller.takes = nullptr;
+  if (behaviour.after == nullptr) teller.after = nullptr;
+  if (behaviour.wanted == nullptr) teller.wanted = nullptr;
+  if (behaviour.entered == nullptr) teller.entered = nullptr;
+  if (behaviour.left == nullptr) teller.left = nullptr;
+  if (behaviour.woken == nullptr) teller.woken = nullptr;
+  return teller;
+}
+
+std::string whose(const Doing& doing, const core::PlantTables& tables) {
+  if (doing.function == nullptr) return "in the plant's own cycle";
+  const auto units = core::split_names(tables.unit_names);
+  const auto behaviours = core::split_names(tables.behaviour_names);
+  std::string text = "in `" + std::string(doing.function) + "`";
+  for (const core::BehaviourUnit& row : tables.behaviour_units) {
+    if (row.unit == doing.unit) text += " of behaviour `" + std::string(behaviours[row.name]) + "`";
+  }
+  return text + ", device " + std::string(units[doing.unit]);
+}
+
+}  // namespace
+
+WatchedBehaviours::WatchedBehaviours(const core::PlantTables& tables, std::span<const core::Behaviour> behaviours) {
+  if (behaviours.empty()) return;
+  // One a name, so that the second half holds no name's place.
+  std::vector<Behaviour> owns(behaviours.begin(), behaviours.end());
+  owns.resize(core::split_names(tables.behaviour_names).size());
+  for (const Behaviour& behaviour : owns) all_.push_back(telling(behaviour));
+  all_.insert(all_.end(), owns.begin(), owns.end());
+}
+
+std::vector<std::string> rt_check_lines(const GuardReport& report, const core::PlantTables& tables) {
+  struct Act {
+    std::string what;
+    std::string whose;
+    std::string caller;
+    std::size_t count;
+  };
+  std::vector<Act> acts;
+  for (const Violation& violation : report.violations) {
+    Act act{act_of(violation), whose(violation.doing, tables), caller_of(violation), 1};
+    const auto same = std::find_if(acts.begin(), acts.end(), [&](const Act& known) {
+      return std::tie(known.what, known.whose) == std::tie(act.what, act.whose);
+    });
+    same == acts.end() ? acts.push_back(std::move(act)) : void(++same->count);
+  }
+  std::vector<std::string> lines;
+  for (const Act& act : acts) {
+    std::string line =
+        act.what + ", " + act.whose + (act.count == 1 ? ", once" : ", " + std::to_string(act.count) + " times");
+    if (!act.caller.empty()) line += " (called from " + act.caller + ")";
+    lines.push_back(std::move(line));
+  }
+  if (report.count > report.violations.size()) {
+    lines.push_back("and " + std::to_string(report.count - report.violations.size()) + " acts more");
+  }
+  if (!report.no_hooks.empty()) lines.push_back("heap and locks were not looked at: " + report.no_hooks);
+  if (!report.no_trap.empty()) lines.push_back("system calls were not looked at: " + report.no_trap);
+  return lines;
+}
+
+}  // namespace symplant::exec

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The scales' scenario holds with their code, its trace is the golden one, the guard finds nothing; without the code the
+# plant says so, and the scenario fails. usage: weigh.sh PLANT SYMPLANT EXAMPLE GOLDEN
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+binary=$1 tool=$2 example=$3 golden=$4
+
+"$binary" --scenario "$example/weigh.json" --trace "$work/trace.jsonl" >"$work/plant.log" || fail "the scenario"
+if [[ -n ${SYMPLANT_UPDATE_GOLDENS-} ]]; then cp "$work/trace.jsonl" "$golden"; fi
+cmp "$golden" "$work/trace.jsonl" || fail "the trace is not $golden"
+grep -q absent "$work/plant.log" && fail "the behaviour is absent"
+grep -q '^nobody moves: 0 of ' "$work/plant.log" || fail "the scales' numbers are said to be moved by nobody"
+
+"$tool" run "$example/plant.json" --scenario "$example/weigh.json" >"$work/interpreted.log" && fail "it weighs without code"
+grep -q '^behaviour `WeighingScale` of 2 devices absent' "$work/interpreted.log" || fail "nobody says that it is absent"
+[[ $(grep -o 'model [0-9a-f]\{16\}' "$work/plant.log") == $(grep -o 'model [0-9a-f]\{16\}' "$work/interpreted.log") ]] ||
+  fail "the model's hashes differ"
+
+"$binary" --scenario "$example/weigh.json" --rt-check 600 >"$work/guard.log" || fail "the guard"
+grep -q '^rt-check: 600 cycles, nothing found' "$work/guard.log" || fail "the guard found something"
+"$tool" generate "$example/plant.json" -o "$work/out" --behaviours "$example/behaviours" >"$work/generate.log"
+grep -q written "$work/generate.log" && fail "it writes over what is there"
+exit 0

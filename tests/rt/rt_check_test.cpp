@@ -1,0 +1,139 @@
+// --rt-check names who broke the rules: which function of which behaviour, of which device.
+#include "symplant/exec/rt_check.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <mutex>
+#include <sstream>
+#include <utility>
+
+#include "rt/expect_nothing.hpp"
+#include "support/plant_bench.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/host/run.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::Behaviour;
+using core::BehaviourView;
+
+void* kept = nullptr;
+std::mutex mutex;
+
+/// Counts, and does in each function what it must not do.
+constexpr Behaviour kFaulty{
+    .memory_size = 8,
+    .takes =
+        [](BehaviourView& view, std::uint16_t transition) noexcept {
+          const std::lock_guard lock(mutex);
+          return view.model_takes(transition);
+        },
+    .entered =
+        [](BehaviourView& view, std::uint8_t) noexcept {
+          ++view.memory<std::uint64_t>();
+          kept = std::realloc(kept, 4096 * view.memory<std::uint64_t>());
+        },
+    .left = [](BehaviourView&, std::uint8_t) noexcept { static_cast<void>(lseek(-1, 0, SEEK_SET)); },
+};
+
+constexpr Behaviour kSound{
+    .memory_size = 8,
+    .entered = [](BehaviourView& view, std::uint8_t) noexcept { ++view.memory<std::uint64_t>(); },
+};
+
+const BenchTables& two_arms() {
+  static const BenchTables tables = [] {
+    Told told;
+    told.device("ARM1").behaviour = "Sound";
+    told.device("ARM2").behaviour = "Faulty";
+    return BenchTables(
+        {"ARM1_O_A1", "ARM1_I_A1", "ARM1_O_B2", "ARM1_I_B2", "ARM2_O_A1", "ARM2_I_A1", "ARM2_O_B2", "ARM2_I_B2"}, told);
+  }();
+  return tables;
+}
+
+/// Both arms go to B2, each cycle under the guard.
+exec::GuardReport there(core::Plant& plant) {
+  plant.set_operation(1, true);
+  plant.set_operation(3, true);
+  return exec::run_watched([&] {
+    for (core::Time now = 0; now <= 2 * core::kSecond; now += 100 * kMs) {
+      const exec::Guard guard;
+      plant.advance_to(now);
+    }
+  });
+}
+
+TEST_CASE("who breaks the rules is named: act, function, behaviour and device") {
+  const Behaviour code[] = {kSound, kFaulty};
+  const exec::WatchedBehaviours watched(two_arms().rows, code);
+  core::OwnedPlant plant(two_arms().rows, watched.watched());
+  const exec::GuardReport report = there(plant);
+  CHECK(plant.unit(0).state == 1);
+  CHECK(plant.unit(1).state == 1);
+  const auto lines = exec::rt_check_lines(report, two_arms().rows);
+  const auto told = [&](const std::string& begin) {
+    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.starts_with(begin); });
+  };
+  for (const std::string& line : lines) CHECK(line.find("ARM1") == line.npos);
+  CHECK(told("lock: pthread_mutex_lock, in `takes` of behaviour `Faulty`, device L_P_ARM2, once"));
+  CHECK(told("heap: realloc, in `entered` of behaviour `Faulty`, device L_P_ARM2, "));
+  if (report.no_trap.empty()) CHECK(told("system call: lseek, in `left` of behaviour `Faulty`, device L_P_ARM2, once"));
+  expect_trap(report);
+}
+
+TEST_CASE("watched behaviours do what those do that they stand for, and sound ones are clean") {
+  const Behaviour code[] = {kSound, kSound};
+  const exec::WatchedBehaviours watched(two_arms().rows, code);
+  core::OwnedPlant plant(two_arms().rows, watched.watched());
+  core::OwnedPlant plain(two_arms().rows, code);
+  const exec::GuardReport report = there(plant);
+  there(plain);
+  CHECK(plant.state_hash() == plain.state_hash());
+  expect_nothing(report);
+  CHECK(exec::WatchedBehaviours(two_arms().rows, {}).watched().empty());
+}
+
+TEST_CASE("--rt-check runs so many cycles and gives 1 with the names where the rules were broken, else 0") {
+  Told told;
+  told.device("ARM").behaviour = "Mine";
+  told.by_itself("ARM", "A1", "B2", fixed(50 * kMs)).by_itself("ARM", "B2", "A1", fixed(50 * kMs));
+  const BenchTables tables({"ARM_I_A1", "ARM_I_B2"}, told);
+  host::RunOptions options;
+  options.rt_check = 20;
+  const auto checked = [&](const Behaviour& code) {
+    const Behaviour all[] = {code};
+    std::ostringstream out;
+    std::ostringstream err;
+    const int exit_code = host::run({.tables = tables.rows, .behaviours = all}, options, out, err);
+    CHECK(err.str().empty());
+    INFO(out.str());
+    CHECK(out.str().find("rt-check: 20 cycles, ") != std::string::npos);
+    return std::pair{exit_code, out.str()};
+  };
+  const auto [clean, nothing] = checked(kSound);
+  CHECK(clean == host::kGood);
+  CHECK(nothing.find("20 cycles, nothing found\n") != std::string::npos);
+  const auto [broken, found] = checked(kFaulty);
+  CHECK(broken == host::kFindings);
+  CHECK(found.find("rt-check: heap: realloc, in `entered` of behaviour `Mine`, device L_P_ARM, 4 times") !=
+        std::string::npos);
+  options.clock = host::RunOptions::Clock::real_time;
+  options.cycle = 5 * kMs;
+  CHECK(checked(kSound).first == host::kGood);
+}
+
+TEST_CASE("what was not looked at is said") {
+  exec::GuardReport report;
+  report.no_hooks = "a reason";
+  report.no_trap = "another";
+  report.count = 3;
+  CHECK(exec::rt_check_lines(report, two_arms().rows) ==
+        std::vector<std::string>{"and 3 acts more", "heap and locks were not looked at: a reason",
+                                 "system calls were not looked at: another"});
+}
+
+}  // namespace
+}  // namespace symplant::test
