@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The folder that the tool writes is a project of its own. usage: standalone.sh CMAKE SYMPLANT LIST CONFIGURE-ARGUMENT...
+# The folder that the tool writes is a project of its own. usage: standalone.sh CMAKE SYMPLANT PLANT CONFIGURE-ARGUMENT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cmake=$1 tool=$2 list=$3
@@ -8,5 +8,6 @@ shift 3
 "$tool" generate "$list" -o "$work/plant" || fail "symplant generate"
 "$cmake" -S "$work/plant" -B "$work/build" "$@" >"$work/configure.log" 2>&1 || fail "configuring" "$work/configure.log"
 build "$cmake" "$work/build.log"
-name=$(basename "$list" .csv)
-"$work/build/$name" --until 1s --clock virtual || fail "the plant does not run"
+name=$(sed -n 's/^project(\([^ ]*\) .*/\1/p' "$work/plant/CMakeLists.txt")
+"$work/build/$name" --until 1s --clock virtual >"$work/run.log" || fail "the plant does not run" "$work/run.log"
+if grep absent "$work/run.log"; then fail "a behaviour is absent" "$work/run.log"; fi
