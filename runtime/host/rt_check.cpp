@@ -48,7 +48,7 @@ class GuardedStage final : public exec::Stepper {
 
 RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& links, bool real, std::ostream& out) {
   std::vector<exec::Exchange*> exchanges;
-  for (const auto& link : links) exchanges.push_back(link.get());
+  for (const OpenLink& open : links) exchanges.push_back(open.link.get());
   const core::Time begin = stage.plant.now();
   exec::CycleOptions cycle;
   cycle.cycle = options.cycle;
