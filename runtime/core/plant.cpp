@@ -118,9 +118,7 @@ std::span<const std::uint64_t> Plant::disarmed() const noexcept {
   return {engine_->disarmed, tables_.operation_bits / 64};
 }
 
-bool Plant::is_pending(std::uint32_t requirement) const noexcept {
-  return engine_->monitors[requirement].running != 0;
-}
+bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->monitors[requirement].running != 0; }
 
 bool Plant::take_finding(Finding& finding) noexcept { return engine_->findings.pop(finding); }
 

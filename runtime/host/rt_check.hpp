@@ -16,8 +16,8 @@ struct RtChecked {
 };
 
 /// Runs `options.rt_check` cycles on a thread of their own, in real time or as fast as it goes, and looks at what the
-/// plant, its behaviours and its scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Tells on `out`
-/// what was found.
+/// plant, its behaviours and its scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Tells on
+/// `out` what was found.
 RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& links, bool real, std::ostream& out);
 
 }  // namespace symplant::host

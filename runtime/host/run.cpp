@@ -153,8 +153,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
   Stage stage(staged, options, names, played, real, out, err);
-  return play(stage, program, options, names, played, chosen, real, out,
-              uses_standard_output(options) ? err : out, err);
+  return play(stage, program, options, names, played, chosen, real, out, uses_standard_output(options) ? err : out,
+              err);
 }
 
 }  // namespace symplant::host

@@ -15,7 +15,7 @@ struct Vcd {
     int width = 0;
   };
   std::map<std::string, Variable> variables;  ///< by scopes and name, with dots between
-  std::vector<std::string> changes;           ///< "500000000 excell.EXLINE.MB.AGV.EXLINE_MB_AGV=P1->P2", in the file's order
+  std::vector<std::string> changes;  ///< "500000000 excell.EXLINE.MB.AGV.EXLINE_MB_AGV=P1->P2", in the file's order
   std::map<std::string, std::string> values;  ///< as they stand at the end
   std::string initial;                        ///< $dumpvars: "name=value" with blanks between
   std::string timescale;

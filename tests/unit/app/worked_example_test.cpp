@@ -48,10 +48,10 @@ TEST_CASE("The scenario of the worked example leaves its very trace, byte by byt
   const TemporaryFolder folder;
   MemoryFileSystem files;
   files.files["excell.csv"] = excell();
-  const ToolRun run = run_tool({"run", "excell.csv", "--scenario",
-                                std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/figure6.json", "--trace",
-                                folder / "trace.jsonl"},
-                               files);
+  const ToolRun run =
+      run_tool({"run", "excell.csv", "--scenario", std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/figure6.json",
+                "--trace", folder / "trace.jsonl"},
+               files);
   CHECK(run.code == 0);
   CHECK(run.err == "");
   const std::string trace = read_bytes(folder / "trace.jsonl");
