@@ -62,7 +62,7 @@ symplant_mutant(once_does_not_disarm
 
 symplant_mutant(draw_counter_shared_by_transitions
   "  Record& record = records[rich_row(unit).first_record + type.record_of[transition]];"
-  "  Record& record = records[rich_row(unit).first_record];")
+  "  Record& record = records[rich_row(unit).first_record + 0 * type.record_of[transition]];")
 
 symplant_mutant(stopped_mover_still_disables
   "      state.flags |= kDisabled;"
