@@ -19,7 +19,7 @@ check() { # EXPECTED WORD...: the last word is completed to it
 
 complete -p symplant >/dev/null
 check generate symplant ge
-check --trace symplant run --tr
+check --seed symplant run --see
 check --depfile symplant generate list.csv --dep
 check "" symplant run --no-such
 check "" symplant no-such

@@ -96,7 +96,7 @@ TEST_CASE("watched behaviours do what those do that they stand for, and sound on
   CHECK(exec::WatchedBehaviours(two_arms().rows, {}).watched().empty());
 }
 
-TEST_CASE("--rt-check runs so many cycles and gives 1 with the names where the rules were broken, else 0") {
+TEST_CASE("A run with --rt-check runs so many cycles and gives 1 with the names where the rules were broken, else 0") {
   Told told;
   told.device("ARM").behaviour = "Mine";
   told.by_itself("ARM", "A1", "B2", fixed(50 * kMs)).by_itself("ARM", "B2", "A1", fixed(50 * kMs));

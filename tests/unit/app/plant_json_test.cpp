@@ -136,7 +136,7 @@ TEST_CASE("A key twice is told with both places, and nothing is made") {
   CHECK(contains(run.out, "cell/plant.json:4:3: note:"));
 }
 
-TEST_CASE("--verbose tells the plant's name and which pattern speaks of how many devices") {
+TEST_CASE("With --verbose it tells the plant's name and which pattern speaks of how many devices") {
   const ToolRun run = run_cell({"check", "--verbose"}, described(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
   CHECK(contains(run.err, "decided: the plant is called plant\n"));
   CHECK(contains(run.err, "decided: `EXLINE_*` speaks of 2 devices\n"));

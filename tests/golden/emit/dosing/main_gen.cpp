@@ -2,8 +2,19 @@
 // This code is yours: the licence of symplant does not extend to what it generates.
 //
 // The plant dosing as a program.
+#include <array>
+
 #include "plant_gen.hpp"
 #include "symplant/host/run_plant.hpp"
+
+namespace {
+
+// The links of a start without --link: controller, URL.
+constexpr std::array<symplant::host::DefaultLink, 0> kLinks{{
+
+}};
+
+}  // namespace
 
 // The link of a start without --link; the build gives it (LINK_DEFAULT).
 #ifndef SYMPLANT_LINK_DEFAULT
@@ -13,6 +24,7 @@
 int main(int argc, char** argv) {
   const symplant::host::PlantProgram program{.tables = dosing::tables(),
                                              .behaviours = dosing::behaviours(),
+                                             .links = kLinks,
                                              .default_link = SYMPLANT_LINK_DEFAULT};
   return symplant::host::run_plant(argc, argv, program);
 }
