@@ -239,7 +239,7 @@ class Skeleton {
   /// As they were derived and inferred, `*` for all sources of a target where there are more than two states.
   static Json transitions_of(const model::Unit& unit) {
     Json list = Json::array();
-    const auto add = [&](std::string_view from, std::string_view to, Json more) {
+    const auto add = [&](std::string_view from, std::string_view to, const Json& more) {
       if (list.size() >= kMostSamples) return;
       Json transition{{"from", from}, {"to", to}};
       transition.update(more);

@@ -121,12 +121,11 @@ void Faults::tell_lacks(const PlantModel& plant) {
     if (lack.count > lack.paths.size()) {
       paths.append(" and ").append(std::to_string(lack.count - lack.paths.size())).append(" more");
     }
-    warnings_.push_back({at.first,
-                         std::to_string(lack.count) + " of the " + std::to_string(takers) +
-                             " devices that take it from " + pattern + (lack.count == 1 ? " has" : " have") + " no " +
-                             std::string(named_text(at.second)) + " " + quoted(lack.name) + ", it is left out for " +
-                             paths,
-                         0, FaultKind::left_out});
+    std::string words = std::to_string(lack.count);
+    words.append(" of the ").append(std::to_string(takers)).append(" devices that take it from ").append(pattern);
+    words.append(lack.count == 1 ? " has no " : " have no ").append(named_text(at.second)).append(" ");
+    words.append(quoted(lack.name)).append(", it is left out for ").append(paths);
+    warnings_.push_back({at.first, std::move(words), 0, FaultKind::left_out});
   }
   lacks_.clear();
 }

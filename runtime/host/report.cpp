@@ -36,7 +36,7 @@ std::string Report::place(std::size_t step) const {
 }
 
 std::string Report::found(const trace::FoundThing& found) {
-  const std::string words = trace::finding_words(found, names_, history_);
+  std::string words = trace::finding_words(found, names_, history_);
   ++counts_[static_cast<std::size_t>(found.kind)];
   if (found.kind == FindingKind::requirement_violated) {
     Violation& violation = violations_[found.of.front()];

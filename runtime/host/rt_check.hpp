@@ -12,7 +12,7 @@ namespace symplant::host {
 
 struct RtChecked {
   exec::CycleStatistics cycles;
-  bool clean;  ///< nothing was done that a cycle must not do, as far as could be looked at
+  bool clean = false;  ///< nothing was done that a cycle must not do, as far as could be looked at
 };
 
 /// Runs `options.rt_check` cycles on a thread of their own, in real time or as fast as it goes, and looks at what the

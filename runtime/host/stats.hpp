@@ -13,12 +13,12 @@ namespace symplant::host {
 
 struct StatsInput {
   const core::Plant& plant;
-  std::uint64_t seed;
+  std::uint64_t seed = 0;
   const Outputs& outputs;
   const Report& report;
   std::optional<scenario::Verdict> verdict;        ///< where a scenario was played
   std::optional<exec::CycleStatistics> real_time;  ///< where it was real time
-  core::Time wall;                                 ///< ns that the run took
+  core::Time wall = 0;                             ///< ns that the run took
 };
 
 std::string stats_text(const StatsInput& input);

@@ -20,9 +20,9 @@ namespace symplant::exec {
 namespace {
 
 struct Thread {
-  int depth;
+  int depth = 0;
   Doing doing;
-  std::uint64_t count;
+  std::uint64_t count = 0;
   std::array<Violation, kMostViolations> first;
 };
 

@@ -24,10 +24,10 @@ struct Doing {
 /// What guarded code did that it must not do.
 struct Violation {
   enum class Kind : std::uint8_t { heap, lock, system_call };
-  Kind kind;
-  const char* name;    ///< of the function; null for a system call
-  long number;         ///< of the system call
-  const void* caller;  ///< the instruction behind the call
+  Kind kind = Kind::heap;
+  const char* name = nullptr;    ///< of the function; null for a system call
+  long number = 0;               ///< of the system call
+  const void* caller = nullptr;  ///< the instruction behind the call
   Doing doing;
 };
 

@@ -17,6 +17,9 @@
 
 #include "symplant/exec/guard/hooks.hpp"
 
+// The loader's tables hold addresses as numbers.
+// NOLINTBEGIN(performance-no-int-to-ptr)
+
 namespace symplant::exec::guard {
 namespace {
 
@@ -157,5 +160,7 @@ namespace symplant::exec::guard {
 std::string interpose() { return "functions are interposed on 64-bit Linux only"; }
 
 }  // namespace symplant::exec::guard
+
+// NOLINTEND(performance-no-int-to-ptr)
 
 #endif

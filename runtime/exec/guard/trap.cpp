@@ -87,9 +87,12 @@ void on_trap(int, siginfo_t* info, void* raw) noexcept {
   if (starts_another(number)) {  // it would begin its life in this handler
     registers[REG_RAX] = -ENOSYS;
   } else if (number == SYS_rt_sigprocmask) {
+    // Registers hold addresses as numbers.
+    // NOLINTBEGIN(performance-no-int-to-ptr)
     registers[REG_RAX] =
         set_mask(context, registers[REG_RDI], reinterpret_cast<const std::uint64_t*>(registers[REG_RSI]),
                  reinterpret_cast<std::uint64_t*>(registers[REG_RDX]));
+    // NOLINTEND(performance-no-int-to-ptr)
   } else {
     registers[REG_RAX] = symplant_guard_forward(number, registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
                                                 registers[REG_R10], registers[REG_R8], registers[REG_R9]);

@@ -108,7 +108,7 @@ TEST_CASE("A page of some devices holds their symbols alone") {
   const Json data = data_of(page);
   REQUIRE(data.at("units").size() == 1);
   CHECK(data.at("symbols").size() == 4);
-  CHECK(data.at("units")[0].at("operations") == Json({0}));
+  CHECK(data.at("units")[0].at("operations") == Json::array({0}));
   CHECK(data.at("symbols")[0][0] == "L_Q_STOPPER1_O_ADV");
 }
 
