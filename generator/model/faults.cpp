@@ -6,6 +6,7 @@
 #include "base/ascii.hpp"
 #include "base/pattern.hpp"
 #include "model/plant_model.hpp"
+#include "symplant/json/place.hpp"
 
 namespace symplant::model {
 
@@ -51,17 +52,7 @@ bool some_have(const PlantModel& plant, std::string_view pattern, Named what, st
 
 Pointer Pointer::operator/(std::string_view key) const {
   Pointer grown = *this;
-  std::string& text = grown.text_;
-  text += '/';
-  for (const char c : key) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
+  grown.text_ = json::child(text_, key);
   return grown;
 }
 
