@@ -1,0 +1,74 @@
+// Kinds of damage that a careless hand does to a symbol list, and what each must bring.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "damage/shop_list.hpp"
+#include "property/dice.hpp"
+
+namespace symplant::damage {
+
+using property::Dice;
+
+/// A damaged list and the rows (places in it) at one of which the finding must stand.
+struct Damaged {
+  ShopList list;
+  std::vector<std::size_t> roots;
+};
+
+/// A clean list with what kinds look for in it.
+struct Shop {
+  explicit Shop(ShopList clean) : list(std::move(clean)), devices(list.devices()) {}
+
+  ShopList list;
+  std::vector<Device> devices;
+};
+
+struct Kind {
+  std::string_view name;
+  std::string_view what;  ///< what the hand did, for the table of the manual
+  std::string_view rule;  ///< the slug that it must bring
+  /// At a place by the dice. The list must have a place for it.
+  Damaged (*apply)(const Shop& shop, Dice& dice);
+};
+
+/// All of them, in the order of the table.
+const std::vector<Kind>& kinds();
+
+// By subject; each a part of kinds().
+std::vector<Kind> name_kinds();
+std::vector<Kind> row_kinds();
+std::vector<Kind> address_kinds();
+std::vector<Kind> device_kinds();
+
+/// A row that fulfils `wanted`, by the dice. Throws std::runtime_error where there is none.
+template <class Wanted>
+std::size_t pick_row(const Shop& shop, Dice& dice, Wanted&& wanted);
+template <class Wanted>
+const Device& pick_device(const Shop& shop, Dice& dice, Wanted&& wanted);
+
+std::size_t pick_place(const std::vector<std::size_t>& places, Dice& dice);
+
+template <class Wanted>
+std::size_t pick_row(const Shop& shop, Dice& dice, Wanted&& wanted) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < shop.list.rows.size(); ++i) {
+    const auto levels = levels_of(shop.list.rows[i].name);
+    if (levels && wanted(shop.list.rows[i], *levels)) places.push_back(i);
+  }
+  return pick_place(places, dice);
+}
+
+template <class Wanted>
+const Device& pick_device(const Shop& shop, Dice& dice, Wanted&& wanted) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < shop.devices.size(); ++i) {
+    if (wanted(shop.devices[i])) places.push_back(i);
+  }
+  return shop.devices[pick_place(places, dice)];
+}
+
+}  // namespace symplant::damage
