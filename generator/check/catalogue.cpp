@@ -1,6 +1,8 @@
 // Every rule of the tool.
 #include "check/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/ascii.hpp"
@@ -8,6 +10,7 @@
 #include "lower/limits.hpp"
 #include "model/description_rules.hpp"
 #include "read/rules.hpp"
+#include "symplant/condition/nearest.hpp"
 
 namespace symplant::check {
 
@@ -26,6 +29,17 @@ const diag::RuleInfo* find_rule(std::string_view id_or_slug) {
       return rule;
   }
   return nullptr;
+}
+
+std::string no_such_rule(std::string_view name) {
+  condition::NearestName nearest(name);
+  for (const diag::RuleInfo* rule : catalogue()) {
+    nearest.offer(rule->slug);
+    nearest.offer(rule->id);
+  }
+  return fmt::format("there is no rule `{}`{}", name,
+                     nearest.name().empty() ? std::string(": `symplant rules` lists all")
+                                            : fmt::format(", the nearest is `{}`", nearest.name()));
 }
 
 }  // namespace symplant::check

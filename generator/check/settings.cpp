@@ -13,7 +13,6 @@
 #include "base/pattern.hpp"
 #include "check/catalogue.hpp"
 #include "check/rules.hpp"
-#include "symplant/condition/nearest.hpp"
 
 namespace symplant::check {
 namespace {
@@ -78,25 +77,12 @@ class Settings {
 
   const diag::RuleInfo* rule_of(const std::string& name, const diag::Place& place) {
     const diag::RuleInfo* rule = find_rule(name);
-    if (rule != nullptr) return rule;
-    condition::NearestName nearest(name);
-    for (const diag::RuleInfo* known : catalogue()) {
-      nearest.offer(known->slug);
-      nearest.offer(known->id);
-    }
-    result_.add(kUnknownRule.info,
-                fmt::format("there is no rule `{}`{}", name,
-                            nearest.name().empty() ? std::string(": `symplant rules` lists all")
-                                                   : fmt::format(", the nearest is `{}`", nearest.name())),
-                place);
-    return nullptr;
+    if (rule == nullptr) result_.add(kUnknownRule.info, no_such_rule(name), place);
+    return rule;
   }
 
   void refuse(const diag::RuleInfo& rule, std::string_view wish, const diag::Place& place) {
-    result_.add(kBindingRule.info,
-                fmt::format("`{}` cannot be {}: after this error there is nothing sound to go on with, mend its cause",
-                            rule.slug, wish),
-                place);
+    result_.add(kBindingRule.info, binding_text(rule, wish), place);
   }
 
   void set_level(const std::string& name, const std::string& text) {
@@ -179,6 +165,11 @@ class Settings {
 bool is_binding(const diag::RuleInfo& rule) {
   return rule.severity == diag::Severity::error &&
          std::find(kErrorsToChooseFrom.begin(), kErrorsToChooseFrom.end(), rule.id) == kErrorsToChooseFrom.end();
+}
+
+std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {
+  return fmt::format("`{}` cannot be {}: after this error there is nothing sound to go on with, mend its cause",
+                     rule.slug, wish);
 }
 
 diag::Diagnostics apply_settings(const diag::Diagnostics& findings, const model::GivenCheck& settings,

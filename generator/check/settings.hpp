@@ -1,6 +1,7 @@
 // What the user's plant description says of the findings themselves: which to leave out, which count more or less.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "diag/diagnostic.hpp"
@@ -10,6 +11,9 @@ namespace symplant::check {
 
 /// True for the errors after which nothing sound is left to go on with: they are neither lowered nor ignored.
 bool is_binding(const diag::RuleInfo& rule);
+
+/// For a message: that such a rule cannot be what the user wishes, "ignored" say.
+std::string binding_text(const diag::RuleInfo& rule, std::string_view wish);
 
 /// The findings as the section `check` of plant.json wants them: levels set, what is ignored among
 /// Diagnostics::ignored(), and what is wrong with the section itself added (SP620 to SP624). Of several entries the

@@ -42,7 +42,7 @@ Json finding_of(const Diagnostic& finding) {
 
 }  // namespace
 
-std::string render_json(std::span<const Diagnostic> findings, std::size_t ignored) {
+std::string render_json(std::span<const Diagnostic> findings, const LeftOut& left_out) {
   Json document;
   document["symplant-diagnostics"] = kJsonVersion;
   document["findings"] = Json::array();
@@ -54,7 +54,8 @@ std::string render_json(std::span<const Diagnostic> findings, std::size_t ignore
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
     document["counts"][std::string(severity_name(severity))] = counts[static_cast<std::size_t>(severity)];
   }
-  if (ignored != 0) document["counts"]["ignored"] = ignored;
+  if (left_out.by_description != 0) document["counts"]["ignored"] = left_out.by_description;
+  if (left_out.by_options != 0) document["counts"]["left_out"] = left_out.by_options;
   // A path or a message may hold bytes that are no UTF-8; they must not make the whole report fail.
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

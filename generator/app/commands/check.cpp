@@ -8,11 +8,14 @@
 #include <memory>
 #include <numeric>
 #include <ostream>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "check/selection.hpp"
 #include "diag/json.hpp"
 #include "diag/text.hpp"
+#include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -24,7 +27,15 @@ struct CheckOptions {
   std::string format = "text";
   std::string output;
   std::string fail_on = "error";
+  std::vector<std::string> select;
+  std::vector<std::string> ignore;
 };
+
+check::Selection selection_of(const CheckOptions& options) {
+  const auto selection = check::Selection::of(options.select, options.ignore);
+  if (!selection) throw CLI::ValidationError("--select/--ignore", diag::visible(selection.error()));
+  return *selection;
+}
 
 bool reaches(const diag::Diagnostics& diagnostics, const std::string& fail_on) {
   std::size_t count = diagnostics.count(diag::Severity::error);
@@ -33,8 +44,16 @@ bool reaches(const diag::Diagnostics& diagnostics, const std::string& fail_on) {
   return count != 0;
 }
 
+/// "no findings, 3 left out by --ignore".
+std::string selected_text(const check::Selected& selected) {
+  std::string text = count_text(selected.findings);
+  if (selected.not_selected != 0) text += fmt::format(", {} left out by --select", selected.not_selected);
+  if (selected.ignored != 0) text += fmt::format(", {} left out by --ignore", selected.ignored);
+  return text;
+}
+
 /// How many names follow the rule, and what that makes of the plant.
-std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& diagnostics) {
+std::string result_line(const std::string& list, const model::PlantModel& plant, const check::Selected& selected) {
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
     return symbol.reading.fault == name::NameFault::none;
   });
@@ -43,14 +62,15 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
   return fmt::format("{}: {} of {} I/O names{} follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
                      lists, plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
                      internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
-                     count_text(diagnostics));
+                     selected_text(selected));
 }
 
 void check(const CheckOptions& options, Context& context) {
+  const check::Selection selection = selection_of(options);
   std::string text;
   std::vector<diag::Diagnostic> all;
   std::vector<std::string> inputs = options.plants;
-  std::size_t ignored = 0;
+  diag::LeftOut left_out;
   for (const std::string& list : options.plants) {
     diag::Diagnostics diagnostics;
     int code = host::kGood;
@@ -63,24 +83,26 @@ void check(const CheckOptions& options, Context& context) {
         inputs.insert(inputs.end(), read.begin(), read.end());
       }
       if (plant && options.plant.verbose) tell_decisions(context, *plant);
-      if (options.plant.verbose) tell_ignored(context, diagnostics);
-      ignored += diagnostics.ignored().size();
+      const check::Selected selected = check::select(std::move(diagnostics), selection);
+      if (options.plant.verbose) tell_ignored(context, selected.findings);
+      left_out.by_description += selected.findings.ignored().size();
+      left_out.by_options += selected.not_selected + selected.ignored;
       if (!plant) {
         code = host::kBadInput;
-      } else if (reaches(diagnostics, options.fail_on)) {
+      } else if (reaches(selected.findings, options.fail_on)) {
         code = host::kFindings;
       }
-      const auto findings = diagnostics.all();
+      const auto findings = selected.findings.all();
       if (options.format == "text") {
         text += diag::render_text(findings, {context.colour_out && options.output.empty(),
                                              options.plant.verbose ? std::size_t{0} : std::size_t{20}});
-        if (plant) text += result_line(list, *plant, diagnostics);
+        if (plant) text += result_line(list, *plant, selected);
       }
       all.insert(all.end(), findings.begin(), findings.end());
     }
     context.exit_code = std::max(context.exit_code, code);
   }
-  if (options.format == "json") text = diag::render_json(all, ignored) + "\n";
+  if (options.format == "json") text = diag::render_json(all, left_out) + "\n";
   write_result(context, options.output, text, inputs);
 }
 
@@ -96,9 +118,22 @@ void add_check(CLI::App& app, Context& context) {
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
   command->add_option("--fail-on", options->fail_on, "the severity from which on the exit code is 1 (default: error)")
       ->check(CLI::IsMember({"error", "warning", "note"}));
+  command
+      ->add_option("--select", options->select,
+                   "tell these rules only: ids, slugs, beginnings of ids (SP4); errors that leave no sound plant are "
+                   "always told")
+      ->type_name("RULE,..")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--ignore", options->ignore, "leave these rules out; of --select and --ignore the more exact counts")
+      ->type_name("RULE,..")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_plant_options(*command, options->plant);
   command->footer(
-      "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv");
+      "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv\n"
+      "  symplant check --select SP2,SP3 --ignore no-address symbols.csv");
   command->callback([options, &context] { check(*options, context); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "check/catalogue.hpp"
+#include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -19,7 +20,7 @@ void add_explain(CLI::App& app, Context& context) {
   command->callback([rule, &context] {
     const diag::RuleInfo* info = check::find_rule(*rule);
     if (info == nullptr) {
-      context.err << "error: `" << *rule << "` is no rule: `symplant rules` lists them all\n";
+      context.err << "error: " << diag::visible(check::no_such_rule(*rule)) << "\n";
       context.exit_code = host::kBadInput;
       return;
     }

@@ -55,6 +55,35 @@ TEST_CASE("check: JSON holds every finding of all plants, and parses") {
   CHECK(json.at("counts").at("error") == 2);
 }
 
+TEST_CASE("check: what --select and --ignore leave out does not fail, and is counted") {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--ignore", "SP302"}, {"--select", "SP2,SP5"}, {"--select=sp4", "--select=SP2"}}) {
+    INFO(options[1 % options.size()]);
+    std::vector<std::string> arguments{"check"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.emplace_back("error.csv");  // a word behind them is a plant
+    const ToolRun run = run_lists(arguments);
+    CHECK(run.code == 0);
+    CHECK_FALSE(contains(run.out, "SP302"));
+    CHECK(contains(run.out, options[0] == "--ignore" ? "1 left out by --ignore" : " left out by --select"));
+  }
+  CHECK(run_lists({"check", "missing.csv", "--select", "SP5", "--ignore", "SP1"}).code == 2);
+  CHECK(run_lists({"check", "warning.csv", "--fail-on", "warning", "--ignore", "SP201"}).code == 0);
+  const auto json =
+      nlohmann::json::parse(run_lists({"check", "--format", "json", "--ignore", "SP302", "error.csv"}).out);
+  CHECK(json.at("counts").at("left_out") == 1);
+}
+
+TEST_CASE("check: a rule that is none, or one that cannot be ignored, is bad usage, told with what to do") {
+  const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "nobody-moved"});
+  CHECK(unknown.code == 2);
+  CHECK(unknown.out.empty());
+  CHECK(contains(unknown.err, "the nearest is `nobody-moves`"));
+  const ToolRun binding = run_lists({"check", "clean.csv", "--ignore", "SP4,SP304"});
+  CHECK(binding.code == 2);
+  CHECK(contains(binding.err, "`event-moved-twice` cannot be ignored"));
+}
+
 TEST_CASE("check: --output writes a file, and nothing to standard output") {
   MemoryFileSystem files = lists();
   const ToolRun run = run_tool({"check", "warning.csv", "--output", "result.txt"}, files);
