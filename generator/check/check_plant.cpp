@@ -1,13 +1,17 @@
 // Looks a plant model over by every rule.
 #include "check/check_plant.hpp"
 
+#include "check/device_classes.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
 
 void check_plant(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+  const DeviceClasses classes(plant);
+  const OverruledNames overruled(plant);
+  const Subject subject{plant, classes, overruled};
   for (const Rule* rule : kRules) {
-    if (rule->check != nullptr) rule->check(*rule, plant, diagnostics);
+    if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);
   }
 }
 

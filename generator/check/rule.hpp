@@ -11,11 +11,21 @@
 
 namespace symplant::check {
 
+class DeviceClasses;
+class OverruledNames;
+
+/// What rules look at: the plant, and what several of them need to know of it, made once.
+struct Subject {
+  const model::PlantModel& plant;
+  const DeviceClasses& classes;
+  const OverruledNames& overruled;
+};
+
 struct Rule {
   diag::RuleInfo info;
   /// Adds a finding for every place where the rule is broken: one root cause, one finding. Null for rules about the
   /// settings, which are no part of the plant.
-  void (*check)(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) = nullptr;
+  void (*check)(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) = nullptr;
 };
 
 /// Where a cell of a row stands: the cell itself, or the whole row where the cell is not in the file as it is.

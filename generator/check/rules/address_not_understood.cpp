@@ -16,7 +16,8 @@ of its name, and it is on no link.
 **How to mend it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
 )";
 
-void check_address_not_understood(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_address_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::BadAddress& bad : plant.bad_addresses) {
     diagnostics.add(
         rule.info, about(*bad.row),

@@ -18,7 +18,8 @@ them, the others follow it and say nothing of their own.
 **How to mend it.** Give the symbol the address that it has in the wiring, or take the second name away.
 )";
 
-void check_address_used_twice(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.leader == model::kNone) continue;
     const model::Symbol& leader = plant.symbols[symbol.leader];

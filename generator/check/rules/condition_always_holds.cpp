@@ -17,7 +17,8 @@ behaviour is always on. What it was to guard against can happen.
 **How to mend it.** Most often `or` stands where `and` was meant. Correct the condition, or leave it out.
 )";
 
-void check_condition_always_holds(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_condition_always_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
   for (const WrittenCondition& condition : conditions_of(plant)) {
     if (!decide(*condition.tree, plant, all).always()) continue;

@@ -18,7 +18,8 @@ time never moves.
 **How to mend it.** Most often `and` stands where `or` was meant, or a state of another device. Correct the condition.
 )";
 
-void check_condition_never_holds(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_condition_never_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
   for (const WrittenCondition& condition : conditions_of(plant)) {
     if (!decide(*condition.tree, plant, all).never()) continue;

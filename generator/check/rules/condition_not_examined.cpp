@@ -19,7 +19,8 @@ it counts as one that may hold.
 **How to mend it.** Nothing to do. Who wants to be sure takes the condition apart.
 )";
 
-void check_condition_not_examined(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_condition_not_examined(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
   for (const WrittenCondition& condition : conditions_of(plant)) {
     if (decide(*condition.tree, plant, all).known()) continue;

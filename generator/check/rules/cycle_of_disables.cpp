@@ -82,7 +82,8 @@ Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t uni
   return {};  // never: there is an edge
 }
 
-void check_cycle_of_disables(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   if (!is_described(plant)) return;
   const Edges edges = disables_of(plant);
   for (const std::vector<std::uint32_t>& part : strong_parts(edges)) {

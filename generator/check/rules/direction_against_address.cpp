@@ -16,7 +16,8 @@ address is the one that is wrong, a command of the device is missing, or one of 
 **How to mend it.** Correct the name, or the address.
 )";
 
-void check_direction_against_address(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_direction_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   std::set<const model::Symbol*> told;  // SP407 tells those
   for (const TaskClaim& claim : task_claims(plant)) told.insert(&plant.symbols[claim.overruled]);
   for (const model::Symbol& symbol : plant.symbols) {

@@ -17,7 +17,8 @@ the direction of its address.
 `EXLINE_MB_AGV_I_P1`.
 )";
 
-void check_direction_not_io(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::direction_not_io) continue;
     diag::Place place = place_of(plant, symbol);

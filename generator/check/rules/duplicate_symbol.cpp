@@ -15,7 +15,8 @@ ASCII letters, as PLC tools do.
 **How to mend it.** Delete one of the rows.
 )";
 
-void check_duplicate_symbol(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (!duplicate.same) continue;
     diagnostics.add(

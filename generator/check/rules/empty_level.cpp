@@ -14,7 +14,8 @@ constexpr std::string_view kPage =
 **How to mend it.** Write the missing word, or take the surplus `_` away: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
 )";
 
-void check_empty_level(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::empty_level) continue;
     diag::Place place = place_of(plant, symbol);

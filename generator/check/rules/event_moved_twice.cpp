@@ -15,7 +15,8 @@ answers for it.
 **How to mend it.** Correct the address of one of them.
 )";
 
-void check_event_moved_twice(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_event_moved_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const auto& [second, first] : plant.moved_twice) {
     const model::Symbol& a = plant.symbols[first];
     const model::Symbol& b = plant.symbols[second];

@@ -16,12 +16,12 @@ the rest state of a spring nor the next one of a numbered sequence.
 device goes on to this one by itself. In plant.json a transition to the state says what else leads there.
 )";
 
-void check_event_without_operation(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  const OverruledNames overruled(plant);
+void check_event_without_operation(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
-      if (unled(unit, s, overruled) != Unled::no_operation) continue;
+      if (unled(unit, s, subject.overruled) != Unled::no_operation) continue;
       const model::Symbol& symbol = event_of(plant, unit, state.event);
       diagnostics.add(
           rule.info, about(symbol),

@@ -17,7 +17,8 @@ nothing. It is served all the same, under the name that it has.
 `EXLINE_MB_AGV_I_P1`.
 )";
 
-void check_illegal_character(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_illegal_character(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::illegal_character) continue;
     diag::Place place = place_of(plant, symbol);

@@ -21,7 +21,8 @@ std::string_view more(const model::Unit& unit) {
   return given_actuation && unit.initial == 0 ? ", in which it starts" : "";
 }
 
-void check_inferred_rest_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.rest_added) continue;
     diagnostics.add(rule.info, about(unit),

@@ -12,7 +12,8 @@ reached by itself from the state with the next lower number, the lowest from the
 time (1 s), the device is back in IDLE1.
 )";
 
-void check_inferred_sequence(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_inferred_sequence(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     for (const model::Transition& transition : unit.transitions) {
       if (transition.origin != model::Origin::inferred) continue;

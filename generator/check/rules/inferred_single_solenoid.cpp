@@ -25,7 +25,8 @@ std::string taken_as(const model::Unit& unit) {
   return unit.initial_from == model::InitialFrom::rest_state ? fmt::format("was taken to start in `{}`", rest) : "";
 }
 
-void check_inferred_single_solenoid(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_inferred_single_solenoid(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.single_solenoid) continue;
     const std::string taken = taken_as(unit);

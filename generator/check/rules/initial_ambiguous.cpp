@@ -24,7 +24,8 @@ bool is_state(const model::Unit& unit, const model::Symbol& symbol) {
   });
 }
 
-void check_initial_ambiguous(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (unit.initial_candidates < 2) continue;
     std::vector<diag::Related> others;

@@ -15,7 +15,8 @@ whose symbol comes first in the list.
 **How to mend it.** Write Initial TRUE with the event that is on when the plant starts, number the tasks, or say `initial` in plant.json.
 )";
 
-void check_initial_by_row_order(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     // Without an event there is nothing to write TRUE with; of several that are TRUE, SP408 tells.
     if (unit.initial_from != model::InitialFrom::row_order || unit.events.empty()) continue;

@@ -17,7 +17,8 @@ starts in another one.
 **How to mend it.** Correct the cell, or leave it empty.
 )";
 
-void check_initial_not_understood(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_initial_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.initial_known) continue;
     diagnostics.add(rule.info, about(symbol),

@@ -17,7 +17,8 @@ or reads them.
 **How to mend it.** Give them addresses where a PLC should see them.
 )";
 
-void check_no_address(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_no_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   std::vector<const model::Symbol*> found;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address && symbol.written_address().empty()) found.push_back(&symbol);  // else SP307 tells

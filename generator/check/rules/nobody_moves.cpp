@@ -44,7 +44,8 @@ bool stands_on(const model::PlantModel& plant, const model::Unit& unit, std::uin
   return plant.symbols[symbol].initial != 0;
 }
 
-void check_nobody_moves(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_nobody_moves(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.operations.empty()) continue;
     const std::vector<std::uint32_t> left = left_alone(plant, unit);

@@ -15,7 +15,8 @@ until a PLC, a scenario or a person sets them.
 **How to mend it.** Nothing to do.
 )";
 
-void check_operation_initial_ignored(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_operation_initial_ignored(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.direction != core::Direction::operation || symbol.type != core::DataType::boolean) continue;
     if (symbol.initial == 0) continue;

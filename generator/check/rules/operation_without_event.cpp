@@ -25,15 +25,15 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
   return std::any_of(enter.begin(), enter.end(), [](const auto& output) { return output.second; });
 }
 
-void check_operation_without_event(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  const OverruledNames overruled(plant);
+void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (unit.events.empty() || unit.two_words || unit.has_behaviour()) continue;  // the user's code reports
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
       if (state.operation == model::kNone || state.event != model::kNone) continue;
       if (reports_by_outputs(unit, s) || (s != unit.initial && !unit.reaches(s))) continue;
-      if (overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407 tells
+      if (subject.overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407 tells
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
       diagnostics.add(
           rule.info, about(symbol),

@@ -16,7 +16,8 @@ MELSEC and an IEC address that would prove it, and numbers occur for which it ma
 as well.
 )";
 
-void check_radix_assumed(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (std::uint32_t list = 0; list < plant.lists.size(); ++list) {
     const model::RadixChoice& radix = plant.lists[list].radix;
     if (radix.by != model::RadixChoice::By::nothing || radix.matters_in == nullptr) continue;

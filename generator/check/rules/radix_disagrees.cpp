@@ -22,7 +22,8 @@ std::string_view radix_name(address::Radix radix) {
   return radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
 }
 
-void check_radix_disagrees(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::PlantList& list : plant.lists) {
     if (list.own.by == model::RadixChoice::By::nothing || list.own.radix == list.radix.radix) continue;
     diag::Place place{list.table->source, {}};

@@ -75,7 +75,8 @@ class Requirements {
   const Reach reach_;
 };
 
-void check_requirement_decided(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_requirement_decided(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   if (plant.requirements.empty() || !is_described(plant)) return;
   Requirements requirements(rule, plant, diagnostics);
   for (std::size_t i = 0; i < plant.requirements.size(); ++i) requirements.look_at(i);

@@ -15,7 +15,8 @@ number; but several states have that number.
 **How to mend it.** Give each state of the sequence a number of its own, or add the operation.
 )";
 
-void check_sequence_ambiguous(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_sequence_ambiguous(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     for (const std::uint32_t state : unit.ambiguous_sequence) {
       if (unit.reaches(state)) continue;  // by what the description says

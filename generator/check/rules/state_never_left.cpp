@@ -33,7 +33,8 @@ std::uint32_t command_away(const model::Unit& unit, std::uint32_t state) {
   return found == unit.transitions.end() ? model::kNone : found->on;
 }
 
-void check_state_never_left(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_state_never_left(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   if (!is_described(plant)) return;
   const Reach reach(plant);
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {

@@ -16,8 +16,8 @@ ASCII letters, as PLC tools do.
 **How to mend it.** Rename one of the symbols, or delete the row that is wrong.
 )";
 
-void check_symbol_declared_differently(const Rule& rule, const model::PlantModel& plant,
-                                       diag::Diagnostics& diagnostics) {
+void check_symbol_declared_differently(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Duplicate& duplicate : plant.duplicates) {
     if (duplicate.same) continue;
     const auto controller = [&](const read::ListRow& row) { return plant.lists[plant.list_of(row)].controller; };

@@ -16,7 +16,8 @@ moves nothing and is not moved.
 **How to mend it.** Correct the name or the address of one of them.
 )";
 
-void check_task_claimed_twice(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const TaskClaim& claim : task_claims(plant)) {
     const model::Symbol& symbol = plant.symbols[claim.overruled];
     const model::Symbol& other = plant.symbols[claim.other];

@@ -16,7 +16,8 @@ never reported. A program that waits for it waits for ever.
 missing.
 )";
 
-void check_two_words_one_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.two_words) continue;
     const model::Symbol& operation = operation_of(plant, unit, 0);

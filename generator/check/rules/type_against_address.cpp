@@ -17,7 +17,8 @@ might be another symbol's place.
 32-bit ones with `%ID`, `%QD`.
 )";
 
-void check_type_against_address(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_type_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address) continue;
     const int bits = model::data_type_bits(symbol.type);

@@ -16,7 +16,8 @@ command or a report.
 **How to mend it.** Write the type, or put the row's cells back into their columns.
 )";
 
-void check_type_of_no_io(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_type_of_no_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::TypelessIo& io : plant.typeless_io) {
     diagnostics.add(
         rule.info, about(*io.row),

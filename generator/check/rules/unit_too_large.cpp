@@ -15,7 +15,8 @@ should tell devices apart is the same for all of them.
 **How to mend it.** Look at the device level of the names: a rule with another level as the device may fit.
 )";
 
-void check_unit_too_large(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::TooLarge& large : plant.too_large) {
     diagnostics.add(
         rule.info, {std::string(large.path)},

@@ -14,7 +14,8 @@ constexpr std::string_view kPage =
 **How to mend it.** Nothing to do, unless its events are named for another device.
 )";
 
-void check_unit_without_events(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_unit_without_events(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.events.empty()) continue;
     diagnostics.add(rule.info, about(unit),

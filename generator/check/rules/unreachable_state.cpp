@@ -51,15 +51,15 @@ diag::Place place_of_state(const model::PlantModel& plant, const model::Unit& un
   return place_of(std::move(place), ways_pointer(unit));
 }
 
-void check_unreachable_state(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   if (!is_described(plant)) return;
   const Reach reach(plant);
-  const OverruledNames overruled(plant);
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
     const model::Unit& unit = plant.units[u];
     if (unit.described == nullptr) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
-      if (reach.settled(u, s) || unled(unit, s, overruled) != Unled::no) continue;
+      if (reach.settled(u, s) || unled(unit, s, subject.overruled) != Unled::no) continue;
       std::vector<diag::Related> ways;
       bool told = true;  // SP614 tells
       for (const model::Transition& way : unit.transitions) {

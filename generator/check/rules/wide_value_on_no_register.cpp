@@ -16,7 +16,8 @@ this version, so the symbol is in the images and on no register.
 **How to mend it.** Use a type of 16 bits (INT, UINT, WORD) where the value allows it.
 )";
 
-void check_wide_value_on_no_register(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_wide_value_on_no_register(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     const int bits = model::data_type_bits(symbol.type);
     if (!symbol.address || bits == 1 || bits == 16 || bits != static_cast<int>(symbol.address->size)) continue;

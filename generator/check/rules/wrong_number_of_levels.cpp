@@ -17,7 +17,8 @@ it moves nothing. It is served all the same: it is in the images, on the links a
 `EXLINE_MB_AGVFAST_O_P2`.
 )";
 
-void check_wrong_number_of_levels(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   const std::size_t wanted = plant.rule->levels.size();
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;

@@ -39,7 +39,8 @@ std::vector<std::uint32_t> instant_ways(const model::PlantModel& plant, const mo
   return first;
 }
 
-void check_zero_time_loop(const Rule& rule, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
   if (!is_described(plant)) return;
   for (const model::Unit& unit : plant.units) {
     // The user's code has its own times.
