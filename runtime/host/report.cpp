@@ -36,7 +36,8 @@ std::string Report::place(std::size_t step) const {
 }
 
 std::string Report::found(const trace::FoundThing& found) {
-  std::string words = trace::finding_words(found, names_, history_);
+  const std::vector<std::string> parts = trace::finding_parts(found, names_, history_);
+  std::string words = fmt::format("{}", fmt::join(parts, "; "));
   ++counts_[static_cast<std::size_t>(found.kind)];
   if (found.kind == FindingKind::requirement_violated) {
     Violation& violation = violations_[found.of.front()];
@@ -46,7 +47,8 @@ std::string Report::found(const trace::FoundThing& found) {
     }
   }
   if (told_.emplace(found.kind, found.of).second) {
-    err_ << severity(found.kind) << ": " << seconds(found.time) << ": " << shown(words) << "\n";
+    err_ << severity(found.kind) << ": " << seconds(found.time) << ": " << shown(parts.front()) << "\n";
+    for (std::size_t i = 1; i < parts.size(); ++i) err_ << "    " << shown(parts[i]) << "\n";
   }
   return words;
 }

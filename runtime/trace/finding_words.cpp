@@ -110,20 +110,36 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
   return text + "; look for a state that takes no time";
 }
 
-std::string of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
+/// What led a unit to where it is: the operation that came on last, and those that are on still.
+std::string led_here(std::uint32_t unit, const PlantNames& names, const History& history) {
+  std::string text;
+  for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
+    const bool on = history.value(symbol) != 0;
+    if (!on && !text.empty()) continue;
+    text += fmt::format(", {} (operation {}, {}) ", place(symbol, names), names.task(symbol), names.cite(symbol));
+    text += on ? "is on since " + seconds(history.rose(symbol))
+               : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
+  }
+  return text;
+}
+
+/// The violation, then each unit that the requirement looks at, the last to change first.
+std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t requirement = found.of.front();
   const core::RequirementRow& row = names.tables().requirements[requirement];
-  std::string text = fmt::format("requirement violated: `{}`, ", names.requirement(requirement));
-  text += row.kind == core::RequirementRow::Kind::never
-              ? "what must never hold begins to hold"
-              : "what was expected within " + seconds(row.within) + " has not come";
-  const std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
+  std::vector<std::string> parts{
+      fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
+                  row.kind == core::RequirementRow::Kind::never
+                      ? "what must never hold begins to hold"
+                      : "what was expected within " + seconds(row.within) + " has not come")};
+  std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
+  std::stable_sort(units.begin(), units.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
   for (const std::uint32_t unit : units) {
-    text += fmt::format("; {} is in {} since {}", names.unit(unit), state_words(unit, names, history),
-                        seconds(history.unit_since(unit)));
+    parts.push_back(fmt::format("{} is in {} since {}{}", names.unit(unit), state_words(unit, names, history),
+                                seconds(history.unit_since(unit)), led_here(unit, names, history)));
   }
-  const std::string operations = operations_words(units, names, history);
-  return operations.empty() ? text : text + "; operations: " + operations;
+  return parts;
 }
 
 }  // namespace
@@ -192,16 +208,16 @@ std::string operations_words(std::span<const std::uint32_t> units, const PlantNa
   return text;
 }
 
-std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history) {
+std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
-  if (found.kind == FindingKind::event_too_short) return of_event(found, names, history);
+  if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
   if (found.kind == FindingKind::instantaneous_loop) {
-    return fmt::format(
+    return {fmt::format(
         "instantaneous loop: {} {} round without time passing and {} frozen until the run ends; look for transitions "
         "whose `after` and `takes` are 0",
-        name_of(found, names), found.of.size() == 1 ? "goes" : "go", found.of.size() == 1 ? "is" : "are");
+        name_of(found, names), found.of.size() == 1 ? "goes" : "go", found.of.size() == 1 ? "is" : "are")};
   }
-  return is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history);
+  return {is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history)};
 }
 
 std::string seconds(core::Time time) {

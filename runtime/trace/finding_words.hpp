@@ -40,8 +40,10 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
 /// The last operations of units with their times: `Y0001 (operation P2) on since 0.5 s`; empty where none has been on.
 std::string operations_words(std::span<const std::uint32_t> units, const PlantNames& names, const History& history);
 
-/// The whole sentence: what is there, which operations led to it, what to look at. Its time is not in it.
-std::string finding_words(const FoundThing& found, const PlantNames& names, const History& history);
+/// What is there, which operations led to it, what to look at; for a violated requirement a further part for each unit
+/// that it looks at, the last to change first. Never empty; joined by `; ` they are one sentence. Its time is not in
+/// it.
+std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history);
 
 /// Plant time as people write it: `1.5 s`.
 std::string seconds(core::Time time);

@@ -1,6 +1,8 @@
 // Findings as a PLC programmer speaks of them: a sentence each kind.
 #include "symplant/trace/finding_words.hpp"
 
+#include <fmt/format.h>
+
 #include <sstream>
 
 #include "support/plant_bench.hpp"
@@ -36,7 +38,8 @@ class Teller {
       }
       if (!record.last) return;
       for (const trace::FoundThing& thing : found) {
-        told += trace::seconds(thing.time) + ": " + trace::finding_words(thing, names_, history_) + "\n";
+        told += trace::seconds(thing.time) + ": " +
+                fmt::format("{}\n", fmt::join(trace::finding_parts(thing, names_, history_), "; "));
         names += trace::name_of(thing, names_) + "\n";
       }
       found.clear();
@@ -134,8 +137,22 @@ TEST_CASE("a requirement tells the devices that it looks at, and what they were 
   teller.to(100).set("AGV_O_P2", true).to(200).to(1000);
   CHECK(teller.told ==
         "0.7 s: requirement violated: `soon`, what was expected within 0.5 s has not come; L_P_AGV is in P1->P2 since "
-        "0.2 s; "
-        "operations: %QX2 (P2 of L_P_AGV) on since 0.2 s\n");
+        "0.2 s, %QX2 (operation P2, symbols.csv:4) is on since 0.2 s\n");
+}
+
+TEST_CASE(
+    "of several devices of a requirement the last to change is told first, with the operation that led it there") {
+  Told told;
+  told.description.requirements.push_back({"apart", "L_P_AGV.moving and L_P_MC.RUN2", "", "", 0});
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "MC_I_IDLE1", "MC_I_RUN2", "MC_O_IDLE1", "MC_O_RUN2"},
+                           told);
+  Teller teller(tables);
+  teller.set("MC_O_IDLE1", true).to(50).set("MC_O_IDLE1", false).set("MC_O_RUN2", true).to(100).to(1200);
+  teller.set("MC_O_RUN2", false).to(1300).set("AGV_O_P2", true).to(1400);
+  CHECK(contains(teller.told,
+                 "requirement violated: `apart`, what must never hold begins to hold; "
+                 "L_P_AGV is in P1->P2 since 1.4 s, %QX2 (operation P2, symbols.csv:4) is on since 1.4 s; "
+                 "L_P_MC is in RUN2 since 1.1 s, %QX6 (operation RUN2, symbols.csv:8) was on from 0.1 s to 1.3 s\n"));
 }
 
 TEST_CASE("times are told exactly, without zeros at their end") {
