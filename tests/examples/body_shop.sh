@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # The body-shop line: list and description are what their scripts write, check has nothing but notes to say of them. Its cycle passes
-# and its broken interlock is found, compiled as interpreted. usage: body_shop.sh FOLDER SYMPLANT PLANT
+# and its broken interlock is found, compiled as interpreted. The pictures of both are those of docs/pictures;
+# SYMPLANT_UPDATE_GOLDENS=1 writes these anew. usage: body_shop.sh FOLDER SYMPLANT PLANT PICTURES
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
-folder=$1 tool=$2 binary=$3
+folder=$1 tool=$2 binary=$3 pictures=$4
 
 awk -f "$folder/list.awk" /dev/null | cmp - "$folder/body-shop.csv" || fail "list.awk writes another list"
 awk -f "$folder/plant.awk" "$folder/body-shop.csv" | cmp - "$folder/plant.json" || fail "plant.awk writes another description"
@@ -33,4 +34,11 @@ for line in 'requirement violated: `UNDER10: robot 2 works only in closed clamps
   'BODY_UNDER10_ROBOT2 is in JOB2 since 3.8 s, Y0016 (operation JOB2, body-shop.csv:61) was on from 3.5 s to 3.9 s' \
   'expectations: 6 held, 0 failed' 'requirements: 229 held, 1 violated'; do
   grep -qF -- "$line" "$work/clamps-too-early.compiled.log" || fail "this is not said: $line"
+done
+
+"$folder/charts.sh" "$tool" "$work" || fail "charts.sh draws nothing"
+for pair in cycle:cycle clamps-too-early:broken; do
+  picture=$pictures/body-shop-${pair#*:}.svg
+  if [[ -n ${SYMPLANT_UPDATE_GOLDENS-} ]]; then cp "$work/${pair%:*}.svg" "$picture"; fi
+  cmp "$work/${pair%:*}.svg" "$picture" || fail "${pair%:*}.svg is another picture than docs/pictures has"
 done
