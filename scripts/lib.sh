@@ -43,7 +43,7 @@ then: cmake --workflow --preset release"
 # A program may come from elsewhere than its package.
 is_installed() { # PACKAGE
   case $1 in
-    g++ | cmake | make | pkg-config | mbpoll | clang-format-14 | clang-tidy-14) command -v "$1" >/dev/null && return ;;
+    g++ | cmake | make | pkg-config | mbpoll | npm | clang-format-14 | clang-tidy-14) command -v "$1" >/dev/null && return ;;
     ninja-build) command -v ninja >/dev/null && return ;;
   esac
   [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]

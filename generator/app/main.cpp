@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 
 #include "app/tool.hpp"
 #include "base/file_system.hpp"
@@ -23,6 +25,11 @@ std::string today() {
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
 }
 
+std::string working_folder() {
+  std::error_code unknown;
+  return std::filesystem::current_path(unknown).string();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -31,6 +38,7 @@ int main(int argc, char** argv) {
   const bool colour_wanted = std::getenv("NO_COLOR") == nullptr;
   symplant::app::Context context{files, std::cout, std::cerr};
   context.today = today();
+  context.folder = working_folder();
   context.colour_out = colour_wanted && isatty(fileno(stdout)) != 0;
   context.colour_err = colour_wanted && isatty(fileno(stderr)) != 0;
   symplant::base::SystemProcessRunner programs;

@@ -15,9 +15,10 @@ namespace symplant::app {
 
 struct Context {
   base::FileSystem& files;
-  std::ostream& out;       ///< results
-  std::ostream& err;       ///< messages
-  std::string today = {};  ///< YYYY-MM-DD; empty where nobody knows
+  std::ostream& out;        ///< results
+  std::ostream& err;        ///< messages
+  std::string today = {};   ///< YYYY-MM-DD; empty where nobody knows
+  std::string folder = {};  ///< the working folder, absolute; empty where nobody knows
   bool colour_out = false;
   bool colour_err = false;
   bool progress = false;                    ///< a terminal is there for a progress line

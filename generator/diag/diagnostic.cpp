@@ -50,10 +50,12 @@ std::vector<std::string> Diagnostics::pointers() const {
   const auto add_one = [&](const Place& place) {
     if (!place.pointer.empty()) pointers.push_back(place.pointer);
   };
-  for (const Diagnostic& finding : all_) {
+  const auto add_all = [&](const Diagnostic& finding) {
     add_one(finding.place);
     for (const Related& related : finding.related) add_one(related.place);
-  }
+  };
+  for (const Diagnostic& finding : all_) add_all(finding);
+  for (const Ignored& ignored : ignored_) add_all(ignored.finding);
   std::sort(pointers.begin(), pointers.end());
   pointers.erase(std::unique(pointers.begin(), pointers.end()), pointers.end());
   return pointers;
@@ -68,10 +70,12 @@ void Diagnostics::locate(const std::shared_ptr<const base::SourceFile>& file,
     const auto index = static_cast<std::size_t>(found - known.begin());
     if (index < spans.size() && spans[index]) place = {file, *spans[index]};
   };
-  for (Diagnostic& finding : all_) {
+  const auto locate_all = [&](Diagnostic& finding) {
     locate_one(finding.place);
     for (Related& related : finding.related) locate_one(related.place);
-  }
+  };
+  for (Diagnostic& finding : all_) locate_all(finding);
+  for (Ignored& ignored : ignored_) locate_all(ignored.finding);
 }
 
 void Diagnostics::sort_by_place(std::span<const base::SourceFile* const> files) {

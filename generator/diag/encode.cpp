@@ -91,6 +91,22 @@ std::string dot_text(std::string_view utf8) {
 
 std::string dot_string(std::string_view utf8) { return "\"" + dot_text(utf8) + "\""; }
 
+std::string sarif_text(std::string_view utf8) {
+  const std::string shown = visible(utf8);
+  std::string text;
+  for (std::size_t at = 0; at < shown.size(); ++at) {
+    const char next = at + 1 < shown.size() ? shown[at + 1] : '\0';
+    const bool link = shown[at] == ']' && next == '(';
+    const bool argument = shown[at] == '{' && next >= '0' && next <= '9';
+    if (link || argument) {
+      text += escaped(static_cast<unsigned char>(shown[at]));
+    } else {
+      text += shown[at];
+    }
+  }
+  return text;
+}
+
 std::string mermaid_text(std::string_view utf8) {
   std::string text;
   for (const char c : visible(utf8)) {

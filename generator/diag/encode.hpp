@@ -22,6 +22,10 @@ std::string dot_string(std::string_view utf8);
 /// The inside of one.
 std::string dot_text(std::string_view utf8);
 
+/// For a plain message of SARIF, not yet in the quotes of JSON: `](` would make a link there, `{0}` takes an argument's
+/// place; their first signs come as `<U+XXXX>` too.
+std::string sarif_text(std::string_view utf8);
+
 /// For descriptions and notes of Mermaid, in quotes or behind a colon: all but letters, digits, blanks and a few
 /// harmless signs as `#NN;`.
 std::string mermaid_text(std::string_view utf8);

@@ -12,10 +12,14 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "check/catalogue.hpp"
 #include "check/selection.hpp"
 #include "diag/json.hpp"
+#include "diag/junit.hpp"
+#include "diag/sarif.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
+#include "symplant/core/version.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -37,11 +41,9 @@ check::Selection selection_of(const CheckOptions& options) {
   return *selection;
 }
 
-bool reaches(const diag::Diagnostics& diagnostics, const std::string& fail_on) {
-  std::size_t count = diagnostics.count(diag::Severity::error);
-  if (fail_on != "error") count += diagnostics.count(diag::Severity::warning);
-  if (fail_on == "note") count += diagnostics.count(diag::Severity::note);
-  return count != 0;
+bool reaches(const diag::Diagnostics& diagnostics, diag::Severity least) {
+  const auto all = diagnostics.all();
+  return std::any_of(all.begin(), all.end(), [&](const auto& finding) { return finding.severity >= least; });
 }
 
 /// "no findings, 3 left out by --ignore".
@@ -65,46 +67,94 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
                      selected_text(selected));
 }
 
-void check(const CheckOptions& options, Context& context) {
-  const check::Selection selection = selection_of(options);
-  std::string text;
-  std::vector<diag::Diagnostic> all;
-  std::vector<std::string> inputs = options.plants;
-  diag::LeftOut left_out;
-  for (const std::string& list : options.plants) {
-    diag::Diagnostics diagnostics;
-    int code = host::kGood;
-    {
-      Progress progress(context.err, context.progress);
-      const auto plant =
-          analyse({list, options.plant.read, options.plant.xy, context.today}, context.files, progress, diagnostics);
-      if (plant) {
-        const std::vector<std::string> read = plant->input_files();
-        inputs.insert(inputs.end(), read.begin(), read.end());
-      }
-      if (plant && options.plant.verbose) tell_decisions(context, *plant);
-      const check::Selected selected = check::select(std::move(diagnostics), selection);
-      if (options.plant.verbose) tell_ignored(context, selected.findings);
-      left_out.by_description += selected.findings.ignored().size();
-      left_out.by_options += selected.not_selected + selected.ignored;
-      if (!plant) {
-        code = host::kBadInput;
-      } else if (reaches(selected.findings, options.fail_on)) {
-        code = host::kFindings;
-      }
-      const auto findings = selected.findings.all();
-      if (options.format == "text") {
-        text += diag::render_text(findings, {context.colour_out && options.output.empty(),
-                                             options.plant.verbose ? std::size_t{0} : std::size_t{20}});
-        if (plant) text += result_line(list, *plant, selected);
-      }
-      all.insert(all.end(), findings.begin(), findings.end());
-    }
-    context.exit_code = std::max(context.exit_code, code);
+/// The command, plant by plant.
+class Check {
+ public:
+  Check(const CheckOptions& options, Context& context)
+      : options_(options),
+        context_(context),
+        selection_(selection_of(options)),
+        fail_on_(*diag::severity_of_name(options.fail_on)),
+        inputs_(options.plants) {}
+
+  void run() {
+    for (const std::string& plant : options_.plants) look_at(plant);
+    write_result(context_, options_.output, rendered(), inputs_);
   }
-  if (options.format == "json") text = diag::render_json(all, left_out) + "\n";
-  write_result(context, options.output, text, inputs);
-}
+
+ private:
+  void look_at(const std::string& file) {
+    diag::Diagnostics diagnostics;
+    Progress progress(context_.err, context_.progress);
+    const auto plant =
+        analyse({file, options_.plant.read, options_.plant.xy, context_.today}, context_.files, progress, diagnostics);
+    if (plant) {
+      const std::vector<std::string> read = plant->input_files();
+      inputs_.insert(inputs_.end(), read.begin(), read.end());
+    }
+    if (plant && options_.plant.verbose) tell_decisions(context_, *plant);
+    check::Selected selected = check::select(std::move(diagnostics), selection_);
+    if (options_.plant.verbose) tell_ignored(context_, selected.findings);
+    left_out_.by_description += selected.findings.ignored().size();
+    left_out_.by_options += selected.not_selected + selected.ignored;
+    int code = reaches(selected.findings, fail_on_) ? host::kFindings : host::kGood;
+    if (!plant) code = host::kBadInput;
+    context_.exit_code = std::max(context_.exit_code, code);
+    if (options_.format == "text") {
+      text_ += diag::render_text(selected.findings.all(), {context_.colour_out && options_.output.empty(),
+                                                           options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
+      if (plant) text_ += result_line(file, *plant, selected);
+    } else {
+      reports_.push_back({file, std::move(selected.findings), plant.has_value()});
+    }
+  }
+
+  std::string rendered() {
+    if (options_.format == "json") return as_json();
+    if (options_.format == "sarif") return as_sarif();
+    if (options_.format == "junit") return as_junit();
+    return std::move(text_);
+  }
+
+  std::string as_json() const {
+    std::vector<diag::Diagnostic> all;
+    for (const diag::Report& report : reports_) {
+      all.insert(all.end(), report.findings.all().begin(), report.findings.all().end());
+    }
+    return diag::render_json(all, left_out_) + "\n";
+  }
+
+  std::string as_sarif() const {
+    std::size_t results = 0;
+    for (const diag::Report& report : reports_) {
+      results += report.findings.all().size() + report.findings.ignored().size();
+    }
+    if (results > diag::kMostSarifResults) {
+      context_.err << fmt::format(
+          "note: {} of {} findings are left out, those of least weight last; --select chooses, --format json lists "
+          "all\n",
+          results - diag::kMostSarifResults, results);
+    }
+    return diag::render_sarif(reports_, {core::version(), context_.folder, context_.exit_code});
+  }
+
+  std::string as_junit() const {
+    diag::JunitOptions options{fail_on_, {}};
+    for (const diag::RuleInfo* rule : check::catalogue()) {
+      if (selection_.verdict(*rule) == check::Selection::Verdict::told) options.rules.push_back(rule);
+    }
+    return diag::render_junit(reports_, options);
+  }
+
+  const CheckOptions& options_;
+  Context& context_;
+  check::Selection selection_;
+  diag::Severity fail_on_;
+  std::vector<std::string> inputs_;
+  std::vector<diag::Report> reports_;
+  diag::LeftOut left_out_;
+  std::string text_;
+};
 
 }  // namespace
 
@@ -113,8 +163,12 @@ void add_check(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("check", "Check names and models; say what the model loses by each fault");
   command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a plant of its own")
       ->required();
-  command->add_option("--format", options->format, "text for people, json for programs")
-      ->check(CLI::IsMember({"text", "json"}));
+  command
+      ->add_option("--format", options->format,
+                   "text for people, json for programs, sarif for code scanning, junit for the tests of a build server "
+                   "(default: "
+                   "text)")
+      ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
   command->add_option("--fail-on", options->fail_on, "the severity from which on the exit code is 1 (default: error)")
       ->check(CLI::IsMember({"error", "warning", "note"}));
@@ -133,8 +187,10 @@ void add_check(CLI::App& app, Context& context) {
   add_plant_options(*command, options->plant);
   command->footer(
       "Examples:\n  symplant check symbols.csv\n  symplant check --fail-on warning --format json line1.csv line2.csv\n"
-      "  symplant check --select SP2,SP3 --ignore no-address symbols.csv");
-  command->callback([options, &context] { check(*options, context); });
+      "  symplant check --select SP2,SP3 --ignore no-address symbols.csv\n"
+      "  symplant check --format sarif --output symplant.sarif plant.json\n"
+      "  symplant check --format junit --output symplant.xml plant.json");
+  command->callback([options, &context] { Check(*options, context).run(); });
 }
 
 }  // namespace symplant::app

@@ -55,6 +55,26 @@ TEST_CASE("check: JSON holds every finding of all plants, and parses") {
   CHECK(json.at("counts").at("error") == 2);
 }
 
+TEST_CASE("check: SARIF is one run for all plants and ends as the command does") {
+  const ToolRun run = run_lists({"check", "--format", "sarif", "warning.csv", "error.csv", "missing.csv"});
+  CHECK(run.code == 2);
+  const auto log = nlohmann::json::parse(run.out);
+  REQUIRE(log.at("runs").size() == 1);
+  const auto& sarif = log["runs"][0];
+  CHECK(sarif["invocations"][0]["exitCode"] == 2);
+  CHECK(sarif["results"].size() >= 3);
+  CHECK(sarif["results"][0]["level"] == "error");
+}
+
+TEST_CASE("check: JUnit has a suite a plant, and a test for every rule that is told") {
+  const ToolRun run = run_lists({"check", "--format", "junit", "--select", "SP302,SP401", "clean.csv", "error.csv"});
+  CHECK(run.code == 1);
+  CHECK(contains(run.out, "<testsuite name=\"clean.csv\""));
+  CHECK(contains(run.out, "classname=\"clean.csv.SP401 operation-without-event\" name=\"nothing that fails\""));
+  CHECK_FALSE(contains(run.out, "SP201"));
+  CHECK(contains(run.out, "<testcase classname=\"error.csv.SP302 symbol-declared-differently\" name=\"L_P_D_I_A\""));
+}
+
 TEST_CASE("check: what --select and --ignore leave out does not fail, and is counted") {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--ignore", "SP302"}, {"--select", "SP2,SP5"}, {"--select=sp4", "--select=SP2"}}) {

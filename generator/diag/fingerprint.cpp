@@ -1,0 +1,61 @@
+// A finding's identity from one run to the next.
+#include "diag/fingerprint.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "base/ascii.hpp"
+
+namespace symplant::diag {
+namespace {
+
+constexpr std::size_t kMostOfPlace = 200;  // bytes
+
+/// FNV-1a over fields, each with an end of its own.
+class Digest {
+ public:
+  void add(std::string_view field) {
+    for (const char c : field) add_byte(static_cast<unsigned char>(c));
+    add_byte(0);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  void add_byte(unsigned char byte) { value_ = (value_ ^ byte) * 0x0000'0100'0000'01B3; }
+
+  std::uint64_t value_ = 0xCBF2'9CE4'8422'2325;
+};
+
+/// Counts and lines change from run to run; what stands in back-ticks is the user's and stays.
+std::string without_numbers(std::string_view message) {
+  std::string text;
+  bool quoted = false;
+  for (const char c : message) {
+    quoted = quoted != (c == '`');
+    if (quoted || c < '0' || c > '9') text += c;
+  }
+  return text;
+}
+
+std::string_view text_at(const Place& place) {
+  if (!place.source || !place.pointer.empty()) return {};
+  return place.source->text().substr(place.span.begin, std::min(place.span.end - place.span.begin, kMostOfPlace));
+}
+
+}  // namespace
+
+std::string Fingerprints::next(const Diagnostic& finding, std::string_view file) {
+  Digest digest;
+  digest.add(finding.rule->id);
+  digest.add(file);
+  for (const std::string& name : finding.about) digest.add(base::to_upper(name));
+  if (finding.about.empty()) {
+    digest.add(without_numbers(finding.message));
+    digest.add(text_at(finding.place));
+  }
+  std::array<char, 17> hex{};
+  std::snprintf(hex.data(), hex.size(), "%016llx", static_cast<unsigned long long>(digest.value()));
+  return std::string(hex.data()) + ":" + std::to_string(++seen_[digest.value()]);
+}
+
+}  // namespace symplant::diag

@@ -1,0 +1,186 @@
+// Findings as SARIF 2.1.0.
+#include "diag/sarif.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "diag/encode.hpp"
+#include "diag/fingerprint.hpp"
+#include "diag/uri.hpp"
+#include "diag/visible_text.hpp"
+
+namespace symplant::diag {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kBase = "%SRCROOT%";
+constexpr std::size_t kMostRelated = 100;  ///< GitHub shows no more
+constexpr std::size_t kMostSnippet = 200;  ///< bytes
+constexpr int kFailed = 2;                 ///< exit code of a run that could not do its work
+
+/// A finding, and what only its plant knows.
+struct Result {
+  const Diagnostic* finding;
+  const Report* report;
+  const std::string* why;  ///< ignored by plant.json, and why; else null
+  std::string fingerprint = {};
+};
+
+Json message(std::string_view text) { return {{"text", sarif_text(text)}}; }
+
+/// A manual page's first paragraph, as one line.
+std::string first_paragraph(std::string_view page) {
+  std::string text(page.substr(0, page.find("\n\n")));
+  while (text.ends_with('\n')) text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+Json rule_of(const RuleInfo& rule) {
+  return {{"id", rule.id},
+          {"name", rule.slug},
+          {"shortDescription", {{"text", rule.summary}}},
+          {"fullDescription", {{"text", first_paragraph(rule.page)}}},
+          {"help", {{"text", rule.page}, {"markdown", rule.page}}},
+          {"defaultConfiguration", {{"level", severity_name(rule.severity)}}}};
+}
+
+class SarifRenderer {
+ public:
+  SarifRenderer(std::span<const Report> reports, const SarifOptions& options) : reports_(reports), options_(options) {}
+
+  Json run() {
+    collect();
+    const std::size_t all = results_.size();
+    results_.resize(std::min(all, kMostSarifResults), Result{nullptr, nullptr, nullptr});
+    Json rules = Json::array();
+    for (const Result& result : results_) rule_places_.try_emplace(result.finding->rule->id, result.finding->rule);
+    std::size_t place = 0;
+    for (auto& [id, rule] : rule_places_) {
+      rules.push_back(rule_of(*rule.info));
+      rule.place = place++;
+    }
+    Json results = Json::array();
+    for (const Result& result : results_) results.push_back(result_of(result));
+    const Json driver{{"name", "symplant"},
+                      {"version", options_.version},
+                      {"semanticVersion", options_.version},
+                      {"rules", std::move(rules)}};
+    return {
+        {"tool", {{"driver", driver}}},
+        {"invocations", Json::array({invocation(all - results_.size())})},
+        {"originalUriBaseIds", {{kBase, {{"description", {{"text", "the folder in which symplant check was run"}}}}}}},
+        {"columnKind", "unicodeCodePoints"},
+        {"newlineSequences", {"\r\n", "\n", "\r"}},
+        {"results", std::move(results)}};
+  }
+
+ private:
+  struct RulePlace {
+    explicit RulePlace(const RuleInfo* rule) : info(rule) {}
+    const RuleInfo* info;
+    std::size_t place = 0;
+  };
+
+  std::string uri_of(const Diagnostic& finding) const {
+    return finding.place.source ? file_uri(finding.place.source->path(), options_.folder) : std::string();
+  }
+
+  void collect() {
+    Fingerprints fingerprints;
+    for (const Report& report : reports_) {
+      for (const Diagnostic& finding : report.findings.all()) results_.push_back({&finding, &report, nullptr});
+      for (const Ignored& each : report.findings.ignored()) results_.push_back({&each.finding, &report, &each.why});
+    }
+    for (Result& result : results_) result.fingerprint = fingerprints.next(*result.finding, uri_of(*result.finding));
+    std::stable_sort(results_.begin(), results_.end(), [](const Result& a, const Result& b) {
+      if ((a.why == nullptr) != (b.why == nullptr)) return a.why == nullptr;
+      return a.finding->severity > b.finding->severity;
+    });
+  }
+
+  Json file_of(std::string_view path) const {
+    const std::string uri = file_uri(path, options_.folder);
+    Json file{{"uri", uri}};
+    if (!uri.starts_with("file://")) file["uriBaseId"] = kBase;
+    return file;
+  }
+
+  /// A build server takes no result without a line; the first one stands for a whole file.
+  Json location_of(const Place& place, std::string_view otherwise) const {
+    Json region{{"startLine", 1}};
+    if (place.source && !place.source->text().empty()) region = region_of(*place.source, place.span);
+    Json file = file_of(place.source ? std::string_view(place.source->path()) : otherwise);
+    return {{"physicalLocation", {{"artifactLocation", std::move(file)}, {"region", std::move(region)}}}};
+  }
+
+  static Json region_of(const base::SourceFile& source, base::Span span) {
+    const base::Position begin = source.position(span.begin);
+    const base::Position end = source.position(span.end);
+    Json region{
+        {"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
+    const std::size_t size = span.end - span.begin;
+    const std::string_view snippet = source.text().substr(span.begin, std::min(size, kMostSnippet + 1));
+    // A viewer shows it as it is.
+    if (size > 0 && size <= kMostSnippet && visible(snippet) == snippet) region["snippet"] = {{"text", snippet}};
+    return region;
+  }
+
+  Json result_of(const Result& result) const {
+    const Diagnostic& finding = *result.finding;
+    Json json{{"ruleId", finding.rule->id},
+              {"ruleIndex", rule_places_.at(finding.rule->id).place},
+              {"level", severity_name(finding.severity)},
+              {"message", message(finding.message)}};
+    json["locations"] = Json::array({location_of(finding.place, result.report->plant)});
+    Json related = Json::array();
+    for (const Related& each : finding.related) {
+      if (related.size() == kMostRelated) break;
+      Json location = location_of(each.place, result.report->plant);
+      location["id"] = related.size() + 1;
+      location["message"] = message(each.message);
+      related.push_back(std::move(location));
+    }
+    if (!related.empty()) json["relatedLocations"] = std::move(related);
+    // GitHub goes by the second alone, and without it by the text of the lines below, which are other rows.
+    json["partialFingerprints"] = {{"symplant/v1", result.fingerprint},
+                                   {"primaryLocationLineHash", result.fingerprint}};
+    if (result.why != nullptr) {
+      json["suppressions"] =
+          Json::array({{{"kind", "external"}, {"status", "accepted"}, {"justification", visible(*result.why)}}});
+    }
+    if (reports_.size() > 1) json["properties"] = {{"plant", visible(result.report->plant)}};
+    return json;
+  }
+
+  Json invocation(std::size_t left_out) const {
+    Json json{{"executionSuccessful", options_.exit_code < kFailed}, {"exitCode", options_.exit_code}};
+    if (left_out != 0) {
+      const std::string text = std::to_string(left_out) + " findings of least weight are left out, since a run takes " +
+                               std::to_string(kMostSarifResults) + "; --select chooses, --format json lists all";
+      json["toolExecutionNotifications"] = Json::array({{{"level", "warning"}, {"message", message(text)}}});
+    }
+    return json;
+  }
+
+  std::span<const Report> reports_;
+  const SarifOptions& options_;
+  std::vector<Result> results_;
+  std::map<std::string_view, RulePlace> rule_places_;
+};
+
+}  // namespace
+
+std::string render_sarif(std::span<const Report> reports, const SarifOptions& options) {
+  const Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                 {"version", "2.1.0"},
+                 {"runs", Json::array({SarifRenderer(reports, options).run()})}};
+  // A message may hold bytes that are no UTF-8; they must not make the whole report fail.
+  return log.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace symplant::diag
