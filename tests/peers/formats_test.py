@@ -8,6 +8,7 @@ run, the examples, and a list and a folder of hostile names. Exit code: 0 good, 
 had, or jsonschema is not installed (a skip, for ctest).
 """
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -95,7 +96,7 @@ def hostile_folder(folder):
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
-    symplant, source, schema = sys.argv[1:]
+    symplant, source, schema = (os.path.abspath(argument) for argument in sys.argv[1:])
     try:
         import jsonschema
     except ImportError:
