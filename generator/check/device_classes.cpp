@@ -1,6 +1,7 @@
 // Devices of one kind: those whose names differ in digits alone.
 #include "check/device_classes.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/ascii.hpp"
@@ -36,41 +37,79 @@ bool DeviceClasses::SamePart::operator()(const Part& a, const Part& b) const {
   return a.of == b.of && a.direction == b.direction && base::equal_ignoring_case(a.task, b.task);
 }
 
-DeviceClasses::DeviceClasses(const model::PlantModel& plant) {
-  std::unordered_map<std::string, std::uint32_t> by_name;
+DeviceClasses::DeviceClasses(const model::PlantModel& plant) : device_of_(plant.symbols.size(), model::kNone) {
   class_of_.reserve(plant.units.size());
-  for (std::uint32_t unit = 0; unit < plant.units.size(); ++unit) {
-    const model::Unit& of = plant.units[unit];
-    const auto [found, added] = by_name.try_emplace(class_name(of.device), static_cast<std::uint32_t>(classes_.size()));
-    if (added) {
-      classes_.emplace_back();
-      parts_.emplace_back();
+  first_symbol_.reserve(plant.units.size());
+  for (std::uint32_t device = 0; device < plant.units.size(); ++device) {
+    const model::Unit& unit = plant.units[device];
+    std::uint32_t first = model::kNone;
+    for (const auto* side : {&unit.operations, &unit.events}) {
+      if (!side->empty()) first = std::min(first, side->front());
     }
-    classes_[found->second].units.push_back(unit);
-    class_of_.push_back(found->second);
-    for (const auto* side : {&of.operations, &of.events}) {
-      for (const std::uint32_t symbol : *side) add_part(found->second, plant.symbols[symbol]);
+    add_device(unit.device, first);
+    for (const auto* side : {&unit.operations, &unit.events}) {
+      for (const std::uint32_t symbol : *side) add_part(device, symbol, plant);
     }
+  }
+  add_numeric(plant);
+}
+
+void DeviceClasses::add_device(std::string_view name, std::uint32_t first_symbol) {
+  const auto [found, added] = class_by_name_.try_emplace(class_name(name), static_cast<std::uint32_t>(classes_.size()));
+  if (added) classes_.push_back({name, {}, {}});
+  classes_[found->second].devices.push_back(static_cast<std::uint32_t>(class_of_.size()));
+  class_of_.push_back(found->second);
+  first_symbol_.push_back(first_symbol);
+}
+
+void DeviceClasses::add_part(std::uint32_t device, std::uint32_t symbol, const model::PlantModel& plant) {
+  const model::Symbol& of = plant.symbols[symbol];
+  device_of_[symbol] = device;
+  const Part part{class_of_[device], of.direction, of.reading.task};
+  const auto [found, added] = part_.try_emplace(part, static_cast<std::uint32_t>(parts_.size()));
+  if (added) {
+    classes_[part.of].parts.push_back(found->second);
+    parts_.push_back(part);
+    counts_.push_back(0);
+  }
+  ++counts_[found->second];
+}
+
+void DeviceClasses::add_numeric(const model::PlantModel& plant) {
+  std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_path;
+  for (std::uint32_t symbol = 0; symbol < plant.symbols.size(); ++symbol) {
+    const model::Symbol& of = plant.symbols[symbol];
+    if (of.unmodelled != model::Unmodelled::numeric || of.reading.fault != name::NameFault::none) continue;
+    if (by_path.empty()) {
+      by_path.reserve(plant.units.size());
+      for (std::uint32_t unit = 0; unit < plant.units.size(); ++unit) by_path.emplace(plant.units[unit].path, unit);
+    }
+    const auto [found, added] =
+        by_path.try_emplace(of.reading.device_path, static_cast<std::uint32_t>(class_of_.size()));
+    if (added) add_device(of.reading.device, symbol);
+    std::uint32_t& first = first_symbol_[found->second];
+    first = std::min(first, symbol);
+    add_part(found->second, symbol, plant);
   }
 }
 
-void DeviceClasses::add_part(std::uint32_t of, const model::Symbol& symbol) {
-  const Part part{of, symbol.direction, symbol.reading.task};
-  const auto [found, added] = counts_.try_emplace(part, 0U);
-  ++found->second;
-  if (added) parts_[of].push_back(part);
+std::uint32_t DeviceClasses::class_called(const std::string& name) const {
+  const auto found = class_by_name_.find(name);
+  return found == class_by_name_.end() ? model::kNone : found->second;
 }
 
-std::uint32_t DeviceClasses::count(std::uint32_t of, core::Direction direction, std::string_view task) const {
-  const auto found = counts_.find({of, direction, task});
-  return found == counts_.end() ? 0U : found->second;
+std::uint32_t DeviceClasses::find(std::uint32_t of, core::Direction direction, std::string_view task) const {
+  const auto found = part_.find({of, direction, task});
+  return found == part_.end() ? model::kNone : found->second;
 }
 
-Expected DeviceClasses::expects(std::uint32_t unit, core::Direction direction, std::string_view task, bool has) const {
-  const std::uint32_t of = class_of_[unit];
-  const auto siblings = static_cast<std::uint32_t>(classes_[of].units.size() - 1);
+Expected DeviceClasses::expects(std::uint32_t device, core::Direction direction, std::string_view task,
+                                bool has) const {
+  const std::uint32_t of = class_of_[device];
+  const auto siblings = static_cast<std::uint32_t>(classes_[of].devices.size() - 1);
   if (siblings < kLeastSiblings) return Expected::unclear;
-  const std::uint32_t with = count(of, direction, task) - (has ? 1U : 0U);
+  const std::uint32_t part = find(of, direction, task);
+  const std::uint32_t with = part == model::kNone ? 0 : counts_[part] - (has ? 1U : 0U);
   if (4 * std::uint64_t{with} >= 3 * std::uint64_t{siblings}) return Expected::yes;
   return 4 * std::uint64_t{with} <= siblings ? Expected::no : Expected::unclear;
 }

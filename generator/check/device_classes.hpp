@@ -19,11 +19,14 @@ enum class Expected : std::uint8_t {
 };
 
 /// The classes of a plant's devices: `CLAMP1` and `CLAMP12`, of whatever line and process, are `CLAMP#`. ASCII case
-/// does not count. Made once in O(symbols); points into the plant.
+/// does not count. The first devices are the plant's units, by the same places; behind them stand those that have
+/// numeric symbols only. Made once in O(symbols); points into the plant.
 class DeviceClasses {
  public:
   struct Class {
-    std::vector<std::uint32_t> units;  ///< ascending
+    std::string_view device;             ///< as the first of them is called
+    std::vector<std::uint32_t> devices;  ///< ascending
+    std::vector<std::uint32_t> parts;    ///< what its devices have, in the order of the first symbols
   };
   /// A symbol that devices of a class have: its direction and its task, as the first of them writes it.
   struct Part {
@@ -35,15 +38,24 @@ class DeviceClasses {
   explicit DeviceClasses(const model::PlantModel& plant);
 
   const std::vector<Class>& classes() const { return classes_; }
-  /// The class of a unit, by their places.
-  std::uint32_t class_of(std::uint32_t unit) const { return class_of_[unit]; }
-  /// All parts of a class, in the order of their first symbols.
-  const std::vector<Part>& parts(std::uint32_t of) const { return parts_[of]; }
-  /// How many units of the class have the part. O(1).
-  std::uint32_t count(std::uint32_t of, core::Direction direction, std::string_view task) const;
-  /// Whether a unit is expected to have a part, by what the others of its class have; `has` says whether it has it
+  const std::vector<Part>& parts() const { return parts_; }
+  /// The class of a device, by their places.
+  std::uint32_t class_of(std::uint32_t device) const { return class_of_[device]; }
+  /// The class of that class_name(); kNone where there is none. O(1).
+  std::uint32_t class_called(const std::string& name) const;
+  std::size_t devices() const { return class_of_.size(); }
+  /// The first symbol of a device in the order of lists.
+  std::uint32_t first_symbol(std::uint32_t device) const { return first_symbol_[device]; }
+  /// The device of a symbol; kNone where its name is against the rule, or it is in no model for another reason than
+  /// being numeric.
+  std::uint32_t device_of(std::uint32_t symbol) const { return device_of_[symbol]; }
+  /// The part of a class; kNone where no device of it has one. O(1).
+  std::uint32_t find(std::uint32_t of, core::Direction direction, std::string_view task) const;
+  /// How many devices have a part.
+  std::uint32_t count(std::uint32_t part) const { return counts_[part]; }
+  /// Whether a device is expected to have a part, by what the others of its class have; `has` says whether it has it
   /// itself. O(1).
-  Expected expects(std::uint32_t unit, core::Direction direction, std::string_view task, bool has) const;
+  Expected expects(std::uint32_t device, core::Direction direction, std::string_view task, bool has) const;
 
  private:
   struct HashPart {
@@ -53,12 +65,18 @@ class DeviceClasses {
     bool operator()(const Part& a, const Part& b) const;
   };
 
-  void add_part(std::uint32_t of, const model::Symbol& symbol);
+  void add_device(std::string_view name, std::uint32_t first_symbol);
+  void add_part(std::uint32_t device, std::uint32_t symbol, const model::PlantModel& plant);
+  void add_numeric(const model::PlantModel& plant);
 
   std::vector<Class> classes_;
+  std::unordered_map<std::string, std::uint32_t> class_by_name_;
   std::vector<std::uint32_t> class_of_;
-  std::vector<std::vector<Part>> parts_;
-  std::unordered_map<Part, std::uint32_t, HashPart, SamePart> counts_;
+  std::vector<std::uint32_t> first_symbol_;
+  std::vector<std::uint32_t> device_of_;
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> counts_;
+  std::unordered_map<Part, std::uint32_t, HashPart, SamePart> part_;
 };
 
 /// A device's name with `#` for each run of digits, in capitals.

@@ -15,6 +15,7 @@ extern const Rule kWrongNumberOfLevels;        // SP201
 extern const Rule kEmptyLevel;                 // SP202
 extern const Rule kDirectionNotIo;             // SP203
 extern const Rule kIllegalCharacter;           // SP204
+extern const Rule kNameSlip;                   // SP205
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -59,11 +60,12 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 44> kRules{
+inline constexpr std::array<const Rule*, 45> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
     &kIllegalCharacter,
+    &kNameSlip,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,

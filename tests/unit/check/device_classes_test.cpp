@@ -31,12 +31,27 @@ TEST_CASE("Devices of a class differ in digits alone, whatever their case, proce
   const Analysed analysed = four_clamps();
   const DeviceClasses classes(analysed.model());
   REQUIRE(classes.classes().size() == 2);
-  CHECK(classes.classes()[0].units == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(classes.classes()[0].devices == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(classes.class_of(4) == 1);
-  CHECK(classes.parts(0).size() == 3);
-  CHECK(classes.count(0, Direction::event, "ADV") == 3);
-  CHECK(classes.count(0, Direction::event, "held") == 1);
-  CHECK(classes.count(0, Direction::operation, "HELD") == 0);
+  CHECK(classes.classes()[0].parts.size() == 3);
+  CHECK(classes.count(classes.find(0, Direction::event, "ADV")) == 3);
+  CHECK(classes.count(classes.find(0, Direction::event, "held")) == 1);
+  CHECK(classes.find(0, Direction::operation, "HELD") == model::kNone);
+}
+
+TEST_CASE("Numeric symbols count, and so do devices that have only such") {
+  std::vector<Row> rows = bits({"L_A_ROBOT1_O_JOB", "L_A_ROBOT1_I_JOB", "L_A_ROBOT2_O_JOB"});
+  rows.push_back({"L_A_robot1_O_PROG", "", "WORD", "", "%QW1"});
+  rows.push_back({"L_A_GAUGE_I_GAP", "", "INT", "", "%IW1"});
+  rows.push_back({"L_A_GAUGE_I_AGE", "", "INT", "", "%IW2"});
+  const Analysed analysed = analyse_text(list_text(rows));
+  const DeviceClasses classes(analysed.model());
+  CHECK(classes.devices() == 3);
+  CHECK(classes.device_of(3) == 0);
+  CHECK(classes.device_of(4) == 2);
+  CHECK(classes.device_of(5) == 2);
+  CHECK(classes.first_symbol(2) == 4);
+  CHECK(classes.count(classes.find(0, Direction::operation, "PROG")) == 1);
 }
 
 TEST_CASE("What three quarters of the others have is expected, and what a quarter has at most is not") {

@@ -1,0 +1,57 @@
+// Words that differ by a slip of the hand, found without comparing each with each.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace symplant::check {
+
+/// Whether two words, in capitals, differ by one slip: a letter more, less or another, or two neighbours exchanged.
+/// Digits and `#` are no slip: `CLAMP1` and `CLAMP2` are two things. Words of fewer than three letters never do.
+/// O(length).
+bool differ_by_slip(std::u32string_view a, std::u32string_view b);
+
+/// Whether one word is the other with an ending (`CLOSE`, `CLOSED`): two words for one thing, and no slip.
+bool differ_by_ending(std::u32string_view a, std::u32string_view b);
+
+/// The words of a level with how often each is there, to ask for the common ones near a word. Each word is filed under
+/// itself and under itself without each of its letters (the deletion neighbourhood of Mor and Fraenkel, 1982); of each
+/// such file only the kBest commonest words are kept, so that any number of words that are all near each other cost no
+/// more: O(length) hash operations a word, and a question compares with at most kBest * (length + 1) words. Words
+/// longer than kLongest are near nothing.
+class NearWords {
+ public:
+  static constexpr std::size_t kBest = 3;
+  static constexpr std::size_t kLongest = 64;
+
+  /// A word of the vocabulary, by its place in it.
+  struct Word {
+    std::u32string text;  ///< in capitals
+    std::uint64_t count;
+  };
+
+  /// `words` must outlive this.
+  explicit NearWords(const std::vector<Word>& words);
+
+  /// The words near `words[place]` that are commoner, or as common and before it, the commonest first.
+  std::vector<std::uint32_t> commoner_near(std::uint32_t place) const;
+
+ private:
+  static constexpr std::uint32_t kNobody = 0xFFFF'FFFF;
+  struct File {
+    std::array<std::uint32_t, kBest> best{kNobody, kNobody, kNobody};
+  };
+
+  bool commoner(std::uint32_t a, std::uint32_t b) const;
+  void put(std::uint64_t key, std::uint32_t place);
+
+  const std::vector<Word>& words_;
+  std::unordered_map<std::uint64_t, File> files_;
+};
+
+}  // namespace symplant::check

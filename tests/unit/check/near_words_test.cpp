@@ -1,0 +1,75 @@
+// Words that differ by a slip of the hand.
+#include "check/near_words.hpp"
+
+#include "support/catch.hpp"
+
+namespace symplant::test {
+namespace {
+
+using check::differ_by_ending;
+using check::differ_by_slip;
+using check::NearWords;
+
+TEST_CASE("One letter more, less or another, or two neighbours exchanged, is a slip") {
+  CHECK(differ_by_slip(U"CLAMP#", U"CLMP#"));
+  CHECK(differ_by_slip(U"CLMP#", U"CLAMP#"));
+  CHECK(differ_by_slip(U"CLAMP", U"CLAMPS"));
+  CHECK(differ_by_slip(U"CLAMP", U"CRAMP"));
+  CHECK(differ_by_slip(U"CLAMP", U"CLAPM"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP", U"CLAMP"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP", U"CLA"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP", U"PLAMC"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP", U"LCAPM"));
+}
+
+TEST_CASE("Digits are no slip, and short words are no proof of one") {
+  CHECK_FALSE(differ_by_slip(U"CLAMP1", U"CLAMP2"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP#", U"CLAMP"));
+  CHECK_FALSE(differ_by_slip(U"CLAMP#A", U"CLAMPA#"));
+  CHECK_FALSE(differ_by_slip(U"UP", U"UPS"));
+  CHECK_FALSE(differ_by_slip(U"전진", U"후진"));
+  CHECK(differ_by_slip(U"클램프전진", U"클램트전진"));
+}
+
+TEST_CASE("A word with an ending is no slip but another word") {
+  CHECK(differ_by_ending(U"CLOSED", U"CLOSE"));
+  CHECK(differ_by_ending(U"CLAMP", U"CLAMPED"));
+  CHECK_FALSE(differ_by_ending(U"CLOSE", U"CLOSER"));
+}
+
+TEST_CASE("A word is asked for the commoner ones near it, the commonest first") {
+  const std::vector<NearWords::Word> words{{U"RTE", 1}, {U"RET", 200}, {U"RATE", 300}, {U"ADV", 200}, {U"RTED", 1}};
+  const NearWords near(words);
+  CHECK(near.commoner_near(0) == std::vector<std::uint32_t>{2, 1});
+  CHECK(near.commoner_near(4) == std::vector<std::uint32_t>{0});
+  CHECK(near.commoner_near(2).empty());
+  CHECK(near.commoner_near(3).empty());
+}
+
+TEST_CASE("Every near pair is found but where more than the best three share a file") {
+  std::vector<NearWords::Word> words;
+  for (char32_t a = U'A'; a <= U'E'; ++a) {
+    for (char32_t b = U'A'; b <= U'E'; ++b) words.push_back({std::u32string{U'X', a, b, U'X'}, words.size() + 1});
+  }
+  const NearWords near(words);
+  for (std::uint32_t place = 0; place < words.size(); ++place) {
+    const auto found = near.commoner_near(place);
+    std::size_t all = 0;
+    for (std::uint32_t other = place + 1; other < words.size(); ++other) {
+      if (differ_by_slip(words[place].text, words[other].text)) ++all;
+    }
+    CHECK(found.size() <= all);
+    CHECK((all == 0 || !found.empty()));
+    if (all != 0) {
+      // The commonest of all near ones is always among them.
+      std::uint32_t best = place;
+      for (std::uint32_t other = place + 1; other < words.size(); ++other) {
+        if (differ_by_slip(words[place].text, words[other].text)) best = other;
+      }
+      CHECK(found.front() == best);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test

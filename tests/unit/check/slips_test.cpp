@@ -1,0 +1,98 @@
+// Names that differ by a slip from those that are meant.
+#include "check/slips.hpp"
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+
+namespace symplant::test {
+namespace {
+
+using check::Slip;
+
+std::vector<Slip> slips_of(const std::vector<std::string>& names) {
+  static Analysed analysed;  // slips point into it
+  analysed = analyse_text(list_text(bits(names)));
+  return check::find_slips(analysed.model(), check::DeviceClasses(analysed.model()));
+}
+
+std::vector<std::string> clamps(int count) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) {
+    for (const char* part : {"O_ADV", "O_RET", "I_ADV", "I_RET"}) {
+      names.push_back("L_ST" + std::to_string(i) + "_CLAMP1_" + part);
+    }
+  }
+  return names;
+}
+
+TEST_CASE("A symbol that another device lacks belongs to it") {
+  std::vector<std::string> names = clamps(5);
+  names[9] = "L_ST3_CLAPM1_O_RET";
+  const auto slips = slips_of(names);
+  REQUIRE(slips.size() == 1);
+  CHECK(slips[0].level == name::Level::device);
+  CHECK(slips[0].why == Slip::Why::lacks);
+  CHECK(slips[0].written == "CLAPM1");
+  CHECK(slips[0].meant == "CLAMP1");
+  CHECK(slips[0].meant_path == "L_ST3_CLAMP1");
+  CHECK(slips[0].symbols == std::vector<std::uint32_t>{9});
+}
+
+TEST_CASE("A task that no sibling has is the one that its device lacks") {
+  std::vector<std::string> names = clamps(5);
+  names[6] = "L_ST2_CLAMP1_I_AVD";
+  const auto slips = slips_of(names);
+  REQUIRE(slips.size() == 1);
+  CHECK(slips[0].level == name::Level::task);
+  CHECK(slips[0].meant == "ADV");
+}
+
+TEST_CASE("Without siblings the other direction speaks for a slip") {
+  const auto slips = slips_of({"L_P_TABLE_O_WORK", "L_P_TABLE_I_WORK", "L_P_TABLE_O_LOAD", "L_P_TABEL_I_LOAD"});
+  REQUIRE(slips.size() == 1);
+  CHECK(slips[0].written == "TABEL");
+}
+
+TEST_CASE("A device misspelt throughout is told by its rare word, once") {
+  std::vector<std::string> names = clamps(9);
+  for (std::size_t i = 8; i < 12; ++i) names[i].replace(names[i].find("CLAMP"), 5, "CLMP");
+  const auto slips = slips_of(names);
+  REQUIRE(slips.size() == 1);
+  CHECK(slips[0].why == Slip::Why::common);
+  CHECK(slips[0].symbols.size() == 4);
+  CHECK(slips[0].others == 8);
+}
+
+TEST_CASE("A line and a process are told by their rare words") {
+  std::vector<std::string> names = clamps(9);
+  for (std::string& name : names) name.replace(0, 4, "BODY_CELL");
+  names.push_back("BDOY_CELL1_LAMP_O_ON");
+  names.push_back("BODY_CLEL1_HORN_O_ON");
+  const auto slips = slips_of(names);
+  REQUIRE(slips.size() == 2);
+  CHECK(slips[0].level == name::Level::line);
+  CHECK(slips[0].meant == "BODY");
+  CHECK(slips[1].level == name::Level::process);
+  CHECK(slips[1].meant == "CELL1");
+}
+
+TEST_CASE("Two lines, two words of one unit, and near words of devices unlike are no slips") {
+  CHECK(slips_of(clamps(9)).empty());
+  std::vector<std::string> lines = clamps(3);
+  for (const std::string& name : clamps(3)) lines.push_back("LINEA" + name.substr(1));
+  for (const std::string& name : clamps(3)) lines.push_back("LINEB" + name.substr(1));
+  CHECK(slips_of(lines).empty());
+  // FWD and BWD differ by a letter, LAMP and CLAMP too; CLOSE and CLOSED are two words (SP405).
+  std::vector<std::string> names = clamps(9);
+  names.push_back("L_ST1_LAMP1_O_ON");
+  for (const char* task : {"O_FWD", "O_BWD", "I_FWD", "I_BWD"}) names.push_back(std::string("L_ST1_CONV_") + task);
+  for (const char* task : {"O_CLOSE", "I_CLOSED"}) names.push_back(std::string("L_ST1_DOOR_") + task);
+  CHECK(slips_of(names).empty());
+}
+
+TEST_CASE("Devices that differ in a letter, each complete, are no slips") {
+  CHECK(slips_of({"L_P_VALVEA_O_OPEN", "L_P_VALVEA_I_OPEN", "L_P_VALVEB_O_OPEN", "L_P_VALVEB_I_OPEN"}).empty());
+}
+
+}  // namespace
+}  // namespace symplant::test
