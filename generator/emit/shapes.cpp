@@ -23,6 +23,29 @@ std::string key_of(const model::Unit& unit) {
   return key;
 }
 
+/// The device level without the number at its end: what kind of device it is, in the list's own words.
+std::string_view kind_of(const model::Unit& unit) {
+  const std::size_t last = unit.device.find_last_not_of("0123456789");
+  return unit.device.substr(0, last == std::string_view::npos ? 0 : last + 1);
+}
+
+/// More kinds than these in one shape are no kinds: the devices have names of their own.
+constexpr std::size_t kMostKinds = 8;
+
+/// A shape for each kind of device in it (clamps and grippers may be alike, and are spoken of apart), in the order of
+/// their first devices; the shape as it is where there are too many.
+std::vector<Shape> by_kind(const Shape& shape, const model::PlantModel& plant) {
+  std::vector<Shape> kinds;
+  std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_name;
+  for (const std::uint32_t unit : shape.units) {
+    const auto [found, added] = by_name.try_emplace(kind_of(plant.units[unit]), kinds.size());
+    if (added) kinds.emplace_back();
+    if (kinds.size() > kMostKinds) return {shape};
+    kinds[found->second].units.push_back(unit);
+  }
+  return kinds;
+}
+
 class Namer {
  public:
   explicit Namer(const model::PlantModel& plant) : plant_(plant) {}
@@ -30,7 +53,8 @@ class Namer {
   void name(Shape& shape) const {
     const std::string first(path(shape.units.front()));
     if (shape.units.size() == 1) return take(shape, first);
-    for (const std::string& pattern : {around(shape.units, true), around(shape.units, false), without_digits(first)}) {
+    for (const std::string& pattern :
+         {by_levels(shape.units), around(shape.units, true), around(shape.units, false), without_digits(first)}) {
       if (fits_just(pattern, shape)) return take(shape, pattern);
     }
     // From the whole path down: the fewer characters are fixed, the more devices it may fit.
@@ -46,6 +70,31 @@ class Namer {
 
  private:
   std::string_view path(std::uint32_t unit) const { return plant_.units[unit].path; }
+
+  /// `BODY_*_CLAMP?`: line and process as far as they agree, then the kind; of several kinds something that fits none.
+  std::string by_levels(const std::vector<std::uint32_t>& units) const {
+    const model::Unit& first = plant_.units[units.front()];
+    std::string_view place = first.path.substr(0, first.path.size() - first.device.size());  // with its `_`
+    bool one_place = true;
+    bool one_name = true;
+    bool one_digit = true;
+    for (const std::uint32_t u : units) {
+      const model::Unit& unit = plant_.units[u];
+      if (!base::equal_ignoring_case(kind_of(unit), kind_of(first))) return {};
+      const std::size_t shorter = std::min(place.size(), unit.path.size() - unit.device.size());
+      std::size_t same = 0;
+      while (same < shorter && base::upper(place[same]) == base::upper(unit.path[same])) ++same;
+      one_place = one_place && same == place.size();
+      place = place.substr(0, same);
+      one_name = one_name && base::equal_ignoring_case(unit.device, first.device);
+      one_digit = one_digit && unit.device.size() == kind_of(unit).size() + 1;
+    }
+    while (!one_place && !place.empty() && (static_cast<unsigned char>(place.back()) & 0x80U) != 0) {
+      place.remove_suffix(1);  // within a character, perhaps
+    }
+    return std::string(place) + (one_place ? "" : "*_") +
+           (one_name ? std::string(first.device) : std::string(kind_of(first)) + (one_digit ? "?" : "*"));
+  }
 
   /// What all begin with, a `*`, and, if wanted, what all end with.
   std::string around(const std::vector<std::uint32_t>& units, bool with_end) const {
@@ -117,9 +166,16 @@ std::vector<Shape> shapes_of(const model::PlantModel& plant) {
     if (added) shapes.emplace_back();
     shapes[found->second].units.push_back(u);
   }
+  std::vector<Shape> kinds;
+  for (const Shape& shape : shapes) {
+    std::vector<Shape> parts = by_kind(shape, plant);
+    std::move(parts.begin(), parts.end(), std::back_inserter(kinds));
+  }
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [](const Shape& a, const Shape& b) { return a.units.front() < b.units.front(); });
   const Namer namer(plant);
-  for (Shape& shape : shapes) namer.name(shape);
-  return shapes;
+  for (Shape& kind : kinds) namer.name(kind);
+  return kinds;
 }
 
 }  // namespace symplant::emit

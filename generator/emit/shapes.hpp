@@ -9,7 +9,8 @@
 
 namespace symplant::emit {
 
-/// Devices whose states, operations, events, actuation, rest and initial state are alike.
+/// Devices whose states, operations, events, actuation, rest and initial state are alike, and, up to eight kinds, the
+/// name without the number at its end as well.
 struct Shape {
   std::vector<std::uint32_t> units;  ///< ascending
   /// An exact path, or a pattern that fits all of `named` and no other device of the plant.

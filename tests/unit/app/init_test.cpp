@@ -133,6 +133,22 @@ TEST_CASE("init: a plant description is none to begin from") {
   CHECK(contains(run.err, "is a plant description already"));
 }
 
+TEST_CASE("init: on a body-shop line each kind of device is one entry, called as a person would call it") {
+  MemoryFileSystem files;
+  files.files["list.csv"] = read_bytes(std::string(SYMPLANT_SOURCE_DIR) + "/examples/body-shop/body-shop.csv");
+  const std::string text = run_tool({"init", "list.csv"}, files).out;
+  CHECK_FALSE(contains(text, "no pattern in common"));
+  std::string keys;
+  const auto description = json_of(text);
+  for (const auto& [key, value] : description.at("devices").items()) keys += key + "\n";
+  CHECK(keys ==
+        "BODY_*_AIR\nBODY_*_BUTTONHALT\nBODY_*_BUTTONRESET\nBODY_*_BUTTONSTART\nBODY_*_CLAMP?\nBODY_*_CURTAIN\n"
+        "BODY_*_DOOR?\nBODY_*_DRESSER?\nBODY_*_ESTOP?\nBODY_*_GRIPPER1\nBODY_*_HORN\nBODY_*_LATCH?\n"
+        "BODY_*_LIFTER1\nBODY_*_LIGHTAMBER\nBODY_*_LIGHTGREEN\nBODY_*_LIGHTRED\nBODY_*_PART?\nBODY_*_PIN?\n"
+        "BODY_*_ROBOT?\nBODY_*_SEALER?\nBODY_*_SELECTOR\nBODY_*_WELDER?\nBODY_FRAME*_DRUM1\nBODY_INSP*_CAMERA?\n"
+        "BODY_MOVE*_CONVEYOR1\nBODY_MOVE*_DRIVE?\nBODY_MOVE*_SHUTTLE1\nBODY_SEAL*_PUMP1\nBODY_SIDE*_TABLE1\n");
+}
+
 TEST_CASE("init: three thousand devices of few shapes are a short file") {
   std::vector<std::string> names;
   for (int i = 0; i < 1000; ++i) {
