@@ -102,12 +102,16 @@ class TextRenderer {
     for (const Diagnostic& finding : findings) {
       Count& count = counts[finding.rule->id];
       count.rule = finding.rule;
-      if (options_.fold_after == 0 || count.found < options_.fold_after) one(finding);
-      ++count.found;
+      if (options_.fold_after != 0 && count.shown >= most(finding.severity)) {
+        ++count.left;
+        continue;
+      }
+      one(finding);
+      ++count.shown;
     }
     for (const auto& [id, count] : counts) {
-      if (options_.fold_after == 0 || count.found <= options_.fold_after) continue;
-      text_ += "... and " + std::to_string(count.found - options_.fold_after) + " more of ";
+      if (count.left == 0) continue;
+      text_ += "... and " + std::to_string(count.left) + " more of ";
       text_.append(id).append(" ").append(count.rule->slug).append("; --format json lists all\n");
     }
     return std::move(text_);
@@ -116,8 +120,13 @@ class TextRenderer {
  private:
   struct Count {
     const RuleInfo* rule = nullptr;
-    std::size_t found = 0;
+    std::size_t shown = 0;
+    std::size_t left = 0;
   };
+
+  std::size_t most(Severity severity) const {
+    return severity == Severity::note ? std::min(options_.fold_after, options_.fold_notes_after) : options_.fold_after;
+  }
 
   void one(const Diagnostic& finding) {
     head(finding.place, finding.severity, finding.message);

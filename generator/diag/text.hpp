@@ -13,6 +13,7 @@ struct TextOptions {
   bool colour = false;
   /// After so many findings of one rule the rest of them are counted in one line at the end; 0 shows all.
   std::size_t fold_after = 20;
+  std::size_t fold_notes_after = 3;  ///< the same for notes, which a long list has hundreds of; never more than above
 };
 
 /// `file:line:column: warning: message [SP201 wrong-number-of-levels]`, the row with the place underlined, then the

@@ -132,6 +132,17 @@ TEST_CASE("After so many findings of one rule the rest are counted") {
   CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
 }
 
+TEST_CASE("Of notes fewer are shown before the rest are counted") {
+  constexpr diag::RuleInfo kNote{"SP404", "nobody-moves", diag::Severity::note, "", ""};
+  const auto source = source_of("abc");
+  Diagnostics found;
+  for (int i = 0; i < 5; ++i) found.add(kNote, "still", {source, {0, 1}});
+  for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
+  const std::string text = render_text(found.all());
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and 2 more of SP404 nobody-moves; --format json lists all\n"));
+  CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
+}
+
 TEST_CASE("Findings are counted by severity") {
   Diagnostics found;
   CHECK_FALSE(found.has_errors());
