@@ -95,9 +95,11 @@ TEST_CASE("Every device of the body-shop line that can move completes a motion, 
   Drive drive(line);
   CHECK(lines(drive.behind(1)) == can_move);
   drive.command_all();
-  CHECK(drive.behind(1) == "");
+  INFO("behind after one command:\n" << drive.behind(1));
+  CHECK(drive.behind(1).empty());
   drive.command_all();
-  CHECK(drive.behind(2) == "");
+  INFO("behind after two commands:\n" << drive.behind(2));
+  CHECK(drive.behind(2).empty());
 }
 
 TEST_CASE(
