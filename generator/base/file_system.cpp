@@ -3,37 +3,18 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
-#include <utility>
+
+#include "base/descriptor.hpp"
+#include "base/replacement.hpp"
 
 namespace symplant::base {
 
 namespace {
-
-/// Owns a descriptor.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  explicit operator bool() const { return number_ >= 0; }
-  int number() const { return number_; }
-  /// False where the system kept an error of a write until now.
-  bool close() {
-    const int closing = std::exchange(number_, -1);
-    return closing < 0 || ::close(closing) == 0;
-  }
-
- private:
-  int number_;
-};
 
 std::string reason(int code) {
   switch (code) {
@@ -61,57 +42,36 @@ FileError error_of(std::string_view act, const std::string& path, int code) {
   return {"cannot " + std::string(act) + " `" + path + "`: " + reason(code)};
 }
 
-/// 0, or why not all could be written.
-int write_all(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t count = ::write(descriptor, content.data(), content.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return errno;
-    content.remove_prefix(static_cast<std::size_t>(count));
+/// What is no plain file (a pipe, /dev/stdout): it is there to be written to, not to be replaced.
+class Through final : public TextSink {
+ public:
+  explicit Through(const std::string& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+    if (!file_) fault_ = errno;
   }
-  return 0;
-}
-
-/// Writes to what is no plain file (a pipe, /dev/stdout): it is there to be written to, not to be replaced.
-int write_through(const std::string& path, std::string_view content) {
-  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file) return errno;
-  const int fault = write_all(file.number(), content);
-  return fault == 0 && !file.close() ? errno : fault;
-}
-
-/// Writes a new file in `folder`, whose name comes back in `temporary`. 0 or why not; then nothing is left behind.
-int write_beside(const std::filesystem::path& folder, mode_t mode, std::string_view content, std::string& temporary) {
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    temporary =
-        (folder / (".symplant-" + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp")).string();
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (!file && errno == EEXIST) continue;
-    if (!file) return errno;
-    int fault = write_all(file.number(), content);
-    if (fault == 0 && mode != 0 && ::fchmod(file.number(), mode) != 0) fault = errno;
-    if (!file.close() && fault == 0) fault = errno;
-    if (fault != 0) ::unlink(temporary.c_str());
-    return fault;
+  void put(std::string_view part) override {
+    if (fault_ == 0) fault_ = write_all(file_.number(), part);
   }
-  return EEXIST;
-}
+  int finish() { return fault_ == 0 && !file_.close() ? errno : fault_; }
 
-/// 0, or why `path` could not be made to hold `content`. A link stays a link: what it points to is replaced.
-int replace(const std::string& path, mode_t mode, std::string_view content) {
-  std::error_code failure;
-  std::filesystem::path target = std::filesystem::canonical(path, failure);
-  if (failure) target = path;
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
-  std::filesystem::create_directories(folder, failure);
-  if (failure) return failure.value();
-  std::string temporary;
-  int fault = write_beside(folder, mode, content, temporary);
-  if (fault == 0 && std::rename(temporary.c_str(), target.c_str()) != 0) {
-    fault = errno;
-    ::unlink(temporary.c_str());
-  }
-  return fault;
+ private:
+  Descriptor file_;
+  int fault_ = 0;
+};
+
+/// Compares a file with a text.
+class Comparison final : public TextSink {
+ public:
+  explicit Comparison(int descriptor) : descriptor_(descriptor) {}
+  void put(std::string_view part) override { equal_ = equal_ && holds_next(descriptor_, part); }
+  bool finish() { return equal_ && ends_here(descriptor_); }
+
+ private:
+  int descriptor_;
+  bool equal_ = true;
+};
+
+TextSource whole(std::string_view content) {
+  return [content](TextSink& sink) { sink.put(content); };
 }
 
 }  // namespace
@@ -140,21 +100,33 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
 }
 
 Result<bool, FileError> DiskFileSystem::write(const std::string& path, std::string_view content) {
+  return write_made(path, whole(content));
+}
+
+Result<bool, FileError> DiskFileSystem::write_made(const std::string& path, const TextSource& content) {
   struct stat about {};
   const bool exists = ::stat(path.c_str(), &about) == 0;
   if (exists && S_ISDIR(about.st_mode)) return error_of("write", path, EISDIR);
   if (exists && !S_ISREG(about.st_mode)) {
-    const int fault = write_through(path, content);
+    Through through(path);
+    content(through);
+    const int fault = through.finish();
     if (fault != 0) return error_of("write", path, fault);
     return true;
   }
-  if (exists && static_cast<std::size_t>(about.st_size) == content.size()) {
-    const auto old = read(path);
-    if (old && *old == content) return false;
-  }
-  const int fault = replace(path, exists ? about.st_mode & 07777U : 0, content);
+  Replacement replacement(path, exists ? std::optional<mode_t>(about.st_mode & 07777U) : std::nullopt);
+  content(replacement);
+  const int fault = replacement.finish();
   if (fault != 0) return error_of("write", path, fault);
-  return true;
+  return replacement.changed();
+}
+
+bool DiskFileSystem::holds(const std::string& path, const TextSource& content) const {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return false;
+  Comparison comparison(file.number());
+  content(comparison);
+  return comparison.finish();
 }
 
 Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::string_view content) {
@@ -163,14 +135,14 @@ Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::
   std::error_code failure;
   if (!folder.empty()) std::filesystem::create_directories(folder, failure);
   if (failure) return error_of("write", path, failure.value());
-  std::string temporary;
-  int fault = write_beside(folder.empty() ? "." : folder, 0, content, temporary);
+  NewFile made;
+  int fault = made.open(folder.empty() ? "." : folder);
+  if (fault == 0) fault = made.append(content);
+  if (fault == 0) fault = made.finish({});
+  if (fault == 0) fault = made.link_as(path);  // unlike a rename it replaces nothing
+  if (fault == EEXIST) return false;
   if (fault != 0) return error_of("write", path, fault);
-  const bool made = ::link(temporary.c_str(), path.c_str()) == 0;  // unlike a rename it replaces nothing
-  fault = made ? 0 : errno;
-  ::unlink(temporary.c_str());
-  if (fault != 0 && fault != EEXIST) return error_of("write", path, fault);
-  return made;
+  return true;
 }
 
 bool DiskFileSystem::exists(const std::string& path) const {

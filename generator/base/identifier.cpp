@@ -129,6 +129,17 @@ std::string lower(std::string text) {
 
 }  // namespace
 
+bool is_plain_identifier(std::string_view name) {
+  if (name.empty() || name.size() > kMaxIdentifierBody || name.front() == '_' || name.back() == '_') return false;
+  bool after_gap = false;
+  for (const char c : name) {
+    const bool gap = c == '_';
+    if ((gap && after_gap) || !(gap || is_word(static_cast<unsigned char>(c)))) return false;
+    after_gap = gap;
+  }
+  return true;
+}
+
 std::string identifier(std::string_view utf8_name) {
   std::string body = legal_body(utf8_name);
   if (body.empty()) return "unnamed";

@@ -22,6 +22,9 @@ std::string identifier(std::string_view utf8_name);
 /// keyword can arise (`k` and `class` is `kclass`).
 std::string identifier(std::string_view utf8_name, std::string_view prefix);
 
+/// Whether a name reads as it is behind a prefix: ASCII letters and digits, single `_` between them, not too long.
+bool is_plain_identifier(std::string_view name);
+
 /// The constant or enumerator of a name: `kRUN2`, in the user's own spelling.
 std::string enumerator(std::string_view utf8_name);
 

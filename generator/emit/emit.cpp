@@ -23,6 +23,14 @@ namespace {
 
 constexpr std::string_view kOwnFile = "behavior.hpp";  ///< the template of the user's own files
 
+void add_rows(View& view, const std::string& key, bool any, RowSource source) {
+  if (any) {
+    view.rows[key] = std::move(source);
+  } else {
+    view.texts[key];
+  }
+}
+
 View plant_view(const model::PlantModel& plant, const lower::EngineTables& tables) {
   const std::vector<std::string> classes = class_names(tables, plant);
   View view;
@@ -38,8 +46,9 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["unit_count"] = std::to_string(tables.units.size());
   texts["symbol_count"] = std::to_string(tables.symbols.size());
   texts["type_count"] = std::to_string(tables.types.size());
-  texts["device_rows"] = device_rows(plant);
-  texts["symbol_constant_rows"] = symbol_constant_rows(plant);
+  add_rows(view, "device_rows", !plant.units.empty(), [&tables](RowWriter& rows) { device_rows(rows, tables); });
+  add_rows(view, "symbol_constant_rows", !plant.symbols.empty(),
+           [&tables](RowWriter& rows) { symbol_constant_rows(rows, tables); });
   texts["type_rows"] = type_rows(classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);
@@ -92,7 +101,8 @@ std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, c
 }
 
 /// Nothing, and an error, where the template has a fault.
-std::optional<std::string> filled(std::string_view name, const Frame& frame, const View& view, EmitResult& result) {
+std::optional<base::TextSource> filled(std::string_view name, const Frame& frame, const View& view,
+                                       EmitResult& result) {
   auto rendered = render({name, frame.text}, view);
   if (rendered) return std::move(*rendered);
   result.errors.push_back(fmt::format("{}:{}: {}", frame.path, rendered.error().line, rendered.error().message));
@@ -106,7 +116,7 @@ void add_own_files(const Frame& frame, std::string_view name, const View& plant,
     view.texts.insert(behaviour.texts.begin(), behaviour.texts.end());
     auto content = filled(name, frame, view, result);
     if (!content) return;  // the others have the same fault
-    result.own_files.push_back({view.texts["behaviour"], view.texts["behaviour_file"], std::move(*content)});
+    result.own_files.push_back({view.texts["behaviour"], view.texts["behaviour_file"], base::text_of(*content)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/file_system.hpp"
+#include "base/text_source.hpp"
 #include "diag/diagnostic.hpp"
 #include "lower/engine_tables.hpp"
 #include "model/plant_model.hpp"
@@ -13,7 +14,7 @@ namespace symplant::emit {
 
 struct EmittedFile {
   std::string name;  ///< within the output folder
-  std::string content;
+  base::TextSource content;
 };
 
 /// A file of the user's own, as it is first written.
@@ -35,8 +36,8 @@ struct EmitResult {
       errors;  ///< faults of templates, in words that name file and line; nothing is to be written then
 };
 
-/// Nothing is written: all files come back whole. Equal inputs give equal bytes. O(symbols + devices + types'
-/// structure).
+/// Nothing is written. Files are made when their content is asked for, which may be as long as `plant` and `tables` are
+/// there. Equal inputs give equal bytes. O(symbols + devices + types' structure), each time.
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
                 const base::FileSystem& files);
 

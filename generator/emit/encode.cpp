@@ -3,11 +3,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "base/utf8.hpp"
 
 namespace symplant::emit {
+namespace {
+
+/// Bytes that stand for themselves, in comments and literals alike.
+constexpr auto kPlain = [] {
+  std::array<bool, 256> plain{};
+  for (unsigned c = ' '; c <= '~'; ++c) plain[c] = c != '\\' && c != '"' && c != '?';
+  return plain;
+}();
+
+std::size_t plain_bytes(std::string_view text) {
+  std::size_t size = 0;
+  while (size < text.size() && kPlain[static_cast<unsigned char>(text[size])]) ++size;
+  return size;
+}
+
+}  // namespace
+
+std::size_t plain_in_comment(std::string_view utf8) { return plain_bytes(utf8); }
+std::size_t plain_in_literal(std::string_view bytes) { return plain_bytes(bytes); }
 
 void append_comment(std::string& out, std::string_view utf8) {
   for (std::size_t at = 0; at < utf8.size();) {

@@ -1,6 +1,7 @@
 // The only ways in which a user's text gets into generated code: one encoder a context. All give printable ASCII.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,5 +16,9 @@ std::string string_literal(std::string_view bytes);
 /// Appends the inside of one, without quotes.
 void append_literal(std::string& out, std::string_view bytes);
 void append_comment(std::string& out, std::string_view utf8);
+
+/// How many of the first bytes of a text stand for themselves in a comment, and in a literal. There may be more.
+std::size_t plain_in_comment(std::string_view utf8);
+std::size_t plain_in_literal(std::string_view bytes);
 
 }  // namespace symplant::emit

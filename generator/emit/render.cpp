@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <kainjow/mustache.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "emit/keys.hpp"
@@ -15,12 +17,19 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-mustache::data to_data(const View& view) {
+/// Stands in the frame, which is small, where rows are to come: a number between two of these.
+constexpr char kMark = '\x01';
+
+mustache::data to_data(const View& view, std::vector<RowSource>& sources) {
   mustache::data data;
   for (const auto& [key, text] : view.texts) data.set(key, text);
+  for (const auto& [key, source] : view.rows) {
+    data.set(key, kMark + std::to_string(sources.size()) + kMark);
+    sources.push_back(source);
+  }
   for (const auto& [key, items] : view.lists) {
     mustache::data list{mustache::data::type::list};
-    for (const View& item : items) list << to_data(item);
+    for (const View& item : items) list << to_data(item, sources);
     data.set(key, list);
   }
   return data;
@@ -67,14 +76,43 @@ std::optional<TemplateError> fault_of(const Template& text) {
                        "`" + section.key + "` is opened and not closed: write `{{/" + section.key + "}}` behind it"};
 }
 
+void put_rows(const RowSource& source, base::TextSink& sink) {
+  RowWriter rows(sink);
+  source(rows);
+  rows.finish();
+}
+
+/// The frame with the rows in the place of their marks.
+void put_together(std::string_view frame, const std::vector<RowSource>& sources, base::TextSink& sink) {
+  for (;;) {
+    const std::size_t mark = frame.find(kMark);
+    if (const std::string_view before = frame.substr(0, mark); !before.empty()) sink.put(before);
+    if (mark == frame.npos) return;
+    frame.remove_prefix(mark + 1);
+    std::size_t number = 0;
+    const char* const end = std::from_chars(frame.data(), frame.data() + frame.size(), number).ptr;
+    put_rows(sources[number], sink);
+    frame.remove_prefix(static_cast<std::size_t>(end - frame.data()) + 1);
+  }
+}
+
 }  // namespace
 
-base::Result<std::string, TemplateError> render(const Template& text, const View& view) {
+base::Result<base::TextSource, TemplateError> render(const Template& text, const View& view) {
   if (auto fault = fault_of(text)) return *fault;
+  if (const std::size_t mark = text.text.find(kMark); mark != text.text.npos) {
+    const std::string_view before = text.text.substr(0, mark);
+    return TemplateError{1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
+                         "the control character U+0001 stands here: take it out"};
+  }
   mustache::mustache made{std::string(text.text)};
   if (!made.is_valid()) return TemplateError{1, made.error_message()};
   made.set_custom_escape([](const std::string& encoded) { return encoded; });
-  return made.render(to_data(view));
+  std::vector<RowSource> sources;
+  std::string frame = made.render(to_data(view, sources));
+  return base::TextSource([frame = std::move(frame), sources = std::move(sources)](base::TextSink& sink) {
+    put_together(frame, sources, sink);
+  });
 }
 
 }  // namespace symplant::emit

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/text_source.hpp"
+#include "emit/row_writer.hpp"
 
 namespace symplant::emit {
 
@@ -15,6 +17,7 @@ namespace symplant::emit {
 struct View {
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<View>> lists;
+  std::map<std::string, RowSource> rows = {};  ///< texts too large to be held; none of them empty
 };
 
 struct Template {
@@ -31,6 +34,7 @@ struct TemplateError {
 };
 
 /// Fills in a template (mustache: keys, lists, comments). A key that is not in kKeys for this template is an error.
-base::Result<std::string, TemplateError> render(const Template& text, const View& view);
+/// The text may be asked for as long as the rows' sources can be.
+base::Result<base::TextSource, TemplateError> render(const Template& text, const View& view);
 
 }  // namespace symplant::emit

@@ -1,39 +1,38 @@
 // Rows as text: the one way in which tables get into generated code.
 #pragma once
 
-#include <array>
 #include <charconv>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "base/text_source.hpp"
 #include "emit/encode.hpp"
 
 namespace symplant::emit {
 
-/// Puts rows together, a line each. What a user wrote goes in by comment() and literal() alone.
+/// Puts rows together, a line each. What a user wrote goes in by comment() and literal() alone. Either it keeps all
+/// rows, for take(), or it hands them on to a sink, for finish().
 class RowWriter {
  public:
+  RowWriter() { buffer_.resize(256); }
+  explicit RowWriter(base::TextSink& sink) : sink_(&sink) { buffer_.resize(kHandedOn); }
+
   RowWriter& text(std::string_view text) {
-    out_.append(text);
+    std::memcpy(room(text.size()), text.data(), text.size());
+    filled_ += text.size();
     return *this;
   }
   template <std::integral Number>
   RowWriter& number(Number value) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    out_.append(digits.data(), end);
-    return *this;
+    return digits(value, 10);
   }
   /// `0x1F`
-  RowWriter& hex(std::uint64_t value) {
-    std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16).ptr;
-    out_.append("0x").append(digits.data(), end);
-    return *this;
-  }
+  RowWriter& hex(std::uint64_t value) { return text("0x").digits(value, 16); }
   /// Numbers with commas between.
   template <std::integral First, std::integral... Rest>
   RowWriter& numbers(First first, Rest... rest) {
@@ -42,23 +41,64 @@ class RowWriter {
     return *this;
   }
   RowWriter& comment(std::string_view utf8) {
-    append_comment(out_, utf8);
-    return *this;
+    const std::size_t plain = plain_in_comment(utf8);
+    text(utf8.substr(0, plain));
+    return plain == utf8.size() ? *this : encoded(append_comment, utf8.substr(plain));
   }
   RowWriter& literal(std::string_view bytes) {
-    append_literal(out_, bytes);
-    return *this;
+    const std::size_t plain = plain_in_literal(bytes);
+    text(bytes.substr(0, plain));
+    return plain == bytes.size() ? *this : encoded(append_literal, bytes.substr(plain));
   }
 
   /// All rows without the last one's line end.
   std::string take() {
-    if (!out_.empty()) out_.pop_back();
-    return std::move(out_);
+    buffer_.resize(filled_ == 0 ? 0 : filled_ - 1);
+    return std::move(buffer_);
   }
-  std::string take_or(std::string_view none) { return out_.empty() ? std::string(none) : take(); }
+  std::string take_or(std::string_view none) { return filled_ == 0 ? std::string(none) : take(); }
+  /// Hands on what is left, but for the last row's line end.
+  void finish() {
+    if (filled_ > 1) sink_->put({buffer_.data(), filled_ - 1});
+    filled_ = 0;
+  }
 
  private:
-  std::string out_;
+  static constexpr std::size_t kHandedOn = std::size_t{1} << 18;  ///< bytes at a time
+  static constexpr std::size_t kMostDigits = 24;
+
+  char* room(std::size_t size) {
+    if (buffer_.size() - filled_ < size) make_room(size);
+    return buffer_.data() + filled_;
+  }
+  /// The last byte stays: it may be a line end too many, and says how a comment goes on.
+  void make_room(std::size_t size) {
+    if (sink_ != nullptr && filled_ > 1) {
+      sink_->put({buffer_.data(), filled_ - 1});
+      buffer_[0] = buffer_[filled_ - 1];
+      filled_ = 1;
+    }
+    if (buffer_.size() - filled_ < size) buffer_.resize(2 * buffer_.size() + size);
+  }
+  template <std::integral Number>
+  RowWriter& digits(Number value, int base) {
+    char* const begin = room(kMostDigits);
+    filled_ += static_cast<std::size_t>(std::to_chars(begin, begin + kMostDigits, value, base).ptr - begin);
+    return *this;
+  }
+  RowWriter& encoded(void (*append)(std::string&, std::string_view), std::string_view bytes) {
+    std::string encoded(filled_ == 0 ? 0 : 1, filled_ == 0 ? '\0' : buffer_[filled_ - 1]);
+    const std::size_t before = encoded.size();
+    append(encoded, bytes);
+    return text(std::string_view(encoded).substr(before));
+  }
+
+  base::TextSink* sink_ = nullptr;
+  std::string buffer_;  ///< the first `filled_` bytes of it count
+  std::size_t filled_ = 0;
 };
+
+/// Writes rows whenever they are wanted: the same ones each time.
+using RowSource = std::function<void(RowWriter&)>;
 
 }  // namespace symplant::emit

@@ -32,11 +32,53 @@ std::string kind_name(const core::SymbolRow& row) {
 
 std::map<core::SymbolKind, std::string> kind_names(const lower::EngineTables& tables) {
   std::map<core::SymbolKind, std::string> names;
+  const core::SymbolRow* last = nullptr;
   for (const core::SymbolRow& row : tables.symbols) {
+    if (last != nullptr && last->kind == row.kind) continue;
+    last = &row;
     std::string& name = names[row.kind];
     if (name.empty()) name = kind_name(row);
   }
   return names;
+}
+
+/// Walks the texts of a blob.
+class Texts {
+ public:
+  explicit Texts(std::string_view blob) : rest_(blob) {}
+  std::string_view next() {
+    const std::string_view text = rest_.substr(0, rest_.find('\0'));
+    rest_.remove_prefix(text.size() + 1);
+    return text;
+  }
+  bool at_end() const { return rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+};
+
+/// An enumerator each of names that differ without regard to case, `step` texts of a blob apart. Where all read as they
+/// are, none of them can meet another.
+void constant_rows(RowWriter& rows, const std::string& blob, int step) {
+  const auto each = [&](auto act) {
+    std::size_t number = 0;
+    for (Texts texts(blob); !texts.at_end(); ++number) {
+      act(number, texts.next());
+      for (int i = 1; i < step; ++i) texts.next();
+    }
+  };
+  bool plain = true;
+  each([&](std::size_t, std::string_view name) { plain = plain && base::is_plain_identifier(name); });
+  base::IdentifierScope scope;
+  each([&](std::size_t number, std::string_view name) {
+    rows.text("  ");
+    if (plain) {
+      rows.text("k").text(name);
+    } else {
+      rows.text(scope.unique(name, "k"));
+    }
+    rows.text(" = ").number(number).text(",\n");
+  });
 }
 
 }  // namespace
@@ -45,15 +87,12 @@ std::string_view direction_name(core::Direction direction) {
   return direction == core::Direction::operation ? "operation" : "event";
 }
 
-std::string unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  RowWriter rows;
-  for (std::size_t i = 0; i < tables.units.size(); ++i) {
-    const core::UnitRow& row = tables.units[i];
+void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
+  Texts names(tables.unit_names);
+  for (const core::UnitRow& row : tables.units) {
     rows.text("    {").numbers(unsigned{row.type}, unsigned{row.initial}, unsigned{row.rich}, row.operation_bit);
-    rows.text(", ").numbers(row.event_bit, row.times).text("},  // ");
-    rows.comment(plant.units[i].path).text("\n");
+    rows.text(", ").numbers(row.event_bit, row.times).text("},  // ").comment(names.next()).text("\n");
   }
-  return rows.take();
 }
 
 std::string time_rows(const lower::EngineTables& tables) {
@@ -76,12 +115,16 @@ std::string kind_rows(const lower::EngineTables& tables) {
   return rows.take();
 }
 
-std::string symbol_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  RowWriter rows;
-  auto kinds = kind_names(tables);
-  std::vector<std::string> lists;
-  for (const model::PlantList& list : plant.lists) lists.push_back(list.name());
+void symbol_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  const auto kinds = kind_names(tables);
+  auto kind = kinds.begin();
+  std::size_t list = 0;
+  std::string list_name;
+  Texts names(tables.symbol_names);
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
+    for (; list < tables.lists.size() && tables.lists[list].first_symbol == i; ++list) {
+      list_name = ", " + comment_text(plant.lists[list].name()) + ":";
+    }
     const core::SymbolRow& row = tables.symbols[i];
     rows.text("    {").number(row.index).text(", ");
     if (row.unit == core::kNoUnit) {
@@ -89,16 +132,11 @@ std::string symbol_rows(const lower::EngineTables& tables, const model::PlantMod
     } else {
       rows.number(row.unit);
     }
-    rows.text(", ").number(row.number).text(", ").number(row.row).text(", ");
-    rows.text(kinds[row.kind]).text("},  // ");
-    rows.comment(plant.symbols[i].name())
-        .text(", ")
-        .comment(lists[plant.symbols[i].list])
-        .text(":")
-        .number(row.row)
-        .text("\n");
+    if (kind->first != row.kind) kind = kinds.find(row.kind);
+    rows.text(", ").number(row.number).text(", ").number(row.row).text(", ").text(kind->second).text("},  // ");
+    rows.comment(names.next()).text(list_name).number(row.row).text("\n");
+    names.next();  // its address
   }
-  return rows.take();
 }
 
 std::string list_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -113,13 +151,11 @@ std::string list_rows(const lower::EngineTables& tables, const model::PlantModel
   return rows.take();
 }
 
-std::string initial_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  RowWriter rows;
+void initial_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant) {
   for (const core::InitialValue& row : tables.initial_values) {
     rows.text("    {").number(row.symbol).text(", ").number(row.value).text("U},  // ");
     rows.comment(plant.symbols[row.symbol].name()).text("\n");
   }
-  return rows.take();
 }
 
 std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -183,17 +219,13 @@ std::string transition_rows(const lower::Type& type, const model::Unit& example,
   return rows.take();
 }
 
-std::string name_rows(const std::string& blob, int per_line) {
-  RowWriter rows;
+void name_rows(RowWriter& rows, const std::string& blob, int per_line) {
   int on_line = 0;
-  for (std::size_t at = 0; at < blob.size();) {
-    const std::size_t end = blob.find('\0', at);
-    rows.text(on_line == 0 ? "    \"" : " \"").literal(std::string_view(blob).substr(at, end - at)).text("\\0\"");
-    at = end + 1;
+  for (Texts texts(blob); !texts.at_end();) {
+    rows.text(on_line == 0 ? "    \"" : " \"").literal(texts.next()).text("\\0\"");
     on_line = (on_line + 1) % per_line;
-    if (on_line == 0 || at >= blob.size()) rows.text("\n");
+    if (on_line == 0 || texts.at_end()) rows.text("\n");
   }
-  return rows.take_or("    \"\"");
 }
 
 std::string link_rows(const model::Description& description) {
@@ -204,22 +236,10 @@ std::string link_rows(const model::Description& description) {
   return rows.take();
 }
 
-std::string device_rows(const model::PlantModel& plant) {
-  RowWriter rows;
-  base::IdentifierScope scope;
-  for (std::size_t i = 0; i < plant.units.size(); ++i) {
-    rows.text("  ").text(scope.unique(plant.units[i].path, "k")).text(" = ").number(i).text(",\n");
-  }
-  return rows.take();
-}
+void device_rows(RowWriter& rows, const lower::EngineTables& tables) { constant_rows(rows, tables.unit_names, 1); }
 
-std::string symbol_constant_rows(const model::PlantModel& plant) {
-  RowWriter rows;
-  base::IdentifierScope scope;
-  for (std::size_t i = 0; i < plant.symbols.size(); ++i) {
-    rows.text("  ").text(scope.unique(plant.symbols[i].name(), "k")).text(" = ").number(i).text(",\n");
-  }
-  return rows.take();
+void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables) {
+  constant_rows(rows, tables.symbol_names, 2);
 }
 
 }  // namespace symplant::emit

@@ -31,11 +31,19 @@ class TableViews {
         {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
   }
 
+  /// Rows that are written when they are wanted.
+  void rows(const char* member, const char* array, const char* row, std::string_view about, bool any,
+            RowSource source) {
+    if (!any) return;
+    value(member, array);
+    row_tables_.push_back({{{"array", array}, {"row", row}, {"about", std::string(about)}}, {}, {{"rows", source}}});
+  }
+
   void texts(const char* member, const char* array, std::string_view about, const std::string& blob, int per_line) {
     if (blob.empty()) return;
     value(member, fmt::format("{{{0}, sizeof {0} - 1}}", array));
-    text_tables_.push_back(
-        {{{"array", array}, {"about", std::string(about)}, {"rows", name_rows(blob, per_line)}}, {}});
+    const RowSource source = [&blob, per_line](RowWriter& rows) { name_rows(rows, blob, per_line); };
+    text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
   }
 
   void value(const char* member, std::string value) {
@@ -84,7 +92,7 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
       "units", "kUnits", "core::UnitRow",
       "A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its "
       "events, first of its times.",
-      unit_rows(tables, plant));
+      !tables.units.empty(), [&](RowWriter& rows) { unit_rows(rows, tables); });
   views.rows(
       "times", "kTimes", "core::TransitionTimes",
       "For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).",
@@ -93,12 +101,13 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
              "Times that are drawn: minimum and maximum, or mean and standard deviation (ns).",
              random_rows(tables, plant));
   views.rows("symbols", "kSymbols", "core::SymbolRow",
-             "A symbol: bit or slot, device, number of its address, line in the list, kind.",
-             symbol_rows(tables, plant));
+             "A symbol: bit or slot, device, number of its address, line in the list, kind.", !tables.symbols.empty(),
+             [&](RowWriter& rows) { symbol_rows(rows, tables, plant); });
   views.rows("lists", "kLists", "core::SymbolListRow", "A symbol list: its first symbol, its controller.",
              list_rows(tables, plant));
   views.rows("initial_values", "kInitialValues", "core::InitialValue",
-             "Starting values that no device sets: symbol, value.", initial_rows(tables, plant));
+             "Starting values that no device sets: symbol, value.", !tables.initial_values.empty(),
+             [&](RowWriter& rows) { initial_rows(rows, tables, plant); });
   views.rows("shared_addresses", "kSharedAddresses", "core::SharedAddress",
              "Symbols on the address of another: symbol, the one that it follows.", shared_rows(tables, plant));
   views.rows("disables", "kDisables", "core::DisableRow",

@@ -57,9 +57,8 @@ bool write_own(const GenerateOptions& options, const emit::EmitResult& emitted, 
 void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
   for (const emit::EmittedFile& file : emitted.files) {
     const std::string path = in_folder(options, file.name);
-    const auto there = context.files.read(path);
-    if (there && *there == file.content) continue;
-    context.out << path << (there ? " is out of date" : " is missing") << "\n";
+    if (context.files.holds(path, file.content)) continue;
+    context.out << path << (context.files.exists(path) ? " is out of date" : " is missing") << "\n";
     context.exit_code = host::kFindings;
   }
   for (const emit::OwnFile& file : emitted.own_files) {
@@ -76,7 +75,7 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, std:
   if (!write_own(options, emitted, context)) return;
   std::size_t changed = 0;
   for (const emit::EmittedFile& file : emitted.files) {
-    const auto written = context.files.write(in_folder(options, file.name), file.content);
+    const auto written = context.files.write_made(in_folder(options, file.name), file.content);
     if (!written) {
       context.err << "error: " << written.error().message << "\n";
       context.exit_code = host::kEnvironment;

@@ -28,7 +28,7 @@ bool emit_plant(const fs::path& folder, std::uint64_t seed) {
   if (!result.errors.empty()) return false;
   const fs::path own = folder / drawn.text.name;
   fs::create_directories(own);
-  for (const emit::EmittedFile& file : result.files) write(own / file.name, file.content);
+  for (const emit::EmittedFile& file : result.files) write(own / file.name, base::text_of(file.content));
   write(own / (drawn.text.name + ".csv"), list_text(drawn.text));
   return true;
 }

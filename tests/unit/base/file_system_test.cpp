@@ -7,6 +7,9 @@
 
 #include <array>
 #include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "support/memory_file_system.hpp"
@@ -75,6 +78,52 @@ TEST_CASE("Replacing a file leaves nothing beside it and keeps its permissions")
   REQUIRE(disk.write(folder / "f", "two"));
   CHECK(folder.size() == 1);
   CHECK(fs::status(folder / "f").permissions() == fs::perms(0750));
+}
+
+TEST_CASE("A text written part by part is compared on the way, and only a difference is written") {
+  const Folder folder;
+  DiskFileSystem disk;
+  const auto made_of = [](std::vector<std::string> parts) {
+    return [parts](symplant::base::TextSink& sink) {
+      for (const std::string& part : parts) sink.put(part);
+    };
+  };
+  const std::string large(200'000, 'x');  // beyond one read
+  const std::string path = folder / "deep/f";
+  const auto changes = [&](const std::vector<std::string>& parts) {
+    std::string whole;
+    for (const std::string& part : parts) whole += part;
+    const auto wrote = disk.write_made(path, made_of(parts));
+    REQUIRE(wrote);
+    REQUIRE(*disk.read(path) == whole);
+    CHECK(disk.holds(path, made_of({whole})));
+    CHECK_FALSE(disk.holds(path, made_of({whole, "+"})));
+    CHECK_FALSE(disk.holds(path, made_of({whole.substr(0, whole.size() - 1)})));
+    CHECK(std::distance(fs::directory_iterator(folder / "deep"), fs::directory_iterator()) == 1);
+    return *wrote;
+  };
+  CHECK(changes({"one", large, "three"}));
+  CHECK_FALSE(changes({"on", "e" + large, "", "three"}));
+  CHECK(changes({"one", large, "thre"}));            // shorter
+  CHECK(changes({"one", large, "thre", "e", "r"}));  // longer
+  CHECK(changes({"one", large + "!", "three"}));     // another from the middle on
+  CHECK(changes({"two"}));
+  CHECK_FALSE(disk.holds(folder / "nothing", made_of({})));
+  CHECK(*disk.write_made(folder / "empty", made_of({})));
+  CHECK_FALSE(*disk.write_made(folder / "empty", made_of({""})));
+}
+
+TEST_CASE("A text that cannot be written whole leaves the file as it was, and nothing beside it") {
+  const Folder folder;
+  DiskFileSystem disk;
+  REQUIRE(disk.write(folder / "f", "one"));
+  const auto throwing = [](symplant::base::TextSink& sink) {
+    sink.put("one and a half");
+    throw std::runtime_error("no more");
+  };
+  CHECK_THROWS(disk.write_made(folder / "f", throwing));
+  CHECK(*disk.read(folder / "f") == "one");
+  CHECK(folder.size() == 1);
 }
 
 TEST_CASE("A link stays a link, and what it points to is replaced") {

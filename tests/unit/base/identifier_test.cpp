@@ -23,6 +23,17 @@ bool is_legal(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("A name that is called plain reads as it is behind a prefix, and no other does") {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    std::string name;
+    for (auto length = random() % 6; length > 0; --length) name += "aZ09__-\xC3\xA4."[random() % 10];
+    if (random() % 50 == 0) name += std::string(99, 'x');
+    CAPTURE(name);
+    REQUIRE(symplant::base::is_plain_identifier(name) == (symplant::base::identifier(name, "k") == "k" + name));
+  }
+}
+
 TEST_CASE("A plain name is its own identifier") {
   CHECK(identifier("EXLINE_MB_AGV_I_P1") == "EXLINE_MB_AGV_I_P1");
   CHECK(identifier("run2") == "run2");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "emit/emit.hpp"
 #include "support/catch.hpp"
@@ -13,15 +14,35 @@ namespace symplant::test {
 
 inline const std::string kSource = SYMPLANT_SOURCE_DIR;
 
-inline emit::EmitResult emit_list(const std::string& list, const std::string& name) {
-  const CompiledText text = compile_text(list, name);
-  REQUIRE(text.compiled);
-  const MemoryFileSystem files;
-  return emit::emit(text.plant(), text.tables(), {}, files);
+/// What emission came to, its files as texts.
+struct Emitted {
+  struct File {
+    std::string name;
+    std::string content;
+  };
+  std::vector<File> files;
+  std::vector<emit::OwnFile> own_files;
+  std::vector<std::string> inputs;
+  std::vector<std::string> errors;
+};
+
+inline Emitted emitted(const model::PlantModel& plant, const lower::EngineTables& tables,
+                       const emit::EmitOptions& options = {}) {
+  const base::DiskFileSystem files;
+  const emit::EmitResult result = emit::emit(plant, tables, options, files);
+  Emitted made{{}, result.own_files, result.inputs, result.errors};
+  for (const emit::EmittedFile& file : result.files) made.files.push_back({file.name, base::text_of(file.content)});
+  return made;
 }
 
-inline std::string file_of(const emit::EmitResult& result, const std::string& name) {
-  for (const emit::EmittedFile& file : result.files) {
+inline Emitted emit_list(const std::string& list, const std::string& name) {
+  const CompiledText text = compile_text(list, name);
+  REQUIRE(text.compiled);
+  return emitted(text.plant(), text.tables());
+}
+
+inline std::string file_of(const Emitted& result, const std::string& name) {
+  for (const Emitted::File& file : result.files) {
     if (file.name == name) return file.content;
   }
   FAIL("no file " << name);

@@ -7,26 +7,26 @@ namespace {
 std::string excell() { return read_bytes(kSource + "/examples/excell/excell.csv"); }
 
 TEST_CASE("The paper's cell is written as the goldens have it") {
-  for (const emit::EmittedFile& file : emit_list(excell(), "excell.csv").files) {
+  for (const Emitted::File& file : emit_list(excell(), "excell.csv").files) {
     check_golden(kSource + "/tests/golden/emit/excell/" + file.name, file.content);
   }
 }
 
 TEST_CASE("Equal lists give equal bytes") {
-  const emit::EmitResult a = emit_list(excell(), "excell.csv");
-  const emit::EmitResult b = emit_list(excell(), "excell.csv");
+  const Emitted a = emit_list(excell(), "excell.csv");
+  const Emitted b = emit_list(excell(), "excell.csv");
   REQUIRE(a.files.size() == 7);
   for (std::size_t i = 0; i < a.files.size(); ++i) CHECK(a.files[i].content == b.files[i].content);
 }
 
 TEST_CASE("Where the list lies is not in the files") {
-  const emit::EmitResult here = emit_list(excell(), "excell.csv");
-  const emit::EmitResult there = emit_list(excell(), "/some/where/else/excell.csv");
+  const Emitted here = emit_list(excell(), "excell.csv");
+  const Emitted there = emit_list(excell(), "/some/where/else/excell.csv");
   for (std::size_t i = 0; i < here.files.size(); ++i) CHECK(here.files[i].content == there.files[i].content);
 }
 
 TEST_CASE("Every file says that it is the user's own and is written anew") {
-  for (const emit::EmittedFile& file : emit_list(excell(), "excell.csv").files) {
+  for (const Emitted::File& file : emit_list(excell(), "excell.csv").files) {
     INFO(file.name);
     CHECK(contains(file.content, "Do not edit: it is written anew."));
     CHECK(contains(file.content, "This code is yours: the licence of symplant does not extend to what it generates."));

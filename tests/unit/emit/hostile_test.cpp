@@ -10,7 +10,7 @@ namespace {
 std::string hostile() { return read_bytes(kSource + "/tests/unit/emit/hostile.csv"); }
 
 TEST_CASE("Generated files are printable ASCII, whatever a list holds") {
-  for (const emit::EmittedFile& file : emit_list(hostile(), "h\xC3\xA4\"*/\\\xE2\x80\xAE{{plant}}.csv").files) {
+  for (const Emitted::File& file : emit_list(hostile(), "h\xC3\xA4\"*/\\\xE2\x80\xAE{{plant}}.csv").files) {
     INFO(file.name);
     const bool printable = std::all_of(file.content.begin(), file.content.end(),
                                        [](char c) { return (c >= ' ' && c <= '~') || c == '\n'; });
@@ -19,7 +19,7 @@ TEST_CASE("Generated files are printable ASCII, whatever a list holds") {
 }
 
 TEST_CASE("No line ends in a backslash or a trigraph of one") {
-  for (const emit::EmittedFile& file : emit_list(hostile(), "hostile\\.csv").files) {
+  for (const Emitted::File& file : emit_list(hostile(), "hostile\\.csv").files) {
     INFO(file.name);
     for (std::size_t end = file.content.find('\n'); end != std::string::npos; end = file.content.find('\n', end + 1)) {
       std::size_t last = end;

@@ -2,6 +2,7 @@
 #include "dosing.hpp"
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
+#include "emit/row_writer.hpp"
 #include "emit_support.hpp"
 #include "everything.hpp"
 #include "lower/lower.hpp"
@@ -9,13 +10,33 @@
 namespace symplant::test {
 namespace {
 
-emit::EmitResult emit_model(const model::PlantModel& plant) {
-  const MemoryFileSystem files;
-  return emit::emit(plant, lower::lower(plant), {}, files);
+Emitted emit_model(const model::PlantModel& plant) { return emitted(plant, lower::lower(plant)); }
+
+TEST_CASE("Rows that are handed on are those that would be kept, whatever stands where they are parted") {
+  class Parts final : public base::TextSink {
+   public:
+    void put(std::string_view part) override {
+      ++count;
+      text.append(part);
+    }
+    std::string text;
+    int count = 0;
+  } parts;
+  const auto write = [](emit::RowWriter& rows) {
+    for (int i = 0; i < 100'000; ++i) rows.text("?").comment("?/a?\\\xC3\xA4").literal("b?\"").number(i).text("\n");
+    rows.comment(std::string(1'000'000, '?')).text("\n");
+  };
+  emit::RowWriter kept;
+  write(kept);
+  emit::RowWriter handed_on(parts);
+  write(handed_on);
+  handed_on.finish();
+  CHECK(parts.count > 10);
+  CHECK((parts.text == kept.take()));
 }
 
 TEST_CASE("A plant in which every table has rows is written as the goldens have it, which a test compiles") {
-  for (const emit::EmittedFile& file : emit_model(everything()->plant).files) {
+  for (const Emitted::File& file : emit_model(everything()->plant).files) {
     check_golden(kSource + "/tests/golden/emit/everything/" + file.name, file.content);
   }
 }
@@ -23,8 +44,8 @@ TEST_CASE("A plant in which every table has rows is written as the goldens have 
 TEST_CASE("A plant with behaviours is written as the goldens have it, which a test compiles with its user's classes") {
   const CompiledText text = dosing();
   REQUIRE(text.compiled);
-  const emit::EmitResult result = emit_model(text.plant());
-  for (const emit::EmittedFile& file : result.files) {
+  const Emitted result = emit_model(text.plant());
+  for (const Emitted::File& file : result.files) {
     check_golden(kSource + "/tests/golden/emit/dosing/" + file.name, file.content);
   }
   REQUIRE(result.own_files.size() == 1);

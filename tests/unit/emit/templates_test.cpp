@@ -57,8 +57,7 @@ std::string with_template(const std::string& text) {
   const CompiledText compiled = compile_rows(bits({"L_P_D_O_A1", "L_P_D_I_A1"}));
   const TemporaryFolder folder;
   const std::string path = folder.write("main_gen.cpp.mustache", text);
-  base::DiskFileSystem files;
-  const emit::EmitResult result = emit::emit(compiled.plant(), compiled.tables(), {folder.path()}, files);
+  const Emitted result = emitted(compiled.plant(), compiled.tables(), {folder.path()});
   if (result.errors.empty()) {
     CHECK(result.inputs == std::vector<std::string>{path});
     return file_of(result, "main_gen.cpp");
@@ -78,6 +77,7 @@ TEST_CASE("A key that is unknown, of another template, or misspelt is told with 
   CHECK(with_template("{{symbol_rows}}").find(":1: `symbol_rows` is no key") == 0);
   CHECK(with_template("{{Plant}}").find(":1: `Plant`") == 0);
   CHECK(with_template("{{}}").find(":1: ") == 0);
+  CHECK(with_template("a\n\x01 b").find(":2: the control character U+0001 stands here") == 0);
   CHECK(with_template("\n{{#planets}}{{/planets}}").find(":2: `planets`") == 0);
   CHECK(with_template("\n\n{{> part}}").find(":3: ") == 0);
 }
