@@ -129,8 +129,8 @@ function requirements(place,    robots_work, robots_home, i) {
     never(place ": the shuttle comes only over lowered pins",
           shuttle_of(place) ".moving and not (" every(place, "PIN", "DOWN", "and") ")")
   }
-  if (has(place, "ROBOT")) {
-    after(place ": a robot that is done is sent home", every(place, "ROBOT", "DONE3", "and"), every(place, "ROBOT", "HOME1", "and"), "10s")
+  for (i = 1; i <= has(place, "ROBOT"); i++) {
+    after(place ": robot " i " is sent home when it is done", device[place, "ROBOT", i] ".DONE3", device[place, "ROBOT", i] ".HOME1", "10s")
   }
   after(place ": the light is red within half a second of an emergency stop", "not (" every(place, "ESTOP", "SAFE", "and") ")",
         name(place, "LIGHTRED_O_ON"), "500ms")

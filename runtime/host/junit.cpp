@@ -42,7 +42,8 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
     if (violation.count != 0) {
       test.time = violation.first;
       test.failure =
-          fmt::format("{} times, first at {}: {}", violation.count, trace::seconds(violation.first), violation.words);
+          fmt::format("{} {}: {}", violation.count == 1 ? "at" : fmt::format("{} times, first at", violation.count),
+                      trace::seconds(violation.first), violation.words);
     }
     cases.push_back(std::move(test));
   }
