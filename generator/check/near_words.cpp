@@ -7,13 +7,9 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::size_t kShortest = 3;
+constexpr std::size_t kShortest = 2;
 
 bool is_letter(char32_t c) { return !(c >= '0' && c <= '9') && c != '#'; }
-
-std::size_t letters_in(std::u32string_view word) {
-  return static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_letter));
-}
 
 constexpr std::uint64_t kFactor = 0x0000'0100'0000'01B3;
 
@@ -44,6 +40,10 @@ std::vector<std::uint64_t> neighbourhood(std::u32string_view word) {
 }
 
 }  // namespace
+
+std::size_t letters_in(std::u32string_view word) {
+  return static_cast<std::size_t>(std::count_if(word.begin(), word.end(), is_letter));
+}
 
 bool differ_by_slip(std::u32string_view a, std::u32string_view b) {
   if (a.size() > b.size()) std::swap(a, b);

@@ -12,9 +12,12 @@
 namespace symplant::check {
 
 /// Whether two words, in capitals, differ by one slip: a letter more, less or another, or two neighbours exchanged.
-/// Digits and `#` are no slip: `CLAMP1` and `CLAMP2` are two things. Words of fewer than three letters never do.
+/// Digits and `#` are no slip: `CLAMP1` and `CLAMP2` are two things. Words of fewer than two letters never do.
 /// O(length).
 bool differ_by_slip(std::u32string_view a, std::u32string_view b);
+
+/// How many of its characters are neither digits nor `#`.
+std::size_t letters_in(std::u32string_view word);
 
 /// Whether one word is the other with an ending (`CLOSE`, `CLOSED`): two words for one thing, and no slip.
 bool differ_by_ending(std::u32string_view a, std::u32string_view b);

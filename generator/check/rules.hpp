@@ -30,6 +30,7 @@ extern const Rule kOperationInitialIgnored;    // SP311
 extern const Rule kWideValueOnNoRegister;      // SP312
 extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kRadixDisagrees;             // SP314
+extern const Rule kAddressesContradict;        // SP315
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -60,7 +61,7 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 45> kRules{
+inline constexpr std::array<const Rule*, 46> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -80,6 +81,7 @@ inline constexpr std::array<const Rule*, 45> kRules{
     &kWideValueOnNoRegister,
     &kTypeOfNoIo,
     &kRadixDisagrees,
+    &kAddressesContradict,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

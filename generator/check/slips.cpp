@@ -20,6 +20,8 @@ using name::Level;
 /// A word counts as common beside another where it is that many times as common.
 constexpr std::uint64_t kCommonPlace = 8;
 constexpr std::uint64_t kCommonTask = 4;
+/// Letters of a word that can be told by being rare alone: UP and UPS may be two.
+constexpr std::size_t kShortestRare = 3;
 
 constexpr std::array kLevels{Level::line, Level::process, Level::device, Level::task};
 
@@ -174,7 +176,8 @@ class SlipSearch {
     const NearWords::Word& word = vocabulary(level).word(written);
     const NearWords::Word& other = vocabulary(level).word(meant);
     if (level == Level::task && differ_by_ending(word.text, other.text)) return false;  // SP405 tells
-    const bool rare = other.count >= word.count * (level == Level::task ? kCommonTask : kCommonPlace);
+    const bool long_enough = std::min(letters_in(word.text), letters_in(other.text)) >= kShortestRare;
+    const bool rare = long_enough && other.count >= word.count * (level == Level::task ? kCommonTask : kCommonPlace);
     const bool stray = is_stray(symbol);
     if (!rare && !stray) return false;
     const Meant as = renamed(symbol, level, vocabulary(level).shown(meant));

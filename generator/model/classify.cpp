@@ -80,6 +80,12 @@ std::optional<std::uint64_t> number_of_real(std::string_view text) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
+/// Whether two notations of one place would be equal. In memory only the area is told from another.
+bool can_compare(const address::Address& a, const address::Address& b) {
+  if (a.area != b.area) return true;
+  return a.area != address::Area::memory && a.plain && b.plain && a.size == b.size;
+}
+
 /// Rows that prove one way to count.
 struct RadixProof {
   std::size_t count = 0;
@@ -151,10 +157,15 @@ RowAddress row_address(const read::ListRow& row, address::Radix radix) {
     const auto melsec = address::parse_melsec(row.vendor_address, radix);
     take(row.vendor_address, melsec ? melsec : address::parse_iec(row.vendor_address));
   }
+  const std::optional<address::Address> vendor = result.address;
   if (!row.iec_address.empty()) {  // its number is decimal beyond doubt, so it counts before the vendor's
     auto iec = address::parse_iec(row.iec_address);
     if (!iec && row.vendor_address.empty()) iec = address::parse_melsec(row.iec_address, radix);
     take(row.iec_address, iec);
+    if (vendor && iec && can_compare(*vendor, *iec)) {
+      result.vendor = vendor;
+      result.contradicts = *vendor != *iec;
+    }
   }
   return result;
 }

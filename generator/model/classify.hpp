@@ -25,6 +25,9 @@ struct RowAddress {
   std::optional<address::Address> address;
   std::string_view cell;      ///< the one that counts; empty without an address
   std::string_view bad_cell;  ///< an address cell that is no address; empty where all are
+  /// Where both columns hold an address that can be compared: the vendor's, and whether the IEC one is another.
+  std::optional<address::Address> vendor;
+  bool contradicts = false;
 };
 RowAddress row_address(const read::ListRow& row, address::Radix radix);
 

@@ -32,6 +32,12 @@ class SymbolCollector {
     if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
       plant_.bad_addresses.push_back({&row, address.bad_cell});
     }
+    if (address.vendor && (reason == nullptr || *reason == InternalReason::memory)) {
+      ++plant_.lists[list].compared;
+      if (address.contradicts) {
+        plant_.address_contradictions.push_back({&row, list, *address.vendor, *address.address});
+      }
+    }
     if (reason != nullptr && *reason == InternalReason::type && address.address) {
       plant_.typeless_io.push_back({&row, address.cell});
     }

@@ -180,6 +180,7 @@ struct PlantList {
   std::uint32_t controller = 0;                    ///< a place in PlantModel::controllers
   RadixChoice radix;                               ///< what counts: one for all lists of a controller
   RadixChoice own;                                 ///< what its own rows and its own option say
+  std::size_t compared = 0;                        ///< rows with two addresses that can be held against each other
 
   std::string name() const;  ///< the file's name without its folders
 };
@@ -188,6 +189,15 @@ struct PlantList {
 struct TypelessIo {
   const read::ListRow* row;
   std::string_view address_cell;
+};
+
+/// A row of an I/O symbol, or of what one of its addresses says is one, whose two addresses name different places. The
+/// IEC one counts.
+struct AddressContradiction {
+  const read::ListRow* row;
+  std::uint32_t list;
+  address::Address vendor;
+  address::Address iec;
 };
 
 /// An address cell that is no address.
@@ -215,6 +225,7 @@ struct PlantModel {
   std::vector<Duplicate> duplicates;
   std::vector<TooLarge> too_large;
   std::vector<BadAddress> bad_addresses;
+  std::vector<AddressContradiction> address_contradictions;  ///< in list order
   std::vector<TypelessIo> typeless_io;
   /// Pairs of events that different moving units put on one address: second, first; by the second.
   std::vector<std::array<std::uint32_t, 2>> moved_twice;

@@ -22,12 +22,13 @@ TEST_CASE("One letter more, less or another, or two neighbours exchanged, is a s
   CHECK_FALSE(differ_by_slip(U"CLAMP", U"LCAPM"));
 }
 
-TEST_CASE("Digits are no slip, and short words are no proof of one") {
+TEST_CASE("Digits are no slip, and single letters are no proof of one") {
   CHECK_FALSE(differ_by_slip(U"CLAMP1", U"CLAMP2"));
   CHECK_FALSE(differ_by_slip(U"CLAMP#", U"CLAMP"));
   CHECK_FALSE(differ_by_slip(U"CLAMP#A", U"CLAMPA#"));
-  CHECK_FALSE(differ_by_slip(U"UP", U"UPS"));
-  CHECK_FALSE(differ_by_slip(U"전진", U"후진"));
+  CHECK(differ_by_slip(U"PIN#", U"PN#"));
+  CHECK_FALSE(differ_by_slip(U"P#", U"PI#"));
+  CHECK_FALSE(differ_by_slip(U"전진", U"후퇴"));
   CHECK(differ_by_slip(U"클램프전진", U"클램트전진"));
 }
 

@@ -47,6 +47,17 @@ TEST_CASE("A task that no sibling has is the one that its device lacks") {
   CHECK(slips[0].meant == "ADV");
 }
 
+TEST_CASE("A word of two letters is told where a device lacks just this symbol, and not for being rare") {
+  std::vector<std::string> names = clamps(9);
+  for (std::string& name : names) name.replace(name.find("CLAMP"), 5, "PIN");
+  names[9].replace(names[9].find("PIN"), 3, "PN");
+  CHECK(slips_of(names).size() == 1);
+  std::vector<std::string> whole = clamps(9);
+  for (std::string& name : whole) name.replace(name.find("CLAMP"), 5, "PIN");
+  for (std::size_t i = 8; i < 12; ++i) whole[i].replace(whole[i].find("PIN"), 3, "PN");
+  CHECK(slips_of(whole).empty());
+}
+
 TEST_CASE("Without siblings the other direction speaks for a slip") {
   const auto slips = slips_of({"L_P_TABLE_O_WORK", "L_P_TABLE_I_WORK", "L_P_TABLE_O_LOAD", "L_P_TABEL_I_LOAD"});
   REQUIRE(slips.size() == 1);

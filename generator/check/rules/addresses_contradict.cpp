@@ -1,0 +1,123 @@
+// SP315 addresses-contradict: the MELSEC and the IEC address of a row name different places.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A row has a MELSEC and an IEC address, and they are not the same place: another number (`X0010` is input 16, `%IX17` input
+17), another side (`X`, `%Q`), or a number that was counted in octal where the list counts in hexadecimal (`X0020` and
+`%IX16`). Most often one column was changed and the other was not.
+
+Where more than half of a list's rows are so, it is told once: then the columns do not belong together.
+
+**What the model loses.** The IEC address counts. If it is the wrong one, the symbol stands on another signal's place, or on
+the other side: the plant listens where the PLC says nothing, and the PLC reads what belongs to another device.
+
+**How to mend it.** Correct the column that is wrong, or leave it empty.
+)";
+
+constexpr std::size_t kFew = 8;
+
+std::string_view side(address::Area area) {
+  switch (area) {
+    case address::Area::input:
+      return "input";
+    case address::Area::output:
+      return "output";
+    default:
+      return "memory of the PLC";
+  }
+}
+
+std::string place_words(const address::Address& address, bool with_number) {
+  if (address.area == address::Area::memory) return "in the memory of the PLC";
+  const std::string_view article = with_number ? "" : "an ";
+  return fmt::format("{}{}{}", article, side(address.area), with_number ? fmt::format(" {}", address.number) : "");
+}
+
+address::Radix other_radix(address::Radix radix) {
+  return radix == address::Radix::hexadecimal ? address::Radix::octal : address::Radix::hexadecimal;
+}
+
+std::string_view radix_word(address::Radix radix) {
+  return radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
+}
+
+/// Whether the two agree if X and Y are counted in the other way.
+bool agree_otherwise(const model::PlantModel& plant, const model::AddressContradiction& found) {
+  const auto other = address::parse_melsec(found.row->vendor_address, other_radix(plant.lists[found.list].radix.radix));
+  return other && *other == found.iec;
+}
+
+/// What is there, as far as "the IEC address counts".
+std::string difference(const model::PlantModel& plant, const model::AddressContradiction& found) {
+  const read::ListRow& row = *found.row;
+  const address::Radix radix = plant.lists[found.list].radix.radix;
+  if (found.vendor.area == found.iec.area && agree_otherwise(plant, found)) {
+    return fmt::format("`{}` and `{}` agree only where X and Y are counted in {}, and here they are counted in {}",
+                       row.vendor_address, row.iec_address, radix_word(other_radix(radix)), radix_word(radix));
+  }
+  const bool numbers = found.vendor.area == found.iec.area;
+  return fmt::format("`{}` is {} and `{}` {}", row.vendor_address, place_words(found.vendor, numbers), row.iec_address,
+                     place_words(found.iec, numbers));
+}
+
+/// SP314 tells of a list that counts in another way than its controller.
+bool told_of_list(const model::PlantModel& plant, const model::AddressContradiction& found) {
+  const model::PlantList& list = plant.lists[found.list];
+  return list.own.by != model::RadixChoice::By::nothing && list.own.radix != list.radix.radix &&
+         agree_otherwise(plant, found);
+}
+
+/// The symbol and its device, so that what follows from the address is known to follow.
+std::vector<std::string> about_row(const model::PlantModel& plant, const model::AddressContradiction& found) {
+  const auto symbol = std::lower_bound(plant.symbols.begin(), plant.symbols.end(), found,
+                                       [](const model::Symbol& a, const model::AddressContradiction& b) {
+                                         return a.list != b.list ? a.list < b.list : a.row < b.row;
+                                       });
+  return symbol != plant.symbols.end() && symbol->row == found.row ? about(*symbol) : about(*found.row);
+}
+
+void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  std::vector<std::size_t> count(plant.lists.size());
+  for (const model::AddressContradiction& found : plant.address_contradictions) ++count[found.list];
+  std::vector<bool> told(plant.lists.size());
+  for (const model::AddressContradiction& found : plant.address_contradictions) {
+    if (told_of_list(plant, found)) continue;
+    const model::PlantList& list = plant.lists[found.list];
+    const read::ListRow& row = *found.row;
+    diag::Place place = place_of(plant, row, row.iec_address);
+    if (count[found.list] > kFew && 2 * count[found.list] > list.compared) {
+      if (told[found.list]) continue;
+      told[found.list] = true;
+      diagnostics.add(rule.info,
+                      fmt::format("the two addresses of {} of {} rows name different places, first of this one: {}; "
+                                  "the IEC addresses count; export the list again, or empty the column that is wrong",
+                                  count[found.list], list.compared, difference(plant, found)),
+                      std::move(place));
+      continue;
+    }
+    std::vector<diag::Related> related;
+    if (list.radix.proof != nullptr && found.vendor.area == found.iec.area) {
+      related.push_back({place_of(plant, *list.radix.proof, list.radix.proof->vendor_address),
+                         "this row proves how X and Y are counted"});
+    }
+    diagnostics.add(rule.info, about_row(plant, found),
+                    fmt::format("{}: the IEC address counts; correct one of them", difference(plant, found)),
+                    std::move(place), std::move(related));
+  }
+}
+
+}  // namespace
+
+const Rule kAddressesContradict{{"SP315", "addresses-contradict", diag::Severity::warning,
+                                 "the MELSEC and the IEC address of a row name different places", kPage},
+                                check_addresses_contradict};
+
+}  // namespace symplant::check
