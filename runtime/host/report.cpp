@@ -35,6 +35,11 @@ std::string Report::place(std::size_t step) const {
   return fmt::format("{}:{}", shown(file_), scenario_->steps[step].line);
 }
 
+void Report::tell(std::span<const std::string> parts) {
+  err_ << shown(parts.front()) << "\n";
+  for (const std::string& part : parts.subspan(1)) err_ << "    " << shown(part) << "\n";
+}
+
 std::string Report::found(const trace::FoundThing& found) {
   const std::vector<std::string> parts = trace::finding_parts(found, names_, history_);
   std::string words = fmt::format("{}", fmt::join(parts, "; "));
@@ -47,15 +52,17 @@ std::string Report::found(const trace::FoundThing& found) {
     }
   }
   if (told_.emplace(found.kind, found.of).second) {
-    err_ << severity(found.kind) << ": " << seconds(found.time) << ": " << shown(parts.front()) << "\n";
-    for (std::size_t i = 1; i < parts.size(); ++i) err_ << "    " << shown(parts[i]) << "\n";
+    err_ << severity(found.kind) << ": " << seconds(found.time) << ": ";
+    tell(parts);
   }
   return words;
 }
 
 void Report::failed(std::uint32_t step, core::Time time) {
-  failures_[step] = scenario::failure_words(scenario_->steps[step], time, names_, history_);
-  err_ << place(step) << ": error: " << shown(failures_[step]) << "\n";
+  const std::vector<std::string> parts = scenario::failure_parts(scenario_->steps[step], time, names_, history_);
+  failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
+  err_ << place(step) << ": error: ";
+  tell(parts);
 }
 
 std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }

@@ -54,6 +54,8 @@ class Report {
   void tell_requirements(const core::Plant& plant, std::ostream& out) const;
   void tell_disarmed(const core::Plant& plant, std::ostream& out) const;
   std::string place(std::size_t step) const;
+  /// A line each, all but the first indented.
+  void tell(std::span<const std::string> parts);
 
   const trace::PlantNames& names_;
   const trace::History& history_;

@@ -6,6 +6,7 @@
 #include "symplant/condition/tree.hpp"
 #include "symplant/core/plant.hpp"
 #include "symplant/scenario/scenario.hpp"
+#include "symplant/trace/history.hpp"
 
 namespace symplant::scenario {
 
@@ -16,6 +17,8 @@ std::uint64_t value_of(const core::Plant& plant, std::uint32_t symbol) noexcept;
 bool equal_values(core::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
 
 bool holds(const condition::Tree& tree, const core::Plant& plant) noexcept;
+/// Likewise of a plant as its records tell it.
+bool holds(const condition::Tree& tree, const trace::History& history) noexcept;
 bool holds(const Expectation& expectation, const core::Plant& plant) noexcept;
 
 }  // namespace symplant::scenario

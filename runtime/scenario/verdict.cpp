@@ -21,16 +21,18 @@ struct Things {
   std::set<std::uint32_t> units;
 };
 
-void collect(const condition::Tree& tree, Things& things) {
+/// What a condition that does not hold names; of a conjunction what its parts name that do not hold.
+void collect(const condition::Tree& tree, const trace::History& history, Things& things) {
   if (tree.kind == condition::Tree::Kind::atom) {
     const bool is_unit =
         tree.atom.kind == condition::Atom::Kind::settled || tree.atom.kind == condition::Atom::Kind::moving;
     (is_unit ? things.units : things.symbols).insert(tree.atom.of);
   }
-  for (const condition::Tree& child : tree.children) collect(child, things);
+  for (const condition::Tree& child : tree.children) {
+    if (tree.kind == condition::Tree::Kind::all && holds(child, history)) continue;
+    collect(child, history, things);
+  }
 }
-
-std::string since(core::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
 
 std::string values_text(std::span<const SymbolValue> values, const trace::PlantNames& names) {
   std::string text;
@@ -70,31 +72,30 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names) 
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
-std::string failure_words(const Step& step, core::Time time, const trace::PlantNames& names,
-                          const trace::History& history) {
+std::vector<std::string> failure_parts(const Step& step, core::Time time, const trace::PlantNames& names,
+                                       const trace::History& history) {
   const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
-  Things things;
-  std::string text = fmt::format(
-      "expected {} at {}", wrong.empty() ? expectation_words(step, names) : values_text(wrong, names), seconds(time));
+  std::vector<std::string> parts;
   if (step.when == Step::When::wait) {
-    text = fmt::format("waited {} for `{}`, in vain until {}", seconds(step.time), step.expect->text, seconds(time));
+    parts.push_back(
+        fmt::format("waited {} for `{}`, in vain until {}", seconds(step.time), step.expect->text, seconds(time)));
+  } else {
+    parts.push_back(fmt::format("expected {} at {}",
+                                wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),
+                                seconds(time)));
   }
+  Things things;
   for (const SymbolValue& value : wrong) things.symbols.insert(value.symbol);
-  if (step.expect->condition) collect(*step.expect->condition, things);
+  if (step.expect->condition) collect(*step.expect->condition, history, things);
   for (const std::uint32_t symbol : things.symbols) {
     const core::SymbolRow& row = names.tables().symbols[symbol];
-    text += fmt::format("; {} is {} {}, {}", names.symbol(symbol), trace::value_text(row.type(), history.value(symbol)),
-                        since(history.since(symbol)), trace::symbol_words(symbol, names));
+    parts.push_back(fmt::format("{} is {} {}, {}", names.symbol(symbol),
+                                trace::value_text(row.type(), history.value(symbol)),
+                                trace::since_words(history.since(symbol)), trace::symbol_words(symbol, names)));
     if (row.unit != core::kNoUnit) things.units.insert(row.unit);
   }
-  for (const std::uint32_t unit : things.units) {
-    text += fmt::format("; {} is in {} {}", names.unit(unit), trace::state_words(unit, names, history),
-                        since(history.unit_since(unit)));
-  }
-  if (things.units.empty()) return text;
-  const std::vector<std::uint32_t> units(things.units.begin(), things.units.end());
-  const std::string operations = trace::operations_words(units, names, history);
-  return text + (operations.empty() ? "; none of its operations has been on" : "; operations: " + operations);
+  for (const std::uint32_t unit : things.units) parts.push_back(trace::unit_words(unit, names, history));
+  return parts;
 }
 
 }  // namespace symplant::scenario

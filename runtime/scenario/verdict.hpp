@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/scenario.hpp"
@@ -22,9 +23,10 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes);
 /// `EXLINE_MB_AGV_I_P2 on`, a condition in its author's words; of a wait with how long.
 std::string expectation_words(const Step& step, const trace::PlantNames& names);
 
-/// Why a step's expectation failed at `time`: what was expected, what is there and since when, and which operations led
-/// to it. `history` is as of that time.
-std::string failure_words(const Step& step, core::Time time, const trace::PlantNames& names,
-                          const trace::History& history);
+/// Why a step's expectation failed at `time`: what was expected, then a part for each symbol and each unit that it
+/// names, with what is there, since when, and which operation led to it. Of a conjunction only what does not hold is
+/// told. `history` is as of that time. Never empty; joined by `; ` they are one sentence.
+std::vector<std::string> failure_parts(const Step& step, core::Time time, const trace::PlantNames& names,
+                                       const trace::History& history);
 
 }  // namespace symplant::scenario

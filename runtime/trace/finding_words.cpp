@@ -42,17 +42,24 @@ std::string disablers(std::uint32_t unit, const PlantNames& names, const History
   return text;
 }
 
-/// " (Y0001 (operation P2) on since 0.5 s)", or nothing.
-std::string led(std::span<const std::uint32_t> units, const PlantNames& names, const History& history) {
-  const std::string operations = operations_words(units, names, history);
-  return operations.empty() ? ", none of its operations has been on" : "; operations: " + operations;
+/// The last operations of a unit with their times: `; operations: Y0001 (P2 of L_P_AGV) on since 0.5 s`.
+std::string led(std::uint32_t unit, const PlantNames& names, const History& history) {
+  std::string text;
+  for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
+    text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", place(symbol, names), names.task(symbol),
+                        names.unit(unit));
+    text += history.value(symbol) != 0
+                ? "on since " + seconds(history.rose(symbol))
+                : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
+  }
+  return text.empty() ? ", none of its operations has been on" : "; operations: " + text;
 }
 
 std::string of_unit(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t unit = found.of.front();
   const std::string name(names.unit(unit));
   const std::string state = state_words(unit, names, history);
-  const std::string operations = led({&unit, 1}, names, history);
+  const std::string operations = led(unit, names, history);
   switch (found.kind) {
     case FindingKind::conflicting_operations:
       return fmt::format(
@@ -105,7 +112,7 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
                                  symbol_words(symbol, names));
   if (unit != core::kNoUnit) {
     text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
-    text += led({&unit, 1}, names, history);
+    text += led(unit, names, history);
   }
   return text + "; look for a state that takes no time";
 }
@@ -113,6 +120,9 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
 /// What led a unit to where it is: the operation that came on last, and those that are on still.
 std::string led_here(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
+  bool has_operations = false;
+  for (const std::uint32_t symbol : names.symbols_of(unit))
+    has_operations = has_operations || names.is_operation(symbol);
   for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
     const bool on = history.value(symbol) != 0;
     if (!on && !text.empty()) continue;
@@ -120,6 +130,7 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
     text += on ? "is on since " + seconds(history.rose(symbol))
                : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
   }
+  if (text.empty() && has_operations) return ", none of its operations has been on";
   return text;
 }
 
@@ -135,10 +146,7 @@ std::vector<std::string> of_requirement(const FoundThing& found, const PlantName
   std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
   std::stable_sort(units.begin(), units.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
-  for (const std::uint32_t unit : units) {
-    parts.push_back(fmt::format("{} is in {} since {}{}", names.unit(unit), state_words(unit, names, history),
-                                seconds(history.unit_since(unit)), led_here(unit, names, history)));
-  }
+  for (const std::uint32_t unit : units) parts.push_back(unit_words(unit, names, history));
   return parts;
 }
 
@@ -194,18 +202,14 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
   return text;
 }
 
-std::string operations_words(std::span<const std::uint32_t> units, const PlantNames& names, const History& history) {
-  std::string text;
-  for (const std::uint32_t unit : units) {
-    for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
-      text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", place(symbol, names), names.task(symbol),
-                          names.unit(unit));
-      text += history.value(symbol) != 0 ? "on since " + seconds(history.rose(symbol))
-                                         : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)),
-                                                       seconds(history.since(symbol)));
-    }
-  }
-  return text;
+std::string since_words(core::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
+
+std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history) {
+  const core::UnitView view = history.unit(unit);
+  const std::string by = view.disabled && !view.frozen ? disablers(unit, names, history) : "";
+  return fmt::format("{} is in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
+                     by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
+                     led_here(unit, names, history));
 }
 
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {

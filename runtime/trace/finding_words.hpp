@@ -1,7 +1,6 @@
 // Findings as a PLC programmer speaks of them.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +36,13 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 /// `P1`, `P1->P2 (moving)`, with what stops it.
 std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
-/// The last operations of units with their times: `Y0001 (operation P2) on since 0.5 s`; empty where none has been on.
-std::string operations_words(std::span<const std::uint32_t> units, const PlantNames& names, const History& history);
+/// `since 1.5 s`, `since the start`.
+std::string since_words(core::Time changed);
+
+/// Where a unit is, who disables it, since when, and what led it there: the operation that came on last, and those that
+/// are on still. `EXLINE_MB_AGV is in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s to 0.7
+/// s`.
+std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
 /// What is there, which operations led to it, what to look at; for a violated requirement a further part for each unit
 /// that it looks at, the last to change first. Never empty; joined by `; ` they are one sentence. Its time is not in

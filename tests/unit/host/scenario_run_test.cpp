@@ -67,7 +67,7 @@ TEST_CASE("a failed expectation is 1 and told with its place; one that is not re
   Cell cell;
   const Outcome failed = cell.run(R"({"at":"1s","expect":"L_P_AGV.P2"})");
   CHECK(failed.code == host::kFindings);
-  CHECK(contains(failed.err, "s.json:1: error: expected `L_P_AGV.P2` at 1 s; L_P_AGV is in P1 since the start"));
+  CHECK(contains(failed.err, "s.json:1: error: expected `L_P_AGV.P2` at 1 s\n    L_P_AGV is in P1 since the start"));
   CHECK(contains(failed.out, "expectations: 0 held, 1 failed, 0 not reached"));
   cell.options.until = core::kSecond;
   const Outcome cut = cell.run(kDrive);

@@ -88,9 +88,10 @@ class Play {
   void take(const trace::Record& record) {
     history_.apply(record);
     if (record.kind == trace::Record::Kind::note) {
-      failures_ +=
-          scenario::failure_words(scenario_.steps[record.of], static_cast<core::Time>(record.value), names_, history_) +
-          "\n";
+      const scenario::Step& step = scenario_.steps[record.of];
+      const auto parts = scenario::failure_parts(step, static_cast<core::Time>(record.value), names_, history_);
+      for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
+      failures_ += "\n";
       return;
     }
     if (record.kind == trace::Record::Kind::change) {

@@ -10,7 +10,7 @@ TEST_CASE("a failed expectation tells each symbol that differs, its device and t
                              {"at":"1.4s","expect":{"L_P_AGV_I_P2":true,"L_P_AGV_I_P1":false}})");
   CHECK(play.failures() ==
         "expected L_P_AGV_I_P2 on at 1.4 s; L_P_AGV_I_P2 is off since the start, PLC input %IX1, event P2 of L_P_AGV "
-        "(symbols.csv:3); L_P_AGV is in P1->P2 since 0.5 s; operations: %QX2 (P2 of L_P_AGV) on at 0.5 s, off since "
+        "(symbols.csv:3); L_P_AGV is in P1->P2 since 0.5 s, %QX2 (operation P2, symbols.csv:4) was on from 0.5 s to "
         "0.7 s\n");
 }
 
@@ -19,7 +19,17 @@ TEST_CASE("a failed condition tells what it names") {
   const Play play(tables, R"({"at":"1s","expect":"L_P_AGV.P2 or L_P_AGV_O_P1"})");
   CHECK(play.failures() ==
         "expected `L_P_AGV.P2 or L_P_AGV_O_P1` at 1 s; L_P_AGV_O_P1 is off since the start, PLC output %QX3, operation "
-        "P1 of L_P_AGV (symbols.csv:5); L_P_AGV is in P1 since the start; none of its operations has been on\n");
+        "P1 of L_P_AGV (symbols.csv:5); L_P_AGV is in P1 since the start, none of its operations has been on\n");
+}
+
+TEST_CASE("a wait for several things tells those that did not come, and who disables their devices") {
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "DOOR_I_OPEN1", "DOOR_I_SHUT2"},
+                           Told().disables("DOOR", "OPEN1", "AGV"));
+  const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},
+                             {"wait":"L_P_DOOR.OPEN1 and L_P_AGV.P2","within":"2s"})");
+  CHECK(play.failures() ==
+        "waited 2 s for `L_P_DOOR.OPEN1 and L_P_AGV.P2`, in vain until 2.5 s; L_P_AGV is in P1, disabled by L_P_DOOR "
+        "in OPEN1 since the start, %QX2 (operation P2, symbols.csv:4) is on since 0.5 s\n");
 }
 
 TEST_CASE("a symbol of no device tells itself alone") {
