@@ -13,9 +13,10 @@ namespace {
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 /// All of `digits` as a number; nothing where one is no digit of the base, there is none, or it passes 64 bits.
@@ -118,27 +119,38 @@ struct Device {
   Size size;
 };
 
-/// The longer names first, so that SB10 is no S.
-constexpr std::array kDevices{Device{"DX", 0, Area::input, Size::bit},     Device{"DY", 0, Area::output, Size::bit},
-                              Device{"SM", 10, Area::memory, Size::bit},   Device{"SD", 10, Area::memory, Size::word},
-                              Device{"SB", 16, Area::memory, Size::bit},   Device{"SW", 16, Area::memory, Size::word},
-                              Device{"ZR", 10, Area::memory, Size::word},  Device{"RD", 10, Area::memory, Size::word},
-                              Device{"ST", 10, Area::memory, Size::word},  Device{"LT", 10, Area::memory, Size::dword},
-                              Device{"LC", 10, Area::memory, Size::dword}, Device{"LZ", 10, Area::memory, Size::dword},
-                              Device{"TS", 10, Area::memory, Size::bit},   Device{"TC", 10, Area::memory, Size::bit},
-                              Device{"TN", 10, Area::memory, Size::word},  Device{"CS", 10, Area::memory, Size::bit},
-                              Device{"CC", 10, Area::memory, Size::bit},   Device{"CN", 10, Area::memory, Size::word},
-                              Device{"FX", 10, Area::memory, Size::bit},   Device{"FY", 10, Area::memory, Size::bit},
-                              Device{"FD", 10, Area::memory, Size::word},  Device{"BL", 10, Area::memory, Size::bit},
-                              Device{"X", 0, Area::input, Size::bit},      Device{"Y", 0, Area::output, Size::bit},
-                              Device{"M", 10, Area::memory, Size::bit},    Device{"L", 10, Area::memory, Size::bit},
-                              Device{"F", 10, Area::memory, Size::bit},    Device{"V", 10, Area::memory, Size::bit},
-                              Device{"S", 10, Area::memory, Size::bit},    Device{"B", 16, Area::memory, Size::bit},
-                              Device{"W", 16, Area::memory, Size::word},   Device{"D", 10, Area::memory, Size::word},
-                              Device{"R", 10, Area::memory, Size::word},   Device{"Z", 10, Area::memory, Size::word},
-                              Device{"T", 10, Area::memory, Size::word},   Device{"C", 10, Area::memory, Size::word},
-                              Device{"P", 10, Area::memory, Size::bit},    Device{"I", 10, Area::memory, Size::bit},
-                              Device{"N", 10, Area::memory, Size::bit}};
+/// By first letter, the longer names first, so that SB10 is no S.
+constexpr std::array kDevices{Device{"BL", 10, Area::memory, Size::bit},   Device{"B", 16, Area::memory, Size::bit},
+                              Device{"CS", 10, Area::memory, Size::bit},   Device{"CC", 10, Area::memory, Size::bit},
+                              Device{"CN", 10, Area::memory, Size::word},  Device{"C", 10, Area::memory, Size::word},
+                              Device{"DX", 0, Area::input, Size::bit},     Device{"DY", 0, Area::output, Size::bit},
+                              Device{"D", 10, Area::memory, Size::word},   Device{"FX", 10, Area::memory, Size::bit},
+                              Device{"FY", 10, Area::memory, Size::bit},   Device{"FD", 10, Area::memory, Size::word},
+                              Device{"F", 10, Area::memory, Size::bit},    Device{"I", 10, Area::memory, Size::bit},
+                              Device{"LT", 10, Area::memory, Size::dword}, Device{"LC", 10, Area::memory, Size::dword},
+                              Device{"LZ", 10, Area::memory, Size::dword}, Device{"L", 10, Area::memory, Size::bit},
+                              Device{"M", 10, Area::memory, Size::bit},    Device{"N", 10, Area::memory, Size::bit},
+                              Device{"P", 10, Area::memory, Size::bit},    Device{"RD", 10, Area::memory, Size::word},
+                              Device{"R", 10, Area::memory, Size::word},   Device{"SM", 10, Area::memory, Size::bit},
+                              Device{"SD", 10, Area::memory, Size::word},  Device{"SB", 16, Area::memory, Size::bit},
+                              Device{"SW", 16, Area::memory, Size::word},  Device{"ST", 10, Area::memory, Size::word},
+                              Device{"S", 10, Area::memory, Size::bit},    Device{"TS", 10, Area::memory, Size::bit},
+                              Device{"TC", 10, Area::memory, Size::bit},   Device{"TN", 10, Area::memory, Size::word},
+                              Device{"T", 10, Area::memory, Size::word},   Device{"V", 10, Area::memory, Size::bit},
+                              Device{"W", 16, Area::memory, Size::word},   Device{"X", 0, Area::input, Size::bit},
+                              Device{"Y", 0, Area::output, Size::bit},     Device{"ZR", 10, Area::memory, Size::word},
+                              Device{"Z", 10, Area::memory, Size::word}};
+
+/// Where those of a letter begin in kDevices; behind the last letter its size.
+constexpr auto kDevicesOf = [] {
+  std::array<std::uint8_t, 27> begins{};
+  for (std::size_t letter = 0; letter <= 26; ++letter) {
+    std::size_t at = 0;
+    while (at < kDevices.size() && kDevices[at].name[0] < static_cast<char>('A' + letter)) ++at;
+    begins[letter] = static_cast<std::uint8_t>(at);
+  }
+  return begins;
+}();
 
 bool begins_with(std::string_view text, std::string_view name) {
   return text.size() > name.size() &&
@@ -216,9 +228,12 @@ std::optional<Address> parse_melsec(std::string_view text, Radix radix) {
   text = trimmed(text);
   const std::size_t backslash = text.find('\\');
   if (backslash != std::string_view::npos && backslash > 0) return parse_remote(text, backslash);
-  for (const Device& device : kDevices) {
-    if (!begins_with(text, device.name)) continue;
-    if (const auto address = parse_device(text, device, radix)) return address;
+  const char first = text.empty() ? '\0' : upper(text.front());
+  if (first < 'A' || first > 'Z') return std::nullopt;
+  const auto letter = static_cast<std::size_t>(first - 'A');
+  for (std::size_t i = kDevicesOf[letter]; i < kDevicesOf[letter + 1]; ++i) {
+    if (!begins_with(text, kDevices[i].name)) continue;
+    if (const auto address = parse_device(text, kDevices[i], radix)) return address;
   }
   return std::nullopt;
 }

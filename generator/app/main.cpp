@@ -30,6 +30,19 @@ std::string working_folder() {
   return std::filesystem::current_path(unknown).string();
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+#define SYMPLANT_LEAKS_ARE_LOOKED_FOR 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SYMPLANT_LEAKS_ARE_LOOKED_FOR 1
+#endif
+#endif
+#ifdef SYMPLANT_LEAKS_ARE_LOOKED_FOR
+constexpr bool kLeaksAreLookedFor = true;
+#else
+constexpr bool kLeaksAreLookedFor = false;
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -44,11 +57,14 @@ int main(int argc, char** argv) {
   symplant::base::SystemProcessRunner programs;
   context.programs = &programs;
   context.progress = isatty(fileno(stderr)) != 0;
-  const int code = symplant::app::run_tool(argc, argv, context);
+  int code = symplant::app::run_tool(argc, argv, context);
   std::cout.flush();
   if (!std::cout) {
     std::cerr << "error: the output could not be written (a full disk, or a reader that went away)\n";
-    return 3;
+    code = 3;
   }
-  return code;
+  std::cerr.flush();
+  std::fflush(nullptr);
+  if (kLeaksAreLookedFor) return code;
+  std::_Exit(code);  // without taking down what `context` keeps
 }

@@ -71,7 +71,10 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   if (inputs->readable) {
     progress.stage("checking");
     check::check_plant(plant, diagnostics);
-    diagnostics = check::apply_settings(diagnostics, plant.description->check, options.today);
+    if (const model::GivenCheck& settings = plant.description->check;
+        !settings.severity.empty() || !settings.ignore.empty()) {
+      diagnostics = check::apply_settings(diagnostics, settings, options.today);
+    }
     locate(inputs->source, diagnostics);
   }
   diagnostics.sort_by_place(plant.sources());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 #include "base/file_system.hpp"
@@ -24,6 +25,8 @@ struct Context {
   bool progress = false;                    ///< a terminal is there for a progress line
   int exit_code = 0;                        ///< what the command came to
   base::ProcessRunner* programs = nullptr;  ///< null: no other program is asked for help
+  /// The plant that a command looked at last, which it need not take down: a large one's memory goes with the process.
+  std::shared_ptr<const void> kept = nullptr;
 };
 
 /// Runs one command line. Gives the exit code.

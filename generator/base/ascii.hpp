@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/words.hpp"
+
 namespace symplant::base {
 
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -21,14 +23,32 @@ inline std::string to_upper(std::string_view text) {
   return result;
 }
 
+/// Equal for texts that are equal without regard to case; of a whole word's length at a time.
+inline std::uint64_t hash_ignoring_case(std::string_view text) {
+  // 0x20 parts capital and small letters; other characters that it makes equal meet in the hash only.
+  constexpr std::uint64_t kSmall = 0x2020'2020'2020'2020;
+  constexpr std::uint64_t kFactor = 0x9FB2'1C65'1E98'DF25;
+  std::uint64_t hash = text.size() * kFactor;
+  const auto mix = [&](std::uint64_t word) {
+    hash = (hash ^ (word | kSmall)) * kFactor;
+    hash ^= hash >> 32U;
+  };
+  std::size_t at = 0;
+  for (; text.size() - at >= 8; at += 8) mix(load_word(text.data() + at));
+  if (at != 0 && at != text.size()) {
+    mix(load_word(text.data() + text.size() - 8));
+  } else if (at == 0) {
+    std::uint64_t word = 0;
+    for (const char c : text) word = word << 8U | static_cast<unsigned char>(c);
+    mix(word);
+  }
+  return hash;
+}
+
 /// For hash maps whose keys compare without regard to case.
 struct HashIgnoringCase {
   using is_transparent = void;
-  std::size_t operator()(std::string_view text) const {
-    std::uint64_t hash = 0xCBF2'9CE4'8422'2325;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(upper(c))) * 0x0000'0100'0000'01B3;
-    return static_cast<std::size_t>(hash);
-  }
+  std::size_t operator()(std::string_view text) const { return static_cast<std::size_t>(hash_ignoring_case(text)); }
 };
 struct EqualIgnoringCase {
   using is_transparent = void;

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/descriptor.hpp"
+#include "base/large_memory.hpp"
 #include "base/replacement.hpp"
 
 namespace symplant::base {
@@ -86,7 +87,9 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
   std::string content;
   std::size_t filled = 0;
   // One byte more than the size, so that the end of the file shows without growing.
-  content.resize(S_ISREG(about.st_mode) ? static_cast<std::size_t>(about.st_size) + 1 : kAtLeast);
+  const std::size_t size = S_ISREG(about.st_mode) ? static_cast<std::size_t>(about.st_size) + 1 : kAtLeast;
+  reserve_large(content, size);
+  content.resize(size);
   for (;;) {
     if (filled == content.size()) content.resize(content.size() * 2 + kAtLeast);
     const ssize_t count = ::read(file.number(), content.data() + filled, content.size() - filled);

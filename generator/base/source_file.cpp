@@ -24,14 +24,19 @@ std::vector<std::size_t> find_line_begins(std::string_view text) {
 
 }  // namespace
 
-SourceFile::SourceFile(std::string path, std::string text)
-    : path_(std::move(path)), text_(std::move(text)), line_begins_(find_line_begins(text_)) {}
+SourceFile::SourceFile(std::string path, std::string text) : path_(std::move(path)), text_(std::move(text)) {}
+
+const std::vector<std::size_t>& SourceFile::line_begins() const {
+  std::call_once(lines_known_, [&] { line_begins_ = find_line_begins(text_); });
+  return line_begins_;
+}
 
 Position SourceFile::position(std::size_t offset) const {
   offset = std::min(offset, text_.size());
-  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::vector<std::size_t>& begins = line_begins();
+  const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const std::size_t begin = *(after - 1);
-  const auto line = static_cast<std::size_t>(after - line_begins_.begin());
+  const auto line = static_cast<std::size_t>(after - begins.begin());
   // In the middle of a character its own column is meant, not the next one's.
   while (offset > begin && offset < text_.size() && is_continuation(text_[offset])) --offset;
   return {line, 1 + count_code_points(text().substr(begin, offset - begin))};
@@ -39,10 +44,11 @@ Position SourceFile::position(std::size_t offset) const {
 
 std::string_view SourceFile::line_at(std::size_t offset) const {
   offset = std::min(offset, text_.size());
-  const auto after = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
+  const std::vector<std::size_t>& begins = line_begins();
+  const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const std::size_t begin = *(after - 1);
   std::string_view line = text();
-  line = line.substr(begin, (after == line_begins_.end() ? text_.size() : *after) - begin);
+  line = line.substr(begin, (after == begins.end() ? text_.size() : *after) - begin);
   if (line.ends_with('\n')) line.remove_suffix(1);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,17 +21,18 @@ struct Position {
   std::size_t column;
 };
 
-/// Immutable once made. Lines end at LF, CRLF or CR.
+/// Immutable once made; its lines are looked for when one is first asked for. Lines end at LF, CRLF or CR.
 class SourceFile {
  public:
-  /// `text` must be UTF-8. O(text).
+  /// `text` must be UTF-8.
   SourceFile(std::string path, std::string text);
 
   const std::string& path() const { return path_; }
   std::string_view text() const { return text_; }
 
   /// At least 1; what follows the last line end counts as a line, empty or not.
-  std::size_t line_count() const { return line_begins_.size(); }
+  /// The first call of this and the two below is O(text).
+  std::size_t line_count() const { return line_begins().size(); }
 
   /// O(log lines) and the length of the line.
   Position position(std::size_t offset) const;
@@ -41,9 +43,12 @@ class SourceFile {
   Span span_of(std::string_view view, Span fallback = {}) const;
 
  private:
+  const std::vector<std::size_t>& line_begins() const;
+
   std::string path_;
   std::string text_;
-  std::vector<std::size_t> line_begins_;
+  mutable std::once_flag lines_known_;
+  mutable std::vector<std::size_t> line_begins_;
 };
 
 }  // namespace symplant::base

@@ -2,6 +2,7 @@
 #include "diag/diagnostic.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -86,12 +87,27 @@ void Diagnostics::sort_by_place(std::span<const base::SourceFile* const> files) 
     if (file != nullptr && given.count(file) == 0) ranks.try_emplace(file, ranks.size() + 1);
   }
   for (const base::SourceFile* file : files) ranks.try_emplace(file, ranks.size() + 1);
-  const auto key = [&](const Diagnostic& diagnostic) {
-    const base::SourceFile* const file = diagnostic.place.source.get();
-    return file == nullptr ? std::pair<std::size_t, std::size_t>{}
-                           : std::pair{ranks[file], diagnostic.place.span.begin};
+  struct Key {
+    std::size_t rank;
+    std::size_t begin;
+    std::size_t found;  ///< as the how manieth: none are equal
+
+    bool operator<(const Key& other) const {
+      return std::tie(rank, begin, found) < std::tie(other.rank, other.begin, other.found);
+    }
   };
-  std::stable_sort(all_.begin(), all_.end(), [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  std::vector<Key> keys;
+  keys.reserve(all_.size());
+  for (const Diagnostic& diagnostic : all_) {
+    const base::SourceFile* const file = diagnostic.place.source.get();
+    keys.push_back({file == nullptr ? 0 : ranks[file], file == nullptr ? 0 : diagnostic.place.span.begin, keys.size()});
+  }
+  if (std::is_sorted(keys.begin(), keys.end())) return;
+  std::sort(keys.begin(), keys.end());
+  std::vector<Diagnostic> sorted;
+  sorted.reserve(all_.size());
+  for (const Key& key : keys) sorted.push_back(std::move(all_[key.found]));
+  all_ = std::move(sorted);
 }
 
 }  // namespace symplant::diag

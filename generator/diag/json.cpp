@@ -1,6 +1,7 @@
 // Findings as JSON for programs.
 #include "diag/json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -40,24 +41,46 @@ Json finding_of(const Diagnostic& finding) {
   return object;
 }
 
+/// Its lines stand `depth` characters to the right.
+void append(std::string& text, const Json& object, std::size_t depth) {
+  // A path or a message may hold bytes that are no UTF-8; they must not make the whole report fail.
+  const std::string lines = object.dump(2, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1) + 1;
+    if (at != 0) text.append(depth, ' ');
+    text.append(lines, at, end - at);
+    at = end;
+  }
+}
+
 }  // namespace
 
 std::string render_json(std::span<const Diagnostic> findings, const LeftOut& left_out) {
-  Json document;
-  document["symplant-diagnostics"] = kJsonVersion;
-  document["findings"] = Json::array();
+  return render_json(std::span(&findings, 1), left_out);
+}
+
+std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out) {
+  // Finding by finding: a document of a million would fill the memory.
+  std::string text = "{\n  \"symplant-diagnostics\": " + std::to_string(kJsonVersion) + ",\n  \"findings\": [";
   std::array<std::size_t, 3> counts{};
-  for (const Diagnostic& finding : findings) {
-    document["findings"].push_back(finding_of(finding));
-    ++counts[static_cast<std::size_t>(finding.severity)];
+  bool any = false;
+  for (const std::span<const Diagnostic> findings : parts) {
+    for (const Diagnostic& finding : findings) {
+      text += any ? ",\n    " : "\n    ";
+      append(text, finding_of(finding), 4);
+      ++counts[static_cast<std::size_t>(finding.severity)];
+      any = true;
+    }
   }
+  text += any ? "\n  ],\n  \"counts\": " : "],\n  \"counts\": ";
+  Json counted;
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
-    document["counts"][std::string(severity_name(severity))] = counts[static_cast<std::size_t>(severity)];
+    counted[std::string(severity_name(severity))] = counts[static_cast<std::size_t>(severity)];
   }
-  if (left_out.by_description != 0) document["counts"]["ignored"] = left_out.by_description;
-  if (left_out.by_options != 0) document["counts"]["left_out"] = left_out.by_options;
-  // A path or a message may hold bytes that are no UTF-8; they must not make the whole report fail.
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (left_out.by_description != 0) counted["ignored"] = left_out.by_description;
+  if (left_out.by_options != 0) counted["left_out"] = left_out.by_options;
+  append(text, counted, 2);
+  return text += "\n}\n";
 }
 
 }  // namespace symplant::diag

@@ -23,5 +23,7 @@ struct LeftOut {
 /// in characters; `span` is in bytes of the file's text as UTF-8. A finding in an empty text has no line; one without a
 /// source has no file either.
 std::string render_json(std::span<const Diagnostic> findings, const LeftOut& left_out = {});
+/// The same of the findings of several parts, one behind the other.
+std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out);
 
 }  // namespace symplant::diag

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/large_memory.hpp"
 #include "lower/bit_plane.hpp"
 #include "lower/lower_conditions.hpp"
 #include "lower/lower_symbols.hpp"
@@ -42,7 +43,7 @@ class Lowering {
     TypeTable types;
     TimeTable times;
     symbol_bits_.assign(plant_.symbols.size(), kNone);
-    tables_.units.reserve(plant_.units.size());
+    base::reserve_large(tables_.units, plant_.units.size());
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
       const model::Unit& unit = plant_.units[u];
       core::UnitRow row{};

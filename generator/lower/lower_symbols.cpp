@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/large_memory.hpp"
 #include "model/classify.hpp"
 
 namespace symplant::lower {
@@ -28,7 +29,10 @@ class SymbolLowering {
 
   void run() {
     find_leaders_of_types();
-    tables_.symbols.reserve(plant_.symbols.size());
+    base::reserve_large(tables_.symbols, plant_.symbols.size());
+    std::size_t text = 0;  // no name is longer than its row
+    for (const model::PlantList& list : plant_.lists) text += list.table->source->text().size();
+    base::reserve_large(tables_.symbol_names, text);
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const model::Symbol& symbol = plant_.symbols[i];
       core::SymbolRow row{};

@@ -1,8 +1,6 @@
 // Times of transitions, fixed and random.
 #include "lower/time_table.hpp"
 
-#include <utility>
-
 namespace symplant::lower {
 
 core::Time TimeTable::lowered(const model::Duration& duration, std::vector<core::RandomTime>& random_times) {
@@ -17,14 +15,14 @@ core::Time TimeTable::lowered(const model::Duration& duration, std::vector<core:
 }
 
 std::uint32_t TimeTable::times_of(std::uint32_t type, const model::Unit& unit, EngineTables& tables) {
-  std::vector<std::int64_t> key{type, unit.travel};
-  key.reserve(2 + 2 * unit.transitions.size());
+  std::vector<std::int64_t>& key = key_;
+  key.assign({type, unit.travel});
   for (const model::Transition& t : unit.transitions) {
     key.push_back(lowered(t.after, tables.random_times));
     key.push_back(lowered(t.takes, tables.random_times));
   }
   const auto first = static_cast<std::uint32_t>(tables.times.size());
-  const auto [found, added] = by_times_.try_emplace(std::move(key), first);
+  const auto [found, added] = by_times_.try_emplace(key, first);
   if (added) {
     const std::vector<std::int64_t>& times = found->first;
     tables.times.push_back({0, unit.travel});

@@ -22,6 +22,7 @@ class TimeTable {
   core::Time lowered(const model::Duration& duration, std::vector<core::RandomTime>& random_times);
 
   std::map<std::vector<std::int64_t>, std::uint32_t> by_times_;
+  std::vector<std::int64_t> key_;  ///< of the unit at hand
   std::map<std::tuple<core::RandomTime::Kind, core::Time, core::Time>, core::Time> random_;
 };
 

@@ -2,7 +2,8 @@
 #include "lower/type_table.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <array>
+#include <cstring>
 
 namespace symplant::lower {
 namespace {
@@ -63,9 +64,8 @@ core::Transition lowered(const model::Transition& t) {
   return row;
 }
 
-Type make_type(const model::PlantModel& plant, std::uint32_t index) {
+void make_type(const model::PlantModel& plant, std::uint32_t index, Type& type) {
   const model::Unit& unit = plant.units[index];
-  Type type{};
   type.example = index;
   type.operations = static_cast<std::uint8_t>(unit.operations.size());
   type.events = static_cast<std::uint8_t>(unit.events.size());
@@ -73,9 +73,12 @@ Type make_type(const model::PlantModel& plant, std::uint32_t index) {
   type.actuation = unit.actuation;
   const bool springs = unit.actuation == core::Actuation::spring;
   type.rest = springs ? static_cast<std::uint8_t>(unit.rest) : core::kNoState;
+  type.transitions.clear();
   type.transitions.reserve(unit.transitions.size());
   for (const model::Transition& t : unit.transitions) type.transitions.push_back(lowered(t));
   type.operation_targets.assign(unit.operations.size(), core::kNoState);
+  type.enter.clear();
+  type.leave.clear();
   const model::Outputs none;
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const model::State& state = unit.states[s];
@@ -84,15 +87,16 @@ Type make_type(const model::PlantModel& plant, std::uint32_t index) {
     type.leave.push_back(masks_of(plant, unit, state, false, outputs.leave));
     if (state.operation != kNone) type.operation_targets[state.operation] = static_cast<std::uint8_t>(s);
   }
-  return type;
 }
 
 /// Everything that two units of one type have in common, as one text.
-std::string structure_of(const Type& type, const model::PlantModel& plant) {
+void put_structure(const Type& type, const model::PlantModel& plant, std::string& text) {
   const model::Unit& unit = plant.units[type.example];
-  std::string text;
+  text.clear();
   const auto number = [&](std::uint64_t value) {
-    for (int i = 0; i < 8; ++i) text.push_back(static_cast<char>(value >> (8 * i)));
+    std::array<char, sizeof value> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof value);
+    text.append(bytes.data(), bytes.size());
   };
   const auto byte = [&](std::uint8_t value) { text.push_back(static_cast<char>(value)); };
   byte(type.operations);
@@ -123,16 +127,16 @@ std::string structure_of(const Type& type, const model::PlantModel& plant) {
   if (unit.described != nullptr) text.append(unit.described->type);
   text.push_back('\0');
   if (unit.has_behaviour()) text.append(unit.described->behaviour);  // its class is derived from
-  return text;
 }
 
 }  // namespace
 
 std::uint32_t TypeTable::type_of(const model::PlantModel& plant, std::uint32_t unit, std::vector<Type>& types) {
-  Type type = make_type(plant, unit);
+  make_type(plant, unit, type_);
+  put_structure(type_, plant, structure_);
   const auto next = static_cast<std::uint32_t>(types.size());
-  const auto [found, added] = by_structure_.try_emplace(structure_of(type, plant), next);
-  if (added) types.push_back(std::move(type));
+  const auto [found, added] = by_structure_.try_emplace(structure_, next);
+  if (added) types.push_back(type_);
   return found->second;
 }
 

@@ -18,6 +18,8 @@ class TypeTable {
 
  private:
   std::unordered_map<std::string, std::uint32_t> by_structure_;
+  Type type_{};            ///< of the unit at hand
+  std::string structure_;  ///< likewise
 };
 
 }  // namespace symplant::lower

@@ -4,6 +4,8 @@
 #include <unordered_map>
 
 #include "base/ascii.hpp"
+#include "base/index_table.hpp"
+#include "base/large_memory.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
 #include "model/describe.hpp"
@@ -18,9 +20,13 @@ namespace {
 template <class Value>
 using ByName = std::unordered_map<std::string_view, Value, base::HashIgnoringCase, base::EqualIgnoringCase>;
 
+constexpr std::size_t kFew = 6;  ///< as many as the smallest piece of memory holds
+
 /// Puts every BOOL symbol with a name by the rule into its device's unit.
 void gather_units(PlantModel& plant) {
-  ByName<std::uint32_t> by_path;
+  base::IndexTable by_path(plant.symbols.size() / 4);
+  base::reserve_large(plant.units, plant.symbols.size() / 4);
+  std::uint32_t last = kNone;  // rows of one device mostly stand together
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
     if (symbol.type != core::DataType::boolean) {
@@ -31,16 +37,22 @@ void gather_units(PlantModel& plant) {
       symbol.unmodelled = Unmodelled::name;
       continue;
     }
-    const auto [found, added] =
-        by_path.try_emplace(symbol.reading.device_path, static_cast<std::uint32_t>(plant.units.size()));
-    if (added) {
-      Unit unit;
-      unit.path = symbol.reading.device_path;
-      unit.device = symbol.reading.device;
-      plant.units.push_back(std::move(unit));
+    const std::string_view path = symbol.reading.device_path;
+    if (last == kNone || plant.units[last].path != path) {
+      const auto next = static_cast<std::uint32_t>(plant.units.size());
+      last = by_path.find_or_add(base::hash_ignoring_case(path), next, [&](std::uint32_t unit) {
+        return base::equal_ignoring_case(plant.units[unit].path, path);
+      });
+      if (last == next) {
+        Unit& unit = plant.units.emplace_back();
+        unit.path = path;
+        unit.device = symbol.reading.device;
+        unit.operations.reserve(kFew);
+        unit.events.reserve(kFew);
+      }
     }
-    Unit& unit = plant.units[found->second];
-    symbol.unit = found->second;
+    Unit& unit = plant.units[last];
+    symbol.unit = last;
     (symbol.direction == core::Direction::operation ? unit.operations : unit.events).push_back(i);
   }
 }

@@ -100,8 +100,8 @@ struct RadixVotes {
     const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
     if (first != 'X' && first != 'Y') return;
     const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
+    if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // both are one
     const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
-    if (!as_hexadecimal || as_hexadecimal == as_octal) return;  // below 8 both are one
     const auto iec = address::parse_iec(row.iec_address);
     if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
     if (!iec || (iec != as_hexadecimal && iec != as_octal)) return;

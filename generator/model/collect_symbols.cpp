@@ -2,10 +2,11 @@
 #include "model/collect_symbols.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <variant>
 
 #include "base/ascii.hpp"
+#include "base/index_table.hpp"
+#include "base/large_memory.hpp"
 #include "model/classify.hpp"
 
 namespace symplant::model {
@@ -14,17 +15,21 @@ namespace {
 /// Takes a row up as symbol, internal row or repeated name.
 class SymbolCollector {
  public:
-  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant) {
-    plant_.symbols.reserve(rows);
-    by_name_.reserve(rows);
+  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant), by_name_(rows) {
+    base::reserve_large(plant_.symbols, rows);
+    base::reserve_large(places_, rows);
   }
 
   void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
-    const auto [first, added] = by_name_.try_emplace(row.name, Place{&row, list});
-    if (!added) {
-      plant_.duplicates.push_back({first->second.row, &row, same(first->second, {&row, list})});
+    const auto place = static_cast<std::uint32_t>(places_.size());
+    const std::uint32_t first = by_name_.find_or_add(
+        base::hash_ignoring_case(row.name), place,
+        [&](std::uint32_t other) { return base::equal_ignoring_case(places_[other].row->name, row.name); });
+    if (first != place) {
+      plant_.duplicates.push_back({places_[first].row, &row, same(places_[first], {&row, list})});
       return;
     }
+    places_.push_back({&row, list});
     const RowAddress address = row_address(row, plant_.lists[list].radix.radix);
     auto result = classify(row, reading, address);
     const auto* reason = std::get_if<InternalReason>(&result);
@@ -64,7 +69,8 @@ class SymbolCollector {
   }
 
   PlantModel& plant_;
-  std::unordered_map<std::string_view, Place, base::HashIgnoringCase, base::EqualIgnoringCase> by_name_;
+  std::vector<Place> places_;  ///< rows of different names
+  base::IndexTable by_name_;   ///< in `places_`
 };
 
 void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {

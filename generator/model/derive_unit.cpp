@@ -108,6 +108,7 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, Faults& faul
 void derive_commanded(Unit& unit, const GivenWays& given) {
   const auto count = static_cast<std::uint32_t>(unit.states.size());
   const Duration takes = Duration::fixed(unit.travel);
+  if (unit.transitions.empty()) unit.transitions.reserve(unit.operations.size() * (count - 1));
   for (std::uint32_t to = 0; to < count; ++to) {
     const std::uint32_t on = unit.states[to].operation;
     if (on == kNone) continue;

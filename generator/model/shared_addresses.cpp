@@ -2,8 +2,8 @@
 #include "model/shared_addresses.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
+#include "base/index_table.hpp"
 #include "model/classify.hpp"
 
 namespace symplant::model {
@@ -17,14 +17,12 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-struct HashPlace {
-  std::size_t operator()(const Place& place) const {
-    const address::Address& a = place.address;
-    const std::uint64_t kind = static_cast<std::uint64_t>(place.controller) << 16 |
-                               static_cast<std::uint64_t>(a.area) << 8 | static_cast<std::uint64_t>(a.size);
-    return static_cast<std::size_t>((a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind);
-  }
-};
+std::uint64_t hash_of(const Place& place) {
+  const address::Address& a = place.address;
+  const std::uint64_t kind = static_cast<std::uint64_t>(place.controller) << 16 |
+                             static_cast<std::uint64_t>(a.area) << 8 | static_cast<std::uint64_t>(a.size);
+  return (a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind * 0xC2B2'AE3D'27D4'EB4F;
+}
 
 /// Where type and address differ in size the symbol has no place there (a check tells), so that it shares none.
 bool has_place(const Symbol& symbol) {
@@ -42,27 +40,33 @@ bool moved(const PlantModel& plant, std::uint32_t index) {
 }  // namespace
 
 void find_shared_addresses(PlantModel& plant) {
-  std::unordered_map<Place, std::uint32_t, HashPlace> leaders;
-  leaders.reserve(plant.symbols.size());
+  const auto place_of = [&](const Symbol& symbol) { return Place{plant.controller_of(symbol), *symbol.address}; };
+  base::IndexTable leaders(plant.symbols.size());
+  const auto stands_at = [&](const Place& place) {
+    return [&](std::uint32_t other) { return place_of(plant.symbols[other]) == place; };
+  };
   bool any = false;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     if (!has_place(symbol)) continue;
-    const auto [found, added] = leaders.try_emplace({plant.controller_of(symbol), *symbol.address}, i);
-    if (added) continue;
+    const Place place = place_of(symbol);
+    const std::uint64_t hash = hash_of(place);
+    const std::uint32_t leader = leaders.find_or_add(hash, i, stands_at(place));
+    if (leader == i) continue;
     any = true;
     if (!moved(plant, i)) continue;
-    if (!moved(plant, found->second)) {
-      found->second = i;
-    } else if (plant.symbols[found->second].unit != symbol.unit) {
-      plant.moved_twice.push_back({i, found->second});
+    if (!moved(plant, leader)) {
+      leaders.move(hash, i, stands_at(place));
+    } else if (plant.symbols[leader].unit != symbol.unit) {
+      plant.moved_twice.push_back({i, leader});
     }
   }
   if (!any) return;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
     if (!has_place(symbol)) continue;
-    const std::uint32_t leader = leaders.find({plant.controller_of(symbol), *symbol.address})->second;
+    const Place place = place_of(symbol);
+    const std::uint32_t leader = leaders.find(hash_of(place), stands_at(place));
     if (leader != i) symbol.leader = leader;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "base/ascii.hpp"
 #include "model/sequence.hpp"
@@ -18,17 +19,33 @@ struct Draft {
   std::uint32_t event = kNone;
 };
 
-using DraftsByTask = std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase>;
+/// Drafts by their task: most units have so few that looking at each is quickest.
+class Drafts {
+ public:
+  Draft& of(std::string_view task, std::uint32_t symbol) {
+    if (drafts_.size() <= kFew) {
+      for (Draft& draft : drafts_) {
+        if (base::equal_ignoring_case(draft.task, task)) return draft;
+      }
+    } else {
+      for (std::size_t i = by_task_.size(); i < drafts_.size(); ++i) by_task_.emplace(drafts_[i].task, i);
+      if (const auto found = by_task_.find(task); found != by_task_.end()) return drafts_[found->second];
+    }
+    return drafts_.emplace_back(Draft{task, sequence_number(task), symbol});
+  }
+
+  std::vector<Draft> take() { return std::move(drafts_); }
+
+ private:
+  static constexpr std::size_t kFew = 16;
+
+  std::vector<Draft> drafts_;
+  std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_task_;
+};
 
 std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
-  std::vector<Draft> drafts;
-  DraftsByTask by_task;
-  const auto add = [&](std::uint32_t symbol) -> Draft& {
-    const std::string_view task = symbols[symbol].reading.task;
-    const auto [found, added] = by_task.try_emplace(task, drafts.size());
-    if (added) drafts.push_back({task, sequence_number(task), symbol});
-    return drafts[found->second];
-  };
+  Drafts drafts;
+  const auto add = [&](std::uint32_t symbol) -> Draft& { return drafts.of(symbols[symbol].reading.task, symbol); };
   for (std::uint32_t i = 0; i < unit.operations.size(); ++i) add(unit.operations[i]).operation = i;
   for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
     Draft& draft = add(unit.events[i]);
@@ -38,7 +55,7 @@ std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbol
       draft.task = symbols[unit.events[i]].reading.task;
     }
   }
-  return drafts;
+  return drafts.take();
 }
 
 const State* find_state(const std::vector<State>& states, std::string_view name) {

@@ -3,6 +3,7 @@
 #include "name/name_parser.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/regex/pending/unicode_iterator.hpp>
 #include <boost/spirit/home/x3.hpp>
 #include <utility>
@@ -46,16 +47,83 @@ std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const
   return {wanted, pieces.size() - 1};
 }
 
+/// What the levels of a name say, of which there are as many as the rule has, none of them empty.
+void read_levels(const NamingRule& rule, std::string_view name, const std::vector<std::string_view>& levels,
+                 NameReading& reading) {
+  const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - name.data()); };
+  std::size_t device_end = 0;
+  reading.levels = static_cast<std::uint32_t>(levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::string_view text = levels[i];
+    switch (rule.levels[i]) {
+      case Level::line:
+        reading.line = text;
+        break;
+      case Level::process:
+        reading.process = text;
+        break;
+      case Level::device:
+        reading.device = text;
+        device_end = offset(text.data() + text.size());
+        break;
+      case Level::task:
+        reading.task = text;
+        break;
+      case Level::direction: {
+        const DirectionWord* found = direction_word(rule, text);
+        if (found == nullptr) {
+          reading.fault = NameFault::direction_not_io;
+          reading.where = {offset(text.data()), offset(text.data() + text.size())};
+          return;
+        }
+        reading.direction = found->direction;
+        break;
+      }
+    }
+  }
+  reading.device_path = name.substr(0, device_end);
+}
+
+constexpr auto kAsciiAlnum = [] {
+  std::array<bool, 256> alnum{};
+  for (unsigned c = '0'; c <= '9'; ++c) alnum[c] = true;
+  for (unsigned c = 'A'; c <= 'Z'; ++c) alnum[c] = alnum[c | 0x20U] = true;
+  return alnum;
+}();
+
+/// The levels of a name of ASCII letters and digits that has as many as the rule, none of them empty: what most names
+/// are. False for all others, which the grammar reads; it reads these alike.
+bool cut_plain(const NamingRule& rule, std::string_view name, std::vector<std::string_view>& levels) {
+  levels.clear();
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at <= name.size(); ++at) {
+    if (at < name.size() && kAsciiAlnum[static_cast<unsigned char>(name[at])]) continue;
+    const bool separates = at == name.size() || static_cast<unsigned char>(name[at]) == rule.separator;
+    if (!separates || at == begin || levels.size() == rule.levels.size()) return false;
+    levels.push_back(name.substr(begin, at - begin));
+    begin = at + 1;
+  }
+  return levels.size() == rule.levels.size();
+}
+
 }  // namespace
 
 struct NameParser::Work {
   std::vector<Piece> pieces;
+  std::vector<std::string_view> levels;
 };
 
 NameParser::NameParser(const NamingRule& rule) : rule_(rule), work_(std::make_unique<Work>()) {}
 NameParser::~NameParser() = default;
 
 NameReading NameParser::parse(std::string_view name) {
+  if (!cut_plain(rule_, name, work_->levels)) return parse_by_grammar(name);
+  NameReading reading;
+  read_levels(rule_, name, work_->levels, reading);
+  return reading;
+}
+
+NameReading NameParser::parse_by_grammar(std::string_view name) {
   std::vector<Piece>& pieces = work_->pieces;
   pieces.clear();
   const char* begin = name.data();
@@ -103,36 +171,10 @@ NameReading NameParser::parse(std::string_view name) {
     return reading;
   }
 
-  std::size_t device_end = 0;
-  for (std::size_t i = 0; i < wanted; ++i) {
-    const std::string_view text = text_of(pieces[i]);
-    switch (rule_.levels[i]) {
-      case Level::line:
-        reading.line = text;
-        break;
-      case Level::process:
-        reading.process = text;
-        break;
-      case Level::device:
-        reading.device = text;
-        device_end = offset(pieces[i].end().base());
-        break;
-      case Level::task:
-        reading.task = text;
-        break;
-      case Level::direction: {
-        const DirectionWord* found = direction_word(rule_, text);
-        if (found == nullptr) {
-          reading.fault = NameFault::direction_not_io;
-          reading.where = span_of(i, i);
-          return reading;
-        }
-        reading.direction = found->direction;
-        break;
-      }
-    }
-  }
-  reading.device_path = name.substr(0, device_end);
+  std::vector<std::string_view>& levels = work_->levels;
+  levels.clear();
+  for (const Piece& piece : pieces) levels.push_back(text_of(piece));
+  read_levels(rule_, name, levels, reading);
   return reading;
 }
 

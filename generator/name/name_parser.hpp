@@ -44,6 +44,8 @@ class NameParser {
 
   /// `name` must be UTF-8. O(name). Never throws for what a name holds.
   NameReading parse(std::string_view name);
+  /// The same by the grammar alone, which parse() leaves to names that are out of the ordinary. For tests.
+  NameReading parse_by_grammar(std::string_view name);
 
  private:
   struct Work;

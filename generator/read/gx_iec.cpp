@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/large_memory.hpp"
 #include "read/csv.hpp"
 #include "read/gx_columns.hpp"
 #include "read/rules/header_alone.hpp"
@@ -57,8 +58,7 @@ class GxIecReading {
 
  private:
   void read_rows(CsvReader& reader, const GxLayout& layout) {
-    // Not so many rows are in a file that is mostly empty lines.
-    table_.rows.reserve(std::min(source_->line_count(), source_->text().size() / 16 + 16));
+    base::reserve_large(table_.rows, expected_rows(layout));
     CsvRow row;
     while (reader.next(row)) {
       if (row.stray) {
@@ -69,6 +69,16 @@ class GxIecReading {
       }
       add(row, layout);
     }
+  }
+
+  /// From the length of the first rows; a tenth more, since growing would cost more than room that is not used.
+  std::size_t expected_rows(const GxLayout& layout) const {
+    constexpr std::size_t kSample = 64 * 1024;
+    const std::string_view rows = source_->text().substr(layout.rows_begin);
+    const std::string_view sample = rows.substr(0, kSample);
+    const auto lines = static_cast<std::size_t>(std::count(sample.begin(), sample.end(), '\n')) + 1;
+    const std::size_t length = std::max<std::size_t>(sample.size() / lines, 16);
+    return rows.size() <= kSample ? lines : rows.size() / length * 11 / 10;
   }
 
   void add(const CsvRow& row, const GxLayout& layout) {

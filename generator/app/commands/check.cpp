@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 #include <ostream>
+#include <span>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -86,7 +87,7 @@ class Check {
   void look_at(const std::string& file) {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
-    const auto plant =
+    auto plant =
         analyse({file, options_.plant.read, options_.plant.xy, context_.today}, context_.files, progress, diagnostics);
     if (plant) {
       const std::vector<std::string> read = plant->input_files();
@@ -107,6 +108,7 @@ class Check {
     } else {
       reports_.push_back({file, std::move(selected.findings), plant.has_value()});
     }
+    if (plant) context_.kept = std::make_shared<const model::PlantModel>(std::move(*plant));
   }
 
   std::string rendered() {
@@ -117,10 +119,8 @@ class Check {
   }
 
   std::string as_json() const {
-    std::vector<diag::Diagnostic> all;
-    for (const diag::Report& report : reports_) {
-      all.insert(all.end(), report.findings.all().begin(), report.findings.all().end());
-    }
+    std::vector<std::span<const diag::Diagnostic>> all;
+    for (const diag::Report& report : reports_) all.push_back(report.findings.all());
     return diag::render_json(all, left_out_) + "\n";
   }
 

@@ -95,8 +95,10 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, std:
 }
 
 void generate(const GenerateOptions& options, Context& context) {
-  const auto compiled = compile_for(context, options.plant, options.plant_options);
-  if (!compiled) return;
+  auto made = compile_for(context, options.plant, options.plant_options);
+  if (!made) return;
+  const auto compiled = std::make_shared<const Compiled>(std::move(*made));
+  context.kept = compiled;
   std::error_code unknown;
   if (!options.templates.empty() && !std::filesystem::is_directory(options.templates, unknown)) {
     context.err << "error: `" << options.templates

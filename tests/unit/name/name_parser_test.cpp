@@ -1,7 +1,9 @@
 // The built-in naming rule: five levels, each fault at its exact bytes.
 #include "name/name_parser.hpp"
 
+#include <random>
 #include <string>
+#include <vector>
 
 #include "base/source_file.hpp"
 #include "support/catch.hpp"
@@ -181,6 +183,34 @@ TEST_CASE("Every single ASCII character is judged") {
       CHECK(read.reading.fault == (alnum ? NameFault::none : NameFault::illegal_character));
     }
   }
+}
+
+TEST_CASE("Plain names are read by a short way as the grammar reads them") {
+  std::mt19937 random(1);
+  const NamingRule& rule = built_in_rule();
+  NameParser parser(rule);
+  const std::vector<std::string> parts{"A", "b9", "I", "o", "_", "__", "", "-", " ", "\xC3\xA4", "\xEC\x98\x88", "."};
+  std::size_t plain = 0;
+  for (int i = 0; i < 50'000; ++i) {
+    std::string name;
+    const bool well_formed = random() % 2 == 0;
+    for (int level = 0; level < (well_formed ? 5 : static_cast<int>(random() % 8)); ++level) {
+      if (level != 0) name += '_';
+      name += well_formed && level != 3 ? parts[random() % 3] : parts[random() % (well_formed ? 4 : parts.size())];
+    }
+    CAPTURE(name);
+    const NameReading one = parser.parse(name);
+    const NameReading other = parser.parse_by_grammar(name);
+    REQUIRE(one.fault == other.fault);
+    REQUIRE(one.levels == other.levels);
+    REQUIRE((one.where.begin == other.where.begin && one.where.end == other.where.end));
+    REQUIRE(one.device_path == other.device_path);
+    REQUIRE((one.line == other.line && one.process == other.process && one.device == other.device));
+    REQUIRE(one.task == other.task);
+    REQUIRE(one.direction == other.direction);
+    plain += one.fault == NameFault::none ? 1 : 0;
+  }
+  CHECK(plain > 1000);
 }
 
 TEST_CASE("A reader keeps nothing of the name before") {

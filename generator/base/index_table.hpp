@@ -1,0 +1,88 @@
+// A hash table of places in a table of somebody else's, who keeps the keys.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/large_memory.hpp"
+
+namespace symplant::base {
+
+/// Places are numbers below 0xFFFFFFFF. A search looks at the key of a place only where all 32 bits kept of its hash
+/// agree, so that it costs one access to memory mostly. O(1) with a good hash.
+class IndexTable {
+ public:
+  static constexpr std::uint32_t kNothing = 0xFFFF'FFFF;
+
+  IndexTable() = default;
+  /// With room for so many.
+  explicit IndexTable(std::size_t expected) {
+    if (expected != 0) resize(expected);
+  }
+
+  std::size_t size() const { return size_; }
+
+  /// The place of a key that is there; kNothing else. `is_at(place)` tells whether the key is that of a place.
+  template <class IsAt>
+  std::uint32_t find(std::uint64_t hash, const IsAt& is_at) const {
+    return slots_.empty() ? kNothing : slots_[slot_of(folded(hash), is_at)].place;
+  }
+
+  /// The place of a key; `place` where it is new, which then is its place.
+  template <class IsAt>
+  std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t place, const IsAt& is_at) {
+    if ((size_ + 1) * 2 > slots_.size()) resize(size_ + 1);
+    const std::uint32_t kept = folded(hash);
+    Slot& slot = slots_[slot_of(kept, is_at)];
+    if (slot.place != kNothing) return slot.place;
+    slot = {kept, place};
+    ++size_;
+    return place;
+  }
+
+  /// Gives a key that is there another place.
+  template <class IsAt>
+  void move(std::uint64_t hash, std::uint32_t place, const IsAt& is_at) {
+    slots_[slot_of(folded(hash), is_at)].place = place;
+  }
+
+ private:
+  struct Slot {
+    std::uint32_t hash = 0;
+    std::uint32_t place = kNothing;
+  };
+
+  static std::uint32_t folded(std::uint64_t hash) {
+    return static_cast<std::uint32_t>((hash * 0x9E37'79B9'7F4A'7C15U) >> 32U);
+  }
+
+  /// Where the key stands, or the empty slot that waits for it.
+  template <class IsAt>
+  std::size_t slot_of(std::uint32_t kept, const IsAt& is_at) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t at = kept & mask;
+    while (slots_[at].place != kNothing && (slots_[at].hash != kept || !is_at(slots_[at].place))) at = (at + 1) & mask;
+    return at;
+  }
+
+  void resize(std::size_t expected) {
+    std::size_t size = 16;
+    while (size < 2 * expected || size <= slots_.size()) size *= 2;
+    std::vector<Slot> old;
+    old.swap(slots_);
+    reserve_large(slots_, size);
+    slots_.resize(size);
+    for (const Slot& slot : old) {
+      if (slot.place == kNothing) continue;
+      std::size_t at = slot.hash & (size - 1);
+      while (slots_[at].place != kNothing) at = (at + 1) & (size - 1);
+      slots_[at] = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;  ///< a power of two of them, half of them empty at least
+  std::size_t size_ = 0;
+};
+
+}  // namespace symplant::base
