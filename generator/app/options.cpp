@@ -11,6 +11,7 @@
 
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
+#include "model/plant_file.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -18,7 +19,7 @@ namespace {
 
 base::Encoding encoding_of(const std::string& name) {
   if (const auto encoding = base::encoding_of_name(name)) return *encoding;
-  throw CLI::ValidationError("--encoding", "`" + name + "` is no encoding: write utf-8, utf-16le or utf-16be");
+  throw CLI::ValidationError("--encoding", diag::visible(model::no_such_encoding(name)));
 }
 
 }  // namespace
@@ -30,7 +31,9 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
   command
       .add_option_function<std::string>(
           "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },
-          "the list's encoding, instead of what is sniffed: utf-8, utf-16le, utf-16be")
+          "the list's encoding, instead of what is sniffed: utf-8, utf-16le, utf-16be, cp932 (shift_jis), cp949 "
+          "(euc-kr), "
+          "gb18030 (gbk), cp950 (big5), cp1250 to cp1258 (cp1252 is latin1), cp874, cp437, cp850, cp852, cp866")
       ->type_name("ENCODING");
   command
       .add_option_function<std::string>(

@@ -44,7 +44,7 @@ class InputReader {
       model::add_empty_file(options_.plant, diagnostics_);
       return false;
     }
-    auto text = read::decode_file(options_.plant, std::move(bytes), std::nullopt, diagnostics_, "save it as UTF-8");
+    auto text = read::decode_file(options_.plant, std::move(bytes), {}, diagnostics_, "save it as UTF-8");
     if (!text) return false;
     inputs_.source = std::make_shared<base::SourceFile>(options_.plant, std::move(text->text));
     model::PlantFileReading reading = model::read_plant_file(inputs_.source->text(), inputs_.name);
@@ -71,6 +71,7 @@ class InputReader {
       const std::string path = (fs::path(options_.plant).parent_path() / reference.file).lexically_normal().string();
       progress_.stage("reading " + path);
       read::ReadOptions how = options_.read;
+      how.described = true;
       if (!reference.format.empty()) how.input_format = reference.format;
       if (reference.encoding) how.encoding = reference.encoding;
       auto table = read::read_symbol_list(path, how, files_, diagnostics_);

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "base/code_page.hpp"
+#include "base/encoding_guess.hpp"
 #include "base/utf8.hpp"
 #include "base/words.hpp"
 
@@ -15,18 +17,17 @@ namespace symplant::base {
 
 namespace {
 
-struct NamedEncoding {
+struct Mark {
   Encoding encoding;
-  std::string_view name;
-  std::string_view mark;  ///< its byte order mark
+  std::string_view bytes;
 };
-
-constexpr std::array kEncodings{NamedEncoding{Encoding::utf8, "utf-8", "\xEF\xBB\xBF"},
-                                NamedEncoding{Encoding::utf16le, "utf-16le", "\xFF\xFE"},
-                                NamedEncoding{Encoding::utf16be, "utf-16be", "\xFE\xFF"}};
+/// Byte order marks.
+constexpr std::array kMarks{Mark{Encoding::utf8, "\xEF\xBB\xBF"}, Mark{Encoding::utf16le, "\xFF\xFE"},
+                            Mark{Encoding::utf16be, "\xFE\xFF"}};
 
 constexpr std::string_view kZipMark = "PK\x03\x04";
 constexpr std::size_t kSampleBytes = 64 * 1024;
+constexpr std::string_view kExportAsText = "export the list as a text file";
 /// How much of the faulty line is shown after the fault.
 constexpr std::size_t kShownAfterFault = 400;
 
@@ -35,6 +36,8 @@ struct Fault {
   std::string before;  ///< UTF-8 of all that stands before it
   std::string after;   ///< UTF-8 of what follows it, fault included, cut short
   std::string what;
+  std::string remedy = std::string(kExportAsText);
+  std::vector<EncodingGuess> guesses = {};
 };
 
 std::string hex(unsigned value, int digits) {
@@ -66,6 +69,8 @@ DecodeError as_error(Fault fault) {
   }
   error.column = 1 + count_code_points(std::string_view(fault.before).substr(line_begin));
   error.what = std::move(fault.what);
+  error.remedy = std::move(fault.remedy);
+  error.guesses = std::move(fault.guesses);
   error.shown_offset = fault.before.size();
   error.shown = std::move(fault.before);
   error.shown.append(fault.after, 0, fault.after.find_first_of("\r\n"));
@@ -89,8 +94,7 @@ std::size_t find_binary(std::string_view text) {
 }
 
 std::string binary_message(unsigned found) {
-  return "found the control character U+" + hex(found, 4) +
-         ", so this is a binary or a damaged file; export the list as a text file";
+  return "found the control character U+" + hex(found, 4) + ", so this is a binary or a damaged file";
 }
 
 /// Length of the well-formed UTF-8 that `bytes` begin with.
@@ -109,24 +113,84 @@ std::size_t valid_utf8_prefix(std::string_view bytes) {
   return at;
 }
 
-Result<std::string, Fault> decode_utf8(std::string text) {
-  // Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
+/// Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
+void take_off_end_mark(std::string& text) {
   if (text.ends_with(std::string_view("\n\0", 2)) || text.ends_with("\n\x1A")) text.pop_back();
+}
+
+/// Where and why bytes are no text in any encoding that begins with ASCII; nothing where they may be one.
+std::optional<std::pair<std::size_t, std::string>> why_no_text(std::string_view bytes) {
+  if (bytes.starts_with(kZipMark)) return std::pair(0, "this is a zip archive (a workbook, perhaps), not a text");
+  const std::size_t binary = find_binary(bytes);
+  if (binary == std::string::npos) return std::nullopt;
+  return std::pair(binary, binary_message(static_cast<unsigned char>(bytes[binary])));
+}
+
+/// "the byte E4 is", "the bytes 8C 20 are".
+std::string bytes_are(std::string_view bytes) {
+  std::string text = bytes.size() == 1 ? "the byte" : "the bytes";
+  for (const char c : bytes) text += " " + hex(static_cast<unsigned char>(c), 2);
+  return text + (bytes.size() == 1 ? " is" : " are");
+}
+
+Result<std::string, Fault> decode_utf8(std::string text) {
+  take_off_end_mark(text);
+  const std::string_view bytes = text;
   const auto fault_at = [&](std::size_t at, std::string what) {
-    const std::string_view bytes = text;
     return Fault{lossy_utf8(bytes.substr(0, at)), lossy_utf8(bytes.substr(at, kShownAfterFault)), std::move(what)};
   };
-  if (text.starts_with(kZipMark)) {
-    return fault_at(0, "this is a zip archive (a workbook, perhaps), not a text; export the list as a text file");
+  if (auto why = why_no_text(bytes)) return fault_at(why->first, std::move(why->second));
+  const std::size_t valid = valid_utf8_prefix(bytes);
+  if (valid == text.size()) return Result<std::string, Fault>(std::move(text));
+
+  constexpr std::size_t kMostTold = 4;
+  std::size_t high = 1;
+  while (high < std::min(kMostTold, bytes.size() - valid) && static_cast<unsigned char>(bytes[valid + high]) >= 0x80) {
+    ++high;
   }
-  const std::size_t binary = find_binary(text);
-  if (binary != std::string::npos) return fault_at(binary, binary_message(static_cast<unsigned char>(text[binary])));
-  const std::size_t valid = valid_utf8_prefix(text);
-  if (valid != text.size()) {
-    return fault_at(valid, "the byte " + hex(static_cast<unsigned char>(text[valid]), 2) +
-                               " is no UTF-8 here, so the file is in another code page; save it as UTF-8 or UTF-16");
+  Fault fault =
+      fault_at(valid, bytes_are(bytes.substr(valid, high)) + " no UTF-8 here, so the file is in another code page");
+  fault.remedy = "give its `--encoding`, or save it as UTF-8 or UTF-16";
+  fault.guesses = guess_encoding(bytes, valid, Encoding::utf8);
+  return fault;
+}
+
+/// What would read bytes that are not in the code page asked for.
+std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t offset, Encoding asked_for) {
+  if (valid_utf8_prefix(bytes) != bytes.size()) return guess_encoding(bytes, offset, asked_for);
+  const std::size_t begin = bytes.find_last_of("\n\r\t,;\"", offset) + 1;  // of a cell; 0 where there is none
+  const std::size_t end = bytes.find_first_of("\n\r\t,;\"", offset);
+  return {{Encoding::utf8, std::string(bytes.substr(begin, end - begin))}};
+}
+
+Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {
+  take_off_end_mark(bytes);
+  const std::string name(encoding_name(encoding));
+  for (const Mark& mark : kMarks) {
+    if (!bytes.starts_with(mark.bytes)) continue;
+    return Fault{{},
+                 {},
+                 "the file begins with the byte order mark of " + std::string(encoding_name(mark.encoding)),
+                 "leave `--encoding " + name + "` out"};
   }
-  return Result<std::string, Fault>(std::move(text));
+  if (auto why = why_no_text(bytes)) {
+    const auto before = decode_code_page(std::string_view(bytes).substr(0, why->first), encoding);
+    return Fault{before ? *before : before.error().before, {}, std::move(why->second)};
+  }
+  auto text = decode_code_page(bytes, encoding);
+  if (text) return Result<std::string, Fault>(std::move(*text));
+  const CodePageFault& found = text.error();
+  if (found.length == 0) {
+    return Fault{{},
+                 {},
+                 "this system has no conversion from " + name,
+                 "install the character sets of its C library, or save the list as UTF-8"};
+  }
+  const std::string_view rest = std::string_view(bytes).substr(found.offset);
+  return Fault{found.before, lossy_utf8(rest.substr(0, kShownAfterFault)),
+               bytes_are(rest.substr(0, found.length)) + " no character of " + name + " here",
+               "give the encoding that the list was saved in, or save it as UTF-8",
+               guess_instead(bytes, found.offset, encoding)};
 }
 
 class Utf16Decoder {
@@ -152,21 +216,18 @@ class Utf16Decoder {
       filled = 0;
       if (unit < 0x80) continue;
       const char32_t value = point_at(at);
-      if (value == 0) return fault(at, "a lone half of a surrogate pair, U+" + hex(unit, 4) + not_utf16());
+      if (value == 0) return no_utf16(at, "a lone half of a surrogate pair, U+" + hex(unit, 4));
       if (value > 0xFFFF) ++at;
       append_utf8(text_, value);
     }
     text_.append(ascii.data(), filled);
     if (at < units) return fault(at, binary_message(static_cast<unsigned>(unit_at(at))));
-    if (bytes_.size() % 2 != 0) return fault(at, "half a character at the end of the file" + not_utf16());
+    if (bytes_.size() % 2 != 0) return no_utf16(at, "half a character at the end of the file");
     return Result<std::string, Fault>(std::move(text_));
   }
 
  private:
   static bool is_control_unit(char32_t unit) { return unit < 0x80 && is_control(static_cast<unsigned char>(unit)); }
-  static std::string not_utf16() {
-    return ", so this is no UTF-16 or a damaged file; export it again or give its encoding";
-  }
 
   char32_t unit_at(std::size_t index) const {
     const char32_t high = static_cast<unsigned char>(bytes_[2 * index + high_]);
@@ -195,6 +256,12 @@ class Utf16Decoder {
     return result;
   }
 
+  Fault no_utf16(std::size_t at, const std::string& what) {
+    Fault result = fault(at, what + ", so this is no UTF-16 or a damaged file");
+    result.remedy = "export it again or give its encoding";
+    return result;
+  }
+
   std::string_view bytes_;
   std::size_t high_;  ///< which of a unit's two bytes is the high one
   std::string text_;
@@ -202,8 +269,8 @@ class Utf16Decoder {
 
 /// UTF-16 without a mark shows in zero bytes that are every second one: lists are full of ASCII.
 Encoding sniff(std::string_view bytes) {
-  for (const NamedEncoding& each : kEncodings) {
-    if (bytes.starts_with(each.mark)) return each.encoding;
+  for (const Mark& mark : kMarks) {
+    if (bytes.starts_with(mark.bytes)) return mark.encoding;
   }
   if (bytes.starts_with(kZipMark) || bytes.size() % 2 != 0) return Encoding::utf8;
   const std::string_view sample = bytes.substr(0, kSampleBytes);
@@ -217,28 +284,16 @@ Encoding sniff(std::string_view bytes) {
   return Encoding::utf8;
 }
 
-const NamedEncoding& row_of(Encoding encoding) {
-  return *std::find_if(kEncodings.begin(), kEncodings.end(),
-                       [&](const NamedEncoding& each) { return each.encoding == encoding; });
-}
-
 }  // namespace
-
-std::string_view encoding_name(Encoding encoding) { return row_of(encoding).name; }
-
-std::optional<Encoding> encoding_of_name(std::string_view name) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  const auto same = [&](char a, char b) { return lower(a) == lower(b); };
-  for (const NamedEncoding& each : kEncodings) {
-    if (std::equal(name.begin(), name.end(), each.name.begin(), each.name.end(), same)) return each.encoding;
-  }
-  return std::nullopt;
-}
 
 Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced) {
   const Encoding encoding = forced != nullptr ? *forced : sniff(bytes);
-  if (bytes.starts_with(row_of(encoding).mark)) bytes.erase(0, row_of(encoding).mark.size());
-  auto text = encoding == Encoding::utf8 ? decode_utf8(std::move(bytes)) : Utf16Decoder(bytes, encoding).decode();
+  for (const Mark& mark : kMarks) {
+    if (mark.encoding == encoding && bytes.starts_with(mark.bytes)) bytes.erase(0, mark.bytes.size());
+  }
+  auto text = encoding == Encoding::utf8 ? decode_utf8(std::move(bytes))
+              : is_code_page(encoding)   ? decode_legacy(std::move(bytes), encoding)
+                                         : Utf16Decoder(bytes, encoding).decode();
   if (!text) return as_error(text.error());
   return Decoded{std::move(*text), encoding};
 }

@@ -142,12 +142,7 @@ class PlantFileReader {
     if (!list.format.empty()) check_format(list.format, here / "format");
     if (const std::string* encoding = text_member(value, "encoding"); encoding != nullptr && !encoding->empty()) {
       list.encoding = base::encoding_of_name(*encoding);
-      if (!list.encoding) {
-        faults_.add(here / "encoding",
-                    model::quoted(*encoding) +
-                        " is no encoding that this version of symplant knows, save the list as UTF-8 or " +
-                        "UTF-16 and write `utf-8`, `utf-16le` or `utf-16be`");
-      }
+      if (!list.encoding) faults_.add(here / "encoding", no_such_encoding(*encoding));
     }
     const std::string xy = text_or_empty(value, "xy");
     if (xy == "hex") list.xy = address::Radix::hexadecimal;
@@ -235,6 +230,17 @@ PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
   }
   reading.file = PlantFileReader(*document.root, reading.faults).read(stem);
   return reading;
+}
+
+std::string no_such_encoding(std::string_view name) {
+  std::string known;
+  condition::NearestName nearest(name);
+  for (const std::string_view each : base::encoding_names()) {
+    nearest.offer(each);
+    known.append(known.empty() ? "`" : ", `").append(each).append("`");
+  }
+  return model::quoted(name) + " is no encoding, choose among " + known +
+         (nearest.name().empty() ? "" : "; the nearest is " + model::quoted(nearest.name()));
 }
 
 bool is_plant_file(std::string_view path, std::string_view bytes) {

@@ -42,6 +42,9 @@ PlantFileReading read_plant_file(std::string_view text, std::string_view stem);
 /// Whether a file is to be read as plant.json: by its name's ending, or since its text begins like JSON.
 bool is_plant_file(std::string_view path, std::string_view bytes);
 
+/// For a message: that no encoding has this name, which there are, and the nearest one.
+std::string no_such_encoding(std::string_view name);
+
 /// The schema of plant.json, as `symplant schema plant` prints it.
 std::string_view plant_schema();
 

@@ -53,7 +53,7 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
 /// The file as text; null where an error was added.
 std::shared_ptr<const base::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
                                              diag::Diagnostics& diagnostics, base::Encoding& encoding) {
-  auto decoded = decode_file(path, std::move(bytes), options.encoding, diagnostics);
+  auto decoded = decode_file(path, std::move(bytes), options, diagnostics);
   if (!decoded) return nullptr;
   if (decoded->text.find_first_not_of(" \t\r\n") == std::string::npos) {
     diagnostics.add(kEmptyFile, "the file `" + path + "` is empty; export the list again", whole_file(path));
@@ -71,20 +71,33 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
   return false;
 }
 
+/// What to do about bytes that cannot be decoded: what the likely encodings would read, where there are any.
+std::string remedy_of(const base::DecodeError& fault, bool described) {
+  std::string text;
+  for (const base::EncodingGuess& guess : fault.guesses) {
+    const std::string name(base::encoding_name(guess.encoding));
+    text += text.empty() ? "" : ", ";
+    text += described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
+    text += " would read `" + guess.sample + "`";
+  }
+  if (text.empty()) return fault.remedy;
+  return text + (fault.guesses.size() == 1 ? "; if that is not right" : "; if neither is right") +
+         ", give the encoding that the list was saved in, or save it as UTF-8";
+}
+
 }  // namespace
 
 std::span<const ReaderInfo> readers() { return kReaders; }
 
-std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
-                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics,
-                                         std::string_view remedy) {
-  auto decoded = base::decode(std::move(bytes), encoding ? &*encoding : nullptr);
+std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
+                                         diag::Diagnostics& diagnostics, std::string_view remedy) {
+  auto decoded = base::decode(std::move(bytes), options.encoding ? &*options.encoding : nullptr);
   if (decoded) return std::move(*decoded);
   const base::DecodeError& fault = decoded.error();
   const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
-  std::string what = fault.what;
-  if (!remedy.empty()) what.replace(std::min(what.rfind(';'), what.size()), what.npos, "; " + std::string(remedy));
-  diagnostics.add(kUndecodableText, std::move(what), {std::make_shared<base::SourceFile>(path, fault.shown), place});
+  const std::string what_to_do = remedy.empty() ? remedy_of(fault, options.described) : std::string(remedy);
+  diagnostics.add(kUndecodableText, fault.what + "; " + what_to_do,
+                  {std::make_shared<base::SourceFile>(path, fault.shown), place});
   return std::nullopt;
 }
 

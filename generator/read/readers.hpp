@@ -26,6 +26,7 @@ std::span<const ReaderInfo> readers();
 struct ReadOptions {
   std::string input_format;                ///< empty: sniffed
   std::optional<base::Encoding> encoding;  ///< nothing: sniffed
+  bool described = false;                  ///< a plant.json names the list, and may say its encoding
 };
 
 /// Reads a list: file, encoding, kind, rows. Gives nothing where an error was added (no such file, not decodable,
@@ -37,10 +38,9 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadO
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics);
 
-/// The text of a file's bytes, and its encoding; nothing where an error was added. `remedy` takes the place of what a
-/// message says is to be done with a list.
-std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes,
-                                         const std::optional<base::Encoding>& encoding, diag::Diagnostics& diagnostics,
-                                         std::string_view remedy = {});
+/// The text of a file's bytes, and its encoding; nothing where an error was added: with the encodings that it is likely
+/// to be in, and how they would read it. `remedy` takes the place of that where the file is no list.
+std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
+                                         diag::Diagnostics& diagnostics, std::string_view remedy = {});
 
 }  // namespace symplant::read

@@ -55,6 +55,27 @@ TEST_CASE("check: JSON holds every finding of all plants, and parses") {
   CHECK(json.at("counts").at("error") == 2);
 }
 
+TEST_CASE("check: a list in a code page is read where it is named, on the command line or in plant.json") {
+  MemoryFileSystem files;
+  const std::string row = "VAR_GLOBAL,\xB6\xF3_P_D_I_\xC0\xFC\xC1\xF8,X1,,BOOL,FALSE\n";
+  files.files["korean.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n" + row;
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["korean.csv"]})";
+  files.files["named.json"] = R"({"symplant": 1, "symbols": [{"file": "korean.csv", "encoding": "windows-949"}]})";
+  const ToolRun refused = run_tool({"check", "korean.csv"}, files);
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.out, "korean.csv:2:12: error: the bytes B6 F3 are no UTF-8 here"));
+  CHECK(contains(refused.out, "`--encoding cp949` would read `라_P_D_I_전진`"));
+  CHECK(contains(run_tool({"check", "plant.json"}, files).out, "`\"encoding\": \"cp949\"` would read `라_P_D_I_전진`"));
+  CHECK(run_tool({"check", "--encoding", "EUC-KR", "korean.csv"}, files).code == 0);
+  const ToolRun read = run_tool({"check", "named.json"}, files);
+  CHECK(read.code == 0);
+  CHECK(contains(read.out, "korean.csv:2:12: note: `라_P_D_I_전진`"));
+  CHECK(contains(read.out, "1 of 1 I/O names"));
+  const ToolRun unknown = run_tool({"check", "--encoding", "cp94", "korean.csv"}, files);
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err, "`cp94` is no encoding"));
+}
+
 TEST_CASE("check: SARIF is one run for all plants and ends as the command does") {
   const ToolRun run = run_lists({"check", "--format", "sarif", "warning.csv", "error.csv", "missing.csv"});
   CHECK(run.code == 2);

@@ -236,9 +236,11 @@ TEST_CASE("Lists, controllers and classes that cannot be are refused") {
   };
   CHECK(list(R"("format": "gxiec")") ==
         "/symbols/0/format: `gxiec` is no known format of a list, choose among `gx-iec`; the nearest is `gx-iec`");
-  CHECK(list(R"("encoding": "cp932")") ==
-        "/symbols/0/encoding: `cp932` is no encoding that this version of symplant knows, save the list as UTF-8 or "
-        "UTF-16 and write `utf-8`, `utf-16le` or `utf-16be`");
+  CHECK(list(R"("encoding": "cp948")")
+            .starts_with("/symbols/0/encoding: `cp948` is no encoding, choose among `utf-8`, `utf-16le`, `utf-16be`, "
+                         "`cp932`, `cp949`, "));
+  CHECK(list(R"("encoding": "gb1803")").ends_with("`cp866`; the nearest is `gb18030`"));
+  CHECK(list(R"("encoding": "Shift_JIS")").empty());
   CHECK(list(R"("controller": "A=B")").starts_with("/symbols/0/controller: `A=B` is no name for a controller"));
   CHECK(
       list(R"("xy": "dec")").starts_with("/symbols/0/xy: the text `dec` stands here, wanted is one of `hex`, `octal`"));
