@@ -35,6 +35,17 @@ void has_rows(const std::string& path, std::size_t rows) {
   check(table && table->rows.size() == rows, path + ": other rows than known");
 }
 
+/// A list in a code page: without its name it is refused and the page is what is proposed first, with it all is read.
+void proposes(const std::string& path, symplant::base::Encoding encoding) {
+  const auto bytes = symplant::base::DiskFileSystem().read(path);
+  check(bool(bytes), path + ": cannot be read");
+  if (!bytes) return;
+  const auto refused = symplant::base::decode(*bytes);
+  check(!refused && !refused.error().guesses.empty() && refused.error().guesses.front().encoding == encoding,
+        path + ": its code page is not proposed first");
+  check(bool(symplant::base::decode(*bytes, &encoding)), path + ": not all of it is in its code page");
+}
+
 }  // namespace
 
 int main() {
@@ -50,5 +61,8 @@ int main() {
         "beckhoff/GVL_IO.TcGVL", "siemens/PLCTags.xlsx", "siemens/step7_symbols.asc", "rockwell/hangul_Tags.csv"}) {
     reads_or_says_why(folder + file);
   }
+  proposes(folder + "lselectric/xg5000_global.csv", symplant::base::Encoding::cp949);
+  proposes(folder + "mitsubishi/GxWorks3.NoQuote3.EucKR.COMMENT.csv", symplant::base::Encoding::cp949);
+  proposes(folder + "siemens/PLCTags.sdf", symplant::base::Encoding::cp1251);
   return faults == 0 ? 0 : 1;
 }
