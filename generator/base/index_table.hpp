@@ -41,6 +41,11 @@ class IndexTable {
     return place;
   }
 
+  /// Tells that this hash will be asked for soon.
+  void prefetch(std::uint64_t hash) const {
+    if (!slots_.empty()) __builtin_prefetch(&slots_[folded(hash) & (slots_.size() - 1)], 1);
+  }
+
   /// Gives a key that is there another place.
   template <class IsAt>
   void move(std::uint64_t hash, std::uint32_t place, const IsAt& is_at) {

@@ -12,6 +12,9 @@
 namespace symplant::model {
 namespace {
 
+/// So many rows on, memory has answered.
+constexpr std::size_t kAhead = 12;
+
 /// Takes a row up as symbol, internal row or repeated name.
 class SymbolCollector {
  public:
@@ -19,6 +22,9 @@ class SymbolCollector {
     base::reserve_large(plant_.symbols, rows);
     base::reserve_large(places_, rows);
   }
+
+  /// This row comes soon.
+  void announce(const read::ListRow& row) const { by_name_.prefetch(base::hash_ignoring_case(row.name)); }
 
   void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
     const auto place = static_cast<std::uint32_t>(places_.size());
@@ -115,7 +121,10 @@ void collect_symbols(PlantModel& plant, const std::vector<ListInput>& lists) {
   SymbolCollector collector(plant, rows);
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
     const auto& table = lists[list].table->rows;
-    for (std::size_t i = 0; i < table.size(); ++i) collector.add(table[i], list, lists[list].named.readings[i]);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (i + kAhead < table.size()) collector.announce(table[i + kAhead]);
+      collector.add(table[i], list, lists[list].named.readings[i]);
+    }
   }
 }
 
