@@ -25,6 +25,24 @@ clang_suffix() {
   if command -v clang++-14 >/dev/null || apt-cache show clang-14 >/dev/null 2>&1; then echo "-14"; fi
 }
 
+# "-16" for clang 16, from which on libFuzzer does what scripts/fuzz needs, or the next later one that there is.
+fuzzer_clang_suffix() {
+  local version
+  for version in 16 17 18 19 20 21; do
+    if command -v "clang++-$version" >/dev/null; then
+      echo "-$version"
+      return
+    fi
+  done
+  for version in 16 17 18 19 20 21; do
+    if apt-cache show "clang-$version" >/dev/null 2>&1; then
+      echo "-$version"
+      return
+    fi
+  done
+  echo "-16" # which Debian 12 and Ubuntu 24.04 have, though apt may not know yet
+}
+
 require_known_system() {
   local id="" version=""
   if [[ -r /etc/os-release ]]; then

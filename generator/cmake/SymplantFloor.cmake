@@ -29,6 +29,10 @@ function(symplant_floor NAME)
   list(TRANSFORM ARG_FLOORS PREPEND symplant_)
   target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
                                                                       ${ARG_LIBRARIES})
+  if(SYMPLANT_FUZZ)  # what libFuzzer is guided by; main() stays the program's own
+    target_compile_options(symplant_${NAME} PRIVATE -fsanitize=fuzzer-no-link)
+    target_link_options(symplant_${NAME} INTERFACE $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link>)
+  endif()
 endfunction()
 
 # symplant_embed_text(TARGET NAMESPACE NAME FILE)

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Makes the corpus of a fuzz target: goldens and examples, files of corpus/TARGET, lines of corpus/TARGET.txt.
+# seeds.sh TARGET FOLDER
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$here/../..
+target=$1 folder=$2
+rm -rf -- "$folder"
+mkdir -p "$folder"
+
+copy() { # NUMBERS...: each file under a number of its own
+  local file number=0
+  for file; do
+    [[ ! -s $file ]] || cp -- "$file" "$folder/$(printf 'file%03d' "$number")"
+    number=$((number + 1))
+  done
+}
+
+shopt -s nullglob
+case $target in
+  list) copy "$root"/tests/golden/{check,read}/*/*.csv "$root"/examples/{excell,cylinder,two-plcs,gallery/*}/*.csv \
+    "$here"/corpus/list/* ;;
+  plant_json) copy "$root"/tests/golden/check/*/plant.json "$root"/examples/{,gallery/}*/plant.json \
+    "$here"/corpus/plant_json/* ;;
+esac
+if [[ -e $here/corpus/$target.txt ]]; then
+  number=0
+  while IFS= read -r line; do
+    printf '%s' "$line" >"$folder/$(printf 'line%03d' "$number")"
+    number=$((number + 1))
+  done <"$here/corpus/$target.txt"
+fi

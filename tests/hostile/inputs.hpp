@@ -1,0 +1,41 @@
+// Hostile inputs, by name.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace symplant::hostile {
+
+struct Input {
+  enum class Kind { list, plant, scenario };
+  Kind kind;
+  const char* what;       ///< for the page, as a cell of a table
+  std::string (*text)();  ///< the bytes of `symbols.csv`, `plant.json` or `scenario.json`
+  bool large = false;     ///< takes seconds; left out under sanitizers
+};
+
+std::span<const Input> list_inputs();
+std::span<const Input> name_inputs();   ///< lists, too
+std::span<const Input> plant_inputs();  ///< each beside good_list()
+std::span<const Input> scenario_inputs();
+
+/// All of them, in this order.
+std::vector<Input> inputs();
+
+/// A small list without a fault.
+std::string good_list();
+
+/// The header of a list, and a row of it.
+inline constexpr const char* kHeader = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
+std::string row(const std::string& name, std::size_t number, const std::string& type = "BOOL",
+                const std::string& initial = "FALSE");
+
+std::string repeated(const std::string& text, std::size_t times);
+
+/// Names that a list may hold and that have broken compilers, terminals or readers; each once.
+std::vector<std::string> hostile_names();
+/// Likewise, as a level of a name by the rule: letters and digits alone.
+std::vector<std::string> hostile_levels();
+
+}  // namespace symplant::hostile
