@@ -7,6 +7,7 @@
 #include "base/large_memory.hpp"
 #include "read/csv.hpp"
 #include "read/gx_columns.hpp"
+#include "read/rules/cell_too_long.hpp"
 #include "read/rules/header_alone.hpp"
 #include "read/rules/missing_column.hpp"
 #include "read/rules/row_without_identifier.hpp"
@@ -48,6 +49,7 @@ class GxIecReading {
       report_unclosed(*reader.unclosed_quote());
       return std::nullopt;
     }
+    if (too_long_) return std::nullopt;
     if (table_.rows.empty()) {
       report_no_rows(layout);
       return std::nullopt;
@@ -93,11 +95,29 @@ class GxIecReading {
                        {source_, row.whole});
       return;
     }
+    if (row.whole.end - row.whole.begin > kLongestCell && has_cell_too_long(row, layout)) return;
     if (layout.header_line && name == layout.header_name && is_header_again(row, layout)) return;
     ListRow& made = table_.rows.emplace_back(
         ListRow{cell(GxField::klass), name, cell(GxField::vendor_address), cell(GxField::iec_address),
                 cell(GxField::type), cell(GxField::initial), cell(GxField::comment), row.line, row.whole});
     sort_addresses(made);
+  }
+
+  /// Of those that are read; tells of the first.
+  bool has_cell_too_long(const CsvRow& row, const GxLayout& layout) {
+    for (const GxField field : {GxField::klass, GxField::name, GxField::vendor_address, GxField::iec_address,
+                                GxField::type, GxField::initial}) {
+      const std::string_view cell = row.cell(layout.columns[field]);
+      if (cell.size() <= kLongestCell) continue;
+      const base::Span place = source_->span_of(cell, row.whole);
+      diagnostics_.add(kCellTooLong,
+                       "a cell of " + std::to_string(cell.size()) + " bytes stands here, " +
+                           std::to_string(kLongestCell) + " are the most; a line end or a quote is missing",
+                       {source_, {place.begin, place.begin + 1}});
+      too_long_ = true;
+      return true;
+    }
+    return false;
   }
 
   /// Lists put together from several exports repeat it.
@@ -164,6 +184,7 @@ class GxIecReading {
   SymbolTable table_;
   std::size_t left_out_ = 0;
   std::size_t exchanged_ = 0;
+  bool too_long_ = false;  // some cell
 };
 
 }  // namespace

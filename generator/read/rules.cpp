@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/rules/cannot_read_file.hpp"
+#include "read/rules/cell_too_long.hpp"
 #include "read/rules/empty_file.hpp"
 #include "read/rules/header_alone.hpp"
 #include "read/rules/missing_column.hpp"
@@ -18,9 +19,10 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 10> kRules{
-    &kCannotReadFile,     &kUndecodableText, &kEmptyFile,     &kHeaderAlone,          &kUnknownFormat,
-    &kUnknownInputFormat, &kMissingColumn,   &kUnclosedQuote, &kRowWithoutIdentifier, &kTextAfterQuote};
+constexpr std::array<const diag::RuleInfo*, 11> kRules{&kCannotReadFile, &kUndecodableText, &kEmptyFile,
+                                                       &kHeaderAlone,    &kUnknownFormat,   &kUnknownInputFormat,
+                                                       &kMissingColumn,  &kUnclosedQuote,   &kRowWithoutIdentifier,
+                                                       &kTextAfterQuote, &kCellTooLong};
 
 }  // namespace
 

@@ -66,6 +66,21 @@ TEST_CASE("A symbol that is called as the header's column is a symbol") {
   CHECK(reading.table->rows.size() == 2);
 }
 
+TEST_CASE("A cell of more than 65,536 bytes is refused at its place, a long comment is not") {
+  const std::string header = "Class,Identifier,Type,Comment\n";
+  const auto read = [&](std::size_t name, std::size_t comment) {
+    return test::read_text(header + "VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL," + std::string(name, 'B') + ",BOOL," +
+                           std::string(comment, 'c') + "\n");
+  };
+  CHECK(read(65'536, 1'000'000).table.has_value());
+  const test::Reading refused = read(65'537, 0);
+  CHECK_FALSE(refused.table.has_value());
+  REQUIRE(refused.diagnostics.all().size() == 1);
+  const diag::Diagnostic& finding = refused.diagnostics.all().front();
+  CHECK(finding.rule->slug == "cell-too-long");
+  CHECK(finding.place.span.begin == header.size() + std::string_view("VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL,").size());
+}
+
 TEST_CASE("Ill lists of many megabytes are read in one go") {
   const std::string header = "Class,Identifier,MIT-Addr.\n";
   const std::size_t size = 3000000;
