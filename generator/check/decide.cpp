@@ -194,6 +194,15 @@ class Decision {
 
 constexpr std::size_t kFewAtoms = 8;
 
+/// So many, or one more than kMostAtoms.
+std::size_t atoms_of(const Tree& tree, std::size_t before = 0) {
+  std::size_t count = before + (tree.kind == Tree::Kind::atom ? 1 : 0);
+  for (const Tree& child : tree.children) {
+    if (count <= kMostAtoms) count = atoms_of(child, count);
+  }
+  return count;
+}
+
 /// The atoms of a tree; false where there are more than a few, or constants among them.
 bool few_atoms(const Tree& tree, std::array<const Atom*, kFewAtoms>& atoms, std::size_t& count) {
   if (tree.kind == Tree::Kind::constant || (tree.kind == Tree::Kind::atom && count == kFewAtoms)) return false;
@@ -243,6 +252,7 @@ bool AllStates::moving(std::uint32_t unit) const { return travels(plant_.units[u
 
 Verdict decide(const condition::Tree& tree, const model::PlantModel& plant, const Possible& possible) {
   if (is_plainly_open(tree, plant, possible)) return {Answer::yes, Answer::yes};
+  if (atoms_of(tree) > kMostAtoms) return {};
   return Decision(tree, plant, possible).verdict();
 }
 

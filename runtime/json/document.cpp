@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kLongestWords = 160;
+constexpr std::size_t kMostOfAKind = 100;  // faults, so that their places cost no more than the text
 
 /// The library's words without its own name and place: "unexpected '}'; expected string literal".
 std::string words_of(std::string_view what) {
@@ -57,8 +58,9 @@ class Builder final : public Json::json_sax_t {
     if (added) {
       member_ = &at->second;
     } else {
-      twice_.push_back({{token(), "the key `" + name + "` stands here for the second time, leave one out", {}},
-                        {pointer(), "it stood here first", 0, true}});
+      if (twice_.size() < kMostOfAKind)
+        twice_.push_back({{token(), "the key `" + name + "` stands here for the second time, leave one out", {}},
+                          {pointer(), "it stood here first", 0, true}});
       member_ = &unused_;
     }
     return true;
@@ -104,7 +106,7 @@ class Builder final : public Json::json_sax_t {
   Span token() const { return {opening_quote(text_, taken_), taken_}; }
 
   void refuse_nul(const std::string& value) {
-    if (value.find('\0') == value.npos) return;
+    if (value.find('\0') == value.npos || document_.faults.size() >= kMostOfAKind) return;
     document_.faults.push_back({token(), "a NUL character stands in this text, leave it out", {}});
   }
 

@@ -26,8 +26,8 @@ struct Document {
 };
 
 /// Reads UTF-8, with a byte order mark or without, with // and /* */ comments. Faults are: a text that is no JSON, a
-/// key twice in one object (the first counts), a NUL in a text, more than kMaxDepth levels. Throws nothing but
-/// std::bad_alloc. O(text).
+/// key twice in one object (the first counts), a NUL in a text, both told a hundred times at most, more than kMaxDepth
+/// levels. Throws nothing but std::bad_alloc. O(text).
 Document parse(std::string_view text);
 
 }  // namespace symplant::json

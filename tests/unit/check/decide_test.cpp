@@ -95,5 +95,15 @@ TEST_CASE("Too many parts that depend on each other are not examined, unless a f
   CHECK(of_many(up + " and (L_P_D.P1 and L_P_D.P2) and " + down).never());
 }
 
+TEST_CASE("A condition of 2,000 parts is examined, of more it is not known") {
+  const auto of = [](int parts) {
+    std::string text;
+    for (int i = 0; i < parts; ++i) text += (i == 0 ? "L_P_E_I_SPEED = " : " and L_P_E_I_SPEED = ") + std::to_string(i);
+    return verdict(text);
+  };
+  CHECK(of(2'000).never());
+  CHECK_FALSE(of(2'001).known());
+}
+
 }  // namespace
 }  // namespace symplant::test

@@ -47,6 +47,17 @@ TEST_CASE("A key that stands twice is told with both places, and the first count
   CHECK((*document.root)["b"] == 3);
 }
 
+TEST_CASE("Of very many keys that stand twice a hundred are told, and of NULs") {
+  std::string keys = "{";
+  std::string nuls = "[";
+  for (int i = 0; i < 1'000; ++i) {
+    keys += "\"a\": 1,";
+    nuls += "\"\\u0000\",";
+  }
+  CHECK(parse(keys + "\"b\": 1}").faults.size() == 100);
+  CHECK(parse(nuls + "1]").faults.size() == 100);
+}
+
 TEST_CASE("What is no JSON is told where it ceases to be") {
   const std::string text = "{\n  \"a\": tru,\n}";
   const Placed fault = fault_of(text);
