@@ -15,6 +15,20 @@ using Json = nlohmann::json;
 constexpr std::size_t kLongestWords = 160;
 constexpr std::size_t kMostOfAKind = 100;  // faults, so that their places cost no more than the text
 
+/// Without bytes that make no whole character: the library reads, and cuts, byte by byte.
+std::string whole_characters(std::string_view text) {
+  std::string whole;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    std::size_t end = at + 1;
+    while (end < text.size() && end < at + length && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80) ++end;
+    if (end == at + length && (lead < 0x80 || lead >= 0xC2)) whole.append(text.substr(at, length));
+    at = end;
+  }
+  return whole;
+}
+
 /// The library's words without its own name and place: "unexpected '}'; expected string literal".
 std::string words_of(std::string_view what) {
   for (const std::string_view mark : {" - ", ": ", "] "}) {
@@ -23,9 +37,7 @@ std::string words_of(std::string_view what) {
     what.remove_prefix(at + mark.size());
     break;
   }
-  std::string words(what.substr(0, kLongestWords));
-  while (!words.empty() && (static_cast<unsigned char>(words.back()) & 0xC0) == 0x80) words.pop_back();
-  return words + (words.size() < what.size() ? " ..." : "");
+  return whole_characters(what.substr(0, kLongestWords)) + (what.size() > kLongestWords ? " ..." : "");
 }
 
 /// Builds the value, and watches for what the library lets pass.

@@ -10,9 +10,10 @@ namespace symplant::hostile {
 struct Input {
   enum class Kind { list, plant, scenario };
   Kind kind;
-  const char* what;       ///< for the page, as a cell of a table
-  std::string (*text)();  ///< the bytes of `symbols.csv`, `plant.json` or `scenario.json`
-  bool large = false;     ///< takes seconds; left out under sanitizers
+  const char* what;             ///< for the page, as a cell of a table
+  std::string (*text)();        ///< the bytes of `symbols.csv`, `plant.json` or `scenario.json`
+  bool large = false;           ///< takes seconds; left out under sanitizers
+  const char* place = nullptr;  ///< the file that a refusal names; null: the input itself
 };
 
 std::span<const Input> list_inputs();

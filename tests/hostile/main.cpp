@@ -54,8 +54,8 @@ bool is_current(const std::string& file, const std::string& text) {
 int main(int argc, char** argv) {
   const bool sanitized = argc == 4 && std::string_view(argv[1]) == "--sanitized";
   if (argc != 4) return 2;
-  const std::string tool = argv[sanitized ? 2 : 1];
-  const std::string scratch = argv[sanitized ? 3 : 2];
+  const std::string tool = std::filesystem::absolute(argv[sanitized ? 2 : 1]).string();
+  const std::string scratch = std::filesystem::absolute(argv[sanitized ? 3 : 2]).string();
   const Limits limits = sanitized ? Limits{100, 64L * 1024 * 1024} : Limits{};
   std::filesystem::remove_all(scratch);
   std::filesystem::create_directories(scratch);

@@ -136,9 +136,9 @@ std::vector<Outcome> try_out(const std::string& tool, const Input& input, const 
     const bool for_people = std::find(words.begin(), words.end(), "--format") == words.end();
     judge(run, limits, 2, for_people, outcome.faults);
     judge_files(before, files_below(out), run.code == 2, outcome.faults);
-    if (run.code == 2) {
+    if (run.code == 2 && for_people) {
       const std::string said = run.err + run.out;
-      if (said.find(file_of(input.kind)) == said.npos)
+      if (said.find(input.place == nullptr ? file_of(input.kind) : input.place) == said.npos)
         outcome.faults.push_back("no place is named: " + said.substr(0, 200));
     }
     if (command.column == "check" && command.arguments.size() == 2) {

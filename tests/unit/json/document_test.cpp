@@ -66,6 +66,19 @@ TEST_CASE("What is no JSON is told where it ceases to be") {
   CHECK(parse(text).root == nullptr);
 }
 
+TEST_CASE("A message holds whole characters, wherever the library stopped reading") {
+  // The library stops at the first byte of the character, which is no JSON.
+  CHECK(fault_of("\xE7\x8D\xB0").message.find('\xE7') == std::string::npos);
+  for (std::size_t before = 100; before < 180; ++before) {
+    const std::string message = fault_of("\"" + std::string(before, 'x') + "\xC3\xA4\xC3\xA4\xC3\xA4\n\"").message;
+    for (std::size_t at = 0; at < message.size(); ++at) {
+      if (message[at] != '\xC3') continue;
+      CHECK(at + 1 < message.size());
+      CHECK(message.substr(at + 1, 1) == "\xA4");
+    }
+  }
+}
+
 TEST_CASE("A comma too many is told as such") {
   const std::string text = R"({"a": [1, 2, ]})";
   const Placed fault = fault_of(text);
