@@ -7,8 +7,11 @@
 #include <array>
 #include <exception>
 #include <ostream>
+#include <sstream>
+#include <string>
 
 #include "app/commands.hpp"
+#include "diag/visible_text.hpp"
 #include "symplant/core/version.hpp"
 #include "symplant/host/exit_codes.hpp"
 
@@ -17,6 +20,12 @@ namespace {
 
 constexpr std::array kCommands{&add_init,  &add_check, &add_explain, &add_rules,  &add_generate,
                                &add_model, &add_map,   &add_run,     &add_schema, &add_completion};
+
+/// Line by line, without what may steer a terminal.
+void tell_visibly(const std::string& text, std::ostream& err) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) err << diag::visible(line) << "\n";
+}
 
 }  // namespace
 
@@ -38,7 +47,9 @@ int run_tool(int argc, char** argv, Context& context) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error, context.out, context.err);
+    std::ostringstream said;  // the user's words as they are
+    const int code = app.exit(error, context.out, said);
+    tell_visibly(said.str(), context.err);
     return code == 0 ? host::kGood : host::kBadInput;
   } catch (const std::exception& error) {  // memory, or what a library thinks impossible
     context.err << "error: " << error.what() << "\n";

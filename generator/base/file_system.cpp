@@ -84,6 +84,7 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
   if (::fstat(file.number(), &about) != 0) return error_of("read", path, errno);
   if (S_ISDIR(about.st_mode)) return error_of("read", path, EISDIR);
   constexpr std::size_t kAtLeast = 64 * 1024;
+  constexpr std::size_t kMostOfAStream = std::size_t{256} << 20U;  // of what has no size: a pipe, /dev/zero
   std::string content;
   std::size_t filled = 0;
   // One byte more than the size, so that the end of the file shows without growing.
@@ -91,6 +92,9 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
   reserve_large(content, size);
   content.resize(size);
   for (;;) {
+    if (!S_ISREG(about.st_mode) && filled > kMostOfAStream) {
+      return FileError{"cannot read `" + path + "`: more than 256 MB came from it and it has no end; give a file"};
+    }
     if (filled == content.size()) content.resize(content.size() * 2 + kAtLeast);
     const ssize_t count = ::read(file.number(), content.data() + filled, content.size() - filled);
     if (count < 0 && errno == EINTR) continue;

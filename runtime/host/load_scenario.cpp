@@ -9,12 +9,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include "symplant/host/words.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 
 namespace symplant::host {
 namespace {
+
+constexpr std::size_t kShownFaults = 100;  // each place costs a walk through the text
 
 std::string place_text(const std::string& path, std::string_view text, json::Span span) {
   const json::LineColumn at = json::line_and_column(text, span.begin);
@@ -40,11 +43,14 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
   const auto text = read_file(path, err);
   if (!text) return std::nullopt;
   scenario::ReadScenario read = scenario::read_scenario(*text, names, carried);
-  for (const json::Placed& fault : read.faults) {
+  for (const json::Placed& fault : std::span(read.faults).first(std::min(read.faults.size(), kShownFaults))) {
     err << place_text(path, *text, fault.span) << ": error: " << shown(fault.message) << "\n";
     if (fault.related) {
       err << place_text(path, *text, fault.related->span) << ": note: " << shown(fault.related->message) << "\n";
     }
+  }
+  if (read.faults.size() > kShownFaults) {
+    err << fmt::format("{}: error: {} more like these are not shown\n", path, read.faults.size() - kShownFaults);
   }
   return std::move(read.scenario);
 }

@@ -89,7 +89,16 @@ void add_run_options(CLI::App& app, RunOptions& options) {
                  "PLC1=URL. Takes the place of the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
-  app.add_option("--seed", options.seed, "seed of random times (default: 0)")->type_name("N");
+  app.add_option_function<std::string>(
+         "--seed",
+         [&options](const std::string& text) {
+           const char* end = text.data() + text.size();
+           const auto [read, error] = std::from_chars(text.data(), end, options.seed);
+           if (error == std::errc{} && read == end) return;
+           throw CLI::ValidationError("--seed", "`" + text + "` is no whole number from 0 to 18446744073709551615");
+         },
+         "seed of random times (default: 0)")
+      ->type_name("N");
   app.add_option_function<std::uint64_t>(
          "--rt-check",
          [&options](std::uint64_t count) {

@@ -74,7 +74,7 @@ std::string far_addresses() {
     text += "VAR_GLOBAL,L_P_D_I_P" + std::to_string(++number) + ",X" + address + ",%IX" + address + ",BOOL,FALSE\n";
     text += "VAR_GLOBAL,L_P_E_I_P" + std::to_string(number) + ",D" + address + ",%IW" + address + ",INT,0\n";
   }
-  return text + "VAR_GLOBAL,L_P_F_I_P1,XFFFFFFFFFFFFFFFFFFFFFFFF,%IX" + std::string(100'000, '9') + ",BOOL,FALSE\n";
+  return text + "VAR_GLOBAL,L_P_F_I_P1,XFFFFFFFFFFFFFFFFFFFFFFFF,%IX" + std::string(60'000, '9') + ",BOOL,FALSE\n";
 }
 
 std::string far_initials() {

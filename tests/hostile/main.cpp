@@ -8,25 +8,35 @@
 #include <string_view>
 
 #include "page.hpp"
+#include "process.hpp"
 
 namespace {
 
 using namespace symplant::hostile;
 
-/// Runs all; faults go to standard error. `small`: but for what takes seconds.
-Trials try_all(const std::string& tool, const Limits& limits, bool small, const std::string& scratch, bool& well) {
+/// Which inputs are tried.
+struct Choice {
+  bool small = false;          ///< none that takes seconds
+  std::string_view word = {};  ///< only those whose description holds it
+  bool takes(std::string_view what, bool large) const { return !(small && large) && what.find(word) != what.npos; }
+};
+
+/// Runs them; faults go to standard error.
+Trials try_all(const std::string& tool, const Limits& limits, const Choice& choice, const std::string& scratch,
+               bool& well) {
   Trials trials;
   const auto tell = [&](const Outcome& outcome) {
     for (const std::string& fault : outcome.faults) std::cerr << "FAULT: " << fault << std::endl;
     well = well && outcome.faults.empty();
   };
   for (const Input& input : inputs()) {
-    if (small && input.large) continue;
+    if (!choice.takes(input.what, input.large)) continue;
     std::cout << input.what << std::endl;
     trials.inputs.emplace_back(input, try_out(tool, input, limits, scratch));
     for (const Outcome& outcome : trials.inputs.back().second) tell(outcome);
   }
   for (const Misuse& misuse : misuses()) {
+    if (!choice.takes(misuse.what, false)) continue;
     std::cout << misuse.what << std::endl;
     trials.misuses.emplace_back(misuse, try_out(tool, misuse, limits, scratch));
     tell(trials.misuses.back().second);
@@ -50,17 +60,22 @@ bool is_current(const std::string& file, const std::string& text) {
 }  // namespace
 
 // hostile TOOL SCRATCH PAGE: all, and PAGE must be current. hostile --sanitized TOOL SCRATCH: small inputs, wide
-// limits.
+// limits. hostile --only WORD TOOL SCRATCH: those whose description holds WORD, and what the page would say of them.
 int main(int argc, char** argv) {
-  const bool sanitized = argc == 4 && std::string_view(argv[1]) == "--sanitized";
-  if (argc != 4) return 2;
-  const std::string tool = std::filesystem::absolute(argv[sanitized ? 2 : 1]).string();
-  const std::string scratch = std::filesystem::absolute(argv[sanitized ? 3 : 2]).string();
+  const std::string_view mode = argc > 1 ? argv[1] : "";
+  const bool sanitized = mode == "--sanitized";
+  const bool only = mode == "--only";
+  if (argc != (only ? 5 : 4)) return 2;
+  const int first = only ? 3 : sanitized ? 2 : 1;
+  const std::string tool = std::filesystem::absolute(argv[first]).string();
+  const std::string scratch = std::filesystem::absolute(argv[first + 1]).string();
   const Limits limits = sanitized ? Limits{100, 64L * 1024 * 1024} : Limits{};
   std::filesystem::remove_all(scratch);
   std::filesystem::create_directories(scratch);
+  if (!sanitized) limit_address_space(4 * limits.peak_kilobytes);
   bool well = true;
-  const Trials trials = try_all(tool, limits, sanitized, scratch, well);
-  if (!sanitized) well = is_current(argv[3], page(trials)) && well;
+  const Trials trials = try_all(tool, limits, {sanitized, only ? argv[2] : ""}, scratch, well);
+  if (only) std::cout << page(trials);
+  if (!sanitized && !only) well = is_current(argv[3], page(trials)) && well;
   return well ? 0 : 1;
 }

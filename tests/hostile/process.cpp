@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::size_t kKept = 64 * 1024;
 
+rlim_t address_space = RLIM_INFINITY;
+
 void send(int descriptor, const std::string& path) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(127);
@@ -28,8 +30,10 @@ void send(int descriptor, const std::string& path) {
                          const std::string& err) {
   const rlimit cpu{100, 100};
   const rlimit no_core{0, 0};
+  const rlimit space{address_space, address_space};
   if (::chdir(folder.c_str()) != 0) ::_exit(127);
   ::setrlimit(RLIMIT_CPU, &cpu);
+  if (address_space != RLIM_INFINITY) ::setrlimit(RLIMIT_AS, &space);
   ::setrlimit(RLIMIT_CORE, &no_core);
   ::alarm(120);  // lasts beyond exec
   send(STDOUT_FILENO, out);
@@ -60,6 +64,8 @@ std::string taken_in(const std::string& path, Run& run) {
 }
 
 }  // namespace
+
+void limit_address_space(long kilobytes) { address_space = static_cast<rlim_t>(kilobytes) * 1024; }
 
 Run run(const std::vector<std::string>& arguments, const std::string& folder, const std::string& scratch) {
   std::vector<std::string> words = arguments;

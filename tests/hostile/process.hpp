@@ -21,4 +21,8 @@ struct Run {
 /// 100 s of processor time.
 Run run(const std::vector<std::string>& arguments, const std::string& folder, const std::string& scratch);
 
+/// From now on a program gets no more address space than that, so that a faulty one does not take the whole machine.
+/// Not for programs under sanitizers, which take much.
+void limit_address_space(long kilobytes);
+
 }  // namespace symplant::hostile

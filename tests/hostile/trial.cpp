@@ -101,6 +101,19 @@ void judge_files(const std::map<std::string, std::string>& before, const std::ma
   }
 }
 
+/// The first line that tells of an error, else the first.
+std::string line_about_it(const std::string& said) {
+  std::string first;
+  for (std::size_t begin = 0; begin < said.size();) {
+    const std::size_t end = std::min(said.find('\n', begin), said.size());
+    const std::string line = said.substr(begin, end - begin);
+    if (line.find("error: ") != line.npos) return line;
+    if (first.empty()) first = line;
+    begin = end + 1;
+  }
+  return first;
+}
+
 const char* file_of(Input::Kind kind) {
   switch (kind) {
     case Input::Kind::list:
@@ -166,8 +179,7 @@ Outcome try_out(const std::string& tool, const Misuse& misuse, const Limits& lim
   arguments.insert(arguments.end(), misuse.arguments.begin(), misuse.arguments.end());
   const Run run = hostile::run(arguments, in, scratch);
 
-  const std::string& said = run.err.empty() ? run.out : run.err;
-  std::string line = said.substr(0, said.find('\n'));
+  std::string line = line_about_it(run.err.empty() ? run.out : run.err);
   constexpr std::size_t kShown = 120;
   if (line.size() > kShown) {
     std::size_t end = kShown;
@@ -176,7 +188,7 @@ Outcome try_out(const std::string& tool, const Misuse& misuse, const Limits& lim
   }
   Outcome outcome{"", fmt::format("{} | {}", run.code, line), {}};
   judge(run, limits, 3, true, outcome.faults);
-  if (run.code == 0) outcome.faults.emplace_back("nothing was wrong with it");
+  if (run.code == 0 && run.err.empty()) outcome.faults.emplace_back("nothing was wrong with it");
   if (files_below(in) != inputs_before) outcome.faults.emplace_back("an input is another");
   judge_files(before, files_below(out), run.code == 2, outcome.faults);
   for (std::string& fault : outcome.faults) fault = fmt::format("{}: {}", misuse.what, fault);
