@@ -160,7 +160,7 @@ std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t off
   if (valid_utf8_prefix(bytes) != bytes.size()) return guess_encoding(bytes, offset, asked_for);
   const std::size_t begin = bytes.find_last_of("\n\r\t,;\"", offset) + 1;  // of a cell; 0 where there is none
   const std::size_t end = bytes.find_first_of("\n\r\t,;\"", offset);
-  return {{Encoding::utf8, std::string(bytes.substr(begin, end - begin))}};
+  return {{Encoding::utf8, as_sample(bytes.substr(begin, end - begin))}};
 }
 
 Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {

@@ -49,15 +49,6 @@ std::string words_to_judge(std::string_view bytes) {
   return words;
 }
 
-std::string shortened(std::string text) {
-  std::size_t at = 0;
-  for (std::size_t shown = 0; at < text.size(); ++shown) {
-    if (shown == kMostShown) return text.substr(0, at) + "…";
-    at += code_point_at(text, at).length;
-  }
-  return text;
-}
-
 struct Candidate {
   Encoding encoding;
   double weight;
@@ -101,6 +92,15 @@ std::vector<Candidate> likely(std::string_view words, Encoding tried) {
 
 }  // namespace
 
+std::string as_sample(std::string_view utf8) {
+  std::size_t at = 0;
+  for (std::size_t shown = 0; at < utf8.size(); ++shown) {
+    if (shown == kMostShown) return std::string(utf8.substr(0, at)) + "…";
+    at += code_point_at(utf8, at).length;
+  }
+  return std::string(utf8);
+}
+
 std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t offset, Encoding tried) {
   const auto high = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end(), is_high);
   if (high == bytes.end()) return {};
@@ -112,7 +112,7 @@ std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t of
     if (guesses.size() == 2 || candidate.weight < candidates.front().weight - kNearlyAsLikely) break;
     const auto sample = decode_code_page(word, candidate.encoding);
     if (!sample || !decode_code_page(bytes, candidate.encoding)) continue;
-    std::string text = shortened(*sample);
+    std::string text = as_sample(*sample);
     if (!guesses.empty() && guesses.front().sample == text) continue;
     guesses.push_back({candidate.encoding, std::move(text)});
   }

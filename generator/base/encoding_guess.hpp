@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/encoding.hpp"
 
 namespace symplant::base {
+
+/// The beginning of a text, short enough for a message.
+std::string as_sample(std::string_view utf8);
 
 /// At most two encodings that can read all of `bytes`, and in which what is not ASCII looks like a language, the
 /// likeliest first; the second only where it is nearly as likely and reads the place differently. `offset` is the place

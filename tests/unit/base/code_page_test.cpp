@@ -165,6 +165,9 @@ TEST_CASE("Where a code page is asked for that does not fit, UTF-8 or another on
   REQUIRE(utf8.guesses.size() == 1);
   CHECK(utf8.guesses[0].encoding == Encoding::utf8);
   CHECK(utf8.guesses[0].sample == "클램프");
+  std::string long_cell;
+  for (int i = 0; i < 1000; ++i) long_cell += "클";
+  CHECK(fault(long_cell, Encoding::cp1252).guesses.at(0).sample.size() == 41 * 3);  // 40 characters and `…`
   const DecodeError korean = fault(encoded("A,클램프_전진,B\n", "CP949"), Encoding::cp932);
   REQUIRE(korean.guesses.size() == 1);
   CHECK(korean.guesses[0].encoding == Encoding::cp949);
