@@ -29,8 +29,8 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The second cell of every row but the first, where the fifth is BOOL: a reader of its own, for the lists written
-/// here.
+/// The second cell of every row but the first, where the fifth is BOOL and it is I/O: a reader of its own, for the
+/// lists written here.
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> names;
   std::vector<std::string> cells(1);
@@ -45,7 +45,8 @@ std::vector<std::string> names_in(const std::string& list) {
     } else if (c == ',' && !quoted) {
       cells.emplace_back();
     } else if (c == '\n' && !quoted) {
-      if (!first && cells.size() > 4 && cells[4] == "BOOL") names.push_back(cells[1]);
+      const bool is_bit = !first && cells.size() > 4 && cells[4] == "BOOL";
+      if (is_bit && !cells[3].starts_with("%M")) names.push_back(cells[1]);
       first = false;
       cells.assign(1, "");
     } else {
