@@ -7,7 +7,7 @@
 namespace symplant::base {
 
 /// Tells that all of a block, not yet written to, will be. Only a hint; of small blocks nothing is told.
-void expect_large(const void* begin, std::size_t bytes);
+void expect_large(void* begin, std::size_t bytes);
 
 /// Reserves room in a vector or string that will be filled.
 template <class Items>
