@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/read_inputs.hpp"
+#include "check/causes.hpp"
 #include "check/check_plant.hpp"
 #include "check/settings.hpp"
 #include "lower/limits.hpp"
@@ -75,6 +76,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
         !settings.severity.empty() || !settings.ignore.empty()) {
       diagnostics = check::apply_settings(diagnostics, settings, options.today);
     }
+    check::fold_consequences(plant, diagnostics);
     locate(inputs->source, diagnostics);
   }
   diagnostics.sort_by_place(plant.sources());

@@ -41,6 +41,10 @@ extern const Rule kTaskClaimedTwice;           // SP407
 extern const Rule kInitialAmbiguous;           // SP408
 extern const Rule kSequenceAmbiguous;          // SP409
 extern const Rule kInitialByRowOrder;          // SP410
+extern const Rule kSequenceGap;                // SP411
+extern const Rule kSequenceRepeated;           // SP412
+extern const Rule kOneTaskAlone;               // SP413
+extern const Rule kShapeLacksSymbol;           // SP414
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
@@ -61,7 +65,7 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 46> kRules{
+inline constexpr std::array<const Rule*, 50> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -92,6 +96,10 @@ inline constexpr std::array<const Rule*, 46> kRules{
     &kInitialAmbiguous,
     &kSequenceAmbiguous,
     &kInitialByRowOrder,
+    &kSequenceGap,
+    &kSequenceRepeated,
+    &kOneTaskAlone,
+    &kShapeLacksSymbol,
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,

@@ -2,6 +2,7 @@
 #include "diag/diagnostic.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
@@ -44,6 +45,27 @@ void Diagnostics::add(Diagnostic finding) {
 
 void Diagnostics::ignore(Diagnostic finding, std::string why) {
   ignored_.push_back({std::move(finding), std::move(why)});
+}
+
+void Diagnostics::fold(std::span<const std::uint32_t> into) {
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (into[i] == i) continue;
+    Diagnostic& root = all_[into[i]];
+    Diagnostic& folded = all_[i];
+    root.severity = std::max(root.severity, folded.severity);
+    root.related.push_back({std::move(folded.place), "follows from this (" + std::string(folded.rule->slug) +
+                                                         "): " + std::move(folded.message)});
+    std::move(folded.related.begin(), folded.related.end(), std::back_inserter(root.related));
+  }
+  counts_ = {};
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (into[i] != i) continue;
+    ++counts_[static_cast<std::size_t>(all_[i].severity)];
+    if (kept != i) all_[kept] = std::move(all_[i]);
+    ++kept;
+  }
+  all_.resize(kept);
 }
 
 std::vector<std::string> Diagnostics::pointers() const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +82,10 @@ class Diagnostics {
   std::span<const Diagnostic> all() const { return all_; }
   std::span<const Ignored> ignored() const { return ignored_; }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
+  /// Makes findings related rows of others: `into[i]` is the place of the one that takes up the i-th, or i itself. One
+  /// that takes up others is taken up by none. It becomes as severe as the most severe of them.
+  void fold(std::span<const std::uint32_t> into);
+
   bool has_errors() const { return count(Severity::error) != 0; }
 
  private:

@@ -82,7 +82,13 @@ Damaged other_side_alone(const Shop& shop, Dice& dice) { return other_side(shop,
 /// Only one of the columns was brought up to date.
 Damaged contradict_number(const Shop& shop, Dice& dice) {
   return change_row(shop, dice, is_bit, [&](Cells& cells) {
-    cells.vendor = cells.vendor.substr(0, 1) + text_of(free_bit(dice), "%04llX");
+    Cells other = cells;
+    set_bit(other, side_of(cells) == "I", free_bit(dice));
+    if (dice.percent(50)) {
+      cells.vendor = other.vendor;
+    } else {
+      cells.iec = other.iec;
+    }
   });
 }
 
@@ -94,7 +100,13 @@ Damaged contradict_radix(const Shop& shop, Dice& dice) {
 }
 
 Damaged contradict_area(const Shop& shop, Dice& dice) {
-  return change_row(shop, dice, is_bit, [](Cells& cells) { cells.vendor[0] = cells.vendor[0] == 'X' ? 'Y' : 'X'; });
+  return change_row(shop, dice, is_bit, [&](Cells& cells) {
+    if (dice.percent(50)) {
+      cells.vendor[0] = cells.vendor[0] == 'X' ? 'Y' : 'X';
+    } else {
+      cells.iec[1] = cells.iec[1] == 'I' ? 'Q' : 'I';
+    }
+  });
 }
 
 Damaged no_address_at_all(const Shop& shop, Dice& dice) {

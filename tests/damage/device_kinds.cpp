@@ -40,15 +40,21 @@ void rename(Damaged& damaged, std::size_t row, const std::string& task) {
   damaged.list.rows[row].name = levels.name();
 }
 
+/// Whether something of the task is left when one of its symbols is lost, or two other tasks are.
+bool can_lose(const Device& device, const Task& task) {
+  return (task.operation && task.event) || device.tasks.size() > 2;
+}
+
 /// Takes a symbol out of a device that has others; the finding may stand at any of those.
 Damaged lose(const Shop& shop, Dice& dice, std::optional<std::size_t> Task::*side) {
   const Device& device = pick_device(shop, dice, [&](const Device& at) {
     return is_common(shop, at) && at.rows.size() > 1 &&
-           std::any_of(at.tasks.begin(), at.tasks.end(), [&](const Task& task) { return (task.*side).has_value(); });
+           std::any_of(at.tasks.begin(), at.tasks.end(),
+                       [&](const Task& task) { return can_lose(at, task) && (task.*side).has_value(); });
   });
   std::vector<std::size_t> places;
   for (const Task& task : device.tasks) {
-    if (task.*side) places.push_back(*(task.*side));
+    if (can_lose(device, task) && task.*side) places.push_back(*(task.*side));
   }
   const std::size_t lost = dice.pick(places);
   Damaged damaged{shop.list, {}};
@@ -64,8 +70,10 @@ Damaged lose_event(const Shop& shop, Dice& dice) { return lose(shop, dice, &Task
 
 /// An event on a bit of the PLC's memory is no input any more.
 Damaged move_to_memory(const Shop& shop, Dice& dice) {
-  const Device& device =
-      pick_device(shop, dice, [&](const Device& at) { return is_common(shop, at) && at.rows.size() > 1; });
+  const Device& device = pick_device(shop, dice, [&](const Device& at) {
+    return is_common(shop, at) && at.rows.size() > 1 &&
+           std::all_of(at.tasks.begin(), at.tasks.end(), [&](const Task& task) { return can_lose(at, task); });
+  });
   const std::size_t lost = dice.pick(device.rows);
   Damaged damaged{shop.list, {}};
   for (const std::size_t row : device.rows) {

@@ -55,7 +55,8 @@ std::vector<Figures> measure(const Shop& shop, std::size_t copies, std::uint64_t
   const Clean clean(shop.list);
   std::vector<Figures> all;
   for (const Kind& kind : kinds()) {
-    Figures figures{&kind};
+    Figures figures;
+    figures.kind = &kind;
     for (std::size_t i = 0; i < copies; ++i) {
       Dice dice(seed + 1'000'003 * all.size() + i);
       const Trial trial = clean.compare(kind, kind.apply(shop, dice));
@@ -63,6 +64,7 @@ std::vector<Figures> measure(const Shop& shop, std::size_t copies, std::uint64_t
       figures.found += trial.found ? 1U : 0U;
       figures.findings += trial.findings;
       figures.others += trial.others;
+      if (!trial.found || trial.others != 0) figures.missed += fmt::format("seed {}\n{}", i, trial.told);
     }
     all.push_back(figures);
   }

@@ -30,11 +30,12 @@ class Clean {
 
 /// Of all copies damaged in one way.
 struct Figures {
-  const Kind* kind;
+  const Kind* kind = nullptr;
   std::size_t copies = 0;
   std::size_t found = 0;
   std::size_t findings = 0;
   std::size_t others = 0;
+  std::string missed;  ///< what was told where it was not found, or where others were
 };
 
 /// `copies` of each kind, each by a seed of its own.

@@ -19,7 +19,7 @@ std::string misspelt(const std::string& word, Dice& dice) {
   const char letter = static_cast<char>('A' + dice.below(26));
   switch (dice.below(4)) {
     case 0:
-      letters.insert(letters.begin() + static_cast<std::ptrdiff_t>(at), letter);
+      letters.insert(letters.begin() + static_cast<std::ptrdiff_t>(at + dice.below(2)), letter);
       break;
     case 1:
       letters.erase(at, 1);
@@ -28,11 +28,14 @@ std::string misspelt(const std::string& word, Dice& dice) {
       letters[at] = letter;
       break;
     default:
-      std::swap(letters[at], letters[at + 1 < letters.size() ? at + 1 : 0]);
+      std::swap(letters[at], letters[at + 1 < letters.size() ? at + 1 : at - 1]);
       break;
   }
   return letters + digits;
 }
+
+/// Whether a letter at its end makes it another form of the word: CLOSED. SP405 tells those.
+bool is_bent(const std::string& word, const std::string& other) { return other == word + "D" || other == word + "S"; }
 
 /// Whether the list has the word at that level anywhere.
 bool known(const Shop& shop, Part part, const std::string& word) {
@@ -49,7 +52,7 @@ Damaged misspell(const Shop& shop, Dice& dice, Part part) {
   std::string word;
   do {
     word = misspelt(levels.*part, dice);
-  } while (known(shop, part, word));
+  } while (known(shop, part, word) || is_bent(letters_of(levels.*part), letters_of(word)));
   levels.*part = word;
   Damaged damaged{shop.list, {row}};
   damaged.list.rows[row].name = levels.name();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "check/causes.hpp"
 #include "check/check_plant.hpp"
 #include "check/settings.hpp"
 #include "lower/lower.hpp"
@@ -122,6 +123,7 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Descri
       model::build_plant(lists, {"symbols", std::make_shared<const model::Description>(std::move(description))});
   check::check_plant(*result.plant, result.diagnostics);
   result.diagnostics = check::apply_settings(result.diagnostics, result.plant->description->check, today);
+  check::fold_consequences(*result.plant, result.diagnostics);
   result.diagnostics.sort_by_place(result.plant->sources());
   return result;
 }

@@ -1,13 +1,18 @@
 // SP405 two-words-one-state: two words may mean one state.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "check/bent_words.hpp"
+#include "check/device_classes.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
 
 constexpr std::string_view kPage =
-    R"(A device has exactly two tasks; one has only an operation, the other only an event: `O_CLAMP` and `I_CLAMPED`.
+    R"(One task of a device has only an operation, another only an event, and they look like one: `O_CLAMP` and `I_CLAMPED`. They
+are the only tasks of the device, or two forms of one word.
 
 **What the model loses.** If both words mean one state, the device has one state too many: it goes to CLAMP and CLAMPED is
 never reported. A program that waits for it waits for ever.
@@ -16,17 +21,61 @@ never reported. A program that waits for it waits for ever.
 missing.
 )";
 
+void tell(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit, const model::State& commanded,
+          const model::State& reported, diag::Diagnostics& diagnostics) {
+  const model::Symbol& operation = operation_of(plant, unit, commanded.operation);
+  const model::Symbol& event = event_of(plant, unit, reported.event);
+  diagnostics.add(
+      rule.info, about(event),
+      fmt::format("`{}` and `{}`: do `{}` and `{}` mean one state? spell them alike, or `{}` is never reported",
+                  operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
+      place_of(plant, event), {{place_of(plant, operation), "the operation"}});
+}
+
+/// A state that is reported and not commanded, nor led to by anything but its number.
+bool is_only_reported(const model::Unit& unit, std::uint32_t state) {
+  const model::State& of = unit.states[state];
+  return of.event != model::kNone && of.operation == model::kNone && state != unit.rest &&
+         std::none_of(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& way) {
+           return way.to == state && way.origin != model::Origin::inferred;
+         });
+}
+
+/// Of a device with further tasks: forms of one word.
+void tell_bent_words(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit,
+                     diag::Diagnostics& diagnostics) {
+  if (unit.operations.empty() || unit.events.empty() || unit.states.size() < 2) return;
+  if (unit.has_behaviour() || !unit.outputs.empty()) return;  // other events may report the state
+  for (const model::State& commanded : unit.states) {
+    if (commanded.operation == model::kNone || commanded.event != model::kNone) continue;
+    for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
+      if (!is_only_reported(unit, s) || !bent_alike(commanded.name, unit.states[s].name)) continue;
+      tell(rule, plant, unit, commanded, unit.states[s], diagnostics);
+      break;
+    }
+  }
+}
+
+/// Whether siblings have the other side of a word: SP414 tells what is missing.
+bool are_two_states(const Subject& subject, const model::Unit& unit) {
+  const auto place = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
+  return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
+    const bool commanded = state.operation != model::kNone;
+    const auto other = commanded ? core::Direction::event : core::Direction::operation;
+    return subject.classes.expects(place, other, state.name, false) == Expected::yes;
+  });
+}
+
 void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (!unit.two_words) continue;
-    const model::Symbol& operation = operation_of(plant, unit, 0);
-    const model::Symbol& event = event_of(plant, unit, 0);
-    diagnostics.add(
-        rule.info, about(event),
-        fmt::format("`{}` and `{}`: do `{}` and `{}` mean one state? spell them alike, or `{}` is never reported",
-                    operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
-        place_of(plant, event), {{place_of(plant, operation), "the operation"}});
+    if (unit.two_words) {
+      if (are_two_states(subject, unit)) continue;
+      const bool first = unit.states[0].operation != model::kNone;
+      tell(rule, plant, unit, unit.states[first ? 0 : 1], unit.states[first ? 1 : 0], diagnostics);
+    } else {
+      tell_bent_words(rule, plant, unit, diagnostics);
+    }
   }
 }
 

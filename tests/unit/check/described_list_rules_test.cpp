@@ -115,7 +115,8 @@ TEST_CASE("Of several events that start TRUE only states' are counted") {
 }
 
 TEST_CASE("A sequence that is ambiguous is none where the description leads to the state") {
-  const std::vector<std::string> names{"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B1", "L_P_D_I_B1", "L_P_D_I_C2"};
+  const std::vector<std::string> names{"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B1", "L_P_D_I_B1",
+                                       "L_P_D_I_C2", "L_P_D_O_D2", "L_P_D_I_D2"};
   model::DeviceDescription d = device();
   CHECK(analyse_described(bits(names), describing({d})).count("sequence-ambiguous") == 1);
   d.transitions = {by_itself("A1", "C2")};

@@ -1,0 +1,45 @@
+// English endings, and words cut short.
+#include "check/bent_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/ascii.hpp"
+#include "model/sequence.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::size_t kShortest = 3;  ///< of a word that another may begin with
+
+bool is_ending(std::string_view stem, std::string_view rest) {
+  constexpr std::array<std::string_view, 8> kEndings{"", "E", "D", "N", "S", "ED", "EN", "ING"};
+  if (rest.size() > 1 && !stem.empty() && base::upper(rest.front()) == base::upper(stem.back())) {
+    rest.remove_prefix(1);  // GRIPPED, RUNNING
+    if (rest.size() < 2) return false;
+  }
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return base::equal_ignoring_case(ending, rest); });
+}
+
+std::string_view without_number(std::string_view task) {
+  while (!task.empty() && task.back() >= '0' && task.back() <= '9') task.remove_suffix(1);
+  return task;
+}
+
+}  // namespace
+
+bool bent_alike(std::string_view a, std::string_view b) {
+  if (model::sequence_number(a) != model::sequence_number(b)) return false;
+  a = without_number(a);
+  b = without_number(b);
+  if (a.size() > b.size()) std::swap(a, b);
+  std::size_t same = 0;
+  while (same < a.size() && base::upper(a[same]) == base::upper(b[same])) ++same;
+  if (same == a.size() && same == b.size()) return false;
+  if (same == a.size() && same >= kShortest) return true;
+  return same >= 2 && is_ending(a.substr(0, same), a.substr(same)) && is_ending(b.substr(0, same), b.substr(same));
+}
+
+}  // namespace symplant::check

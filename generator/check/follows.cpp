@@ -1,0 +1,171 @@
+// The table of causes and consequences.
+#include "check/follows.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace symplant::check {
+namespace {
+
+using Of = RuleRole::Of;
+
+// Rules by the numbers of their ids, in the order of their rank as roots.
+constexpr int kAddressesContradict = 315;
+constexpr int kNameSlip = 205;
+constexpr int kSymbolDeclaredDifferently = 302;
+constexpr int kTypeAgainstAddress = 306;
+constexpr int kTypeOfNoIo = 313;
+constexpr int kDirectionAgainstAddress = 305;
+constexpr int kTaskClaimedTwice = 407;
+constexpr int kInitialNotUnderstood = 310;
+constexpr int kTwoWordsOneState = 405;
+constexpr int kSequenceRepeated = 412;
+constexpr int kSequenceGap = 411;
+constexpr int kOneTaskAlone = 413;
+constexpr int kShapeLacksSymbol = 414;
+// Those that only follow.
+constexpr int kAddressUsedTwice = 303;
+constexpr int kEventMovedTwice = 304;
+constexpr int kOperationWithoutEvent = 401;
+constexpr int kEventWithoutOperation = 402;
+constexpr int kUnitWithoutEvents = 403;
+constexpr int kNobodyMoves = 404;
+constexpr int kSequenceAmbiguous = 409;
+constexpr int kInitialByRowOrder = 410;
+constexpr int kOperationInitialIgnored = 311;
+constexpr int kInferredRestState = 501;
+constexpr int kInferredSingleSolenoid = 502;
+constexpr int kInferredSequence = 503;
+
+constexpr std::uint8_t kLast = 10;
+
+int number_of(const diag::RuleInfo& rule) {
+  int number = 0;
+  std::from_chars(rule.id.data() + 2, rule.id.data() + rule.id.size(), number);  // SP201
+  return number;
+}
+
+bool same(std::string_view a, std::string_view b) { return base::equal_ignoring_case(a, b); }
+
+/// Whether the symbol is one of those that the finding says the device lacks.
+bool is_told_lacking(const diag::Diagnostic& finding, std::string_view path, const Lost& lost) {
+  if (!lost.direction || lost.task.empty()) return true;
+  const std::string name =
+      std::string(path) + (*lost.direction == name::Direction::operation ? "_O_" : "_I_") + lost.task;
+  return std::any_of(finding.about.begin() + 1, finding.about.end(),
+                     [&](const std::string& told) { return same(told, name); });
+}
+
+/// The task of a symbol's name, its last level.
+std::string_view task_of(std::string_view name) { return name.substr(name.rfind('_') + 1); }
+
+bool may_be(const Lost& lost, name::Direction direction) { return !lost.direction || *lost.direction == direction; }
+
+bool may_be(const Lost& lost, name::Direction direction, std::string_view task) {
+  return may_be(lost, direction) && (lost.task.empty() || same(lost.task, task));
+}
+
+}  // namespace
+
+bool RuleRole::lacks_side() const { return rule == kOperationWithoutEvent || rule == kEventWithoutOperation; }
+
+RuleRole role_of(const diag::RuleInfo& rule) {
+  const int number = number_of(rule);
+  switch (number) {
+    case kAddressesContradict:
+      return {number, Of::symbol, 0, true, false, false};
+    case 201:
+    case 202:
+    case 203:
+    case 204:  // the rules of faulty names
+      return {number, Of::name, 1, true, false, false};
+    case kNameSlip:
+      return {number, Of::slip, 1, true, false, false};
+    case kSymbolDeclaredDifferently:
+      return {number, Of::row, 2, true, false, false};
+    case kTypeAgainstAddress:
+    case kTypeOfNoIo:
+      return {number, Of::lost_row, 2, true, false, false};
+    case kDirectionAgainstAddress:
+    case kTaskClaimedTwice:
+      return {number, Of::row, 3, true, false, true};
+    case kInitialNotUnderstood:
+      return {number, Of::row, 4, true, false, false};
+    case kTwoWordsOneState:
+      return {number, Of::device, 5, true, true, false};
+    case kSequenceRepeated:
+      return {number, Of::device, 6, true, true, false};
+    case kSequenceGap:
+      return {number, Of::device, 7, true, true, false};
+    case kOneTaskAlone:
+      return {number, Of::device_and_lacks, 8, true, true, false};
+    case kShapeLacksSymbol:
+      return {number, Of::device_and_lacks, 9, true, true, false};
+    case kAddressUsedTwice:
+    case kEventMovedTwice:
+    case kOperationInitialIgnored:
+      return {number, Of::device, kLast, false, false, true};
+    case kOperationWithoutEvent:
+    case kEventWithoutOperation:
+    case kUnitWithoutEvents:
+    case kNobodyMoves:
+    case kSequenceAmbiguous:
+    case kInitialByRowOrder:
+    case kInferredRestState:
+    case kInferredSingleSolenoid:
+    case kInferredSequence:
+      return {number, Of::device, kLast, false, true, false};
+    default:
+      return {number};
+  }
+}
+
+Lost Lost::of_words(std::string_view direction, std::string_view task) {
+  Lost lost;
+  if (same(direction, "O")) lost.direction = name::Direction::operation;
+  if (same(direction, "I")) lost.direction = name::Direction::event;
+  if (task != "*") lost.task = task;
+  return lost;
+}
+
+bool Facts::follows(const diag::Diagnostic& finding, std::string_view path, const Root& root) {
+  const int effect = role_of(*finding.rule).rule;
+  if (root.role.rule == kInitialNotUnderstood) {
+    return effect == kInitialByRowOrder || (effect == kNobodyMoves && same(finding.about.front(), root.symbol));
+  }
+  if (root.role.rule == kSequenceGap && (effect == kOperationWithoutEvent || effect == kEventWithoutOperation)) {
+    return false;
+  }
+  if (!root.lost) return true;
+  const Lost& lost = *root.lost;
+  switch (effect) {
+    case kOperationWithoutEvent:
+      return may_be(lost, name::Direction::event, task_of(finding.about.front()));
+    case kEventWithoutOperation:
+      return may_be(lost, name::Direction::operation, task_of(finding.about.front()));
+    case kUnitWithoutEvents:
+      return may_be(lost, name::Direction::event);
+    case kNobodyMoves:
+      return may_be(lost, name::Direction::operation);
+    case kOneTaskAlone:
+    case kShapeLacksSymbol:
+      return is_told_lacking(finding, path, lost);
+    case kInferredRestState: {
+      const model::Unit* unit = unit_of(path);  // with the lost event it would have been one task all the same
+      return unit == nullptr || !same(unit->states.back().name, lost.task) || may_be(lost, name::Direction::operation);
+    }
+    default:
+      return true;
+  }
+}
+
+const model::Unit* Facts::unit_of(std::string_view path) {
+  if (units_.empty()) {
+    units_.reserve(plant_.units.size());
+    for (const model::Unit& unit : plant_.units) units_.emplace(unit.path, &unit);
+  }
+  const auto found = units_.find(path);
+  return found == units_.end() ? nullptr : found->second;
+}
+
+}  // namespace symplant::check

@@ -1,0 +1,99 @@
+// Classes of devices by name, and those in them whose symbols differ.
+#include "check/odd_devices.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/ascii.hpp"
+#include "check/device_classes.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::size_t kLeastOthers = 3;
+constexpr std::size_t kMeantShare = 8;  ///< what more than one in so many lack is meant to be lacking
+
+/// A symbol that nearly all devices of a class have.
+struct Common {
+  core::Direction direction;
+  std::string_view task;
+  std::uint32_t having;
+  const model::Symbol* symbol;  ///< of the first that has it
+};
+
+const model::Symbol* find_symbol(const model::PlantModel& plant, const model::Unit& unit, core::Direction direction,
+                                 std::string_view task) {
+  const auto& side = direction == core::Direction::operation ? unit.operations : unit.events;
+  for (const std::uint32_t s : side) {
+    if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return &plant.symbols[s];
+  }
+  return nullptr;
+}
+
+class Search {
+ public:
+  explicit Search(const Subject& subject) : plant_(subject.plant), classes_(subject.classes) {}
+
+  std::vector<OddDevice> find() {
+    for (const DeviceClasses::Class& kind : classes_.classes()) {
+      if (kind.devices.size() <= kLeastOthers || !collect_common(kind)) continue;
+      for (const std::uint32_t device : kind.devices) {
+        if (device < plant_.units.size()) look_at(device, kind.devices.size());  // else it has numbers only
+      }
+    }
+    std::sort(odd_.begin(), odd_.end(), [](const OddDevice& a, const OddDevice& b) { return a.unit < b.unit; });
+    return std::move(odd_);
+  }
+
+ private:
+  /// Whether a device lacks any of what is common.
+  bool collect_common(const DeviceClasses::Class& kind) {
+    const std::vector<std::uint32_t>& devices = kind.devices;
+    common_.clear();
+    bool lacking = false;
+    for (const std::uint32_t place : kind.parts) {
+      const DeviceClasses::Part& part = classes_.parts()[place];
+      const std::uint32_t having = classes_.count(place);
+      if (having < kLeastOthers || 4 * std::size_t{having} < 3 * (devices.size() - 1)) continue;
+      const std::size_t lack = devices.size() - having;
+      if (lack > 1 && lack * kMeantShare > devices.size()) continue;
+      const model::Symbol* symbol = nullptr;
+      for (std::size_t i = 0; i < devices.size() && devices[i] < plant_.units.size() && symbol == nullptr; ++i) {
+        symbol = find_symbol(plant_, plant_.units[devices[i]], part.direction, part.task);
+      }
+      if (symbol == nullptr) continue;  // a number, which is no part of a unit
+      common_.push_back({part.direction, part.task, having, symbol});
+      lacking = lacking || lack != 0;
+    }
+    return lacking;
+  }
+
+  void look_at(std::uint32_t place, std::size_t of) {
+    const model::Unit& unit = plant_.units[place];
+    OddDevice odd{place, static_cast<std::uint32_t>(of), {}, false};
+    bool other_task = false;
+    for (const Common& common : common_) {
+      if (find_symbol(plant_, unit, common.direction, common.task) != nullptr) continue;
+      const std::string_view level_and_task = common.symbol->name().substr(common.symbol->reading.device_path.size());
+      odd.lacks.push_back({common.symbol, std::string(unit.path) + std::string(level_and_task), common.having});
+      other_task = other_task || std::none_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
+                     return base::equal_ignoring_case(state.name, common.task);
+                   });
+    }
+    const std::size_t has = common_.size() - odd.lacks.size();
+    odd.one_task = unit.rest_added && has != 0 && other_task;
+    if (odd.lacks.empty() || (!odd.one_task && 2 * has < common_.size())) return;
+    odd_.push_back(std::move(odd));
+  }
+
+  const model::PlantModel& plant_;
+  const DeviceClasses& classes_;
+  std::vector<Common> common_;  ///< of the class looked at
+  std::vector<OddDevice> odd_;
+};
+
+}  // namespace
+
+std::vector<OddDevice> odd_devices(const Subject& subject) { return Search(subject).find(); }
+
+}  // namespace symplant::check

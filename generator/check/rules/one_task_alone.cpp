@@ -1,0 +1,49 @@
+// SP413 one-task-alone: a device has one task, where those named like it have more.
+#include <fmt/format.h>
+
+#include "base/ascii.hpp"
+#include "check/odd_devices.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A device has one task only (`O_OPEN`, `I_OPEN`), while nearly all devices named like it have more (`CLOSE`, too). Names are
+alike that differ in digits only: `CLAMP1`, `CLAMP2`.
+
+**What the model loses.** A state. The device was given a rest state without an event in its place (inference 1): it returns there
+like a spring, and nothing reports it. A program that waits for the other task waits for ever.
+
+**How to mend it.** Add the rows of the missing task. If the device really has one, leave the finding out in plant.json,
+section `check`.
+)";
+
+void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  for (const OddDevice& odd : odd_devices(subject)) {
+    if (!odd.one_task) continue;
+    const model::Unit& unit = plant.units[odd.unit];
+    const model::Symbol& symbol = first_symbol_of(plant, unit);
+    const Lacking* other = nullptr;  // of a task that it lacks altogether
+    std::vector<std::string> names{std::string(unit.path)};
+    for (const Lacking& lacking : odd.lacks) {
+      names.push_back(lacking.name);
+      const bool elsewhere = !base::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
+      if (other == nullptr && elsewhere) other = &lacking;
+    }
+    diagnostics.add(rule.info, std::move(names),
+                    fmt::format("`{}` has the one task `{}`, where {} of {} devices named like it have `{}`, too: add "
+                                "its rows",
+                                unit.path, symbol.reading.task, other->having, odd.of, other->others->reading.task),
+                    place_of(plant, symbol), {{place_of(plant, *other->others), "one that has it"}});
+  }
+}
+
+}  // namespace
+
+const Rule kOneTaskAlone{{"SP413", "one-task-alone", diag::Severity::warning,
+                          "a device has one task, where those named like it have more", kPage},
+                         check_one_task_alone};
+
+}  // namespace symplant::check

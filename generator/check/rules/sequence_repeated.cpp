@@ -1,0 +1,60 @@
+// SP412 sequence-repeated: two tasks of a sequence have one number.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+#include "check/sequence_numbers.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A device numbers its tasks, and two of them have one number: `HOME1`, `JOB2`, `DONE2`. Where several numbers repeat
+(`ADV1`, `RET1`, `ADV2`, `RET2`) they count sensors and are no sequence.
+
+**What the model loses.** The order. Which of the two comes first is decided by their rows, and a state that should come by
+itself after them, or is one of them, is not reached, or from the wrong one.
+
+**How to mend it.** Give each task of the sequence a number of its own, or say its `transitions` in plant.json.
+)";
+
+/// The second of the only two states that share a number; nothing where none or more do.
+const NumberedState* only_repeat(const std::vector<NumberedState>& states) {
+  const NumberedState* repeat = nullptr;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (states[i].number != states[i - 1].number) continue;
+    if (repeat != nullptr) return nullptr;
+    repeat = &states[i];
+  }
+  return repeat;
+}
+
+bool says_the_order(const model::Unit& unit) {
+  return unit.described != nullptr && !unit.described->transitions.empty();
+}
+
+void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  std::vector<NumberedState> states;
+  for (const model::Unit& unit : plant.units) {
+    if (unit.states.size() < 3 || says_the_order(unit)) continue;
+    numbered_states(unit, states);
+    if (states.size() < 3) continue;
+    const NumberedState* second = only_repeat(states);
+    if (second == nullptr) continue;
+    const NumberedState* first = second - 1;
+    const model::Symbol& symbol = plant.symbols[second->symbol];
+    diagnostics.add(rule.info, about(symbol),
+                    fmt::format("`{}` and `{}` of `{}` have one number: their rows alone say which comes first; give "
+                                "each a number of its own",
+                                unit.states[first->state].name, unit.states[second->state].name, unit.path),
+                    place_of(plant, symbol), {{place_of(plant, plant.symbols[first->symbol]), "the other one"}});
+  }
+}
+
+}  // namespace
+
+const Rule kSequenceRepeated{
+    {"SP412", "sequence-repeated", diag::Severity::warning, "two tasks of a sequence have one number", kPage},
+    check_sequence_repeated};
+
+}  // namespace symplant::check

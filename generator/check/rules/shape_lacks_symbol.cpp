@@ -1,0 +1,62 @@
+// SP414 shape-lacks-symbol: a device lacks a symbol that those named like it have.
+#include <fmt/format.h>
+
+#include "base/ascii.hpp"
+#include "check/odd_devices.hpp"
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(Nearly all devices named like this one have the same operations and events, and this one lacks some of them. Names are alike that
+differ in digits only (`CLAMP1`, `CLAMP2`), in whatever process. At least three others and three quarters of all must have the
+symbol; where several devices lack it, more than one in eight, that counts as meant.
+
+**What the model loses.** What the symbol is for: without its operation a state is never commanded, without its event never
+reported. The device becomes another type than the others, and may be taken for what it is not, a single solenoid, say.
+
+**How to mend it.** Add the row, or spell its task as the others do. If the device really is another one, leave the finding out
+in plant.json, section `check`.
+)";
+
+/// The row next to the one that is missing: of the same task, or the device's first.
+const model::Symbol& nearest_symbol(const model::PlantModel& plant, const model::Unit& unit, std::string_view task) {
+  for (const auto* side : {&unit.operations, &unit.events}) {
+    for (const std::uint32_t s : *side) {
+      if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
+    }
+  }
+  return first_symbol_of(plant, unit);
+}
+
+void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  for (const OddDevice& odd : odd_devices(subject)) {
+    if (odd.one_task) continue;  // SP413 tells
+    const model::Unit& unit = plant.units[odd.unit];
+    const Lacking& first = odd.lacks.front();
+    std::vector<std::string> names{std::string(unit.path)};
+    std::vector<diag::Related> as_there;
+    for (const Lacking& lacking : odd.lacks) {
+      names.push_back(lacking.name);
+      as_there.push_back({place_of(plant, *lacking.others), "one that has it"});
+    }
+    diagnostics.add(
+        rule.info, std::move(names),
+        fmt::format("`{}`{} missing: {} of {} devices named like `{}` have it; add {}, or spell the task as "
+                    "they do",
+                    first.name,
+                    odd.lacks.size() == 1 ? std::string(" is") : fmt::format(" and {} more are", odd.lacks.size() - 1),
+                    first.having, odd.of, unit.path, odd.lacks.size() == 1 ? "the row" : "the rows"),
+        place_of(plant, nearest_symbol(plant, unit, first.others->reading.task)), std::move(as_there));
+  }
+}
+
+}  // namespace
+
+const Rule kShapeLacksSymbol{{"SP414", "shape-lacks-symbol", diag::Severity::warning,
+                              "a device lacks a symbol that those named like it have", kPage},
+                             check_shape_lacks_symbol};
+
+}  // namespace symplant::check

@@ -1,0 +1,108 @@
+// Sequences, devices named alike, and words that look like one: what is told, and what is meant to be.
+#include "check/bent_words.hpp"
+#include "check_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// A device whose tasks have an operation and an event each.
+std::vector<Row> device_with(const std::vector<std::string>& tasks) {
+  std::vector<std::string> names;
+  for (const std::string& task : tasks) {
+    names.push_back("L_P_D_O_" + task);
+    names.push_back("L_P_D_I_" + task);
+  }
+  return bits(names);
+}
+
+std::size_t told_of(const std::vector<Row>& rows, std::string_view slug) { return analyse_rows(rows).count(slug); }
+
+TEST_CASE("A gap is a number or a few that are missing among even steps") {
+  CHECK(told_of(device_with({"P1", "P2", "P4"}), "sequence-gap") == 1);
+  CHECK(told_of(device_with({"P1", "P3", "P4"}), "sequence-gap") == 1);
+  CHECK(told_of(device_with({"P1", "P2", "P3", "P6"}), "sequence-gap") == 1);
+  CHECK(told_of(device_with({"P10", "P20", "P40"}), "sequence-gap") == 1);
+  CHECK(told_of(device_with({"P1", "P2", "P4", "P5", "P7"}), "sequence-gap") == 2);
+  CHECK(told_of(device_with({"P1", "P2", "P3"}), "sequence-gap") == 0);
+  CHECK(told_of(device_with({"P10", "P20", "P30"}), "sequence-gap") == 0);
+  CHECK(told_of(device_with({"P1", "P3"}), "sequence-gap") == 0);
+  CHECK(told_of(device_with({"P1", "P2", "P100"}), "sequence-gap") == 0);
+  CHECK(told_of(device_with({"P3", "P4", "P5"}), "sequence-gap") == 0);
+  CHECK(told_of(device_with({"P1", "P2", "P99999999999999999999999999"}), "sequence-gap") == 0);
+}
+
+TEST_CASE("A number repeats where one pair has it; more pairs count sensors") {
+  CHECK(told_of(device_with({"HOME1", "JOB2", "DONE2"}), "sequence-repeated") == 1);
+  CHECK(told_of(device_with({"HOME1", "JOB1", "DONE2"}), "sequence-repeated") == 1);
+  CHECK(told_of(device_with({"HOME1", "JOB2", "DONE3"}), "sequence-repeated") == 0);
+  CHECK(told_of(device_with({"ADV1", "RET1", "ADV2", "RET2"}), "sequence-repeated") == 0);
+  CHECK(told_of(device_with({"A1", "B1", "C1"}), "sequence-repeated") == 0);
+  CHECK(told_of(device_with({"ADV1", "RET1"}), "sequence-repeated") == 0);
+}
+
+/// `whole` clamps of two tasks, then `single` with the coil OPEN alone.
+std::vector<Row> clamps(int whole, int single) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= whole + single; ++i) {
+    const std::string device = "L_P_CLAMP" + std::to_string(i);
+    names.push_back(device + "_O_OPEN");
+    if (i <= whole) names.push_back(device + "_O_CLOSE");
+    names.push_back(device + "_I_OPEN*");
+    names.push_back(device + "_I_CLOSE");
+  }
+  return bits(names);
+}
+
+TEST_CASE("A device that lacks a symbol is told where three others and three quarters have it, and it is not meant") {
+  CHECK(told_of(clamps(3, 1), "shape-lacks-symbol") == 1);
+  CHECK(told_of(clamps(2, 1), "shape-lacks-symbol") == 0);
+  CHECK(told_of(clamps(14, 2), "shape-lacks-symbol") == 2);
+  CHECK(told_of(clamps(9, 3), "shape-lacks-symbol") == 0);  // three of them: single solenoids
+  CHECK(told_of(clamps(5, 0), "shape-lacks-symbol") == 0);
+}
+
+TEST_CASE("The finding names the symbol that is missing, and stands at the other one of its task") {
+  const Analysed list = analyse_rows(clamps(4, 1));
+  REQUIRE(list.fired() == "shape-lacks-symbol");
+  const diag::Diagnostic& finding = list.diagnostics.all()[0];
+  CHECK(finding.message.find("`L_P_CLAMP5_O_CLOSE` is missing: 4 of 5 devices") == 0);
+  CHECK(finding.about == std::vector<std::string>{"L_P_CLAMP5", "L_P_CLAMP5_O_CLOSE"});
+  CHECK(finding.place.source->line_at(finding.place.span.begin).find("L_P_CLAMP5_I_CLOSE") != std::string_view::npos);
+}
+
+TEST_CASE("Forms of one word are alike, other words and other numbers are not") {
+  for (const auto& [a, b] : {std::pair{"CLAMP", "CLAMPED"},
+                             {"CLOSE", "CLOSED"},
+                             {"CLOSE", "CLOSING"},
+                             {"GRIP", "GRIPPED"},
+                             {"ADV", "ADVANCED"},
+                             {"run2", "RUNNING2"},
+                             {"RISE", "RISEN"},
+                             {"UP", "UPPED"}}) {
+    INFO(a << " " << b);
+    CHECK(check::bent_alike(a, b));
+    CHECK(check::bent_alike(b, a));
+  }
+  for (const auto& [a, b] : {std::pair{"CLAMP", "CLAMP"},
+                             {"CLAMP1", "CLAMPED2"},
+                             {"OPEN", "CLOSE"},
+                             {"UP", "UPPER"},
+                             {"P1", "P2"},
+                             {"", "ED"},
+                             {"HOME", "HOT"}}) {
+    INFO(a << " " << b);
+    CHECK_FALSE(check::bent_alike(a, b));
+  }
+}
+
+TEST_CASE("Two forms of one word are told of a device with further tasks, too") {
+  const auto told = [](const std::vector<std::string>& names) {
+    return analyse_rows(bits(names)).fired(diag::Severity::warning);
+  };
+  CHECK(told({"L_P_D_O_OPEN", "L_P_D_I_OPEN", "L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
+  CHECK(told({"L_P_D_O_HOME1", "L_P_D_I_HOME1", "L_P_D_O_WELD2", "L_P_D_I_WELDED2"}) == "two-words-one-state");
+  CHECK(told({"L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
+}
+
+}  // namespace
+}  // namespace symplant::test
