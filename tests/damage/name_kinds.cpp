@@ -79,7 +79,7 @@ constexpr std::array<Part, 5> kParts{&Levels::line, &Levels::process, &Levels::d
                                      &Levels::task};
 
 Damaged miss_level(const Shop& shop, Dice& dice) {
-  return rename_any(shop, dice, [&](Levels levels) {
+  return rename_any(shop, dice, [&](const Levels& levels) {
     const std::size_t missing = dice.below(kParts.size());
     std::string name;
     for (std::size_t i = 0; i < kParts.size(); ++i) {
@@ -90,7 +90,8 @@ Damaged miss_level(const Shop& shop, Dice& dice) {
 }
 
 Damaged empty_level(const Shop& shop, Dice& dice) {
-  return rename_any(shop, dice, [&](Levels levels) {
+  return rename_any(shop, dice, [&](const Levels& whole) {
+    Levels levels = whole;
     levels.*kParts[dice.below(kParts.size())] = "";
     return levels.name();
   });
