@@ -194,8 +194,8 @@ struct TypelessIo {
 /// A row of an I/O symbol, or of what one of its addresses says is one, whose two addresses name different places. The
 /// IEC one counts.
 struct AddressContradiction {
-  const read::ListRow* row;
-  std::uint32_t list;
+  const read::ListRow* row = nullptr;
+  std::uint32_t list = 0;
   address::Address vendor;
   address::Address iec;
 };
