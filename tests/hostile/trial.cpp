@@ -101,13 +101,13 @@ void judge_files(const std::map<std::string, std::string>& before, const std::ma
   }
 }
 
-/// The first line that tells of an error, else the first.
+/// The first line that tells of an error, or of what cannot be done; else the first.
 std::string line_about_it(const std::string& said) {
   std::string first;
   for (std::size_t begin = 0; begin < said.size();) {
     const std::size_t end = std::min(said.find('\n', begin), said.size());
     const std::string line = said.substr(begin, end - begin);
-    if (line.find("error: ") != line.npos) return line;
+    if (line.find("error: ") != line.npos || line.find("cannot ") != line.npos) return line;
     if (first.empty()) first = line;
     begin = end + 1;
   }
