@@ -27,7 +27,7 @@ struct ProcessCall {
   std::string program;                 ///< a name looked for on the path
   std::vector<std::string> arguments;  ///< as they are: no shell sees them
   std::string_view input = {};         ///< what its standard input holds
-  std::chrono::milliseconds limit{10'000};
+  std::chrono::milliseconds limit{8'000};
   std::size_t most_output = std::size_t{64} << 20;  ///< bytes
 };
 
