@@ -159,7 +159,9 @@ class Folding {
       const auto found = by_symbol_.find(finding.about.front());
       if (found == by_symbol_.end()) return i;
       for (const std::uint32_t root : found->second) {
-        if (role_of(*findings_[root].rule).rank < role.rank) return root;
+        const RuleRole cause = role_of(*findings_[root].rule);
+        if (cause.told_of == RuleRole::Of::name) continue;  // a wrong name moves no address
+        if (cause.rank < role.rank) return root;
       }
     }
     return i;
