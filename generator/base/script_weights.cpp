@@ -41,9 +41,7 @@ void for_each_character(std::string_view bytes, IsSingle is_single, Take take) {
   const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0; };
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     const auto first = static_cast<unsigned char>(byte(at));
-    if (first < 0x80) {
-      take(Character{first, 0});
-    } else if (is_single(first)) {
+    if (first < 0x80 || is_single(first)) {
       take(Character{first, 0});
     } else {
       take(Character{first, static_cast<unsigned char>(byte(++at))});

@@ -47,8 +47,8 @@ struct Related {
 
 /// Wording: lower case, no full stop, back-ticks round user text; what is there first, then what to do.
 struct Diagnostic {
-  const RuleInfo* rule;
-  Severity severity;  ///< the rule's, unless the user sets another
+  const RuleInfo* rule = nullptr;
+  Severity severity = Severity::error;  ///< the rule's, unless the user sets another
   std::string message;
   Place place;
   std::vector<Related> related;

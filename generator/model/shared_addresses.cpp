@@ -11,7 +11,7 @@ namespace {
 
 /// Addresses are unique within a controller.
 struct Place {
-  std::uint32_t controller;
+  std::uint32_t controller = 0;
   address::Address address;
 
   bool operator==(const Place&) const = default;

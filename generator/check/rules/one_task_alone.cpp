@@ -32,6 +32,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
       const bool elsewhere = !base::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
       if (other == nullptr && elsewhere) other = &lacking;
     }
+    if (other == nullptr) continue;
     diagnostics.add(rule.info, std::move(names),
                     fmt::format("`{}` has the one task `{}`, where {} of {} devices named like it have `{}`, too: add "
                                 "its rows",
