@@ -15,31 +15,13 @@
 #include <optional>
 #include <thread>
 
+#include "base/descriptor.hpp"
+
 namespace symplant::base {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using Kind = ProcessError::Kind;
-
-/// An open file, closed once.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int get() const { return number_; }
-  void set(int number) { number_ = number; }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-
- private:
-  int number_ = -1;
-};
 
 ProcessError failure(Kind kind, const ProcessCall& call, const std::string& what) {
   return {kind, "`" + call.program + "` " + what};
@@ -63,16 +45,16 @@ class Child {
     // A socket, since writing to a pipe whose reader is gone would end this program by a signal.
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) != 0) return error_of("has no input", errno);
     const Descriptor child_in(in[0]);
-    in_.set(in[1]);
+    in_ = Descriptor(in[1]);
     if (::pipe2(out.data(), O_CLOEXEC) != 0) return error_of("has no output", errno);
     const Descriptor child_out(out[1]);
-    out_.set(out[0]);
-    ::fcntl(in_.get(), F_SETFL, O_NONBLOCK);
+    out_ = Descriptor(out[0]);
+    ::fcntl(in_.number(), F_SETFL, O_NONBLOCK);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, child_in.get(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, child_out.get(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, child_in.number(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, child_out.number(), STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     std::vector<char*> arguments{const_cast<char*>(call_.program.c_str())};  // posix_spawn's own signature
     for (const std::string& argument : call_.arguments) arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -120,17 +102,17 @@ class Child {
     while (true) {
       const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
       if (left <= 0) return too_slow();
-      std::array<pollfd, 2> waiting{pollfd{out_.get(), POLLIN, 0}, pollfd{in_.get(), POLLOUT, 0}};
+      std::array<pollfd, 2> waiting{pollfd{out_.number(), POLLIN, 0}, pollfd{in_.number(), POLLOUT, 0}};
       const int ready = ::poll(waiting.data(), waiting.size(), static_cast<int>(left));
       if (ready < 0 && errno != EINTR) return error_of("could not be waited for", errno);
       if (ready <= 0) continue;
-      if (waiting[1].revents != 0 && in_.get() >= 0) {
-        const ssize_t sent = ::send(in_.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
+      if (waiting[1].revents != 0 && in_.number() >= 0) {
+        const ssize_t sent = ::send(in_.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
         if (sent > 0) rest.remove_prefix(static_cast<std::size_t>(sent));
         if (rest.empty() || (sent < 0 && errno != EAGAIN && errno != EINTR)) in_.close();
       }
       if (waiting[0].revents == 0) continue;
-      const ssize_t got = ::read(out_.get(), buffer.data(), buffer.size());
+      const ssize_t got = ::read(out_.number(), buffer.data(), buffer.size());
       if (got == 0) return std::nullopt;
       if (got < 0 && errno != EINTR) return error_of("could not be read from", errno);
       if (got > 0) output.append(buffer.data(), static_cast<std::size_t>(got));

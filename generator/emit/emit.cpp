@@ -21,8 +21,6 @@
 namespace symplant::emit {
 namespace {
 
-constexpr std::string_view kOwnFile = "behavior.hpp";  ///< the template of the user's own files
-
 void add_rows(View& view, const std::string& key, bool any, RowSource source) {
   if (any) {
     view.rows[key] = std::move(source);

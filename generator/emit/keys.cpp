@@ -12,7 +12,6 @@ constexpr std::string_view kDevicesFile = "devices_gen.hpp";
 constexpr std::string_view kMainFile = "main_gen.cpp";
 constexpr std::string_view kTablesFile = "tables_gen.cpp";
 constexpr std::string_view kBehavioursFile = "behaviours_gen.cpp";
-constexpr std::string_view kOwnFile = "behavior.hpp";
 
 constexpr auto kKeys = std::to_array<Key>({
     {"version", "*", false, "the tool's version"},

@@ -6,6 +6,9 @@
 
 namespace symplant::emit {
 
+/// The template of the user's own files.
+inline constexpr std::string_view kOwnFile = "behavior.hpp";
+
 struct Key {
   std::string_view key;
   std::string_view where;  ///< a template's name; "*": every one

@@ -14,7 +14,7 @@
 namespace symplant::view {
 namespace {
 
-constexpr std::string_view kHead =
+constexpr std::string_view kDotHead =
     "// A view, not the model: written by symplant, not read by it. What a chart of Graphviz cannot hold: that levels\n"
     "// and not edges count, what a move under way does when commands change (the actuation), that an automatic way\n"
     "// disarms its command, the order in which ready transitions fire, and which rounds make up an instant.\n";
@@ -29,7 +29,7 @@ class DotWriter {
   explicit DotWriter(const Scene& scene) : scene_(scene), references_(cross_references(scene.plant)) {}
 
   std::string write() {
-    text_ = kHead;
+    text_ = kDotHead;
     out("digraph {} {{\n", diag::dot_string(scene_.plant.name));
     text_ += kAttributes;
     for (const std::uint32_t unit : scene_.units) add_unit(unit);

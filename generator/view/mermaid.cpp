@@ -13,7 +13,7 @@
 namespace symplant::view {
 namespace {
 
-constexpr std::string_view kHead =
+constexpr std::string_view kMermaidHead =
     "%% A view, not the model: written by symplant, not read by it. What Mermaid cannot hold: times other than as "
     "text,\n"
     "%% arrows between devices (who disables whom stands in the notes), that levels and not edges count, what a move\n"
@@ -25,7 +25,7 @@ class MermaidWriter {
   explicit MermaidWriter(const Scene& scene) : scene_(scene), references_(cross_references(scene.plant)) {}
 
   std::string write() {
-    text_ = kHead;
+    text_ = kMermaidHead;
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
     if (!scene_.plant.requirements.empty()) {
       text_ += "  state \"requirements\" as requirements\n";

@@ -20,7 +20,7 @@ namespace {
 using diag::markup_text;
 using model::kNone;
 
-constexpr std::string_view kHead =
+constexpr std::string_view kScxmlHead =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<!-- A view, not the model: written by symplant, not read by it. What SCXML cannot hold stands in attributes and\n"
     "     elements of the namespace urn:symplant:model:1, which SCXML tools pass over: how long a move takes (here it "
@@ -49,7 +49,7 @@ class ScxmlWriter {
 
   std::string write() {
     for (const std::uint32_t unit : scene_.units) add_unit(unit);
-    std::string document(kHead);
+    std::string document(kScxmlHead);
     document +=
         "<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" xmlns:symplant=\"urn:symplant:model:1\" version=\"1.0\"";
     document += attribute("name", base::identifier(plant_.name)) + " datamodel=\"ecmascript\" initial=\"plant\">\n";

@@ -27,7 +27,7 @@ constexpr std::string_view kStyle =
     ".card{fill:#fff;stroke:#bbb}.state{fill:#eef4fb;stroke:#345}.rest{stroke-width:3}.name{font-weight:bold}"
     ".way{fill:none;stroke:#345}.automatic{stroke-dasharray:5 3}.label{fill:#fff;fill-opacity:.85}.fact{fill:#444}"
     ".middle{text-anchor:middle}</style>\n";
-constexpr std::string_view kHead =
+constexpr std::string_view kSvgHead =
     "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" "
     "orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#345\"/></marker></defs>\n";
 constexpr std::string_view kComment =
@@ -166,7 +166,7 @@ std::string own_picture(const Scene& scene) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n{2}<title>{3}"
       "</title>\n{4}{5}<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n{6}</svg>\n",
-      width, y + row_height + kCardGap, kComment, markup_text(scene.plant.name), kStyle, kHead, content);
+      width, y + row_height + kCardGap, kComment, markup_text(scene.plant.name), kStyle, kSvgHead, content);
 }
 
 }  // namespace

@@ -35,11 +35,11 @@ bool is_moving(std::string_view name) {
   return true;
 }
 
-std::string quoted(std::string_view name) { return "`" + std::string(name) + "`"; }
+std::string ticked(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 /// "there is no ...", with the nearest one that there is.
 std::string missing(const std::string& what, const std::string& nearest) {
-  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + quoted(nearest));
+  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + ticked(nearest));
 }
 
 class Resolver {
@@ -75,8 +75,8 @@ class Resolver {
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
     if (symbol->type != core::DataType::boolean) {
-      return Fault{name.place, quoted(name.text) + " is of type " + std::string(type_name(symbol->type)) +
-                                   " and stands without a comparison, compare it as in " + quoted(name.text + " > 0")};
+      return Fault{name.place, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
+                                   " and stands without a comparison, compare it as in " + ticked(name.text + " > 0")};
     }
     Atom atom;
     atom.kind = Atom::Kind::bit;
@@ -94,7 +94,7 @@ class Resolver {
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
     if (symbol->type == core::DataType::boolean) {
-      return Fault{name.place, quoted(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
+      return Fault{name.place, ticked(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
     }
     const auto folded = fold(symbol->type, expression.comparison, expression.number);
     if (!folded) {
@@ -131,28 +131,28 @@ class Resolver {
     std::string why = names_.why_no_state(*unit, last.text);
     if (why.empty()) {
       why =
-          missing("state " + quoted(last.text) + " of " + quoted(device.text), names_.nearest_state(*unit, last.text));
+          missing("state " + ticked(last.text) + " of " + ticked(device.text), names_.nearest_state(*unit, last.text));
     }
     return Fault{last.place, std::move(why)};
   }
 
   Fault no_symbol(const Name& name) const {
     if (names_.unit(name.text, {})) {
-      return {name.place, quoted(name.text) + " is a device, name a state of it as in " + quoted(name.text + ".STATE")};
+      return {name.place, ticked(name.text) + " is a device, name a state of it as in " + ticked(name.text + ".STATE")};
     }
-    return {name.place, missing("symbol " + quoted(name.text), names_.nearest_symbol(name.text))};
+    return {name.place, missing("symbol " + ticked(name.text), names_.nearest_symbol(name.text))};
   }
 
   Fault no_unit(const Expression& expression, std::string_view facet) const {
     const Name& device = expression.names.front();
     const std::string nearest = names_.nearest_device(device.text, facet);
     if (!facet.empty() && names_.unit(device.text, {})) {
-      return {expression.names[1].place, missing("facet " + quoted(facet) + " of " + quoted(device.text), nearest)};
+      return {expression.names[1].place, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
     }
     if (facet.empty() && names_.symbol(device.text)) {
-      return {device.place, quoted(device.text) + " is a symbol and has no states, name it alone"};
+      return {device.place, ticked(device.text) + " is a symbol and has no states, name it alone"};
     }
-    return {device.place, missing("device " + quoted(device.text), nearest)};
+    return {device.place, missing("device " + ticked(device.text), nearest)};
   }
 
   const Names& names_;

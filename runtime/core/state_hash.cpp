@@ -7,12 +7,12 @@
 namespace symplant::core {
 namespace {
 
-std::uint8_t bit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
+std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
   return static_cast<std::uint8_t>((plane[bit / 64] >> (bit % 64)) & 1);
 }
 
 std::uint8_t force_of(const BitPlane& plane, std::uint32_t bit) noexcept {
-  return bit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + bit_of(plane.forced_on, bit));
+  return digit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + digit_of(plane.forced_on, bit));
 }
 
 void add_time(Fnv1a64& hash, Time time) noexcept { hash.u64(static_cast<std::uint64_t>(time)); }
@@ -57,14 +57,14 @@ void Engine::hash_symbols(Fnv1a64& hash, std::uint32_t unit) const noexcept {
   const UnitRow& row = tables.units[unit];
   const TypeRow& type = tables.types[row.type];
   for (std::uint32_t bit = row.operation_bit; bit < row.operation_bit + type.operations; ++bit) {
-    hash.byte(bit_of(written_operations, bit));
-    hash.byte(static_cast<std::uint8_t>(1 - bit_of(disarmed, bit)));
+    hash.byte(digit_of(written_operations, bit));
+    hash.byte(static_cast<std::uint8_t>(1 - digit_of(disarmed, bit)));
     hash.byte(force_of(operations, bit));
-    hash.byte(bit_of(served, bit));
-    hash.byte(bit_of(told, bit));
+    hash.byte(digit_of(served, bit));
+    hash.byte(digit_of(told, bit));
   }
   for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
-    hash.byte(bit_of(events.made, bit));
+    hash.byte(digit_of(events.made, bit));
     hash.byte(force_of(events, bit));
   }
 }
@@ -87,13 +87,13 @@ void Engine::hash_free_symbol(Fnv1a64& hash, const SymbolRow& symbol) const noex
   const bool operation = symbol.direction() == Direction::operation;
   if (symbol.type() == DataType::boolean) {
     const BitPlane& plane = operation ? operations : events;
-    hash.byte(bit_of(operation ? written_operations : plane.made, symbol.index));
+    hash.byte(digit_of(operation ? written_operations : plane.made, symbol.index));
     hash.byte(force_of(plane, symbol.index));
     return;
   }
   const ValuePlane& plane = operation ? operation_values : event_values;
   hash.u64(operation ? written_values[symbol.index] : plane.made[symbol.index]);
-  hash.byte(bit_of(plane.forced, symbol.index));
+  hash.byte(digit_of(plane.forced, symbol.index));
   hash.u64(plane.forced_to[symbol.index]);
 }
 

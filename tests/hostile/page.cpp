@@ -82,8 +82,8 @@ std::string page(const Trials& trials) {
   std::string text = kBegin;
   text +=
       "## Symbol lists\n\n"
-      "`check` is tried as text and JSON, `model` in every `--format`. `good` is exit code 0, `findings` 1, `refused` 2, "
-      "with the errors that\n"
+      "`check` is tried as text and JSON, `model` in every `--format`. `good` is exit code 0, `findings` 1, "
+      "`refused` 2, with the errors that\n"
       "`check` finds.\n\n" +
       table(trials, Input::Kind::list) +
       "\n## Plant descriptions\n\nEach beside a small symbol list without a fault.\n\n" +

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "symplant/link/modbus/fields.hpp"
+
 namespace symplant::link::modbus {
 
 namespace {
@@ -22,15 +24,6 @@ constexpr std::uint16_t kCoilOff = 0x0000;
 /// Size of a request of two 16-bit fields, and of the part of a multiple write before its data.
 constexpr std::size_t kShortRequest = 5;
 constexpr std::size_t kWriteHead = 6;
-
-std::uint16_t field(Request request, std::size_t offset) noexcept {
-  return static_cast<std::uint16_t>(request[offset] << 8 | request[offset + 1]);
-}
-
-void put_field(std::span<std::uint8_t> reply, std::size_t offset, std::uint16_t value) noexcept {
-  reply[offset] = static_cast<std::uint8_t>(value >> 8);
-  reply[offset + 1] = static_cast<std::uint8_t>(value & 0xFF);
-}
 
 Answer refuse(Request request, Reply reply, Exception exception) noexcept {
   reply[0] = static_cast<std::uint8_t>(request[0] | kFirstReserved);

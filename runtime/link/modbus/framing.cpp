@@ -1,6 +1,8 @@
 // Modbus TCP frames in a stream of bytes, by the Messaging on TCP/IP Implementation Guide V1.0b.
 #include "symplant/link/modbus/framing.hpp"
 
+#include "symplant/link/modbus/fields.hpp"
+
 namespace symplant::link::modbus {
 
 namespace {
@@ -9,10 +11,6 @@ namespace {
 constexpr std::size_t kBeforeLength = 6;
 constexpr std::size_t kMinLength = 2;
 constexpr std::size_t kMaxLength = 1 + kMaxPdu;
-
-std::uint16_t field(std::span<const std::uint8_t> bytes, std::size_t offset) noexcept {
-  return static_cast<std::uint16_t>(bytes[offset] << 8 | bytes[offset + 1]);
-}
 
 }  // namespace
 
@@ -31,12 +29,9 @@ Frame parse_frame(std::span<const std::uint8_t> bytes) noexcept {
 
 void write_header(const Frame& frame, std::size_t pdu_size, std::span<std::uint8_t, kMbapHeader> header) noexcept {
   const std::size_t length = pdu_size + 1;
-  header[0] = static_cast<std::uint8_t>(frame.transaction >> 8);
-  header[1] = static_cast<std::uint8_t>(frame.transaction & 0xFF);
-  header[2] = 0;
-  header[3] = 0;
-  header[4] = static_cast<std::uint8_t>(length >> 8);
-  header[5] = static_cast<std::uint8_t>(length & 0xFF);
+  put_field(header, 0, frame.transaction);
+  put_field(header, 2, 0);
+  put_field(header, 4, static_cast<std::uint16_t>(length));
   header[6] = frame.unit;
 }
 
