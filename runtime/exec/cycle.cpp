@@ -9,6 +9,7 @@ namespace {
 
 /// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
 constexpr core::Time kLongestSleep = 100 * core::kMillisecond;
+constexpr std::size_t kToldLinks = 64;
 
 /// False where `stop` came first.
 bool wait_until(core::Time deadline, Clock& clock, const std::atomic<bool>& stop) noexcept {
@@ -20,9 +21,21 @@ bool wait_until(core::Time deadline, Clock& clock, const std::atomic<bool>& stop
   }
 }
 
-void write_events(core::Plant& plant, std::span<Exchange* const> links) noexcept {
-  for (Exchange* link : links) link->write_events(plant);
+void write_events(core::Plant& plant, std::span<Exchange* const> links, const CycleStatus& status) noexcept {
+  for (Exchange* link : links) link->write_events(plant, status);
   plant.forget_changed_events();
+}
+
+/// What the links are told of themselves and of each other.
+CycleStatus status_of(std::span<Exchange* const> links, const CycleStatistics& statistics) noexcept {
+  CycleStatus status{.cycles = statistics.cycles, .overruns = statistics.overruns};
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const LinkState state = links[i]->state();
+    if (state == LinkState::live && i < kToldLinks) status.live |= std::uint64_t{1} << i;
+    status.lost = status.lost || state == LinkState::lost;
+    status.frozen = status.frozen || links[i]->freezes_plant();
+  }
+  return status;
 }
 
 }  // namespace
@@ -40,7 +53,7 @@ CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links,
   const auto over = [&] { return stepper != nullptr && options.until == core::kNever && stepper->over(); };
   core::Time time = plant.now();
   advance_to(time);
-  write_events(plant, links);
+  write_events(plant, links, status_of(links, statistics));
 
   // Real time minus plant time; grows when plant time slips.
   core::Time offset = clock.now() - time;
@@ -56,13 +69,21 @@ CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links,
       statistics.slipped += excess * cycle;
     }
 
-    for (Exchange* link : links) link->read_operations(plant);
-    advance_to(next);
-    write_events(plant, links);
+    const core::Time deadline = next + offset;
+    for (Exchange* link : links) link->read_operations(plant, deadline + lateness);
+    const CycleStatus status = status_of(links, statistics);
+    if (status.frozen) {
+      offset += next - time;
+      statistics.frozen += next - time;
+    } else {
+      advance_to(next);
+      time = next;
+    }
+    write_events(plant, links, status);
     ++statistics.cycles;
-    time = next;
-    if (clock.now() >= next + offset + cycle) ++statistics.overruns;
+    if (clock.now() >= deadline + cycle) ++statistics.overruns;
   }
+  for (Exchange* link : links) link->leave();
   return statistics;
 }
 

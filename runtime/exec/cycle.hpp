@@ -24,6 +24,7 @@ struct CycleStatistics {
   std::uint64_t cycles = 0;
   std::uint64_t overruns = 0;   ///< cycles that were not finished when the next was due
   core::Time slipped = 0;       ///< plant time lost: the plant's clock is behind the real one by so much
+  core::Time frozen = 0;        ///< plant time that stood still, as a lost link's policy says
   core::Time max_lateness = 0;  ///< the latest start of a cycle after its deadline
 };
 
@@ -34,6 +35,8 @@ struct CycleStatistics {
 /// forgets which had changed. T grows by `options.cycle`, in step with the clock. A cycle that is late is run all the
 /// same, at once and for its own T, so the plant catches up in order; when more than `max_catch_up` cycles are due
 /// at once beside the present one, the time of the others is slipped.
+///
+/// While a link freezes the plant cycles go on with links alone; plant time stands still and is not caught up.
 ///
 /// With a `stepper` it is that which advances the plant, and the run ends with the cycle in which it is over unless
 /// `options.until` says when. `stop` may be set by any thread or a signal handler and is seen within a tenth of a

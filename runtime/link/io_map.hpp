@@ -6,17 +6,9 @@
 #include <vector>
 
 #include "symplant/core/tables.hpp"
+#include "symplant/link/link_settings.hpp"
 
 namespace symplant::link {
-
-/// The four tables of Modbus. Operations are what the PLC writes, events what it reads.
-enum class Table : std::uint8_t {
-  coil,              ///< bit operations
-  discrete_input,    ///< bit events
-  holding_register,  ///< numeric operations of 16 bits
-  input_register,    ///< numeric events of 16 bits
-};
-inline constexpr std::size_t kTables = 4;
 
 /// A symbol's place. Several symbols of one address have the same place.
 struct IoPoint {

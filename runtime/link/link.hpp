@@ -9,6 +9,7 @@
 
 #include "symplant/core/tables.hpp"
 #include "symplant/exec/exchange.hpp"
+#include "symplant/link/link_settings.hpp"
 
 namespace symplant::link {
 
@@ -40,6 +41,7 @@ inline constexpr std::uint32_t kAllControllers = 0xFFFF'FFFF;
 struct LinkChoice {
   std::string url;
   std::uint32_t controller = 0;  ///< in PlantTables::controller_names; kAllControllers: of `loop:` alone
+  LinkSettings settings = {};
 };
 
 /// A link, or why there is none.

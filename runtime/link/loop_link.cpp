@@ -115,7 +115,7 @@ std::optional<std::uint64_t> LoopLink::event_value(std::string_view symbol) {
   return row ? event_value(*row) : std::nullopt;
 }
 
-void LoopLink::read_operations(core::Plant& plant) noexcept {
+void LoopLink::read_operations(core::Plant& plant, core::Time /*now*/) noexcept {
   if (!operations_.update()) return;
   const auto image = operations_.latest();
   for (std::size_t word = 0; word < image.size(); ++word) {
@@ -137,7 +137,7 @@ void LoopLink::write_event_word(std::size_t word, std::uint64_t value) noexcept 
   events_.touch(word);
 }
 
-void LoopLink::write_events(const core::Plant& plant) noexcept {
+void LoopLink::write_events(const core::Plant& plant, const exec::CycleStatus& /*status*/) noexcept {
   const auto bits = plant.events();
   if (events_written_) {
     for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);

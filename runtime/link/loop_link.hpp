@@ -38,8 +38,8 @@ class LoopLink final : public Link {
   std::optional<std::uint64_t> event_value(std::uint32_t symbol) noexcept;
 
   std::string url() const override { return "loop:"; }
-  void read_operations(core::Plant& plant) noexcept override;
-  void write_events(const core::Plant& plant) noexcept override;
+  void read_operations(core::Plant& plant, core::Time now) noexcept override;
+  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override;
   LinkStatus status() const noexcept override { return {}; }
 
  private:

@@ -60,8 +60,10 @@ class ServerLink final : public Link {
         server_(std::move(listener.socket), responder_) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
-  void read_operations(core::Plant& plant) noexcept override { images_.read_operations(plant); }
-  void write_events(const core::Plant& plant) noexcept override { images_.write_events(plant); }
+  void read_operations(core::Plant& plant, core::Time /*now*/) noexcept override { images_.read_operations(plant); }
+  void write_events(const core::Plant& plant, const exec::CycleStatus& /*status*/) noexcept override {
+    images_.write_events(plant);
+  }
 
   LinkStatus status() const noexcept override {
     LinkStatus status = responder_.status();

@@ -44,12 +44,14 @@ class FakeLink final : public exec::Exchange {
     std::size_t changed_words;
   };
 
-  void read_operations(core::Plant& plant) noexcept override {
+  void read_operations(core::Plant& plant, core::Time now) noexcept override {
     entries.push_back({Call::read, plant.now(), 0});
+    read_at.push_back(now);
     if (on_read) on_read(plant);
   }
-  void write_events(const core::Plant& plant) noexcept override {
+  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
     entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
+    told.push_back(status);
     if (on_write) on_write(plant);
   }
 
@@ -62,7 +64,16 @@ class FakeLink final : public exec::Exchange {
     return times;
   }
 
+  void leave() noexcept override { ++left; }
+  exec::LinkState state() const noexcept override { return stands; }
+  bool freezes_plant() const noexcept override { return freezes; }
+
   std::vector<Entry> entries;
+  std::vector<Time> read_at;
+  std::vector<exec::CycleStatus> told;
+  int left = 0;
+  exec::LinkState stands = exec::LinkState::live;
+  bool freezes = false;
   std::function<void(core::Plant&)> on_read;
   std::function<void(const core::Plant&)> on_write;
 };
@@ -233,6 +244,43 @@ TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
   CHECK(statistics.overruns == 100);
   CHECK(statistics.slipped > 800 * kMillisecond);
   CHECK(statistics.slipped < kSecond);
+}
+
+TEST_CASE("a link that freezes the plant has its turns while plant time stands still, and none is caught up") {
+  Bench bench;
+  int reads = 0;
+  bench.link.on_read = [&](core::Plant&) {
+    ++reads;
+    bench.link.freezes = reads >= 3 && reads < 8;
+    bench.link.stands = bench.link.freezes ? exec::LinkState::lost : exec::LinkState::live;
+  };
+  const Time begin = bench.clock.now();
+  const auto statistics = bench.run({.until = 40 * kMillisecond});
+  const Time ms = kMillisecond;
+  CHECK(bench.link.written() ==
+        std::vector<Time>{0, 10 * ms, 20 * ms, 20 * ms, 20 * ms, 20 * ms, 20 * ms, 20 * ms, 30 * ms, 40 * ms});
+  CHECK(statistics.frozen == 50 * ms);
+  CHECK(statistics.cycles == 9);
+  CHECK(statistics.overruns == 0);
+  CHECK(statistics.slipped == 0);
+  CHECK(bench.clock.now() == begin + 90 * ms);
+  CHECK(bench.link.told[2].live == 1);
+  CHECK_FALSE(bench.link.told[2].frozen);
+  CHECK(bench.link.told[3].live == 0);
+  CHECK(bench.link.told[3].lost);
+  CHECK(bench.link.told[3].frozen);
+}
+
+TEST_CASE("a link is told how many cycles were, what time it is, and at the end that it is over") {
+  Bench bench;
+  const Time begin = bench.clock.now();
+  bench.run({.until = 30 * kMillisecond});
+  std::vector<std::uint64_t> cycles;
+  for (const exec::CycleStatus& status : bench.link.told) cycles.push_back(status.cycles);
+  CHECK(cycles == std::vector<std::uint64_t>{0, 0, 1, 2});
+  CHECK(bench.link.read_at.size() == 3);
+  CHECK(bench.link.read_at.back() >= begin + 30 * kMillisecond);
+  CHECK(bench.link.left == 1);
 }
 
 TEST_CASE("the last cycle ends at the end asked for, even within a cycle") {

@@ -104,8 +104,8 @@ TEST_CASE("a loop carries the symbols of its controller alone") {
   CHECK_FALSE(first.set("PLC2_O", true));
   CHECK_FALSE(first.event("PLC2_I").has_value());
   CHECK(second.event("PLC2_I") == false);
-  first.read_operations(*plant);
-  second.read_operations(*plant);
+  first.read_operations(*plant, 0);
+  second.read_operations(*plant, 0);
   plant->advance_to(0);
   CHECK(plant->operation(tables.symbols[0].index));
   CHECK_FALSE(plant->operation(tables.symbols[2].index));
@@ -123,9 +123,9 @@ TEST_CASE("two Modbus links serve two controllers' equal addresses as two places
     links.push_back(std::get<std::unique_ptr<link::Link>>(std::move(opened)));
   }
   const auto cycle = [&](core::Time time) {
-    for (const auto& link : links) link->read_operations(*plant);
+    for (const auto& link : links) link->read_operations(*plant, 0);
     plant->advance_to(time);
-    for (const auto& link : links) link->write_events(*plant);
+    for (const auto& link : links) link->write_events(*plant, {});
     plant->forget_changed_events();
   };
   test::RawClient first(test::port_of(*links[0]));

@@ -59,7 +59,7 @@ TEST_CASE("libmodbus reads and writes registers") {
   test::OwnedPlant plant(tables);
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   plant->advance_to(0);
-  link->write_events(*plant);
+  link->write_events(*plant, {});
   const Client client(test::port_of(*link));
   std::uint16_t value = 0;
   REQUIRE(modbus_read_input_registers(client, 2, 1, &value) == 1);
@@ -69,7 +69,7 @@ TEST_CASE("libmodbus reads and writes registers") {
   CHECK(modbus_write_registers(client, 3, 2, two.data()) == 2);
   REQUIRE(modbus_read_registers(client, 4, 1, &value) == 1);
   CHECK(value == 7);
-  link->read_operations(*plant);
+  link->read_operations(*plant, 0);
   plant->advance_to(core::kMillisecond);
   CHECK(static_cast<std::int64_t>(plant->operation_value(0)) == -1);
   CHECK(link->status().writes_to_gaps == 1);

@@ -14,9 +14,9 @@ namespace {
 
 /// One cycle, as run_cycles() makes it.
 void cycle(core::Plant& plant, link::Link& link, core::Time time) {
-  link.read_operations(plant);
+  link.read_operations(plant, 0);
   plant.advance_to(time);
-  link.write_events(plant);
+  link.write_events(plant, {});
   plant.forget_changed_events();
 }
 

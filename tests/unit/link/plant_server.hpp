@@ -40,7 +40,7 @@ class CellServer {
   CellServer()
       : tables_(cell_tables()), plant_(tables_), link_(open_or_throw("modbus-tcp-server://127.0.0.1:0", tables_)) {
     plant_->advance_to(0);
-    link_->write_events(*plant_);
+    link_->write_events(*plant_, {});
     plant_->forget_changed_events();
   }
   ~CellServer() { stop_cycling(); }
@@ -48,9 +48,9 @@ class CellServer {
   CellServer& operator=(const CellServer&) = delete;
 
   void cycle(core::Time duration) {
-    link_->read_operations(*plant_);
+    link_->read_operations(*plant_, 0);
     plant_->advance_to(plant_->now() + duration);
-    link_->write_events(*plant_);
+    link_->write_events(*plant_, {});
     plant_->forget_changed_events();
   }
 
