@@ -9,13 +9,12 @@ failed, 77 pymodbus is not installed (a skip, for ctest).
 import os
 import pathlib
 import random
-import signal
-import socket
-import subprocess
 import sys
 import tempfile
 import threading
 import time
+
+from running_plant import RunningPlant
 
 LIST = """Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial
 VAR_GLOBAL,L_P_CYL_O_ADV,Y0001,%QX1,BOOL,FALSE
@@ -50,46 +49,6 @@ def until(read, wanted):
         time.sleep(0.05)
         seen = read()
     return seen
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return probe.getsockname()[1]
-
-
-class Plant:
-    def __init__(self, symplant, folder, client_of):
-        path = pathlib.Path(folder) / "numbers.csv"
-        path.write_text(LIST, encoding="utf-8")
-        self.log = open(pathlib.Path(folder) / "log", "w+", encoding="utf-8")
-        for _ in range(10):  # 3 is the exit code for a port that somebody else took meanwhile
-            self.port = free_port()
-            self.process = subprocess.Popen(
-                [symplant, "run", str(path), "--link", f"modbus-tcp-server://127.0.0.1:{self.port}"],
-                stdout=self.log, stderr=subprocess.STDOUT)
-            for _ in range(600):
-                client = client_of(self.port)
-                if client.connect():
-                    client.close()
-                    return
-                if self.process.poll() is not None:
-                    break
-                time.sleep(0.05)
-            if self.process.poll() != 3:
-                break
-        self.give_up("the plant does not answer")
-
-    def give_up(self, what):
-        self.stop()
-        self.log.seek(0)
-        print(f"FAILED: {what}; the plant said:\n{self.log.read()}")
-        sys.exit(1)
-
-    def stop(self):
-        if self.process.poll() is None:
-            self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(timeout=60)
 
 
 def bits(answer, count):
@@ -180,7 +139,9 @@ def main():
         return ModbusTcpClient("127.0.0.1", port=port, timeout=10)
 
     with tempfile.TemporaryDirectory() as folder:
-        plant = Plant(os.path.abspath(sys.argv[1]), folder, client_of)
+        numbers = pathlib.Path(folder) / "numbers.csv"
+        numbers.write_text(LIST, encoding="utf-8")
+        plant = RunningPlant([os.path.abspath(sys.argv[1]), "run", str(numbers)], folder)
         try:
             with client_of(plant.port) as client:
                 check_tables(client)

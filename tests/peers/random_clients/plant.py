@@ -1,0 +1,107 @@
+"""A plant whose answers are known: its files, and a model of its four tables that follows every write.
+
+Devices of two events each follow their operation at once; what is left of the inputs changes when the scenario sets it, one
+set of values a trigger. All else of coils and holding registers is read back as it was written, symbol or gap.
+"""
+import json
+
+COILS = INPUTS = 4096
+HOLDING = 512
+INPUT_REGISTERS = 500  # that the map has; behind it may stand what the link adds
+KEPT = range(2000, 2128)  # the coils that are written by trigger, barrier and end alone
+BARRIER, END, FIRST_TRIGGER = 2000, 2001, 2008
+STAMP = 499  # the input register that counts the triggers
+TRIGGERS = KEPT.stop - FIRST_TRIGGER
+FOLLOWERS, FREE_INPUTS, NUMBERS = 400, 200, 150
+
+
+class KnownPlant:
+    """The plant of a seed, with its tables as they must be now."""
+
+    def __init__(self, dice):
+        self.coils, self.inputs = [0] * COILS, [0] * INPUTS
+        self.holding, self.input_registers = [0] * HOLDING, [0] * INPUT_REGISTERS
+        self.unsettled = set()  # inputs that may still stand as they were
+        self.triggered = 0
+        self.rows = []
+        places = dice.sample([place for place in range(INPUTS - 1)], 2 * FOLLOWERS + 2 + FREE_INPUTS)
+        coils = [BARRIER, COILS - 1] + dice.sample([c for c in range(COILS - 1) if c not in KEPT], FOLLOWERS - 1)
+        self.followers = {}
+        for coil in coils:
+            self.followers[coil] = (places.pop(), places.pop())
+            self._device(coil, *self.followers[coil])
+        self.free = {place: f"FREE_{place}" for place in [INPUTS - 1, *places]}
+        for place, name in self.free.items():
+            self._row(name, f"%IX{place}", "BOOL", "FALSE")
+        for coil in [END, *range(FIRST_TRIGGER, KEPT.stop)]:
+            self._row(f"KEPT_{coil}", f"%QX{coil}", "BOOL", "FALSE")
+        self._numbers(dice)
+        self.sets = [self._set(dice, number) for number in range(1, TRIGGERS + 1)]
+
+    def _row(self, name, address, type_name, initial):
+        self.rows.append(f"VAR_GLOBAL,{name},,{address},{type_name},{initial}")
+
+    def _device(self, coil, on, off):
+        self._row(f"F_S_D{coil}_O_ON", f"%QX{coil}", "BOOL", "FALSE")
+        self._row(f"F_S_D{coil}_I_ON", f"%IX{on}", "BOOL", "FALSE")
+        self._row(f"F_S_D{coil}_I_OFF", f"%IX{off}", "BOOL", "FALSE")
+        self.inputs[off] = 1
+
+    def _numbers(self, dice):
+        for place in [HOLDING - 1, *dice.sample(range(HOLDING - 1), NUMBERS)]:
+            self.holding[place] = self._number(dice, f"NUMBER_O_{place}", f"%QW{place}")
+        self.moving = {}
+        for place in [STAMP, *dice.sample(range(STAMP), NUMBERS)]:
+            name = f"NUMBER_I_{place}"
+            self.input_registers[place] = self._number(dice, name, f"%IW{place}", "WORD", 0 if place == STAMP else None)
+            self.moving[place] = name
+
+    def _number(self, dice, name, address, type_name=None, value=None):
+        type_name = type_name or dice.choice(["WORD", "INT"])
+        value = dice.randrange(65536) if value is None else value
+        self._row(name, address, type_name, value - 65536 if type_name == "INT" and value > 32767 else value)
+        return value
+
+    def _set(self, dice, number):
+        bits = {place: dice.randrange(2) for place in dice.sample(sorted(self.free), 20)}
+        words = {place: dice.randrange(32768) for place in dice.sample(sorted(set(self.moving) - {STAMP}), 20)}
+        return bits, {**words, STAMP: number}
+
+    def write_files(self, folder):
+        """list.csv, plant.json and scenario.json; the arguments of `symplant run`."""
+        header = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial"
+        (folder / "list.csv").write_text("\n".join([header, *self.rows, ""]), encoding="utf-8")
+        plant = {"symplant": 1, "name": "known", "symbols": ["list.csv"], "defaults": {"travel": "0s", "dwell": "0s"}}
+        (folder / "plant.json").write_text(json.dumps(plant), encoding="utf-8")
+        steps = []
+        for number, (bits, words) in enumerate(self.sets):
+            values = {self.free[place]: bool(bit) for place, bit in bits.items()}
+            values.update({self.moving[place]: word for place, word in words.items()})
+            steps += [{"wait": f"KEPT_{FIRST_TRIGGER + number}", "within": "10h"}, {"plus": "0s", "set": values}]
+        steps.append({"wait": f"KEPT_{END}", "within": "10h"})
+        (folder / "scenario.json").write_text(json.dumps({"symplant-scenario": 1, "steps": steps}), encoding="utf-8")
+        return [str(folder / "plant.json"), "--scenario", str(folder / "scenario.json")]
+
+    def write_coils(self, first, bits):
+        for coil, bit in enumerate(bits, first):
+            if coil in self.followers and self.coils[coil] != bit:
+                on, off = self.followers[coil]
+                self.inputs[on], self.inputs[off] = bit, 1 - bit
+                self.unsettled.update((on, off))
+            self.coils[coil] = bit
+
+    def write_holding(self, first, words):
+        self.holding[first:first + len(words)] = words
+
+    def next_trigger(self):
+        """The coil of the next trigger, after which the inputs stand as this says; none where all were used."""
+        if self.triggered == TRIGGERS:
+            return None
+        coil = FIRST_TRIGGER + self.triggered
+        bits, words = self.sets[self.triggered]
+        self.triggered += 1
+        for place, bit in bits.items():
+            self.inputs[place] = bit
+        for place, word in words.items():
+            self.input_registers[place] = word
+        return coil
