@@ -241,7 +241,9 @@ def main():
     print(f"{known.triggered} sets of inputs by the scenario; inputs looked at again: {play.waited} times; exit code {code}")
     if code != 0:
         sys.exit(1)
-    sys.exit(0 if len(found) == 3 else 77)
+    if len(found) < 3:
+        print(f"of pymodbus, modbus-serial and mbpoll only {', '.join(client.name for client in found)}: counts as skipped")
+        sys.exit(77)
 
 
 main()
