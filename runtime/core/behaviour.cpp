@@ -98,7 +98,7 @@ std::uint64_t BehaviourView::value(std::uint32_t value) const noexcept {
                                                     : engine_.event_values.made[symbol.index];
 }
 
-bool BehaviourView::quality() const noexcept { return engine_.head->link_well != 0; }
+bool BehaviourView::quality() const noexcept { return engine_.behaviour_states[place_].ill == 0; }
 
 void BehaviourView::set_event(std::uint8_t event, bool on) noexcept {
   const UnitRow& row = engine_.tables.units[unit_];

@@ -30,8 +30,7 @@ struct BlockHead {
   Time now;
   std::uint32_t started;       ///< 0: the first instant, at time 0, is still to run
   std::uint32_t acted;         ///< 1: something acted from outside since the last instant
-  std::uint32_t link_well;     ///< what behaviours see as their link's quality
-  std::uint32_t event_forces;  ///< BOOL events that are forced
+  std::uint64_t event_forces;  ///< BOOL events that are forced
   Wheel wheel;
 };
 
@@ -59,7 +58,8 @@ struct MonitorState {
 struct BehaviourState {
   Time wake;  ///< kNever: not at all; of a halted unit what is left
   std::uint32_t draws;
-  std::uint32_t woken;  ///< its time has come, and its unit has not stepped since
+  std::uint16_t woken;  ///< its time has come, and its unit has not stepped since
+  std::uint16_t ill;    ///< the link of its operations is not well
 };
 
 /// Of a condition: its inputs, its truth as last published, and whether it waits to be worked out.
@@ -112,7 +112,7 @@ class Engine {
   bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
   void force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept;
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
-  void set_quality(bool well) noexcept;
+  void set_quality(std::size_t behaviour, bool well) noexcept;
   bool restore(std::span<const std::byte> block) noexcept;
   void requeue() noexcept;
   void see_events() noexcept;

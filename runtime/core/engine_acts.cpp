@@ -95,7 +95,7 @@ void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexc
     BitPlane& plane = operation ? operations : events;
     for_address(shared, true, row.index, [&](std::uint32_t bit) {
       const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
-      if (!operation && was != forced) head->event_forces += forced ? 1U : ~0U;
+      if (!operation && was != forced) forced ? ++head->event_forces : --head->event_forces;
       set_bit(plane.forced[bit / 64], bit, forced);
       set_bit(plane.forced_on[bit / 64], bit, forced && value != 0);
       plane.dirty.mark(bit / 64);
@@ -146,10 +146,11 @@ void Engine::see_events() noexcept {
   unseen_events_ = head->event_forces == 0 && index.event_watches.empty() && index.shared_events.empty();
 }
 
-void Engine::set_quality(bool well) noexcept {
-  if ((head->link_well != 0) == well) return;
-  head->link_well = well ? 1 : 0;
-  for (const BehaviourUnit& behaviour : tables.behaviour_units) touch(behaviour.unit);
+void Engine::set_quality(std::size_t behaviour, bool well) noexcept {
+  BehaviourState& state = behaviour_states[behaviour];
+  if ((state.ill == 0) == well) return;
+  state.ill = well ? 0 : 1;
+  touch(tables.behaviour_units[behaviour].unit);
   head->acted = 1;
 }
 

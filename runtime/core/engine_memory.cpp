@@ -9,7 +9,7 @@
 namespace symplant::core {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E02;  // "symplan" and the layout's version
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E03;  // "symplan" and the layout's version
 
 /// fnv1a64 of a unit's name in the upper case of ASCII.
 std::uint64_t hash_of_name(std::string_view name) noexcept {
@@ -151,7 +151,6 @@ void Engine::reset(std::uint64_t seed, Time cycle) noexcept {
   head->size = kept.size;
   head->seed = seed;
   head->cycle = cycle;
-  head->link_well = 1;
   head->wheel.clear();
   touched_.size = moved_.size = 0;
   findings.clear();

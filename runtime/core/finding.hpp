@@ -18,12 +18,15 @@ enum class FindingKind : std::uint8_t {
   event_too_short,                ///< of an event
   instantaneous_loop,             ///< of units: one finding each, `more` set on all but the loop's last
   requirement_violated,           ///< of a requirement
+  link_lost,                      ///< of a link; this and the next are the host's, not the model's
+  link_back,                      ///< of a link; a note
 };
-inline constexpr int kFindingKinds = 9;
+inline constexpr int kFindingKinds = 9;      ///< of the model
+inline constexpr int kAllFindingKinds = 11;  ///< with those of the host
 
 struct Finding {
   Time time;
-  std::uint32_t of;  ///< a unit, a symbol or a requirement, by its place in the tables
+  std::uint32_t of;  ///< a unit, a symbol or a requirement, by its place in the tables; a link by its place in the run
   FindingKind kind;
   bool more;  ///< the next finding names a further unit of this same loop
 

@@ -63,7 +63,11 @@ void Plant::set_state(std::uint32_t unit, std::uint8_t state) noexcept {
   if (state < tables_.types[tables_.units[unit].type].states) engine_->set_state(unit, state);
 }
 
-void Plant::set_quality(bool well) noexcept { engine_->set_quality(well); }
+void Plant::set_quality(bool well) noexcept {
+  for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) engine_->set_quality(b, well);
+}
+
+void Plant::set_quality(std::uint32_t behaviour, bool well) noexcept { engine_->set_quality(behaviour, well); }
 
 void Plant::advance_to(Time time, Observer* observer) noexcept { engine_->advance_to(time, observer); }
 

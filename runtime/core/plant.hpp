@@ -106,8 +106,11 @@ class Plant {
   /// entered, also where it is the same; a disabled or frozen unit stays so. Nothing is done where the unit has no such
   /// state. O(1) beside what it changes.
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
-  /// What behaviours are told of the link that carries their operations; well after a reset. O(behaviours).
+  /// What behaviours are told of the link that carries their operations; well after a reset. O(devices with a
+  /// behaviour).
   void set_quality(bool well) noexcept;
+  /// What one device's behaviour is told, by its place in PlantTables::behaviour_units. O(1).
+  void set_quality(std::uint32_t behaviour, bool well) noexcept;
 
   /// Runs every instant that is due before `time` on the operations as they were, then the one at `time` with what
   /// was written since the last call. Called again for the same time, it runs a further instant only if something

@@ -53,8 +53,8 @@ int open_links(const LinkChoices& chosen, const core::PlantTables& tables, const
       return error->kind == link::LinkError::Kind::usage ? kBadInput : kEnvironment;
     }
     const bool says_whose = controllers.size() > 1 && choice.controller < controllers.size();
-    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(),
-                     std::get<std::unique_ptr<link::Link>>(std::move(opened))});
+    links.push_back({says_whose ? std::string(controllers[choice.controller]) : std::string(), choice.controller,
+                     choice.settings, std::get<std::unique_ptr<link::Link>>(std::move(opened))});
   }
   return kGood;
 }

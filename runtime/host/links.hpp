@@ -34,6 +34,8 @@ std::vector<bool> carried_operations(const LinkChoices& links, const core::Plant
 /// A link of a run.
 struct OpenLink {
   std::string controller;  ///< whose symbols it carries, where a plant of several has to say; else empty
+  std::uint32_t carries;   ///< the controller's place; link::kAllControllers: of `loop:` alone
+  link::LinkSettings settings;
   std::unique_ptr<link::Link> link;
 
   /// `PLC1=URL` or `URL`, with the real port.

@@ -62,11 +62,13 @@ void Outputs::take(const trace::Record& record) {
   }
   if (trace_) trace_->write(record);
   if (vcd_) vcd_->write(record);
-  if (record.last) end_instant(record.time);
+  if (!record.last) return;
+  const bool of_host = record.kind == trace::Record::Kind::finding && trace::is_of_link(record.finding);
+  if (!of_host) ++instants_;
+  end_instant(record.time);
 }
 
 void Outputs::end_instant(core::Time time) {
-  ++instants_;
   loop_goes_on_ = false;
   for (const trace::FoundThing& found : found_) {
     const std::string words = report_.found(found);

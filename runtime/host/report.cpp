@@ -16,7 +16,7 @@ using trace::seconds;
 
 const char* severity(FindingKind kind) {
   if (kind == FindingKind::requirement_violated) return "error";
-  return kind == FindingKind::started_on_enabling ? "note" : "warning";
+  return kind == FindingKind::started_on_enabling || kind == FindingKind::link_back ? "note" : "warning";
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class Report {
   const scenario::Scenario* scenario_;
   std::string file_;
   std::ostream& err_;
-  std::array<std::uint64_t, core::kFindingKinds> counts_{};
+  std::array<std::uint64_t, core::kAllFindingKinds> counts_{};
   std::set<std::pair<core::FindingKind, std::vector<std::uint32_t>>> told_;
   std::vector<Violation> violations_;
   std::vector<std::string> failures_;

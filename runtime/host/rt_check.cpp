@@ -9,6 +9,7 @@
 #include "symplant/exec/guard/guard.hpp"
 #include "symplant/exec/rt_check.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/host/watched_link.hpp"
 #include "symplant/host/words.hpp"
 
 namespace symplant::host {
@@ -47,8 +48,7 @@ class GuardedStage final : public exec::Stepper {
 }  // namespace
 
 RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& links, bool real, std::ostream& out) {
-  std::vector<exec::Exchange*> exchanges;
-  for (const OpenLink& open : links) exchanges.push_back(open.link.get());
+  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
   const core::Time begin = stage.plant.now();
   exec::CycleOptions cycle;
   cycle.cycle = options.cycle;
@@ -65,7 +65,8 @@ RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& lin
   RtChecked checked{};
   if (real) stage.outputs.start_thread();
   const exec::GuardReport report = exec::run_watched([&] {
-    checked.cycles = exec::run_cycles(stage.plant, exchanges, cycle, clock, nullptr, stop_requested(), &guarded);
+    checked.cycles =
+        exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, nullptr, stop_requested(), &guarded);
   });
   if (real) stage.outputs.stop_thread();
 

@@ -77,13 +77,16 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
 }
 
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
-int play(Stage& stage, const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
+int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
          const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, std::ostream& out,
          std::ostream& tell, std::ostream& err) {
   stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
   Links links;
   const int opened = open_links(chosen, program.tables, stage.plant, links, err);
   if (opened != kGood) return opened;
+  std::vector<std::string> texts;
+  for (const OpenLink& open : links) texts.push_back(open.text());
+  names.name_links(std::move(texts));
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
   tell << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
@@ -140,7 +143,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     return kBadInput;
   }
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
-  const trace::PlantNames names(program.tables);
+  trace::PlantNames names(program.tables);
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
     scenario = load_scenario(options.scenario, names, carried_operations(chosen, program.tables), err);

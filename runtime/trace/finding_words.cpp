@@ -13,15 +13,17 @@ namespace {
 
 using core::FindingKind;
 
-constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
-                                                                      "stopped under another command",
-                                                                      "command to a disabled unit",
-                                                                      "command without effect",
-                                                                      "lost command",
-                                                                      "started on enabling",
-                                                                      "event too short",
-                                                                      "instantaneous loop",
-                                                                      "requirement violated"};
+constexpr std::array<std::string_view, core::kAllFindingKinds> kNames = {"conflicting operations",
+                                                                         "stopped under another command",
+                                                                         "command to a disabled unit",
+                                                                         "command without effect",
+                                                                         "lost command",
+                                                                         "started on enabling",
+                                                                         "event too short",
+                                                                         "instantaneous loop",
+                                                                         "requirement violated",
+                                                                         "link lost",
+                                                                         "link back"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -134,6 +136,17 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
   return text;
 }
 
+std::string of_link(const FoundThing& found, const PlantNames& names) {
+  const std::string_view name = names.link(found.of.front());
+  if (found.kind == FindingKind::link_back) {
+    return fmt::format("link back: {}, what the PLC wrote acts again", name);
+  }
+  return fmt::format(
+      "link lost: {}, no valid request that touches the map has come for the time of `loss-after`; look whether the "
+      "PLC runs and its cable is in",
+      name);
+}
+
 /// The violation, then each unit that the requirement looks at, the last to change first.
 std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t requirement = found.of.front();
@@ -159,11 +172,16 @@ bool is_of_unit(FindingKind kind) {
          kind == FindingKind::started_on_enabling || kind == FindingKind::instantaneous_loop;
 }
 
-bool is_of_symbol(FindingKind kind) { return !is_of_unit(kind) && kind != FindingKind::requirement_violated; }
+bool is_of_link(FindingKind kind) { return kind == FindingKind::link_lost || kind == FindingKind::link_back; }
+
+bool is_of_symbol(FindingKind kind) {
+  return !is_of_unit(kind) && !is_of_link(kind) && kind != FindingKind::requirement_violated;
+}
 
 std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
+  if (is_of_link(found.kind)) return std::string(names.link(found.of.front()));
   std::vector<std::string_view> units;
   units.reserve(found.of.size());
   for (const std::uint32_t unit : found.of) units.push_back(names.unit(unit));
@@ -175,6 +193,7 @@ std::string name_of(const FoundThing& found, const PlantNames& names) {
 
 std::vector<std::uint32_t> units_of(const FoundThing& found, const core::PlantTables& tables) {
   if (is_of_unit(found.kind)) return found.of;
+  if (is_of_link(found.kind)) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
   return unit == core::kNoUnit ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
@@ -214,6 +233,7 @@ std::string unit_words(std::uint32_t unit, const PlantNames& names, const Histor
 
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
+  if (is_of_link(found.kind)) return {of_link(found, names)};
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
   if (found.kind == FindingKind::instantaneous_loop) {
     return {fmt::format(

@@ -18,11 +18,12 @@ std::string_view finding_name(core::FindingKind kind);
 struct FoundThing {
   core::Time time;
   core::FindingKind kind;
-  std::vector<std::uint32_t> of;  ///< a loop's units; else one unit, symbol or requirement
+  std::vector<std::uint32_t> of;  ///< a loop's units; else one unit, symbol, requirement or link
 };
 
 bool is_of_unit(core::FindingKind kind);
 bool is_of_symbol(core::FindingKind kind);
+bool is_of_link(core::FindingKind kind);
 
 /// What it is of, by name; a loop's units sorted, with blanks between.
 std::string name_of(const FoundThing& found, const PlantNames& names);

@@ -111,6 +111,11 @@ void Recorder::finding(const core::Finding& finding) noexcept {
   }
 }
 
+void Recorder::raise(core::Time time, core::FindingKind kind, std::uint32_t of) noexcept {
+  finding({time, of, kind, false});
+  publish();
+}
+
 bool Recorder::note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept {
   const bool noted = put({time, value, of, Record::Kind::note});
   publish();

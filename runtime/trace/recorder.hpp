@@ -26,6 +26,8 @@ class Recorder final : public core::Observer {
 
   void instant(const core::Instant& instant) noexcept override;
   void finding(const core::Finding& finding) noexcept override;
+  /// A finding of the host, between instants, by the thread that runs the plant.
+  void raise(core::Time time, core::FindingKind kind, std::uint32_t of) noexcept;
   /// Between instants, by the thread that runs the plant. False where there was no room.
   bool note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept;
 

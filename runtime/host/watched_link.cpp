@@ -1,0 +1,52 @@
+// A link whose losses are told.
+#include "symplant/host/watched_link.hpp"
+
+#include "symplant/core/lists.hpp"
+
+namespace symplant::host {
+
+using exec::LinkState;
+
+namespace {
+
+/// Places in PlantTables::behaviour_units of the devices with an operation of the controller.
+std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const core::PlantTables& tables) {
+  std::vector<bool> carried(tables.units.size());
+  for (std::uint32_t symbol = 0; symbol < tables.symbols.size(); ++symbol) {
+    const core::SymbolRow& row = tables.symbols[symbol];
+    if (row.unit == core::kNoUnit || row.direction() != core::Direction::operation) continue;
+    if (controller == link::kAllControllers || core::controller_of(tables, symbol) == controller) {
+      carried[row.unit] = true;
+    }
+  }
+  std::vector<std::uint32_t> behaviours;
+  for (std::uint32_t place = 0; place < tables.behaviour_units.size(); ++place) {
+    if (carried[tables.behaviour_units[place].unit]) behaviours.push_back(place);
+  }
+  return behaviours;
+}
+
+}  // namespace
+
+WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, const core::PlantTables& tables,
+                         trace::Recorder& recorder)
+    : link_(*link.link), place_(place), behaviours_(behaviours_of(link.carries, tables)), recorder_(recorder) {}
+
+void WatchedLink::read_operations(core::Plant& plant, core::Time now) noexcept {
+  link_.read_operations(plant, now);
+  const LinkState state = link_.state();
+  if (state == before_) return;
+  if (state == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_lost, place_);
+  if (before_ == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_back, place_);
+  before_ = state;
+  for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, state == LinkState::live);
+}
+
+WatchedLinks::WatchedLinks(const Links& links, const core::PlantTables& tables, trace::Recorder& recorder) {
+  for (const OpenLink& open : links) {
+    links_.emplace_back(open, static_cast<std::uint32_t>(links_.size()), tables, recorder);
+    exchanges_.push_back(&links_.back());
+  }
+}
+
+}  // namespace symplant::host

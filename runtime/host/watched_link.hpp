@@ -1,0 +1,51 @@
+// A link whose losses are told: as findings, and to the behaviours of its devices.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "symplant/exec/exchange.hpp"
+#include "symplant/host/links.hpp"
+#include "symplant/trace/recorder.hpp"
+
+namespace symplant::host {
+
+/// Stands between the cycle and a link. What it refers to must outlive it. Its members are called by the thread of the
+/// cycle; O(1) but for the cycle in which the link's state changes, which costs a call for each device of its
+/// controller that has a behaviour.
+class WatchedLink final : public exec::Exchange {
+ public:
+  /// `place`: of the link in the run, for its findings.
+  WatchedLink(const OpenLink& link, std::uint32_t place, const core::PlantTables& tables, trace::Recorder& recorder);
+
+  void read_operations(core::Plant& plant, core::Time now) noexcept override;
+  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+    link_.write_events(plant, status);
+  }
+  void leave() noexcept override { link_.leave(); }
+  exec::LinkState state() const noexcept override { return link_.state(); }
+  bool freezes_plant() const noexcept override { return link_.freezes_plant(); }
+
+ private:
+  link::Link& link_;
+  std::uint32_t place_;
+  std::vector<std::uint32_t> behaviours_;  ///< of devices whose operations it carries
+  trace::Recorder& recorder_;
+  exec::LinkState before_ = exec::LinkState::live;  ///< as a plant takes its links to be
+};
+
+/// The links of a run as the cycle takes them.
+class WatchedLinks {
+ public:
+  WatchedLinks(const Links& links, const core::PlantTables& tables, trace::Recorder& recorder);
+
+  std::span<exec::Exchange* const> exchanges() const noexcept { return exchanges_; }
+
+ private:
+  std::deque<WatchedLink> links_;
+  std::vector<exec::Exchange*> exchanges_;
+};
+
+}  // namespace symplant::host

@@ -1,0 +1,60 @@
+// Sets of places of a Modbus table, by ranges.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace symplant::link::modbus {
+
+/// A set of places below a size. All memory is taken by the constructor; a range costs a step for each 64 places.
+class PlaceSet {
+ public:
+  explicit PlaceSet(std::uint32_t size = 0) : words_((size + kBits - 1) / kBits) {}
+
+  void add(std::uint32_t first, std::uint32_t count) noexcept {
+    over(first, count, [this](std::size_t word, std::uint64_t mask) { words_[word] |= mask; });
+  }
+  /// Returns how many of them were in it.
+  std::uint32_t remove(std::uint32_t first, std::uint32_t count) noexcept {
+    std::uint32_t removed = 0;
+    over(first, count, [&](std::size_t word, std::uint64_t mask) {
+      removed += static_cast<std::uint32_t>(std::popcount(words_[word] & mask));
+      words_[word] &= ~mask;
+    });
+    return removed;
+  }
+  bool has_any(std::uint32_t first, std::uint32_t count) const noexcept {
+    bool any = false;
+    over(first, count, [&](std::size_t word, std::uint64_t mask) { any = any || (words_[word] & mask) != 0; });
+    return any;
+  }
+  std::uint32_t size() const noexcept {
+    std::uint32_t size = 0;
+    for (const std::uint64_t word : words_) size += static_cast<std::uint32_t>(std::popcount(word));
+    return size;
+  }
+  /// Takes the places of another set of the same size.
+  void assign(const PlaceSet& other) noexcept {
+    for (std::size_t word = 0; word < words_.size(); ++word) words_[word] = other.words_[word];
+  }
+
+ private:
+  static constexpr std::uint32_t kBits = 64;
+
+  template <class Visit>
+  static void over(std::uint32_t first, std::uint32_t count, Visit visit) noexcept {
+    const std::uint32_t end = first + count;
+    while (first < end) {
+      const std::uint32_t low = first % kBits;
+      const std::uint32_t bits = kBits - low < end - first ? kBits - low : end - first;
+      visit(first / kBits, (~std::uint64_t{0} >> (kBits - bits)) << low);
+      first += bits;
+    }
+  }
+
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace symplant::link::modbus

@@ -1,0 +1,131 @@
+// When a link counts as lost, and when what its PLC writes counts again.
+#include "symplant/link/health.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace symplant;
+using core::kMillisecond;
+using core::kSecond;
+using exec::LinkState;
+using link::LinkHealth;
+using link::Verdict;
+
+namespace {
+
+constexpr core::Time kCycle = 10 * kMillisecond;
+
+/// A link that is looked at every 10 ms.
+struct Bench {
+  LinkHealth health{kSecond, kSecond};
+  core::Time now = 1234;
+  std::vector<core::Time> lost_at;
+
+  Verdict look(bool heard, bool complete = true) {
+    now += kCycle;
+    const Verdict verdict = health.look(now, heard, complete);
+    if (verdict == Verdict::lose) lost_at.push_back(now);
+    return verdict;
+  }
+  /// Looks for a time without anything to be heard; the last verdict.
+  Verdict silent(core::Time time) {
+    Verdict last = Verdict::hold;
+    for (core::Time t = 0; t < time; t += kCycle) last = look(false);
+    return last;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a link waits, however long, until its PLC is heard for the first time, and is never lost before") {
+  Bench bench;
+  CHECK(bench.health.state() == LinkState::waiting);
+  CHECK(bench.silent(10 * kSecond) == Verdict::hold);
+  CHECK(bench.health.state() == LinkState::waiting);
+  CHECK(bench.lost_at.empty());
+  CHECK(bench.look(true) == Verdict::apply);
+  CHECK(bench.health.state() == LinkState::live);
+}
+
+TEST_CASE("what a PLC wrote first acts at once, without waiting for a complete image") {
+  Bench bench;
+  CHECK(bench.look(true, false) == Verdict::apply);
+}
+
+TEST_CASE("a link is lost when nothing has come for its time, and not a cycle earlier") {
+  Bench bench;
+  bench.look(true);
+  const core::Time heard = bench.now;
+  CHECK(bench.silent(kSecond - kCycle) == Verdict::apply);
+  CHECK(bench.health.state() == LinkState::live);
+  CHECK(bench.look(false) == Verdict::lose);
+  CHECK(bench.health.state() == LinkState::lost);
+  CHECK(bench.lost_at == std::vector<core::Time>{heard + kSecond});
+  CHECK(bench.health.losses() == 1);
+}
+
+TEST_CASE("a link that is lost stays so, and is lost once") {
+  Bench bench;
+  bench.look(true);
+  CHECK(bench.silent(60 * kSecond) == Verdict::hold);
+  CHECK(bench.lost_at.size() == 1);
+}
+
+TEST_CASE("a request in time keeps a link alive for ever") {
+  Bench bench;
+  for (int i = 0; i < 100; ++i) {
+    CHECK(bench.look(true) == Verdict::apply);
+    CHECK(bench.silent(kSecond - kCycle) == Verdict::apply);
+  }
+  CHECK(bench.lost_at.empty());
+}
+
+TEST_CASE("after a loss what is written acts together, when all has been written again") {
+  Bench bench;
+  bench.look(true);
+  bench.silent(2 * kSecond);
+  CHECK(bench.look(true, false) == Verdict::hold);
+  CHECK(bench.health.state() == LinkState::lost);
+  CHECK(bench.look(true, false) == Verdict::hold);
+  CHECK(bench.look(true, true) == Verdict::apply);
+  CHECK(bench.health.state() == LinkState::live);
+}
+
+TEST_CASE("after a loss an image that stays incomplete acts when the time for it is over") {
+  Bench bench;
+  bench.look(true);
+  bench.silent(2 * kSecond);
+  CHECK(bench.look(true, false) == Verdict::hold);
+  const core::Time returned = bench.now;
+  Verdict verdict = Verdict::hold;
+  while (verdict == Verdict::hold && bench.now < returned + 5 * kSecond) verdict = bench.look(true, false);
+  CHECK(verdict == Verdict::apply);
+  CHECK(bench.now == returned + kSecond);
+  CHECK(bench.health.state() == LinkState::live);
+}
+
+TEST_CASE("a complete image counts only when its PLC has been heard again") {
+  Bench bench;
+  bench.look(true);
+  bench.silent(2 * kSecond);
+  CHECK(bench.look(false, true) == Verdict::hold);
+  CHECK(bench.look(true, true) == Verdict::apply);
+}
+
+TEST_CASE("a PLC that comes back and goes before its image is complete is lost anew") {
+  Bench bench;
+  bench.health = LinkHealth(kSecond, 5 * kSecond);
+  bench.look(true);
+  bench.silent(2 * kSecond);
+  bench.look(true, false);
+  Verdict verdict = Verdict::hold;
+  for (int i = 0; i < 100 && verdict == Verdict::hold; ++i) verdict = bench.look(false, false);
+  CHECK(verdict == Verdict::lose);
+  CHECK(bench.health.losses() == 2);
+  CHECK(bench.look(false, true) == Verdict::hold);
+}
+
+TEST_CASE("a cycle longer than the time for a loss is no loss while its PLC is heard between two of them") {
+  LinkHealth health(kSecond, kSecond);
+  for (core::Time hour = 1; hour < 5; ++hour) CHECK(health.look(hour * 3600 * kSecond, true, true) == Verdict::apply);
+}

@@ -1,0 +1,77 @@
+// What a PLC has written, and whether it has written all of it again.
+#include "symplant/link/modbus/rewriting.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+using symplant::link::modbus::PlaceSet;
+using symplant::link::modbus::Rewriting;
+
+TEST_CASE("a set of places holds the ranges that were added, wherever they begin and end") {
+  std::mt19937 dice(7);
+  const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(dice() % end); };
+  PlaceSet set(300);
+  std::set<std::uint32_t> expected;
+  for (int i = 0; i < 500; ++i) {
+    const std::uint32_t first = below(300);
+    const std::uint32_t count = below(301 - first);
+    std::uint32_t there = 0;
+    for (std::uint32_t p = first; p < first + count; ++p) there += static_cast<std::uint32_t>(expected.count(p));
+    REQUIRE(set.has_any(first, count) == (there != 0));
+    if (below(2) == 0) {
+      set.add(first, count);
+      for (std::uint32_t p = first; p < first + count; ++p) expected.insert(p);
+    } else {
+      REQUIRE(set.remove(first, count) == there);
+      for (std::uint32_t p = first; p < first + count; ++p) expected.erase(p);
+    }
+    REQUIRE(set.size() == expected.size());
+  }
+}
+
+TEST_CASE("before a loss nothing is awaited") {
+  Rewriting writes(100, 100);
+  CHECK(writes.complete());
+  writes.wrote(true, 3, 10);
+  CHECK(writes.complete());
+}
+
+TEST_CASE("after a loss all that was ever written is awaited, in both tables, in any order and cut") {
+  Rewriting writes(200, 200);
+  writes.wrote(true, 60, 10);
+  writes.wrote(false, 5, 1);
+  writes.begin();
+  CHECK_FALSE(writes.complete());
+  writes.wrote(true, 0, 65);
+  CHECK_FALSE(writes.complete());
+  writes.wrote(false, 5, 1);
+  CHECK_FALSE(writes.complete());
+  writes.wrote(true, 65, 5);
+  CHECK(writes.complete());
+}
+
+TEST_CASE("a place that is written twice counts once, and one of the other table does not count") {
+  Rewriting writes(200, 200);
+  writes.wrote(true, 1, 2);
+  writes.begin();
+  writes.wrote(true, 1, 1);
+  writes.wrote(true, 1, 1);
+  writes.wrote(false, 2, 1);
+  CHECK_FALSE(writes.complete());
+  writes.wrote(true, 2, 1);
+  CHECK(writes.complete());
+}
+
+TEST_CASE("a loss of a PLC that never wrote awaits nothing, a second loss all again") {
+  Rewriting writes(10, 10);
+  writes.begin();
+  CHECK(writes.complete());
+  writes.wrote(true, 0, 1);
+  writes.begin();
+  CHECK_FALSE(writes.complete());
+  writes.wrote(true, 0, 1);
+  CHECK(writes.complete());
+  writes.begin();
+  CHECK_FALSE(writes.complete());
+}

@@ -1,0 +1,41 @@
+// The registers of the status block.
+#include "symplant/link/modbus/status_block.hpp"
+
+#include <catch2/catch.hpp>
+
+using symplant::exec::LinkState;
+using symplant::link::WordOrder;
+using namespace symplant::link::modbus;
+
+namespace {
+
+using Registers = std::array<std::uint16_t, kStatusRegisters>;
+
+constexpr StatusBlock kBlock = {.state = PlantState::run,
+                                .cycles = 0x1'0005,
+                                .live = 0x7'8003,
+                                .lost_exchanges = 0x1'2345'6789,
+                                .overruns = 0x0002'0001,
+                                .map_hash = 0x0123'4567'89AB'CDEF};
+
+}  // namespace
+
+TEST_CASE("the status block stands as documented, with the low word first") {
+  CHECK(registers_of(kBlock, WordOrder::low_first) ==
+        Registers{1, 5, 1, 0x8003, 0x6789, 0x2345, 1, 2, 0xCDEF, 0x89AB, 0x4567, 0x0123});
+}
+
+TEST_CASE("the status block stands as documented, with the high word first") {
+  CHECK(registers_of(kBlock, WordOrder::high_first) ==
+        Registers{1, 5, 1, 0x8003, 0x2345, 0x6789, 2, 1, 0x0123, 0x4567, 0x89AB, 0xCDEF});
+}
+
+TEST_CASE("the plant's state is that of the run before that of the plant before that of the link") {
+  CHECK(plant_state(LinkState::waiting, false, false) == PlantState::waiting);
+  CHECK(plant_state(LinkState::live, false, false) == PlantState::run);
+  CHECK(plant_state(LinkState::lost, false, false) == PlantState::link_lost);
+  CHECK(plant_state(LinkState::live, true, false) == PlantState::frozen);
+  CHECK(plant_state(LinkState::lost, true, false) == PlantState::frozen);
+  CHECK(plant_state(LinkState::lost, true, true) == PlantState::stopping);
+  CHECK(plant_state(LinkState::waiting, false, true) == PlantState::stopping);
+}
