@@ -1,0 +1,104 @@
+// Links whose losses are told: findings, and what behaviours see.
+#include "symplant/host/watched_link.hpp"
+
+#include <array>
+
+#include "support/plant_bench.hpp"
+#include "symplant/core/behaviour.hpp"
+#include "symplant/trace/finding_words.hpp"
+
+namespace symplant::test {
+namespace {
+
+using exec::LinkState;
+
+/// A link that stands as a test wants it to.
+class SetLink final : public link::Link {
+ public:
+  std::string url() const override { return "set:"; }
+  link::LinkStatus status() const noexcept override { return {}; }
+  void read_operations(core::Plant&, core::Time) noexcept override {}
+  void write_events(const core::Plant&, const exec::CycleStatus&) noexcept override {}
+  LinkState state() const noexcept override { return stands; }
+
+  LinkState stands = LinkState::waiting;
+};
+
+constexpr std::uint8_t kP2 = 1;
+
+/// Without a link that is well, the device goes to P2 by itself.
+std::uint8_t safe_place(core::BehaviourView& view) noexcept { return view.quality() ? core::kNoState : kP2; }
+
+constexpr std::array<core::Behaviour, 1> kBehaviours = {core::Behaviour{.wanted = safe_place}};
+
+/// A device with a behaviour, and a link that carries a controller's symbols; the plant's only controller is 0.
+struct Bench {
+  explicit Bench(std::uint32_t carries) {
+    auto made = std::make_unique<SetLink>();
+    link = made.get();
+    links.push_back({"", carries, {}, std::move(made)});
+    watched = std::make_unique<host::WatchedLinks>(links, tables.rows, recorder);
+    recorder.attach(plant);
+  }
+  static Told told() {
+    Told told;
+    told.device("A").behaviour = "Safe";
+    return told;
+  }
+  /// A cycle of 10 ms while the link stands so.
+  void cycle(LinkState state) {
+    link->stands = state;
+    watched->exchanges().front()->read_operations(plant, 0);
+    plant.advance_to(plant.now() + 10 * kMs, &recorder);
+  }
+  std::string found() {
+    std::string text;
+    recorder.drain([&](const trace::Record& record) {
+      if (record.kind != trace::Record::Kind::finding || !trace::is_of_link(record.finding)) return;
+      text.append(text.empty() ? "" : ", ").append(trace::finding_name(record.finding));
+      text += " of " + std::to_string(record.of) + " at " + trace::seconds(record.time);
+    });
+    return text;
+  }
+
+  BenchTables tables{{"A_O_P1", "A_I_P1", "A_O_P2", "A_I_P2"}, told()};
+  core::OwnedPlant plant{tables.rows, kBehaviours};
+  trace::Recorder recorder{tables.rows, 256};
+  SetLink* link = nullptr;
+  host::Links links;
+  std::unique_ptr<host::WatchedLinks> watched;
+};
+
+TEST_CASE("a link that is lost and comes back is found, once each time") {
+  Bench bench(0);
+  for (const LinkState state : {LinkState::waiting, LinkState::waiting, LinkState::live, LinkState::live}) {
+    bench.cycle(state);
+  }
+  CHECK(bench.found().empty());
+  for (const LinkState state : {LinkState::lost, LinkState::lost, LinkState::live, LinkState::live}) {
+    bench.cycle(state);
+  }
+  CHECK(bench.found() == "link lost of 0 at 0.04 s, link back of 0 at 0.06 s");
+  bench.cycle(LinkState::lost);
+  CHECK(bench.found() == "link lost of 0 at 0.08 s");
+}
+
+TEST_CASE("a behaviour sees that the link of its operations is not well") {
+  Bench bench(0);
+  bench.cycle(LinkState::live);
+  CHECK_FALSE(bench.plant.unit(0).moving);
+  bench.cycle(LinkState::lost);
+  CHECK(bench.plant.unit(0).moving);
+  CHECK(bench.plant.unit(0).target == kP2);
+}
+
+TEST_CASE("a behaviour takes no notice of a link that carries none of its operations") {
+  Bench bench(1);
+  bench.cycle(LinkState::live);
+  bench.cycle(LinkState::lost);
+  CHECK(bench.found() == "link lost of 0 at 0.01 s");
+  CHECK_FALSE(bench.plant.unit(0).moving);
+}
+
+}  // namespace
+}  // namespace symplant::test
