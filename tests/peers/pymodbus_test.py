@@ -86,6 +86,7 @@ def check_writes(client):
 
 
 def check_exceptions(client):
+    from pymodbus.other_message import ReportSlaveIdRequest
     for what, read in (("coils", client.read_coils), ("discrete inputs", client.read_discrete_inputs),
                        ("holding registers", client.read_holding_registers),
                        ("input registers", client.read_input_registers)):
@@ -99,7 +100,9 @@ def check_exceptions(client):
                          ("registers", client.write_registers(SIZE - 2, [9, 9, 9]))):
         check(f"writing {what} beyond the end is an illegal address", ILLEGAL_ADDRESS, exception(answer))
     check("and nothing of it is written", before, registers(client.read_holding_registers(0, SIZE)))
-    answer = client.readwrite_registers(read_address=0, read_count=1, write_address=0, write_registers=[1])
+    answer = client.readwrite_registers(read_address=0, read_count=1, write_address=SIZE, write_registers=[1])
+    check("reading and writing with an illegal address", ILLEGAL_ADDRESS, exception(answer))
+    answer = client.execute(ReportSlaveIdRequest(unit=1))
     check("a function that is not served is an illegal function", ILLEGAL_FUNCTION, exception(answer))
     check("too many registers are an illegal value", ILLEGAL_VALUE, exception(client.read_holding_registers(0, 126)))
 

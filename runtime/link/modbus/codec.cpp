@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "symplant/link/modbus/device_identification.hpp"
 #include "symplant/link/modbus/fields.hpp"
 
 namespace symplant::link::modbus {
@@ -17,13 +18,16 @@ constexpr std::uint32_t kMaxReadBits = 2000;
 constexpr std::uint32_t kMaxReadRegisters = 125;
 constexpr std::uint32_t kMaxWriteBits = 1968;
 constexpr std::uint32_t kMaxWriteRegisters = 123;
-constexpr std::uint8_t kFirstReserved = 0x80;  ///< function codes from here on mark exceptions in replies
+constexpr std::uint32_t kMaxReadWriteRegisters = 121;  ///< what function 23 writes at most
+constexpr std::uint8_t kFirstReserved = 0x80;          ///< function codes from here on mark exceptions in replies
 constexpr std::uint16_t kCoilOn = 0xFF00;
 constexpr std::uint16_t kCoilOff = 0x0000;
 
 /// Size of a request of two 16-bit fields, and of the part of a multiple write before its data.
 constexpr std::size_t kShortRequest = 5;
 constexpr std::size_t kWriteHead = 6;
+constexpr std::size_t kMaskRequest = 7;
+constexpr std::size_t kReadWriteHead = 10;
 
 Answer refuse(Request request, Reply reply, Exception exception) noexcept {
   reply[0] = static_cast<std::uint8_t>(request[0] | kFirstReserved);
@@ -47,7 +51,15 @@ Exception check_read(Request request, std::uint32_t max, std::uint32_t size) noe
   return field(request, 1) + quantity > size ? Exception::illegal_data_address : Exception::none;
 }
 
-Answer read_bits(Request request, Reply reply, Places<const std::uint64_t> places) noexcept {
+/// What a request read is told beside its reply.
+Answer told(std::size_t size, Table table, std::uint32_t first, std::uint32_t count) noexcept {
+  return {.size = size,
+          .read = table,
+          .read_first = static_cast<std::uint16_t>(first),
+          .read_count = static_cast<std::uint16_t>(count)};
+}
+
+Answer read_bits(Request request, Reply reply, Table table, Places<const std::uint64_t> places) noexcept {
   const Exception fault = check_read(request, kMaxReadBits, places.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
@@ -55,38 +67,47 @@ Answer read_bits(Request request, Reply reply, Places<const std::uint64_t> place
   const std::uint32_t bytes = bytes_of_bits(quantity);
   reply[0] = request[0];
   reply[1] = static_cast<std::uint8_t>(bytes);
-  std::fill_n(reply.begin() + 2, bytes, std::uint8_t{0});
-  for (std::uint32_t i = 0; i < quantity; ++i) {
-    if (get_bit(places.words, first + i)) reply[2 + i / 8] |= static_cast<std::uint8_t>(1U << (i % 8));
+  for (std::uint32_t done = 0; done < quantity; done += kBitsPerWord) {
+    std::uint64_t bits = get_bits(places.words, first + done);
+    if (quantity - done < kBitsPerWord) bits &= (std::uint64_t{1} << (quantity - done)) - 1;
+    for (std::uint32_t i = done / 8; i < std::min(bytes, done / 8 + 8); ++i, bits >>= 8) {
+      reply[2 + i] = static_cast<std::uint8_t>(bits);
+    }
   }
-  return {.size = 2 + bytes};
+  return told(2 + bytes, table, first, quantity);
 }
 
-Answer read_registers(Request request, Reply reply, Places<const std::uint64_t> places) noexcept {
+Answer registers_from(std::uint32_t first, std::uint32_t quantity, Request request, Reply reply, Table table,
+                      Places<const std::uint64_t> places) noexcept {
+  reply[0] = request[0];
+  reply[1] = static_cast<std::uint8_t>(2 * quantity);
+  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(places.words, first + i));
+  return told(2 + 2 * quantity, table, first, quantity);
+}
+
+Answer read_registers(Request request, Reply reply, Table table, Places<const std::uint64_t> places) noexcept {
   const Exception fault = check_read(request, kMaxReadRegisters, places.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
   const std::uint32_t quantity = field(request, 3);
-  reply[0] = request[0];
-  reply[1] = static_cast<std::uint8_t>(2 * quantity);
-  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(places.words, first + i));
-  return {.size = 2 + 2 * quantity};
+  return registers_from(first, quantity, request, reply, table, places);
 }
 
 Answer read_coils(Request request, const Tables& tables, Reply reply) noexcept {
-  return read_bits(request, reply, {tables.coils.words, tables.coils.size});
+  return read_bits(request, reply, Table::coil, {tables.coils.words, tables.coils.size});
 }
 
 Answer read_discrete_inputs(Request request, const Tables& tables, Reply reply) noexcept {
-  return read_bits(request, reply, tables.discrete_inputs);
+  return read_bits(request, reply, Table::discrete_input, tables.discrete_inputs);
 }
 
 Answer read_holding_registers(Request request, const Tables& tables, Reply reply) noexcept {
-  return read_registers(request, reply, {tables.holding_registers.words, tables.holding_registers.size});
+  return read_registers(request, reply, Table::holding_register,
+                        {tables.holding_registers.words, tables.holding_registers.size});
 }
 
 Answer read_input_registers(Request request, const Tables& tables, Reply reply) noexcept {
-  return read_registers(request, reply, tables.input_registers);
+  return read_registers(request, reply, Table::input_register, tables.input_registers);
 }
 
 Answer write_single_coil(Request request, const Tables& tables, Reply reply) noexcept {
@@ -123,10 +144,20 @@ Answer write_coils(Request request, const Tables& tables, Reply reply) noexcept 
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
   const std::uint16_t quantity = field(request, 3);
-  for (std::uint32_t i = 0; i < quantity; ++i) {
-    set_bit(tables.coils.words, first + i, (request[kWriteHead + i / 8] >> (i % 8) & 1) != 0);
+  const Request data = request.subspan(kWriteHead);
+  for (std::uint32_t done = 0; done < quantity; done += kBitsPerWord) {
+    const std::uint32_t count = std::min(kBitsPerWord, quantity - done);
+    std::uint64_t bits = 0;
+    for (std::uint32_t i = bytes_of_bits(count); i > 0; --i) bits = bits << 8 | data[done / 8 + i - 1];
+    set_bits(tables.coils.words, first + done, bits, count);
   }
   return echo(request, reply, Table::coil, quantity);
+}
+
+void put_registers(Request data, std::uint32_t first, std::uint32_t quantity, const Tables& tables) noexcept {
+  for (std::uint32_t i = 0; i < quantity; ++i) {
+    set_register(tables.holding_registers.words, first + i, field(data, 2 * std::size_t{i}));
+  }
 }
 
 Answer write_registers(Request request, const Tables& tables, Reply reply) noexcept {
@@ -135,10 +166,50 @@ Answer write_registers(Request request, const Tables& tables, Reply reply) noexc
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
   const std::uint16_t quantity = field(request, 3);
-  for (std::uint32_t i = 0; i < quantity; ++i) {
-    set_register(tables.holding_registers.words, first + i, field(request, kWriteHead + 2 * i));
-  }
+  put_registers(request.subspan(kWriteHead), first, quantity, tables);
   return echo(request, reply, Table::holding_register, quantity);
+}
+
+Answer mask_write_register(Request request, const Tables& tables, Reply reply) noexcept {
+  if (request.size() < 3) return refuse(request, reply, Exception::illegal_data_value);
+  // The one function whose diagram has the address before everything else (section 6.16).
+  const std::uint16_t place = field(request, 1);
+  if (place >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
+  if (request.size() != kMaskRequest) return refuse(request, reply, Exception::illegal_data_value);
+  const std::uint32_t kept = field(request, 3);
+  const std::uint32_t set = field(request, 5);
+  const std::uint32_t now = get_register(tables.holding_registers.words, place);
+  set_register(tables.holding_registers.words, place, static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
+  std::copy_n(request.begin(), kMaskRequest, reply.begin());
+  return {.size = kMaskRequest, .written = Table::holding_register, .first = place, .count = 1};
+}
+
+/// 03 or 02 for a request to read and write registers, else none.
+Exception check_read_write(Request request, std::uint32_t size) noexcept {
+  if (request.size() < kReadWriteHead) return Exception::illegal_data_value;
+  const std::uint32_t read = field(request, 3);
+  const std::uint32_t written = field(request, 7);
+  const std::uint32_t count = request[9];
+  if (read == 0 || read > kMaxReadRegisters || written == 0 || written > kMaxReadWriteRegisters) {
+    return Exception::illegal_data_value;
+  }
+  if (count != 2 * written || request.size() != kReadWriteHead + count) return Exception::illegal_data_value;
+  const bool within = field(request, 1) + read <= size && field(request, 5) + written <= size;
+  return within ? Exception::none : Exception::illegal_data_address;
+}
+
+Answer read_write_registers(Request request, const Tables& tables, Reply reply) noexcept {
+  const Exception fault = check_read_write(request, tables.holding_registers.size);
+  if (fault != Exception::none) return refuse(request, reply, fault);
+  const std::uint16_t first = field(request, 5);
+  const std::uint16_t quantity = field(request, 7);
+  put_registers(request.subspan(kReadWriteHead), first, quantity, tables);
+  Answer answer = registers_from(field(request, 1), field(request, 3), request, reply, Table::holding_register,
+                                 {tables.holding_registers.words, tables.holding_registers.size});
+  answer.written = Table::holding_register;
+  answer.first = first;
+  answer.count = quantity;
+  return answer;
 }
 
 /// A function code and who answers it.
@@ -148,17 +219,29 @@ struct Function {
 };
 
 constexpr std::array kFunctions = {
-    Function{1, read_coils},           Function{2, read_discrete_inputs}, Function{3, read_holding_registers},
-    Function{4, read_input_registers}, Function{5, write_single_coil},    Function{6, write_single_register},
-    Function{15, write_coils},         Function{16, write_registers},
+    Function{1, read_coils},
+    Function{2, read_discrete_inputs},
+    Function{3, read_holding_registers},
+    Function{4, read_input_registers},
+    Function{5, write_single_coil},
+    Function{6, write_single_register},
+    Function{15, write_coils},
+    Function{16, write_registers},
+    Function{22, mask_write_register},
+    Function{23, read_write_registers},
 };
 
 bool gets_no_reply(Request request) noexcept { return request.empty() || request[0] >= kFirstReserved; }
 
 }  // namespace
 
-Answer answer_request(Request request, const Tables& tables, Reply reply) noexcept {
+Answer answer_request(Request request, const Tables& tables, const Identity& identity, Reply reply) noexcept {
   if (gets_no_reply(request)) return {};
+  if (request[0] == kEncapsulatedInterface) {
+    const Identified identified = identify(request, identity, reply);
+    if (identified.exception != Exception::none) return refuse(request, reply, identified.exception);
+    return {.size = identified.size};
+  }
   for (const Function& function : kFunctions) {
     if (function.code == request[0]) return function.answer(request, tables, reply);
   }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "symplant/link/modbus/places.hpp"
 
@@ -27,12 +28,25 @@ struct Answer {
   Table written = Table::coil;  ///< the table that was written, where `count` is not 0
   std::uint16_t first = 0;      ///< first place written
   std::uint16_t count = 0;      ///< places written
+  Table read = Table::coil;     ///< the table that was read, where `read_count` is not 0
+  std::uint16_t read_first = 0;
+  std::uint16_t read_count = 0;
+};
+
+/// Who the server is, for function 43/14. Texts are sent in printable ASCII, each cut after kMaxObject bytes.
+struct Identity {
+  static constexpr std::size_t kMaxObject = 64;
+
+  std::string_view vendor;
+  std::string_view product;
+  std::string_view revision;
 };
 
 /// Answers one request PDU (function code and data) from the tables, writing what it asks to write. After an exception
 /// nothing has changed. Checks come in the order of the specification's state diagrams: function (01), format and
-/// quantity (03), address (02). A request with a reserved function code, from 128 on, gets no reply.
-Answer answer_request(std::span<const std::uint8_t> request, const Tables& tables,
+/// quantity (03), address (02); of mask write (22) address, then format. A request with a reserved function code, from
+/// 128 on, gets no reply.
+Answer answer_request(std::span<const std::uint8_t> request, const Tables& tables, const Identity& identity,
                       std::span<std::uint8_t, kMaxPdu> reply) noexcept;
 
 /// A refusal of the request, whatever it asks. No reply where answer_request() would give none.

@@ -44,6 +44,27 @@ inline void set_bit(std::span<std::uint64_t> words, std::uint32_t place, bool on
   word = on ? word | mask : word & ~mask;
 }
 
+/// The 64 bits from `place` on, the lowest address in the lowest bit; 0 behind the last word.
+inline std::uint64_t get_bits(std::span<const std::uint64_t> words, std::uint32_t place) noexcept {
+  const std::uint32_t word = place / kBitsPerWord;
+  const std::uint32_t shift = place % kBitsPerWord;
+  const std::uint64_t low = words[word] >> shift;
+  if (shift == 0 || word + 1 >= words.size()) return low;
+  return low | words[word + 1] << (kBitsPerWord - shift);
+}
+
+/// Sets the `count` bits from `place` on, at most 64, to the lowest ones of `bits`.
+inline void set_bits(std::span<std::uint64_t> words, std::uint32_t place, std::uint64_t bits,
+                     std::uint32_t count) noexcept {
+  const std::uint32_t word = place / kBitsPerWord;
+  const std::uint32_t shift = place % kBitsPerWord;
+  const std::uint64_t mask = count == kBitsPerWord ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+  words[word] = (words[word] & ~(mask << shift)) | (bits & mask) << shift;
+  if (shift + count <= kBitsPerWord) return;
+  const std::uint32_t over = kBitsPerWord - shift;
+  words[word + 1] = (words[word + 1] & ~(mask >> over)) | (bits & mask) >> over;
+}
+
 inline std::uint16_t get_register(std::span<const std::uint64_t> words, std::uint32_t place) noexcept {
   return static_cast<std::uint16_t>(words[place / kRegistersPerWord] >> (16 * (place % kRegistersPerWord)));
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <system_error>
 
+#include "symplant/core/version.hpp"
 #include "symplant/link/modbus/images.hpp"
 #include "symplant/link/modbus/listener.hpp"
 #include "symplant/link/modbus/server.hpp"
@@ -17,10 +18,10 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 /// Answers requests from the images and counts them. Lives in the server's thread; the counts may be read by any.
 class ImageResponder final : public Responder {
  public:
-  explicit ImageResponder(Images& images) noexcept : images_(images) {}
+  ImageResponder(Images& images, const Identity& identity) noexcept : images_(images), identity_(identity) {}
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
-    const Answer answer = answer_request(request, images_.tables(), reply);
+    const Answer answer = answer_request(request, images_.tables(), identity_, reply);
     const std::uint32_t gaps = images_.written(answer);
     if (answer.size != 0) add(requests_, 1);
     if (answer.exception != Exception::none) add(exceptions_, 1);
@@ -46,6 +47,7 @@ class ImageResponder final : public Responder {
   static void add(Count& count, std::uint64_t more) noexcept { count.fetch_add(more, std::memory_order_relaxed); }
 
   Images& images_;
+  Identity identity_;
   Count requests_{0};
   Count exceptions_{0};
   Count gaps_{0};
@@ -56,7 +58,7 @@ class ServerLink final : public Link {
   ServerLink(const core::PlantTables& tables, std::uint32_t controller, Listener listener, const core::Plant* plant)
       : bound_(std::move(listener.bound)),
         images_(tables, make_io_map(tables, controller)),
-        responder_(filled(images_, plant)),
+        responder_(filled(images_, plant), {"symplant", tables.name, core::version()}),
         server_(std::move(listener.socket), responder_) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }

@@ -55,9 +55,11 @@ struct Reply {
   Answer answer;
 };
 
+inline constexpr Identity kIdentity = {"maker", "plant", "1.2"};
+
 inline Reply ask(Memory& memory, const Bytes& bytes) {
   std::array<std::uint8_t, kMaxPdu> reply{};
-  const Answer answer = answer_request(bytes, memory.tables(), reply);
+  const Answer answer = answer_request(bytes, memory.tables(), kIdentity, reply);
   return {Bytes(reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)), answer};
 }
 

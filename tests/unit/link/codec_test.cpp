@@ -1,6 +1,7 @@
 // Requests of the wrong form, functions that are not served, tables empty and full, random bytes.
 #include <algorithm>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "unit/link/codec_bench.hpp"
@@ -42,7 +43,7 @@ TEST_CASE("a request shorter or longer than its function implies is refused") {
 
 TEST_CASE("a function code that is not served gets exception 01, a reserved one no reply") {
   Memory memory(kBits, kRegisters);
-  const std::vector<int> served = {1, 2, 3, 4, 5, 6, 15, 16};
+  const std::vector<int> served = {1, 2, 3, 4, 5, 6, 15, 16, 22, 23, 43};
   for (int code = 0; code < 256; ++code) {
     if (std::count(served.begin(), served.end(), code) != 0) continue;
     for (const std::size_t size : {std::size_t{1}, std::size_t{5}, kMaxPdu}) {
@@ -57,6 +58,35 @@ TEST_CASE("a function code that is not served gets exception 01, a reserved one 
     }
   }
   CHECK(ask(memory, {}).bytes.empty());
+}
+
+TEST_CASE("an answer tells what was read and what was written") {
+  Memory memory(kBits, kRegisters);
+  const Answer both = ask(memory, {23, 0, 4, 0, 3, 0, 5, 0, 1, 2, 0xBE, 0xEF}).answer;
+  CHECK(both.read == link::Table::holding_register);
+  CHECK(both.read_first == 4);
+  CHECK(both.read_count == 3);
+  CHECK(both.written == link::Table::holding_register);
+  CHECK(both.first == 5);
+  CHECK(both.count == 1);
+  const Answer inputs = ask(memory, request(2, {7, 2})).answer;
+  CHECK(inputs.read == link::Table::discrete_input);
+  CHECK(inputs.read_first == 7);
+  CHECK(inputs.read_count == 2);
+  CHECK(inputs.count == 0);
+  CHECK(ask(memory, request(2, {kBits, 1})).answer.read_count == 0);
+  CHECK(ask(memory, request(22, {9, 0xFF00, 1})).answer.first == 9);
+}
+
+TEST_CASE("the server says who it is, in printable ASCII of no more than 64 bytes a text") {
+  std::array<std::uint8_t, kMaxPdu> reply{};
+  Memory memory(16, 16);
+  const std::string name = "caf\xC3\xA9 \n" + std::string(300, 'x');
+  const Identity identity = {"maker", name, "1"};
+  const Answer answer = answer_request(Bytes{43, 14, 4, 1}, memory.tables(), identity, reply);
+  REQUIRE(answer.size == 7 + 2 + Identity::kMaxObject);
+  CHECK(std::string(reply.begin() + 9, reply.begin() + 18) == "caf?? ?xx");
+  CHECK(answer_request(Bytes{43, 14, 1, 0}, memory.tables(), identity, reply).size == 7 + 7 + 66 + 3);
 }
 
 TEST_CASE("a table without places answers every address with 02") {

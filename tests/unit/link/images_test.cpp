@@ -29,7 +29,7 @@ struct Bench {
 
   Bytes ask(const Bytes& request) {
     std::array<std::uint8_t, kMaxPdu> reply{};
-    const Answer answer = answer_request(request, images.tables(), reply);
+    const Answer answer = answer_request(request, images.tables(), {}, reply);
     gaps += images.written(answer);
     return {reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)};
   }

@@ -83,6 +83,8 @@ TEST_CASE("libmodbus understands our exceptions") {
   CHECK(errno == EMBXILADD);
   std::uint16_t value = 0;
   CHECK(modbus_mask_write_register(client, 0, 1, 1) == -1);
+  CHECK(errno == EMBXILADD);
+  CHECK(modbus_report_slave_id(client, bits.size(), bits.data()) == -1);
   CHECK(errno == EMBXILFUN);
   CHECK(modbus_read_registers(client, 0, 1, &value) == -1);
   CHECK(errno == EMBXILADD);

@@ -1,0 +1,28 @@
+// The table of expectations as it is read from its file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace symplant::conformance {
+
+/// A row with steps, or a line of a matrix with cells.
+struct Row {
+  std::string part;
+  std::string id;
+  std::string source;  ///< section of a specification
+  std::string what;
+  std::vector<std::string> steps;
+
+  int function = 0;         ///< of a matrix; 0: steps
+  bool write_part = false;  ///< of function 23: what is written varies, not what is read
+  std::string address;
+  std::vector<std::pair<std::uint32_t, std::string>> cells;  ///< a quantity or value, and what must come
+};
+
+/// Throws std::runtime_error, with the line's number, where the text is no table.
+std::vector<Row> read_table(const std::string& text);
+
+}  // namespace symplant::conformance
