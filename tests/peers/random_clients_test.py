@@ -37,7 +37,7 @@ class Play:
         self.known, self.layout, self.dice, self.operations = known, layout, dice, operations
         self.clients, self.turns = list(clients), list(clients.values())
         self.refusal, self.client, self.done, self.waited = refusal, None, 0, 0
-        self.counts = collections.Counter()
+        self.counts, self.calls = collections.Counter(), collections.Counter()
         self.size = {"read_coils": layout.COILS, "read_discrete_inputs": layout.INPUTS,
                      "read_holding_registers": layout.HOLDING, "read_input_registers": layout.INPUT_REGISTERS,
                      "write_coils": layout.COILS, "write_registers": layout.HOLDING}
@@ -45,8 +45,6 @@ class Play:
     def all(self):
         kinds = {self.read: 50, self.write_one: 12, self.write_many: 18, self.mask: 4, self.write_and_read: 4, self.refused: 6,
                  self.barrier: 100 / ROUND, self.trigger: 100 * self.layout.TRIGGERS / 2 / self.operations}
-        if self.clients[0].do("mask_write_register", 0, 0xFFFF, 0) == self.refusal(1):
-            del kinds[self.mask], kinds[self.write_and_read]
         while self.done < self.operations:
             (self.client,) = self.dice.choices(self.clients, self.turns)
             self.dice.choices(list(kinds), list(kinds.values()))[0]()
@@ -55,6 +53,7 @@ class Play:
     def do(self, call, *args):
         self.done += 1
         self.counts[self.client.name] += 1
+        self.calls[call] += 1
         try:
             return self.client.do(call, *args)
         except RuntimeError as error:
@@ -99,12 +98,13 @@ class Play:
             late = call == "read_discrete_inputs" and self.known.unsettled.issuperset(wrong)
             if not late or time.monotonic() > end:
                 raise Wrong(f"{call}({first}, {count}): wrong at {wrong[:10]}: seen {[seen[i - first] for i in wrong[:10]]}")
-            self.look_again()
+            self.look_again(call)
 
-    def look_again(self):
+    def look_again(self, call):
         """The same question once more is no operation of its own."""
         self.done -= 1
         self.counts[self.client.name] -= 1
+        self.calls[call] -= 1
         self.waited += 1
         time.sleep(0.001)
 
@@ -183,7 +183,7 @@ class Play:
         while self.do("read_input_registers", self.layout.STAMP, 1) != [self.known.triggered]:
             if time.monotonic() > end:
                 raise Wrong(f"trigger {self.known.triggered} is not followed")
-            self.look_again()
+            self.look_again("read_input_registers")
 
     def whole_tables(self):
         self.client = self.clients[0]
@@ -238,6 +238,7 @@ def main():
             for client in found:
                 client.close()
     print(f"seed {seed}: {play.done} operations in {time.monotonic() - began:.1f} s, no wrong bit: {dict(play.counts)}")
+    print(", ".join(f"{call} {count}" for call, count in play.calls.items()))
     print(f"{known.triggered} sets of inputs by the scenario; inputs looked at again: {play.waited} times; exit code {code}")
     if code != 0:
         sys.exit(1)
