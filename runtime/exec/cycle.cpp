@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "symplant/exec/guard/guard.hpp"
+
 namespace symplant::exec {
 
 namespace {
@@ -10,81 +12,123 @@ namespace {
 /// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
 constexpr core::Time kLongestSleep = 100 * core::kMillisecond;
 constexpr std::size_t kToldLinks = 64;
+constexpr core::Time kStopped = core::kNever;
 
-/// False where `stop` came first.
-bool wait_until(core::Time deadline, Clock& clock, const std::atomic<bool>& stop) noexcept {
-  for (;;) {
-    if (stop.load(std::memory_order_relaxed)) return false;
-    const core::Time now = clock.now();
-    if (now >= deadline) return true;
-    clock.sleep_until(std::min(deadline, now + kLongestSleep));
+class Run {
+ public:
+  Run(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+      CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer, Stepper* stepper) noexcept
+      : plant_(plant),
+        links_(links),
+        options_(options),
+        clock_(clock),
+        meter_(meter),
+        stop_(stop),
+        observer_(observer),
+        stepper_(stepper),
+        cycle_(std::max(options.cycle, core::Time{1})),
+        spin_(std::clamp(options.spin, core::Time{0}, cycle_)),
+        most_(std::max(options.max_catch_up, std::int64_t{0})),
+        time_(plant.now()) {}
+
+  void all() noexcept {
+    const Guard guard;
+    advance_to(time_);
+    write_events(status());
+    offset_ = clock_.now() - time_;
+    while (time_ < options_.until && !over()) {
+      const core::Time next = options_.until - time_ > cycle_ ? time_ + cycle_ : options_.until;
+      const core::Time woken = wait_until(next + offset_);
+      if (woken == kStopped) return;
+      one(next, woken);
+    }
   }
-}
 
-void write_events(core::Plant& plant, std::span<Exchange* const> links, const CycleStatus& status) noexcept {
-  for (Exchange* link : links) link->write_events(plant, status);
-  plant.forget_changed_events();
-}
-
-/// What the links are told of themselves and of each other.
-CycleStatus status_of(std::span<Exchange* const> links, const CycleStatistics& statistics) noexcept {
-  CycleStatus status{.cycles = statistics.cycles, .overruns = statistics.overruns};
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const LinkState state = links[i]->state();
-    if (state == LinkState::live && i < kToldLinks) status.live |= std::uint64_t{1} << i;
-    status.lost = status.lost || state == LinkState::lost;
-    status.frozen = status.frozen || links[i]->freezes_plant();
+ private:
+  /// When it is past `deadline`; kStopped where a stop came first.
+  core::Time wait_until(core::Time deadline) noexcept {
+    for (;;) {
+      meter_.beats.add(1);
+      if (stop_.load(std::memory_order_relaxed)) return kStopped;
+      const core::Time now = clock_.now();
+      if (now >= deadline) return now;
+      if (deadline - now > spin_) clock_.sleep_until(std::min(deadline - spin_, now + kLongestSleep));
+    }
   }
-  return status;
-}
+
+  void one(core::Time next, core::Time woken) noexcept {
+    const core::Time lateness = woken - (next + offset_);
+    meter_.lateness.add(lateness);
+    if (last_start_ != core::kNever) meter_.jitter.add(std::abs(woken - last_start_ - cycle_));
+    last_start_ = woken;
+    const std::int64_t excess = lateness / cycle_ - most_;
+    if (excess > 0) {
+      offset_ += excess * cycle_;
+      meter_.slipped.add(static_cast<std::uint64_t>(excess * cycle_));
+    }
+
+    const core::Time deadline = next + offset_;
+    for (Exchange* link : links_) link->read_operations(plant_, woken);
+    const CycleStatus told = status();
+    if (told.frozen) {
+      offset_ += next - time_;
+      meter_.frozen.add(static_cast<std::uint64_t>(next - time_));
+    } else {
+      advance_to(next);
+      time_ = next;
+    }
+    write_events(told);
+    meter_.cycles.add(1);
+    const core::Time end = clock_.now();
+    meter_.work.add(end - woken);
+    if (end >= deadline + cycle_) meter_.overruns.add(1);
+  }
+
+  void advance_to(core::Time to) noexcept {
+    stepper_ != nullptr ? stepper_->advance_to(to) : plant_.advance_to(to, observer_);
+  }
+  bool over() const noexcept { return stepper_ != nullptr && options_.until == core::kNever && stepper_->over(); }
+
+  void write_events(const CycleStatus& told) noexcept {
+    for (Exchange* link : links_) link->write_events(plant_, told);
+    plant_.forget_changed_events();
+  }
+
+  /// What the links are told of themselves and of each other.
+  CycleStatus status() noexcept {
+    CycleStatus status{.cycles = meter_.cycles.value(), .overruns = meter_.overruns.value()};
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const LinkState state = links_[i]->state();
+      meter_.note(i, state);
+      if (state == LinkState::live && i < kToldLinks) status.live |= std::uint64_t{1} << i;
+      status.lost = status.lost || state == LinkState::lost;
+      status.frozen = status.frozen || links_[i]->freezes_plant();
+    }
+    return status;
+  }
+
+  core::Plant& plant_;
+  std::span<Exchange* const> links_;
+  const CycleOptions& options_;
+  Clock& clock_;
+  CycleMeter& meter_;
+  const std::atomic<bool>& stop_;
+  core::Observer* observer_;
+  Stepper* stepper_;
+  core::Time cycle_;
+  core::Time spin_;
+  std::int64_t most_;
+  core::Time time_;                       ///< plant time of the cycle that was last
+  core::Time offset_ = 0;                 ///< real time minus plant time; grows when plant time slips
+  core::Time last_start_ = core::kNever;  ///< of the cycle that was last
+};
 
 }  // namespace
 
-CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
-                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop,
-                           Stepper* stepper) noexcept {
-  CycleStatistics statistics;
-  const core::Time cycle = std::max(options.cycle, core::Time{1});
-  const std::int64_t most = std::max(options.max_catch_up, std::int64_t{0});
-
-  const auto advance_to = [&](core::Time to) {
-    stepper != nullptr ? stepper->advance_to(to) : plant.advance_to(to, observer);
-  };
-  const auto over = [&] { return stepper != nullptr && options.until == core::kNever && stepper->over(); };
-  core::Time time = plant.now();
-  advance_to(time);
-  write_events(plant, links, status_of(links, statistics));
-
-  // Real time minus plant time; grows when plant time slips.
-  core::Time offset = clock.now() - time;
-  while (time < options.until && !over()) {
-    const core::Time next = options.until - time > cycle ? time + cycle : options.until;
-    if (!wait_until(next + offset, clock, stop)) break;
-
-    const core::Time lateness = clock.now() - (next + offset);
-    statistics.max_lateness = std::max(statistics.max_lateness, lateness);
-    const std::int64_t excess = lateness / cycle - most;
-    if (excess > 0) {
-      offset += excess * cycle;
-      statistics.slipped += excess * cycle;
-    }
-
-    const core::Time deadline = next + offset;
-    for (Exchange* link : links) link->read_operations(plant, deadline + lateness);
-    const CycleStatus status = status_of(links, statistics);
-    if (status.frozen) {
-      offset += next - time;
-      statistics.frozen += next - time;
-    } else {
-      advance_to(next);
-      time = next;
-    }
-    write_events(plant, links, status);
-    ++statistics.cycles;
-    if (clock.now() >= deadline + cycle) ++statistics.overruns;
-  }
+void run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+                CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer, Stepper* stepper) noexcept {
+  Run(plant, links, options, clock, meter, stop, observer, stepper).all();
   for (Exchange* link : links) link->leave();
-  return statistics;
 }
 
 }  // namespace symplant::exec

@@ -8,6 +8,7 @@
 #include "symplant/core/plant.hpp"
 #include "symplant/core/time.hpp"
 #include "symplant/exec/clock.hpp"
+#include "symplant/exec/cycle_meter.hpp"
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/stepper.hpp"
 
@@ -17,15 +18,7 @@ struct CycleOptions {
   core::Time cycle = 10 * core::kMillisecond;  ///< from deadline to deadline, > 0
   core::Time until = core::kNever;             ///< plant time of the last cycle, which may be a shorter one
   std::int64_t max_catch_up = 10;              ///< cycles run at once after a delay; what is beyond is slipped
-};
-
-/// What a run came to. Times in nanoseconds.
-struct CycleStatistics {
-  std::uint64_t cycles = 0;
-  std::uint64_t overruns = 0;   ///< cycles that were not finished when the next was due
-  core::Time slipped = 0;       ///< plant time lost: the plant's clock is behind the real one by so much
-  core::Time frozen = 0;        ///< plant time that stood still, as a lost link's policy says
-  core::Time max_lateness = 0;  ///< the latest start of a cycle after its deadline
+  core::Time spin = 0;  ///< so long before a deadline the thread stays awake and looks at the clock, below `cycle`
 };
 
 /// Runs the plant in real time from where it stands until `stop` or the end of `options.until`.
@@ -40,9 +33,12 @@ struct CycleStatistics {
 ///
 /// With a `stepper` it is that which advances the plant, and the run ends with the cycle in which it is over unless
 /// `options.until` says when. `stop` may be set by any thread or a signal handler and is seen within a tenth of a
-/// second. Takes no heap and no lock; its only system calls are the clock's.
-CycleStatistics run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
-                           Clock& clock, core::Observer* observer, const std::atomic<bool>& stop,
-                           Stepper* stepper = nullptr) noexcept;
+/// second. Takes no heap and no lock; its only system calls are the clock's. All of it but the links' leave() is
+/// guarded (guard/guard.hpp), so a thread under the guard's trap finds out whether that holds.
+///
+/// `meter` is added to, and may be read meanwhile by any thread.
+void run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+                CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer = nullptr,
+                Stepper* stepper = nullptr) noexcept;
 
 }  // namespace symplant::exec

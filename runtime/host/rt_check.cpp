@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
-#include "symplant/exec/guard/guard.hpp"
+#include "symplant/exec/cycle.hpp"
+#include "symplant/exec/real_time.hpp"
 #include "symplant/exec/rt_check.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/host/watched_link.hpp"
@@ -26,57 +28,69 @@ class VirtualClock final : public exec::Clock {
   core::Time now_;
 };
 
-/// Advances the stage inside the guard.
-class GuardedStage final : public exec::Stepper {
+/// Advances the stage and takes what was recorded, since no other thread does.
+class DrainingStage final : public exec::Stepper {
  public:
-  GuardedStage(Stage& stage, bool drains) : stage_(stage), drains_(drains) {}
+  explicit DrainingStage(Stage& stage) : stage_(stage) {}
 
   void advance_to(core::Time time) noexcept override {
-    {
-      const exec::Guard guard;
-      stage_.advance_to(time);
-    }
-    if (drains_) stage_.outputs.drain();
+    stage_.advance_to(time);
+    const exec::Unguarded draining;
+    const exec::ThreadFaults before = exec::thread_faults();
+    stage_.outputs.drain();
+    drained_ += exec::thread_faults() - before;
   }
   bool over() const noexcept override { return false; }
+  /// What was suffered by taking it.
+  const exec::ThreadFaults& drained() const noexcept { return drained_; }
 
  private:
   Stage& stage_;
-  bool drains_;  ///< what was recorded, since no thread does
+  exec::ThreadFaults drained_;
 };
 
 }  // namespace
 
-RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& links, bool real, std::ostream& out) {
-  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
-  const core::Time begin = stage.plant.now();
-  exec::CycleOptions cycle;
-  cycle.cycle = options.cycle;
-  const std::uint64_t most = static_cast<std::uint64_t>(core::kNever - begin) / static_cast<std::uint64_t>(cycle.cycle);
+core::Time end_of_rt_check(core::Time begin, const RunOptions& options) {
+  const auto most = static_cast<std::uint64_t>((core::kNever - begin) / options.cycle);
   const auto count = static_cast<core::Time>(std::min(*options.rt_check, most - 1));
-  cycle.until = std::min(begin + count * cycle.cycle, options.until.value_or(core::kNever));
-  out << fmt::format("rt-check: {} cycles of {} ms under the guard\n", count, static_cast<double>(cycle.cycle) / 1e6);
-  out.flush();
+  return std::min(begin + count * options.cycle, options.until.value_or(core::kNever));
+}
 
-  exec::MonotonicClock monotonic;
-  VirtualClock fast(begin);
-  exec::Clock& clock = real ? static_cast<exec::Clock&>(monotonic) : fast;
-  GuardedStage guarded(stage, !real);
-  RtChecked checked{};
-  if (real) stage.outputs.start_thread();
-  const exec::GuardReport report = exec::run_watched([&] {
-    checked.cycles =
-        exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, nullptr, stop_requested(), &guarded);
-  });
-  if (real) stage.outputs.stop_thread();
-
-  checked.clean = report.count == 0;
+bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
+                   const Stage& stage, std::ostream& out) {
   for (const std::string& line : exec::rt_check_lines(report, stage.plant.tables())) {
     out << "rt-check: " << shown(line) << "\n";
   }
-  out << fmt::format("rt-check: {} cycles, {}\n", checked.cycles.cycles,
-                     checked.clean ? "nothing found" : plural(report.count, "act") + " that a cycle must not do");
-  return checked;
+  if (faults.pages() != 0) {
+    out << fmt::format("rt-check: memory: {} ({} from disk): the cycle used memory that was not there yet\n",
+                       plural(faults.pages(), "page fault"), faults.major);
+  }
+  const std::uint64_t acts = report.count + faults.pages();
+  out << fmt::format("rt-check: {} cycles, {}\n", cycles,
+                     acts == 0 ? "nothing found" : plural(acts, "act") + " that a cycle must not do");
+  return acts == 0;
+}
+
+bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
+  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
+  const core::Time begin = stage.plant.now();
+  const exec::CycleOptions cycle{.cycle = options.cycle, .until = end_of_rt_check(begin, options)};
+  out << fmt::format("rt-check: {} cycles of {} ms under the guard\n", *options.rt_check,
+                     static_cast<double>(cycle.cycle) / 1e6);
+  out.flush();
+
+  VirtualClock clock(begin);
+  const auto meter = std::make_unique<exec::CycleMeter>();
+  DrainingStage draining(stage);
+  exec::ThreadFaults faults;
+  const exec::GuardReport report = exec::run_watched([&] {
+    exec::set_up_real_time({});
+    const exec::ThreadFaults before = exec::thread_faults();
+    exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, *meter, stop_requested(), nullptr, &draining);
+    faults = exec::thread_faults() - before - draining.drained();
+  });
+  return tell_rt_check(report, faults, meter->cycles.value(), stage, out);
 }
 
 }  // namespace symplant::host

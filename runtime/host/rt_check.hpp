@@ -1,23 +1,28 @@
 // --rt-check: cycles of the plant under the guard of real time.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 
-#include "symplant/exec/cycle.hpp"
+#include "symplant/exec/guard/guard.hpp"
+#include "symplant/exec/thread_faults.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/stage.hpp"
 
 namespace symplant::host {
 
-struct RtChecked {
-  exec::CycleStatistics cycles;
-  bool clean = false;  ///< nothing was done that a cycle must not do, as far as could be looked at
-};
+/// Plant time at which `options.rt_check` cycles are over, or `--until` where that comes first.
+core::Time end_of_rt_check(core::Time begin, const RunOptions& options);
 
-/// Runs `options.rt_check` cycles on a thread of their own, in real time or as fast as it goes, and looks at what the
-/// plant, its behaviours and its scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Tells on
-/// `out` what was found.
-RtChecked run_rt_check(Stage& stage, const RunOptions& options, const Links& links, bool real, std::ostream& out);
+/// Tells on `out` what a guarded run of `cycles` cycles was found to do; gives whether it was nothing, as far as could
+/// be looked at.
+bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
+                   const Stage& stage, std::ostream& out);
+
+/// Runs `options.rt_check` cycles on a thread of their own as fast as it goes, and looks at what links, plant,
+/// behaviours and scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Gives what tell_rt_check()
+/// does.
+bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out);
 
 }  // namespace symplant::host

@@ -17,6 +17,7 @@
 #include "symplant/host/stage.hpp"
 #include "symplant/host/stats.hpp"
 #include "symplant/host/summary.hpp"
+#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
 namespace {
@@ -76,6 +77,21 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
   return expected && required && !found ? kGood : kFindings;
 }
 
+/// False where the options of real time contradict each other; tells of those that have no effect.
+bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
+  if (options.spin >= options.cycle) {
+    err << "error: `--spin` of " << trace::seconds(options.spin) << " is not shorter than the cycle of "
+        << trace::seconds(options.cycle) << ": give less, 100us say\n";
+    return false;
+  }
+  if (!real && (options.real_time.any() || options.spin != 0)) {
+    err << "warning: in virtual time `--priority`, `--cpu`, `--lock-memory` and `--spin` have no effect: `--clock "
+           "real` "
+           "runs in real time\n";
+  }
+  return true;
+}
+
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
          const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, std::ostream& out,
@@ -98,14 +114,13 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   }
 
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<exec::CycleStatistics> cycles;
+  std::optional<RealRun> real_run;
   bool clean = true;
-  if (options.rt_check) {
-    const RtChecked checked = run_rt_check(stage, options, links, real, tell);
-    cycles = checked.cycles;
-    clean = checked.clean;
-  } else if (real) {
-    cycles = run_real(stage, options, links, tell);
+  if (real) {
+    real_run = run_real(stage, options, links, tell, err);
+    clean = real_run->clean;
+  } else if (options.rt_check) {
+    clean = run_rt_check(stage, options, links, tell);
   } else {
     run_virtual(stage, options, tell);
   }
@@ -121,7 +136,7 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
       [&] { return junit_text(stage.plant, names, scenario, outcomes, stage.report, options.fail_on_findings); });
   last.stats([&] {
     return stats_text(
-        {stage.plant, options.seed, stage.outputs, stage.report, verdict, cycles, core::Time{wall.count()}});
+        {stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, core::Time{wall.count()}});
   });
   if (!last.are_well(err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
@@ -152,6 +167,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   catch_signals();
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
+  if (!real_time_fits(options, real, err)) return kBadInput;
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();

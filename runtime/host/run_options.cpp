@@ -15,6 +15,8 @@ namespace {
 
 // Far from where 64 bits of nanoseconds end, so that deadlines cannot overflow.
 constexpr core::Time kLongestCycle = 3600 * core::kSecond;
+constexpr int kHighestPriority = 99;
+constexpr std::int64_t kMostCatchUp = 1'000'000;
 constexpr core::Time kLatestEnd = 876'000 * (3600 * core::kSecond);
 
 core::Time duration(const std::string& text, const char* option) {
@@ -51,6 +53,52 @@ void add_files(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
 }
 
+void add_real_time(CLI::App& app, RunOptions& options) {
+  app.add_option_function<std::string>(
+         "--late",
+         [&options](const std::string& text) {
+           const auto most = parse_late(text);
+           if (!most) {
+             throw CLI::ValidationError(
+                 "--late", "`" + text + "` is no way to be late: write catch-up, catch-up:N (N up to 1000000) or slip");
+           }
+           options.max_catch_up = *most;
+         },
+         "in real time, when cycles are missed: run up to N of them at once, one after the other, or let plant time "
+         "slip "
+         "(default: catch-up:10)")
+      ->type_name("catch-up[:N]|slip");
+  app.add_option_function<int>(
+         "--priority",
+         [&options](int priority) {
+           if (priority < 1 || priority > kHighestPriority) {
+             throw CLI::ValidationError(
+                 "--priority", "`" + std::to_string(priority) + "` is no priority: write 1 (low) to 99 (high)");
+           }
+           options.real_time.priority = priority;
+         },
+         "in real time: run the cycle before all ordinary programs (SCHED_FIFO)")
+      ->type_name("1..99");
+  app.add_option_function<int>(
+         "--cpu",
+         [&options](int cpu) {
+           if (cpu < 0) {
+             throw CLI::ValidationError("--cpu", "`" + std::to_string(cpu) + "` is no processor: they count from 0");
+           }
+           options.real_time.cpu = cpu;
+         },
+         "in real time: keep the cycle on this processor, counted from 0")
+      ->type_name("N");
+  app.add_flag("--lock-memory", options.real_time.lock_memory,
+               "in real time: no memory of the program is taken away to make room for others");
+  app.add_option_function<std::string>(
+         "--spin", [&options](const std::string& text) { options.spin = duration(text, "--spin"); },
+         "in real time: stay awake for this long before each cycle, to begin it within microseconds; it costs as much "
+         "of "
+         "a processor (default: 0s)")
+      ->type_name("T");
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& app, RunOptions& options) {
@@ -84,6 +132,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          },
          "in real time: from one exchange with the PLC to the next (default: 10ms)")
       ->type_name("T");
+  add_real_time(app, options);
   app.add_option("--link", options.links,
                  "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:; of several controllers say which: "
                  "PLC1=URL. Takes the place of the plant's own links")
@@ -105,11 +154,25 @@ void add_run_options(CLI::App& app, RunOptions& options) {
            if (count == 0) throw CLI::ValidationError("--rt-check", "0 cycles show nothing: write how many to look at");
            options.rt_check = count;
          },
-         "run so many cycles under a guard that finds heap, locks and system calls in them, and end; exit code 1 if "
-         "any")
+         "run so many cycles under a guard that finds heap, locks, system calls and page faults in them, and end; exit "
+         "code 1 if any")
       ->type_name("N");
   app.add_flag("--fail-on-findings", options.fail_on_findings,
                "any finding gives exit code 1, not only failed expectations and violated requirements");
+}
+
+std::optional<std::int64_t> parse_late(const std::string& text) {
+  constexpr std::string_view kCatchUp = "catch-up";
+  if (text == "slip") return 0;
+  if (text == kCatchUp) return RunOptions{}.max_catch_up;
+  if (text.rfind(std::string(kCatchUp) + ":", 0) != 0) return std::nullopt;
+  const std::string_view number = std::string_view(text).substr(kCatchUp.size() + 1);
+  std::int64_t most = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), most);
+  if (error != std::errc() || end != number.data() + number.size() || most < 0 || most > kMostCatchUp) {
+    return std::nullopt;
+  }
+  return most;
 }
 
 std::optional<std::uint64_t> parse_size(const std::string& text) {

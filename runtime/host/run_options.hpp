@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "symplant/core/time.hpp"
+#include "symplant/exec/real_time.hpp"
 #include "symplant/trace/output_file.hpp"
 
 namespace CLI {
@@ -22,6 +23,9 @@ struct RunOptions {
   Clock clock = Clock::automatic;  ///< real time where there is a link, else virtual time
   std::optional<core::Time> until;
   core::Time cycle = 10 * core::kMillisecond;
+  std::int64_t max_catch_up = 10;  ///< cycles run at once after a delay
+  core::Time spin = 0;             ///< awake before each deadline for so long
+  exec::RealTimeOptions real_time;
   std::vector<std::string> links;  ///< URL or CONTROLLER=URL; none: the plant's own
   std::string scenario;
   std::string trace;
@@ -37,6 +41,10 @@ struct RunOptions {
 
 /// Adds the options to a command; `options` must live until it is parsed.
 void add_run_options(CLI::App& app, RunOptions& options);
+
+/// `catch-up:N`, `catch-up` and `slip`: the cycles that are caught up at most, 10 where no number is given. Nothing
+/// where the text is none of them.
+std::optional<std::int64_t> parse_late(const std::string& text);
 
 /// `500k`, `10M`, `1G`: bytes, with 1024 in a k. Nothing where the text is no size above 0.
 std::optional<std::uint64_t> parse_size(const std::string& text);

@@ -3,18 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
+#include "symplant/exec/cycle.hpp"
+#include "symplant/host/attendant.hpp"
+#include "symplant/host/cycle_thread.hpp"
+#include "symplant/host/rt_check.hpp"
 #include "symplant/host/signals.hpp"
 #include "symplant/host/watched_link.hpp"
 #include "symplant/host/words.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
+namespace {
 
 using trace::seconds;
-
-namespace {
 
 /// What happens when the link's PLC is silent, said before anything runs.
 std::string policy_words(const OpenLink& open) {
@@ -28,34 +29,80 @@ std::string policy_words(const OpenLink& open) {
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
 }
 
-}  // namespace
-
-exec::CycleStatistics run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
-  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
+void tell_begin(const RunOptions& options, bool scenario, const Links& links, std::ostream& out) {
   for (const OpenLink& open : links) out << fmt::format("link {}{}\n", open.text(), policy_words(open));
-  out << fmt::format("running in real time, a cycle of {} ms{}\n", static_cast<double>(options.cycle) / 1e6,
-                     options.until  ? fmt::format(", until {}", seconds(*options.until))
-                     : stage.player ? ", until the scenario is over"
-                                    : "; Ctrl-C ends it");
+  const std::string cycle = fmt::format("a cycle of {} ms", static_cast<double>(options.cycle) / 1e6);
+  if (options.rt_check) {
+    out << fmt::format("rt-check: {} cycles in real time under the guard, {}\n", *options.rt_check, cycle);
+  } else {
+    out << fmt::format("running in real time, {}{}\n", cycle,
+                       options.until ? fmt::format(", until {}", seconds(*options.until))
+                       : scenario    ? ", until the scenario is over"
+                                     : "; Ctrl-C ends it");
+  }
   out.flush();
-  stage.outputs.start_thread();
-  exec::MonotonicClock clock;
-  exec::CycleOptions cycle;
-  cycle.cycle = options.cycle;
-  cycle.until = options.until.value_or(core::kNever);
-  const exec::CycleStatistics done = exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, &stage.recorder,
-                                                      stop_requested(), stage.player ? &*stage.player : nullptr);
-  stage.outputs.stop_thread();
+}
 
-  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost, latest start {} us late\n",
-                     seconds(stage.plant.now()), stop_requested().load() ? " by a signal" : "", done.cycles,
-                     done.overruns, seconds(done.slipped), done.max_lateness / 1000);
+std::string text_of(const char* what, const exec::Durations& durations) {
+  const auto us = [](core::Time time) { return static_cast<double>(time) / 1e3; };
+  return fmt::format("{}: p50 {:.1f} us, p99 {:.1f} us, p99.9 {:.1f} us, max {:.1f} us\n", what, us(durations.p50),
+                     us(durations.p99), us(durations.p999), us(durations.max));
+}
+
+void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
+  const exec::CycleStatistics& cycles = run.cycles;
+  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost\n", seconds(stage.plant.now()),
+                     stop_requested().load() ? " by a signal" : "", cycles.cycles, cycles.overruns,
+                     seconds(cycles.slipped));
+  if (cycles.cycles != 0) {
+    out << text_of("cycles began late by", cycles.lateness) << text_of("cycles worked for", cycles.work)
+        << text_of("from start to start a cycle was off by", cycles.jitter)
+        << fmt::format("the cycle's thread: {} page faults ({} from disk), preempted {} times\n", run.faults.pages(),
+                       run.faults.major, run.faults.preempted);
+  }
   for (const OpenLink& open : links) {
     const link::LinkStatus status = open.link->status();
     out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps, lost {}\n", open.text(),
                        status.requests, status.exceptions, status.writes_to_gaps, plural(status.losses, "time"));
   }
-  return done;
+}
+
+}  // namespace
+
+RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out, std::ostream& err) {
+  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
+  exec::CycleOptions cycle{.cycle = options.cycle,
+                           .until = options.until.value_or(core::kNever),
+                           .max_catch_up = options.max_catch_up,
+                           .spin = options.spin};
+  if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
+
+  tell_begin(options, stage.player.has_value(), links, out);
+  exec::MonotonicClock clock;
+  exec::CycleMeter meter;
+  const auto cycles = [&] {
+    exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, meter, stop_requested(), &stage.recorder,
+                     stage.player ? &*stage.player : nullptr);
+  };
+  CycleThread thread(options.real_time, cycles, options.rt_check.has_value());
+  RealRun run;
+  run.asked = options.real_time.any();
+  run.refused = thread.refused();
+  for (const exec::Refusal& refusal : run.refused) err << "warning: " << refusal.message << "\n";
+  err.flush();
+  stage.outputs.start_thread();
+  {
+    const Attendant attendant(meter, links, options, out);
+    thread.go();
+    thread.join();
+  }
+  stage.outputs.stop_thread();
+
+  run.cycles = meter.statistics();
+  run.faults = thread.faults();
+  tell_end(stage, run, links, out);
+  if (options.rt_check) run.clean = tell_rt_check(thread.report(), run.faults, run.cycles.cycles, stage, out);
+  return run;
 }
 
 }  // namespace symplant::host

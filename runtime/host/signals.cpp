@@ -1,4 +1,4 @@
-// The signals that end a run.
+// The signals that a run knows.
 #include "symplant/host/signals.hpp"
 
 #include <csignal>
@@ -7,20 +7,32 @@ namespace symplant::host {
 namespace {
 
 std::atomic<bool> stop{false};
+std::atomic<bool> status{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // or a handler could not touch it
 
 void request_stop(int) { stop.store(true); }
+void request_status(int) { status.store(true); }
 
 }  // namespace
 
 void catch_signals() {
   stop.store(false);
+  status.store(false);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
+#ifdef SIGHUP
+  if (std::signal(SIGHUP, request_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+#endif
+#ifdef SIGUSR1
+  std::signal(SIGUSR1, request_status);
+#endif
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);
 #endif
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }
+
+bool take_status_request() { return status.exchange(false); }
 
 }  // namespace symplant::host

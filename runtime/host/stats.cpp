@@ -6,6 +6,29 @@
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::host {
+namespace {
+
+std::string durations_text(const char* name, const exec::Durations& durations) {
+  return fmt::format(R"(,"{}":{{"p50":{},"p99":{},"p99.9":{},"max":{}}})", name, durations.p50, durations.p99,
+                     durations.p999, durations.max);
+}
+
+std::string real_time_text(const RealRun& run) {
+  const exec::CycleStatistics& cycles = run.cycles;
+  std::string text = fmt::format(R"(,"cycles":{},"overruns":{},"slipped":{},"frozen":{})", cycles.cycles,
+                                 cycles.overruns, cycles.slipped, cycles.frozen);
+  text += durations_text("lateness", cycles.lateness) + durations_text("work", cycles.work) +
+          durations_text("jitter", cycles.jitter);
+  text += fmt::format(R"(,"page_faults":{{"minor":{},"major":{}}},"preempted":{})", run.faults.minor, run.faults.major,
+                      run.faults.preempted);
+  text += fmt::format(R"(,"rt":"{}","refused":[)", !run.asked ? "off" : run.refused.empty() ? "on" : "degraded");
+  for (const exec::Refusal& refusal : run.refused) {
+    text += (&refusal == run.refused.data() ? "\"" : ",\"") + refusal.option + "\"";
+  }
+  return text + "]";
+}
+
+}  // namespace
 
 std::string stats_text(const StatsInput& input) {
   std::string text =
@@ -26,11 +49,7 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t requirements = input.plant.tables().requirements.size();
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
-  if (input.real_time) {
-    const exec::CycleStatistics& cycles = *input.real_time;
-    text += fmt::format(R"(,"cycles":{},"overruns":{},"slipped":{},"max_lateness":{})", cycles.cycles, cycles.overruns,
-                        cycles.slipped, cycles.max_lateness);
-  }
+  if (input.real_time) text += real_time_text(*input.real_time);
   return text + "}\n";
 }
 

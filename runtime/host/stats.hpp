@@ -5,9 +5,9 @@
 #include <string>
 
 #include "symplant/core/plant.hpp"
-#include "symplant/exec/cycle.hpp"
 #include "symplant/host/outputs.hpp"
 #include "symplant/host/report.hpp"
+#include "symplant/host/run_real.hpp"
 
 namespace symplant::host {
 
@@ -16,9 +16,9 @@ struct StatsInput {
   std::uint64_t seed = 0;
   const Outputs& outputs;
   const Report& report;
-  std::optional<scenario::Verdict> verdict;        ///< where a scenario was played
-  std::optional<exec::CycleStatistics> real_time;  ///< where it was real time
-  core::Time wall = 0;                             ///< ns that the run took
+  std::optional<scenario::Verdict> verdict;  ///< where a scenario was played
+  const std::optional<RealRun>& real_time;   ///< where it was real time
+  core::Time wall = 0;                       ///< ns that the run took
 };
 
 std::string stats_text(const StatsInput& input);

@@ -86,6 +86,10 @@ Guard::Guard() noexcept { ++self.depth; }
 
 Guard::~Guard() { --self.depth; }
 
+Unguarded::Unguarded() noexcept : depth_(self.depth) { self.depth = 0; }
+
+Unguarded::~Unguarded() { self.depth = depth_; }
+
 GuardReport take_violations() {
   GuardReport report;
   report.count = self.count;

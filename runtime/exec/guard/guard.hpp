@@ -64,6 +64,18 @@ class Guard {
   Guard& operator=(const Guard&) = delete;
 };
 
+/// While one lives, the calling thread is not guarded, however many guards it is in: for the sleep between two cycles.
+class Unguarded {
+ public:
+  Unguarded() noexcept;
+  ~Unguarded();
+  Unguarded(const Unguarded&) = delete;
+  Unguarded& operator=(const Unguarded&) = delete;
+
+ private:
+  int depth_;
+};
+
 /// What is recorded on the calling thread while one lives is said to be of this code.
 class DoingNow {
  public:

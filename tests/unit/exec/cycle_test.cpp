@@ -6,98 +6,15 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "unit/exec/cell.hpp"
+#include "unit/exec/cycle_bench.hpp"
 
 using namespace symplant;
-using core::kMillisecond;
-using core::kSecond;
-using core::Time;
-
-namespace {
-
-/// Time passes only when somebody sleeps or says so. Its zero is not the plant's.
-class FakeClock final : public exec::Clock {
- public:
-  Time now() noexcept override { return now_; }
-  void sleep_until(Time time) noexcept override {
-    longest_sleep = std::max(longest_sleep, time - now_);
-    now_ = wakes_early ? now_ + (time - now_ + 1) / 2 : time;
-    if (on_sleep) on_sleep();
-  }
-  void pass(Time duration) noexcept { now_ += duration; }
-
-  Time longest_sleep = 0;
-  bool wakes_early = false;
-  std::function<void()> on_sleep;
-
- private:
-  Time now_ = 123 * kSecond + 456;
-};
-
-/// Writes down who was called when, and does what a test wants done then.
-class FakeLink final : public exec::Exchange {
- public:
-  enum class Call { read, write };
-  struct Entry {
-    Call call;
-    Time plant_time;
-    std::size_t changed_words;
-  };
-
-  void read_operations(core::Plant& plant, core::Time now) noexcept override {
-    entries.push_back({Call::read, plant.now(), 0});
-    read_at.push_back(now);
-    if (on_read) on_read(plant);
-  }
-  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
-    entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
-    told.push_back(status);
-    if (on_write) on_write(plant);
-  }
-
-  /// Plant times of all writes, in order.
-  std::vector<Time> written() const {
-    std::vector<Time> times;
-    for (const Entry& entry : entries) {
-      if (entry.call == Call::write) times.push_back(entry.plant_time);
-    }
-    return times;
-  }
-
-  void leave() noexcept override { ++left; }
-  exec::LinkState state() const noexcept override { return stands; }
-  bool freezes_plant() const noexcept override { return freezes; }
-
-  std::vector<Entry> entries;
-  std::vector<Time> read_at;
-  std::vector<exec::CycleStatus> told;
-  int left = 0;
-  exec::LinkState stands = exec::LinkState::live;
-  bool freezes = false;
-  std::function<void(core::Plant&)> on_read;
-  std::function<void(const core::Plant&)> on_write;
-};
-
-struct Bench {
-  core::PlantTables tables = test::cell_tables();
-  test::OwnedPlant plant{tables};
-  FakeClock clock;
-  FakeLink link;
-  std::atomic<bool> stop{false};
-
-  exec::CycleStatistics run(const exec::CycleOptions& options) {
-    const std::array<exec::Exchange*, 1> links = {&link};
-    return exec::run_cycles(*plant, links, options, clock, nullptr, stop);
-  }
-};
-
-std::vector<Time> every_10_ms(int from, int to) {
-  std::vector<Time> times;
-  for (int cycle = from; cycle <= to; ++cycle) times.push_back(cycle * 10 * kMillisecond);
-  return times;
-}
-
-}  // namespace
+using test::Bench;
+using test::every_10_ms;
+using test::FakeLink;
+using test::kMillisecond;
+using test::kSecond;
+using test::Time;
 
 TEST_CASE("a link gets the events of the first instant before the first cycle") {
   Bench bench;
@@ -162,7 +79,7 @@ TEST_CASE("every link has its turn in every cycle") {
   Bench bench;
   FakeLink other;
   const std::array<exec::Exchange*, 2> links = {&bench.link, &other};
-  exec::run_cycles(*bench.plant, links, {.until = 50 * kMillisecond}, bench.clock, nullptr, bench.stop);
+  exec::run_cycles(*bench.plant, links, {.until = 50 * kMillisecond}, bench.clock, bench.meter, bench.stop);
   CHECK(other.written() == every_10_ms(0, 5));
   CHECK(bench.link.written() == every_10_ms(0, 5));
 }
@@ -174,7 +91,7 @@ TEST_CASE("a run on time counts its cycles and nothing else") {
   CHECK(statistics.cycles == 100);
   CHECK(statistics.overruns == 0);
   CHECK(statistics.slipped == 0);
-  CHECK(statistics.max_lateness == 0);
+  CHECK(statistics.lateness.max == 0);
   CHECK(bench.clock.now() - begin == kSecond);
 }
 
@@ -184,7 +101,7 @@ TEST_CASE("work that takes part of the cycle moves no deadline") {
   bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(9 * kMillisecond); };
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(statistics.overruns == 0);
-  CHECK(statistics.max_lateness == 0);
+  CHECK(statistics.lateness.max == 0);
   CHECK(bench.clock.now() - begin == 118 * kMillisecond);  // 9 before the first, 10 cycles, 9 at the end
 }
 
@@ -196,7 +113,7 @@ TEST_CASE("a plant that is late catches up in order, each cycle at its own time"
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(bench.link.written() == every_10_ms(0, 10));
   CHECK(statistics.overruns == 3);  // the long one, and the two that ended after the next was due
-  CHECK(statistics.max_lateness == 25 * kMillisecond);
+  CHECK(statistics.lateness.max == 25 * kMillisecond);
   CHECK(statistics.slipped == 0);
 }
 
@@ -208,7 +125,7 @@ TEST_CASE("exactly ten cycles are caught up without a slip") {
   };
   const auto statistics = bench.run({.until = 200 * kMillisecond});
   CHECK(statistics.slipped == 0);
-  CHECK(statistics.max_lateness == 109 * kMillisecond);
+  CHECK(statistics.lateness.max == 109 * kMillisecond);
   CHECK(bench.clock.now() - begin == 200 * kMillisecond);
 }
 
@@ -221,7 +138,7 @@ TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
   const auto statistics = bench.run({.until = kSecond});
   CHECK(bench.link.written() == every_10_ms(0, 100));
   CHECK(statistics.slipped == 390 * kMillisecond);
-  CHECK(statistics.max_lateness == 490 * kMillisecond);
+  CHECK(statistics.lateness.max == 490 * kMillisecond);
   CHECK(statistics.overruns == 11);
   CHECK(bench.clock.now() - begin == 1390 * kMillisecond);
 }

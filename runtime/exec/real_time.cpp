@@ -1,0 +1,120 @@
+// A thread made fit for the cycle.
+#include "symplant/exec/real_time.hpp"
+
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <system_error>
+
+#include "symplant/exec/memory_map.hpp"
+
+namespace symplant::exec {
+namespace {
+
+constexpr std::size_t kStack = std::size_t{256} * 1024;  ///< more than a cycle uses
+constexpr std::size_t kPage = 4096;
+constexpr std::uint64_t kMegabyte = 1024 * 1024;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+void touch_stack() noexcept {
+  std::array<volatile std::byte, kStack> stack;
+  for (std::size_t at = 0; at < kStack; at += kPage) stack[at] = std::byte{};
+}
+
+std::optional<Refusal> take_priority(int priority) {
+  sched_param wanted{};
+  wanted.sched_priority = priority;
+  if (sched_setscheduler(0, SCHED_FIFO, &wanted) == 0) return std::nullopt;
+  const std::string number = std::to_string(priority);
+  return Refusal{"priority", "`--priority " + number + "` is refused (" + reason(errno) +
+                                 "), so that other programs can delay the cycle: allow it by `ulimit -r " + number +
+                                 "`, in a systemd unit by LimitRTPRIO=" + number +
+                                 ", or by the capability CAP_SYS_NICE"};
+}
+
+/// "0 to 3, 6".
+std::string text_of(const cpu_set_t& cpus) {
+  std::string text;
+  for (std::size_t first = 0; first < CPU_SETSIZE; ++first) {
+    if (!CPU_ISSET(first, &cpus)) continue;
+    std::size_t last = first;
+    while (last + 1 < CPU_SETSIZE && CPU_ISSET(last + 1, &cpus)) ++last;
+    text += (text.empty() ? "" : ", ") + std::to_string(first);
+    if (last > first) text += " to " + std::to_string(last);
+    first = last;
+  }
+  return text;
+}
+
+std::optional<Refusal> stay_on(std::size_t cpu) {
+  const std::string option = "`--cpu " + std::to_string(cpu) + "` is refused";
+  const char* const meaning = ", so that the cycle goes from processor to processor: ";
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  sched_getaffinity(0, sizeof allowed, &allowed);
+  if (cpu >= CPU_SETSIZE || !CPU_ISSET(cpu, &allowed)) {
+    return Refusal{"cpu", option + " (this process may not use it, or it is not there)" + meaning + "take one of " +
+                              text_of(allowed)};
+  }
+  cpu_set_t wanted;
+  CPU_ZERO(&wanted);
+  CPU_SET(cpu, &wanted);
+  if (sched_setaffinity(0, sizeof wanted, &wanted) == 0) return std::nullopt;
+  return Refusal{"cpu", option + " (" + reason(errno) + ")" + meaning + "take another of " + text_of(allowed)};
+}
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
+
+/// All that is mapped, which is what the limit counts.
+std::uint64_t mapped_memory() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::optional<Refusal> lock_memory() {
+#ifdef MCL_ONFAULT
+  constexpr int kWhat = MCL_CURRENT | MCL_ONFAULT;  // not MCL_FUTURE: it makes later allocations fail at the limit
+#else
+  constexpr int kWhat = MCL_CURRENT;
+#endif
+  if (mlockall(kWhat) == 0) return std::nullopt;
+  const int error = errno;
+  rlimit limit{};
+  std::string why = reason(error);
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    why = megabytes(mapped_memory()) + " are mapped, " + megabytes(limit.rlim_cur) + " may be locked";
+  }
+  return Refusal{"lock-memory",
+                 "`--lock-memory` is refused (" + why +
+                     "), so that the cycle may have to wait for memory that the system took away: allow it by `ulimit "
+                     "-l unlimited`, in a systemd unit by LimitMEMLOCK=infinity, or by the capability CAP_IPC_LOCK"};
+}
+
+}  // namespace
+
+std::vector<Refusal> set_up_real_time(const RealTimeOptions& options) {
+  std::vector<Refusal> refused;
+  const auto note = [&](std::optional<Refusal> refusal) {
+    if (refusal) refused.push_back(std::move(*refusal));
+  };
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+  touch_stack();
+  populate_memory();
+  if (options.lock_memory) note(lock_memory());
+  if (options.cpu) note(stay_on(static_cast<std::size_t>(*options.cpu)));
+  if (options.priority) note(take_priority(*options.priority));
+  return refused;
+}
+
+}  // namespace symplant::exec

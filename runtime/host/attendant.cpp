@@ -1,0 +1,116 @@
+// Who looks after a run in real time.
+#include "symplant/host/attendant.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+#include "symplant/host/files_apart.hpp"
+#include "symplant/host/signals.hpp"
+
+namespace symplant::host {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+constexpr core::Time kTurn = 100 * core::kMillisecond;
+constexpr auto kLinePeriod = std::chrono::seconds(1);
+constexpr std::size_t kUsualWidth = 80;
+constexpr const char* kClearLine = "\r\x1b[K";
+
+bool is_terminal(const RunOptions& options, const std::ostream& out) {
+  if (&out != &std::cout || uses_standard_output(options) || isatty(STDOUT_FILENO) == 0) return false;
+  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  return kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+/// A line that is longer than the terminal is wide could not be drawn over.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - std::size_t{1} : kUsualWidth;
+}
+
+const char* words(exec::LinkState state) {
+  switch (state) {
+    case exec::LinkState::waiting:
+      return "waiting";
+    case exec::LinkState::live:
+      return "live";
+    case exec::LinkState::lost:
+      break;
+  }
+  return "lost";
+}
+
+}  // namespace
+
+std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links) {
+  std::string text = fmt::format("{} cycles, p99 {:.1f} us late, {} overruns", meter.cycles.value(),
+                                 static_cast<double>(meter.lateness.durations().p99) / 1e3, meter.overruns.value());
+  for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
+    text += (i == 0 ? "; " : ", ") + links[i] + " " + words(meter.state(i));
+  }
+  return text;
+}
+
+Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, std::ostream& out)
+    : meter_(meter), out_(out), terminal_(is_terminal(options, out)), manager_(ServiceManager::of_environment()) {
+  for (const OpenLink& open : links) links_.push_back(open.text());
+  thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
+}
+
+Attendant::~Attendant() {
+  thread_.request_stop();
+  thread_.join();
+  if (drawn_) out_ << kClearLine << std::flush;
+  if (!stopping_) manager_.tell("STOPPING=1");
+}
+
+void Attendant::attend(const std::stop_token& stop) {
+  const core::Time turn = manager_.watchdog() == 0 ? kTurn : std::min(kTurn, manager_.watchdog() / 4);
+  Clock::time_point next_line = Clock::now();
+  std::unique_lock lock(mutex_);
+  while (!stop.stop_requested()) {
+    tell_manager();
+    const bool due = terminal_ && Clock::now() >= next_line;
+    if (due) next_line += kLinePeriod;
+    tell_user(due);
+    wake_.wait_for(lock, stop, std::chrono::nanoseconds(turn), [] { return false; });
+  }
+}
+
+void Attendant::tell_manager() {
+  if (!manager_.listens()) return;
+  const std::uint64_t beats = meter_.beats.value();
+  if (!ready_ && beats != 0) {
+    ready_ = true;
+    manager_.tell("READY=1\nSTATUS=running");
+  }
+  if (!stopping_ && stop_requested().load()) {
+    stopping_ = true;
+    manager_.tell("STOPPING=1");
+  }
+  if (manager_.watchdog() != 0 && beats != beats_) manager_.tell("WATCHDOG=1");
+  beats_ = beats;
+}
+
+void Attendant::tell_user(bool line_is_due) {
+  const bool asked = take_status_request();
+  if (!asked && !line_is_due) return;
+  const std::string text = status_text(meter_, links_);
+  if (asked) out_ << (drawn_ ? kClearLine : "") << text << "\n";
+  if (line_is_due) {
+    out_ << kClearLine << text.substr(0, terminal_width()) << "\r";
+    drawn_ = true;
+  }
+  out_.flush();
+}
+
+}  // namespace symplant::host

@@ -1,0 +1,142 @@
+// The guard on the whole cycle: links' reading and writing, the plant, what looks at it, and the sleep between.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "rt/expect_nothing.hpp"
+#include "support/plant_bench.hpp"
+#include "symplant/exec/cycle.hpp"
+#include "symplant/exec/real_time.hpp"
+#include "symplant/exec/thread_faults.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::kMillisecond;
+using Fault = void (*)();
+
+/// A link that does in one cycle what it must not do.
+class FaultyLink final : public exec::Exchange {
+ public:
+  FaultyLink(Fault reading, Fault writing) : reading_(reading), writing_(writing) {}
+
+  void read_operations(core::Plant&, core::Time) noexcept override {
+    if (++reads_ == 5 && reading_ != nullptr) reading_();
+  }
+  void write_events(const core::Plant&, const exec::CycleStatus&) noexcept override {
+    if (reads_ == 5 && writing_ != nullptr) writing_();
+  }
+  void leave() noexcept override { free(malloc(100)); }  // the end is no cycle
+
+ private:
+  Fault reading_;
+  Fault writing_;
+  int reads_ = 0;
+};
+
+/// Looks at instants, and takes memory in one of them.
+class FaultyObserver final : public core::Observer {
+  void instant(const core::Instant&) noexcept override { kept = std::realloc(kept, 100); }
+  void finding(const core::Finding&) noexcept override {}
+
+  void* kept = nullptr;
+};
+
+struct Watched {
+  exec::GuardReport report;
+  exec::ThreadFaults faults;
+  exec::CycleStatistics statistics;
+
+  std::vector<std::string> acts() const {
+    std::vector<std::string> acts;
+    for (const exec::Violation& violation : report.violations) acts.push_back(exec::act_of(violation));
+    return acts;
+  }
+};
+
+/// 20 cycles of 1 ms on the real clock.
+Watched watched(std::vector<exec::Exchange*> links, core::Observer* observer = nullptr) {
+  static const BenchTables tables({"ARM_O_A1", "ARM_I_A1", "ARM_O_B2", "ARM_I_B2"}, {});
+  core::OwnedPlant plant(tables.rows);
+  exec::MonotonicClock clock;
+  const auto meter = std::make_unique<exec::CycleMeter>();
+  const std::atomic<bool> stop{false};
+  Watched result;
+  result.report = exec::run_watched([&] {
+    exec::set_up_real_time({});
+    const exec::ThreadFaults before = exec::thread_faults();
+    exec::run_cycles(plant, links, {.cycle = kMillisecond, .until = 20 * kMillisecond}, clock, *meter, stop, observer);
+    result.faults = exec::thread_faults() - before;
+  });
+  result.statistics = meter->statistics();
+  return result;
+}
+
+std::mutex mutex;
+void* volatile kept = nullptr;
+
+void take_memory() { kept = std::malloc(1000); }
+void take_lock() { const std::lock_guard lock(mutex); }
+void write_nothing() { static_cast<void>(!write(-1, "x", 1)); }
+void fault() {
+  constexpr std::size_t kSize = 16 * 4096;
+  void* const fresh = kept;
+  for (std::size_t at = 0; at < kSize; at += 4096) static_cast<volatile char*>(fresh)[at] = 1;
+}
+
+TEST_CASE("a cycle with links on the real clock is clean, its sleeps included") {
+  FaultyLink one(nullptr, nullptr);
+  FaultyLink other(nullptr, nullptr);
+  const Watched result = watched({&one, &other});
+  CHECK(result.statistics.cycles == 20);
+  CHECK(result.faults.pages() == 0);
+  expect_nothing(result.report);
+}
+
+TEST_CASE("memory that a link takes while it reads is found") {
+  FaultyLink link(take_memory, nullptr);
+  CHECK(watched({&link}).acts() == std::vector<std::string>{"heap: malloc"});
+}
+
+TEST_CASE("a lock that a link takes while it writes is found") {
+  FaultyLink sound(nullptr, nullptr);
+  FaultyLink link(nullptr, take_lock);
+  CHECK(watched({&sound, &link}).acts() == std::vector<std::string>{"lock: pthread_mutex_lock"});
+}
+
+TEST_CASE("a system call that a link makes is found, the cycle's own sleeps are not") {
+  FaultyLink link(nullptr, write_nothing);
+  const Watched result = watched({&link});
+  if (result.report.no_trap.empty()) CHECK(result.acts() == std::vector<std::string>{"system call: write"});
+  expect_trap(result.report);
+}
+
+TEST_CASE("what the cycle's observer does is found") {
+  FaultyObserver observer;
+  const Watched result = watched({}, &observer);
+  REQUIRE(!result.report.violations.empty());
+  CHECK(result.acts()[0] == "heap: realloc");
+}
+
+TEST_CASE("a page that a link touches for the first time is counted") {
+  void* const fresh = mmap(nullptr, std::size_t{16} * 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  REQUIRE(fresh != MAP_FAILED);
+  madvise(fresh, std::size_t{16} * 4096, MADV_NOHUGEPAGE);
+  kept = fresh;
+  FaultyLink link([] { fault(); }, nullptr);
+  const Watched populated = watched({&link});
+  CHECK(populated.faults.pages() == 0);  // it was there before the first cycle
+  madvise(fresh, std::size_t{16} * 4096, MADV_DONTNEED);
+  FaultyLink late([] { madvise(kept, std::size_t{16} * 4096, MADV_DONTNEED); }, [] { fault(); });
+  CHECK(watched({&late}).faults.pages() == 16);
+  munmap(fresh, std::size_t{16} * 4096);
+}
+
+}  // namespace
+}  // namespace symplant::test

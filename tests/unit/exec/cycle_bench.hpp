@@ -1,0 +1,109 @@
+// A plant, a link and a clock that a test of the cycle holds in its hands.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "symplant/exec/cycle.hpp"
+#include "unit/exec/cell.hpp"
+
+namespace symplant::test {
+
+using core::kMillisecond;
+using core::kSecond;
+using core::Time;
+
+/// Time passes only when somebody sleeps or says so. Its zero is not the plant's.
+class FakeClock final : public exec::Clock {
+ public:
+  Time now() noexcept override {
+    if (on_look) on_look();
+    return now_ += costs;
+  }
+  void sleep_until(Time time) noexcept override {
+    longest_sleep = std::max(longest_sleep, time - now_);
+    now_ = wakes_early ? now_ + (time - now_ + 1) / 2 : time;
+    if (on_sleep) on_sleep();
+  }
+  void pass(Time duration) noexcept { now_ += duration; }
+
+  Time longest_sleep = 0;
+  bool wakes_early = false;
+  Time costs = 0;  ///< that pass when somebody looks at it
+  std::function<void()> on_sleep;
+  std::function<void()> on_look;
+
+ private:
+  Time now_ = 123 * kSecond + 456;
+};
+
+/// Writes down who was called when, and does what a test wants done then.
+class FakeLink final : public exec::Exchange {
+ public:
+  enum class Call { read, write };
+  struct Entry {
+    Call call;
+    Time plant_time;
+    std::size_t changed_words;
+  };
+
+  void read_operations(core::Plant& plant, core::Time now) noexcept override {
+    entries.push_back({Call::read, plant.now(), 0});
+    read_at.push_back(now);
+    if (on_read) on_read(plant);
+  }
+  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+    entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
+    told.push_back(status);
+    if (on_write) on_write(plant);
+  }
+
+  /// Plant times of all writes, in order.
+  std::vector<Time> written() const {
+    std::vector<Time> times;
+    for (const Entry& entry : entries) {
+      if (entry.call == Call::write) times.push_back(entry.plant_time);
+    }
+    return times;
+  }
+
+  void leave() noexcept override { ++left; }
+  exec::LinkState state() const noexcept override { return stands; }
+  bool freezes_plant() const noexcept override { return freezes; }
+
+  std::vector<Entry> entries;
+  std::vector<Time> read_at;
+  std::vector<exec::CycleStatus> told;
+  int left = 0;
+  exec::LinkState stands = exec::LinkState::live;
+  bool freezes = false;
+  std::function<void(core::Plant&)> on_read;
+  std::function<void(const core::Plant&)> on_write;
+};
+
+struct Bench {
+  core::PlantTables tables = cell_tables();
+  OwnedPlant plant{tables};
+  FakeClock clock;
+  FakeLink link;
+  exec::CycleMeter meter;
+  std::atomic<bool> stop{false};
+
+  exec::CycleStatistics run(const exec::CycleOptions& options) {
+    const std::array<exec::Exchange*, 1> links = {&link};
+    exec::run_cycles(*plant, links, options, clock, meter, stop);
+    return meter.statistics();
+  }
+};
+
+inline std::vector<Time> every_10_ms(int from, int to) {
+  std::vector<Time> times;
+  for (int cycle = from; cycle <= to; ++cycle) times.push_back(cycle * 10 * kMillisecond);
+  return times;
+}
+
+}  // namespace symplant::test

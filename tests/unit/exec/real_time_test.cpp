@@ -1,0 +1,116 @@
+// What a thread is given for its cycle, and what it is told where the system gives nothing.
+#include "symplant/exec/real_time.hpp"
+
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+#include "symplant/exec/thread_faults.hpp"
+
+namespace symplant::test {
+namespace {
+
+using exec::Refusal;
+
+/// On a thread of its own, since what is set stays set.
+template <class Work>
+void on_a_thread(Work work) {
+  std::thread thread(work);
+  thread.join();
+}
+
+TEST_CASE("without being asked a cycle's thread has timers exact to a nanosecond, and nothing else") {
+  std::vector<Refusal> refused;
+  int slack = 0;
+  int policy = -1;
+  on_a_thread([&] {
+    refused = exec::set_up_real_time({});
+    slack = prctl(PR_GET_TIMERSLACK, 0UL, 0UL, 0UL, 0UL);
+    policy = sched_getscheduler(0);
+  });
+  CHECK(refused.empty());
+  CHECK(slack == 1);
+  CHECK(policy == SCHED_OTHER);
+}
+
+TEST_CASE("a thread stays on the processor asked for, and others stay where they were") {
+  cpu_set_t before;
+  sched_getaffinity(0, sizeof before, &before);
+  int first = 0;
+  while (!CPU_ISSET(static_cast<std::size_t>(first), &before)) ++first;
+  cpu_set_t inside;
+  std::vector<Refusal> refused;
+  on_a_thread([&] {
+    refused = exec::set_up_real_time({.cpu = first});
+    sched_getaffinity(0, sizeof inside, &inside);
+  });
+  CHECK(refused.empty());
+  CHECK(CPU_COUNT(&inside) == 1);
+  CHECK(CPU_ISSET(static_cast<std::size_t>(first), &inside));
+  cpu_set_t after;
+  sched_getaffinity(0, sizeof after, &after);
+  CHECK(CPU_EQUAL(&before, &after));
+}
+
+TEST_CASE("a processor that is not there is refused once, with those that are") {
+  std::vector<Refusal> refused;
+  on_a_thread([&] { refused = exec::set_up_real_time({.cpu = 100'000}); });
+  REQUIRE(refused.size() == 1);
+  CHECK(refused[0].option == "cpu");
+  CHECK(contains(refused[0].message, "`--cpu 100000` is refused"));
+  CHECK(contains(refused[0].message, "take one of "));
+}
+
+TEST_CASE("a priority is had, or refused once with what to do") {
+  std::vector<Refusal> refused;
+  int policy = -1;
+  on_a_thread([&] {
+    refused = exec::set_up_real_time({.priority = 5});
+    policy = sched_getscheduler(0);
+  });
+  if (refused.empty()) {
+    CHECK(policy == SCHED_FIFO);
+    return;
+  }
+  REQUIRE(refused.size() == 1);
+  CHECK(policy == SCHED_OTHER);
+  CHECK(contains(refused[0].message, "ulimit -r 5"));
+}
+
+TEST_CASE("memory that was there before is touched, so that the thread faults no more on it") {
+  // Bigger than what malloc keeps, so that nobody has touched it.
+  const std::size_t size = std::size_t{4} << 20;
+  const std::unique_ptr<char[]> fresh(new char[size]);
+  std::uint64_t faults = 1;
+  on_a_thread([&] {
+    exec::set_up_real_time({});
+    const exec::ThreadFaults before = exec::thread_faults();
+    volatile char* const memory = fresh.get();
+    for (std::size_t at = 0; at < size; at += 4096) memory[at] = 1;
+    faults = (exec::thread_faults() - before).pages();
+  });
+  CHECK(faults == 0);
+}
+
+TEST_CASE("page faults of a thread are counted") {
+  std::uint64_t faults = 0;
+  on_a_thread([&] {
+    const exec::ThreadFaults before = exec::thread_faults();
+    const std::size_t size = std::size_t{4} << 20;
+    const std::unique_ptr<char[]> fresh(new char[size]);
+    volatile char* const memory = fresh.get();
+    for (std::size_t at = 0; at < size; at += 4096) memory[at] = 1;
+    faults = (exec::thread_faults() - before).pages();
+  });
+  CHECK(faults > 0);
+}
+
+}  // namespace
+}  // namespace symplant::test
