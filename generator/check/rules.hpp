@@ -27,7 +27,7 @@ extern const Rule kRadixAssumed;               // SP308
 extern const Rule kNoAddress;                  // SP309
 extern const Rule kInitialNotUnderstood;       // SP310
 extern const Rule kOperationInitialIgnored;    // SP311
-extern const Rule kWideValueOnNoRegister;      // SP312
+extern const Rule kByteOnNoRegister;      // SP312
 extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kAddressesContradict;        // SP315
@@ -82,7 +82,7 @@ inline constexpr std::array<const Rule*, 50> kRules{
     &kNoAddress,
     &kInitialNotUnderstood,
     &kOperationInitialIgnored,
-    &kWideValueOnNoRegister,
+    &kByteOnNoRegister,
     &kTypeOfNoIo,
     &kRadixDisagrees,
     &kAddressesContradict,

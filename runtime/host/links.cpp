@@ -36,7 +36,7 @@ std::vector<bool> carried_operations(const LinkChoices& links, const core::Plant
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
-    for (const link::IoPoint& point : link::make_io_map(tables, choice.controller).points) {
+    for (const link::IoPoint& point : link::make_io_map(tables, choice.controller, choice.settings).points) {
       if (tables.symbols[point.symbol].direction() == core::Direction::operation) carried[point.symbol] = true;
     }
   }

@@ -1,7 +1,7 @@
-// Which symbol stands where on a link: the default I/O map.
+// Which symbol stands where on a link: the I/O map.
 #include "symplant/link/io_map.hpp"
 
-#include <optional>
+#include <algorithm>
 
 #include "symplant/core/lists.hpp"
 
@@ -11,10 +11,11 @@ namespace {
 
 constexpr std::uint32_t kPlaces = 65'536;  ///< of one table: protocol addresses have 16 bits
 constexpr std::uint32_t kRounding = 16;
-constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
+constexpr std::uint32_t kStatusRounding = 100;
+constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
-bool is_16_bits(core::DataType type) {
-  return type == core::DataType::int_ || type == core::DataType::uint || type == core::DataType::word;
+bool is_8_bits(core::DataType type) {
+  return type == core::DataType::sint || type == core::DataType::usint || type == core::DataType::byte;
 }
 
 Table table_of(const core::SymbolRow& symbol) {
@@ -23,77 +24,237 @@ Table table_of(const core::SymbolRow& symbol) {
   return bit ? Table::discrete_input : Table::input_register;
 }
 
-/// The table a symbol belongs on, or none with the reason noted in `map`.
-std::optional<Table> sort_out(const core::SymbolRow& symbol, std::uint32_t index, IoMap& map) {
-  if (symbol.form() == core::AddressForm::none) {
-    map.without_address.push_back(index);
-    return std::nullopt;
-  }
-  if (symbol.type() != core::DataType::boolean && !is_16_bits(symbol.type())) {
-    map.too_wide.push_back(index);
-    return std::nullopt;
-  }
-  return table_of(symbol);
+/// Where a symbol's own address puts it, or kNone.
+std::uint32_t own_number(const core::SymbolRow& symbol) {
+  if (symbol.form() != core::AddressForm::number) return kNone;
+  const std::uint64_t number = std::uint64_t{symbol.number} * places_of(symbol.type());
+  return number + places_of(symbol.type()) <= kPlaces ? static_cast<std::uint32_t>(number) : kNone;
 }
 
-/// Gives out the positions of packed tables; symbols of one address get one position.
-class Packer {
+class MapMaker {
  public:
-  explicit Packer(const core::PlantTables& tables) : leader_(tables.symbols.size()), place_(tables.symbols.size()) {
+  MapMaker(const core::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings)
+      : tables_(tables),
+        controller_(controller),
+        settings_(settings),
+        leader_(tables.symbols.size()),
+        position_(tables.symbols.size(), kNone) {
     for (std::uint32_t symbol = 0; symbol < leader_.size(); ++symbol) leader_[symbol] = symbol;
     for (const core::SharedAddress& shared : tables.shared_addresses) {
-      const core::SymbolRow& follower = tables.symbols[shared.symbol];
-      const core::SymbolRow& leader = tables.symbols[shared.leader];
-      if (table_of(follower) == table_of(leader)) leader_[shared.symbol] = shared.leader;
+      if (table_of(tables.symbols[shared.symbol]) == table_of(tables.symbols[shared.leader])) {
+        leader_[shared.symbol] = shared.leader;
+      }
     }
-    place_.assign(leader_.size(), kNoPlace);
   }
 
-  /// kNoPlace where the table is full.
-  std::uint32_t place(std::uint32_t symbol, Table table) {
-    std::uint32_t first = symbol;
-    while (leader_[first] != first) first = leader_[first];
-    std::uint32_t& next = next_[static_cast<std::size_t>(table)];
-    if (place_[first] == kNoPlace && next < kPlaces) place_[first] = next++;
-    return place_[first];
+  IoMap run() {
+    sort_out();
+    std::stable_partition(carried_.begin(), carried_.end(), [](const Carried& c) { return c.number != kNone; });
+    for (const Carried& carried : carried_) place(carried);
+    std::sort(map_.points.begin(), map_.points.end(),
+              [](const IoPoint& a, const IoPoint& b) { return a.symbol < b.symbol; });
+    std::sort(map_.too_many.begin(), map_.too_many.end());
+    place_watchdog();
+    place_status_block();
+    set_sizes();
+    return std::move(map_);
   }
 
  private:
+  struct Carried {
+    std::uint32_t symbol;
+    std::uint32_t number;  ///< kNone: to be packed
+    bool given;            ///< the number is a setting
+    WordOrder word_order;
+    OnLoss on_loss;
+  };
+
+  /// Which symbols the link carries, and which of them bring their number along.
+  void sort_out() {
+    const PlaceRow* next = settings_.places.data();
+    const PlaceRow* const end = next + settings_.places.size();
+    for (std::uint32_t index = 0; index < tables_.symbols.size(); ++index) {
+      const bool is_set = next != end && next->symbol == index;
+      const PlaceRow row =
+          is_set ? *next++ : PlaceRow{index, PlaceRow::kDefault, settings_.word_order, settings_.on_loss};
+      if (core::controller_of(tables_, index) != controller_) continue;
+      const core::SymbolRow& symbol = tables_.symbols[index];
+      const bool given = row.number != PlaceRow::kDefault;
+      if (!given && symbol.form() == core::AddressForm::none) {
+        map_.without_address.push_back(index);
+      } else if (!given && is_8_bits(symbol.type())) {
+        map_.of_8_bits.push_back(index);
+      } else {
+        const std::uint32_t number = given ? row.number : own_number(symbol);
+        if (number == kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
+        carried_.push_back({index, number, given, row.word_order, row.on_loss});
+      }
+    }
+    for (Carried& carried : carried_) {
+      const Table table = table_of(tables_.symbols[carried.symbol]);
+      if (map_.packed[static_cast<std::size_t>(table)] && !carried.given) carried.number = kNone;
+    }
+  }
+
+  void place(const Carried& carried) {
+    const core::SymbolRow& symbol = tables_.symbols[carried.symbol];
+    const Table table = table_of(symbol);
+    const std::uint8_t places = places_of(symbol.type());
+    const std::uint32_t number = carried.number != kNone ? carried.number : packed(carried.symbol, table, places);
+    if (number == kNone) {
+      map_.too_many.push_back(carried.symbol);
+    } else if (number >= kPlaces || number + places > kPlaces) {
+      fault(MapFault::Kind::beyond_end, carried.symbol);
+    } else {
+      occupy(map_.points.emplace_back(IoPoint{carried.symbol, table, static_cast<std::uint16_t>(number), places,
+                                              carried.word_order, carried.on_loss}));
+    }
+  }
+
+  /// The next free places of a packed table; symbols of one address get the same. kNone where the table is full.
+  std::uint32_t packed(std::uint32_t symbol, Table table, std::uint8_t places) {
+    std::uint32_t first = symbol;
+    while (leader_[first] != first) first = leader_[first];
+    if (position_[first] != kNone) return position_[first];
+    std::uint32_t& next = next_[static_cast<std::size_t>(table)];
+    const auto& owners = owners_[static_cast<std::size_t>(table)];
+    const auto is_free = [&](std::uint32_t number) {
+      for (std::uint32_t i = number; i < number + places && i < owners.size(); ++i) {
+        if (owners[i] != kNone) return false;
+      }
+      return true;
+    };
+    while (next + places <= kPlaces && !is_free(next)) ++next;
+    if (next + places > kPlaces) return kNone;
+    position_[first] = next;
+    next += places;
+    return position_[first];
+  }
+
+  void occupy(const IoPoint& point) {
+    auto& owners = owners_[static_cast<std::size_t>(point.table)];
+    if (owners.size() <= point.last()) owners.resize(std::max<std::size_t>(point.last() + 1, 2 * owners.size()), kNone);
+    std::uint32_t told = kNone;
+    for (std::uint32_t number = point.number; number <= point.last(); ++number) {
+      const std::uint32_t other = owners[number];
+      if (other == kNone) {
+        owners[number] = point.symbol;
+      } else if (other != told && !is_one_place(point, other)) {
+        fault(MapFault::Kind::overlap, other, point.symbol);
+        told = other;
+      }
+    }
+    highest_ = std::max(highest_, std::uint64_t{point.last()} + 1);
+  }
+
+  /// Whether a symbol that stands on some of the point's registers is of its very address: they are one place.
+  bool is_one_place(const IoPoint& point, std::uint32_t other) const {
+    const core::SymbolRow& a = tables_.symbols[point.symbol];
+    const core::SymbolRow& b = tables_.symbols[other];
+    if (places_of(a.type()) != places_of(b.type())) return false;
+    if (leader_[point.symbol] == leader_[other]) return true;
+    return a.form() == core::AddressForm::number && b.form() == a.form() && a.number == b.number;
+  }
+
+  std::uint32_t owner_of(Table table, std::uint32_t first, std::uint32_t count) const {
+    const auto& owners = owners_[static_cast<std::size_t>(table)];
+    for (std::uint32_t i = first; i < first + count && i < owners.size(); ++i) {
+      if (owners[i] != kNone) return owners[i];
+    }
+    return kNone;
+  }
+
+  std::uint32_t end_of(Table table) const {
+    const std::uint32_t size = settings_.sizes[static_cast<std::size_t>(table)];
+    return size == 0 ? kPlaces : size;
+  }
+
+  void place_watchdog() {
+    if (settings_.watchdog == kNowhere) return;
+    const std::uint32_t end = end_of(Table::holding_register);
+    if (settings_.watchdog >= end) return fault(MapFault::Kind::watchdog_beyond, settings_.watchdog, end);
+    map_.watchdog = settings_.watchdog;
+    const std::uint32_t owner = owner_of(Table::holding_register, settings_.watchdog, 1);
+    if (owner != kNone) fault(MapFault::Kind::watchdog_overlap, owner);
+  }
+
+  void place_status_block() {
+    if (settings_.status_block == kNowhere) return;
+    const std::uint32_t end = end_of(Table::input_register);
+    if (settings_.status_block == kAbove) {
+      // `highest_` is counted from one: the first multiple of 100 that is at least it lies above the highest number.
+      const std::uint64_t first =
+          std::max<std::uint64_t>(1, (highest_ + kStatusRounding - 1) / kStatusRounding) * kStatusRounding;
+      map_.no_room_for_status = first + kStatusRegisters > end;
+      if (!map_.no_room_for_status) map_.status_block = static_cast<std::uint32_t>(first);
+      return;
+    }
+    if (settings_.status_block >= end || settings_.status_block + kStatusRegisters > end) {
+      return fault(MapFault::Kind::status_beyond, settings_.status_block, end);
+    }
+    map_.status_block = settings_.status_block;
+    const std::uint32_t owner = owner_of(Table::input_register, settings_.status_block, kStatusRegisters);
+    if (owner != kNone) fault(MapFault::Kind::status_overlap, owner);
+  }
+
+  void set_sizes() {
+    std::array<std::uint32_t, kTables> needed{};
+    for (const IoPoint& point : map_.points) {
+      const auto t = static_cast<std::size_t>(point.table);
+      needed[t] = std::max(needed[t], point.last() + 1);
+      if (settings_.sizes[t] != 0 && point.last() >= settings_.sizes[t]) {
+        fault(MapFault::Kind::beyond_size, point.symbol);
+      }
+    }
+    const auto needs = [&](Table table, std::uint32_t end) {
+      std::uint32_t& size = needed[static_cast<std::size_t>(table)];
+      size = std::max(size, end);
+    };
+    if (map_.status_block) needs(Table::input_register, *map_.status_block + kStatusRegisters);
+    if (map_.watchdog) needs(Table::holding_register, *map_.watchdog + 1);
+    for (std::size_t t = 0; t < kTables; ++t) {
+      const std::uint32_t rounded = (needed[t] + kRounding - 1) / kRounding * kRounding;
+      map_.sizes[t] = settings_.sizes[t] != 0 ? settings_.sizes[t] : rounded;
+    }
+  }
+
+  void fault(MapFault::Kind kind, std::uint32_t symbol, std::uint32_t other = kNone) {
+    map_.faults.push_back({kind, symbol, other});
+  }
+
+  const core::PlantTables& tables_;
+  const std::uint32_t controller_;
+  const LinkSettings& settings_;
+  IoMap map_;
+  std::vector<Carried> carried_;
   std::vector<std::uint32_t> leader_;
-  std::vector<std::uint32_t> place_;  ///< a leader: the position given to it and its followers
+  std::vector<std::uint32_t> position_;  ///< in a packed table: of a leader and its followers
   std::array<std::uint32_t, kTables> next_{};
+  std::array<std::vector<std::uint32_t>, kTables> owners_;  ///< by table and number: the first symbol there, or kNone
+  std::uint64_t highest_ = 0;                               ///< the highest number of all tables, counted from 1
 };
 
 }  // namespace
 
-IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller) {
-  IoMap map;
-  std::vector<std::optional<Table>> table_of_symbol;
-  table_of_symbol.reserve(tables.symbols.size());
-  for (std::uint32_t index = 0; index < tables.symbols.size(); ++index) {
-    const core::SymbolRow& symbol = tables.symbols[index];
-    const bool carried = core::controller_of(tables, index) == controller;
-    const auto table = carried ? sort_out(symbol, index, map) : std::nullopt;
-    table_of_symbol.push_back(table);
-    const bool fits = symbol.form() == core::AddressForm::number && symbol.number < kPlaces;
-    if (table && !fits) map.packed[static_cast<std::size_t>(*table)] = true;
-  }
+IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings) {
+  return MapMaker(tables, controller, settings).run();
+}
 
-  Packer packer(tables);
-  for (std::uint32_t index = 0; index < tables.symbols.size(); ++index) {
-    if (!table_of_symbol[index]) continue;
-    const Table table = *table_of_symbol[index];
-    const auto t = static_cast<std::size_t>(table);
-    const std::uint32_t number = map.packed[t] ? packer.place(index, table) : tables.symbols[index].number;
-    if (number == kNoPlace) {
-      map.too_many.push_back(index);
-      continue;
-    }
-    map.points.push_back({index, table, static_cast<std::uint16_t>(number)});
-    const std::uint32_t size = (number / kRounding + 1) * kRounding;
-    if (size > map.sizes[t]) map.sizes[t] = size;
+std::uint8_t places_of(core::DataType type) noexcept {
+  switch (type) {
+    case core::DataType::dint:
+    case core::DataType::udint:
+    case core::DataType::dword:
+    case core::DataType::real:
+      return 2;
+    case core::DataType::lint:
+    case core::DataType::ulint:
+    case core::DataType::lword:
+    case core::DataType::lreal:
+      return 4;
+    default:
+      return 1;
   }
-  return map;
 }
 
 std::uint32_t modicon_number(Table table, std::uint16_t number) {

@@ -10,17 +10,17 @@ namespace symplant::link {
 
 namespace {
 
-LinkResult open_loop(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+LinkResult open_loop(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                      const core::Plant* /*plant*/) {
   if (!rest.empty()) return LinkError{LinkError::Kind::usage, "`loop:` takes nothing behind the colon"};
-  return std::make_unique<LoopLink>(tables, controller);
+  return std::make_unique<LoopLink>(tables, link.controller);
 }
 
 /// How a URL begins, and who opens what stands behind its colon.
 struct Scheme {
   std::string_view name;
   std::string_view form;
-  LinkResult (*open)(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+  LinkResult (*open)(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                      const core::Plant* plant);
 };
 
@@ -45,7 +45,7 @@ LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, co
   const std::size_t colon = url.find(':');
   for (const Scheme& scheme : kSchemes) {
     if (colon == std::string_view::npos || url.substr(0, colon) != scheme.name) continue;
-    return scheme.open(url.substr(colon + 1), tables, link.controller, plant);
+    return scheme.open(url.substr(colon + 1), link, tables, plant);
   }
   return LinkError{LinkError::Kind::usage, "`" + link.url + "` names no link: give one of " + known_forms()};
 }

@@ -42,7 +42,7 @@ int main() {
   link->write_events(*plant, {});
   plant->forget_changed_events();
   std::cout << test::port_of(*link);
-  for (const std::uint32_t size : link::make_io_map(tables, 0).sizes) std::cout << ' ' << size;
+  for (const std::uint32_t size : link::make_io_map(tables, 0, {}).sizes) std::cout << ' ' << size;
   std::cout << " symplant " << core::version() << std::endl;
   for (core::Time time = core::kMillisecond;; time += core::kMillisecond) {
     link->read_operations(*plant, time);

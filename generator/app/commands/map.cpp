@@ -52,6 +52,20 @@ std::string table_text(const std::vector<Row>& rows) {
   return text;
 }
 
+/// "coil 1", "holding registers 10-11".
+std::string place_text(const link::IoPoint& point) {
+  const std::string name = link::table_name(point.table);
+  if (point.places == 1) return fmt::format("{} {}", name, point.number);
+  return fmt::format("{}s {}-{}", name, point.number, point.last());
+}
+
+std::string modicon_text(const link::IoPoint& point) {
+  const std::string first = fmt::format("{:05}", link::modicon_number(point.table, point.number));
+  if (point.places == 1) return first;
+  const auto last = static_cast<std::uint16_t>(point.last());
+  return fmt::format("{}-{:05}", first, link::modicon_number(point.table, last));
+}
+
 std::string notes(const link::IoMap& map) {
   std::string text;
   for (std::size_t t = 0; t < link::kTables; ++t) {
@@ -64,7 +78,7 @@ std::string notes(const link::IoMap& map) {
     if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
   };
   count(map.without_address, "without a usable address");
-  count(map.too_wide, "of other than 16 bits");
+  count(map.of_8_bits, "of 8 bits, whose place nobody gives");
   count(map.too_many, "beyond the 65536 places of a table");
   return text;
 }
@@ -86,7 +100,7 @@ std::string mover(const model::PlantModel& plant, const core::PlantTables& table
 
 /// The map of one controller: what a link to it carries.
 std::string map_text(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t controller) {
-  const link::IoMap map = link::make_io_map(tables, controller);
+  const link::IoMap map = link::make_io_map(tables, controller, {});
   std::vector<const link::IoPoint*> points(tables.symbols.size());
   for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
 
@@ -98,8 +112,7 @@ std::string map_text(const model::PlantModel& plant, const core::PlantTables& ta
     const std::string list = plant.lists.size() == 1 ? "" : diag::visible(plant.list_of(symbol).name()) + ":";
     rows.push_back({{list + std::to_string(symbol.row->line), diag::visible(symbol.name()),
                      diag::visible(symbol.row->vendor_address), diag::visible(symbol.row->iec_address),
-                     point == nullptr ? "-" : fmt::format("{} {}", link::table_name(point->table), point->number),
-                     point == nullptr ? "-" : fmt::format("{:05}", link::modicon_number(point->table, point->number)),
+                     point == nullptr ? "-" : place_text(*point), point == nullptr ? "-" : modicon_text(*point),
                      mover(plant, tables, i)}});
   }
   return table_text(rows) + notes(map);

@@ -1,6 +1,7 @@
 // The plant's images as a Modbus server's tables.
 #include "symplant/link/modbus/images.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace symplant::link::modbus {
@@ -11,12 +12,6 @@ constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
 constexpr std::uint32_t kPlaneWordBits = 64;
 
 std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
-
-/// A register as the plant counts numbers: INT is signed.
-std::uint64_t widen(std::uint16_t value, core::DataType type) {
-  if (type != core::DataType::int_) return value;
-  return static_cast<std::uint64_t>(std::int64_t{static_cast<std::int16_t>(value)});
-}
 
 std::vector<std::uint32_t> places_of_events(const core::PlantTables& tables, const IoMap& map) {
   std::vector<std::uint32_t> places(tables.event_bits, kNoPlace);
@@ -36,52 +31,61 @@ std::span<const std::uint32_t> Images::ByPlace::at(std::uint32_t place) const no
 Images::ByPlace Images::by_place(const IoMap& map, Table table) {
   ByPlace result;
   result.first.assign(size_of(map, table) + std::size_t{1}, 0);
-  for (const IoPoint& point : map.points) {
-    if (point.table == table) ++result.first[point.number + std::size_t{1}];
-  }
+  const auto each = [&](auto act) {
+    for (std::uint32_t i = 0; i < map.points.size(); ++i) {
+      const IoPoint& point = map.points[i];
+      if (point.table != table) continue;
+      for (std::size_t place = point.number; place <= point.last(); ++place) act(i, place);
+    }
+  };
+  each([&](std::uint32_t, std::size_t place) { ++result.first[place + 1]; });
   for (std::size_t place = 1; place < result.first.size(); ++place) result.first[place] += result.first[place - 1];
   result.rows.resize(result.first.back());
   std::vector<std::uint32_t> next = result.first;
-  for (const IoPoint& point : map.points) {
-    if (point.table == table) result.rows[next[point.number]++] = point.symbol;
-  }
+  each([&](std::uint32_t i, std::size_t place) { result.rows[next[place]++] = i; });
   return result;
 }
 
 Images::Images(const core::PlantTables& tables, const IoMap& map)
     : tables_(tables),
+      points_(map.points),
       sizes_(map.sizes),
       coil_words_(bit_words(size_of(map, Table::coil))),
       discrete_words_(bit_words(size_of(map, Table::discrete_input))),
       coils_(by_place(map, Table::coil)),
       holding_registers_(by_place(map, Table::holding_register)),
       place_of_event_(places_of_events(tables, map)),
-      applied_(initial_operations(map)),
+      applied_(initial_operations()),
       events_written_(tables.event_bits / kPlaneWordBits, 0),
-      register_of_slot_(tables.event_slots, kNoPlace),
+      point_of_slot_(tables.event_slots, kNoPlace),
       operations_(applied_),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
   std::vector<bool> seen(size_of(map, Table::input_register));
-  for (const IoPoint& point : map.points) {
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    const IoPoint& point = points_[i];
     if (point.table != Table::input_register || seen[point.number]) continue;
     seen[point.number] = true;  // of several symbols on one register the first speaks
-    register_of_slot_[tables.symbols[point.symbol].index] = point.number;
+    point_of_slot_[tables.symbols[point.symbol].index] = i;
   }
 }
 
-std::vector<std::uint64_t> Images::initial_operations(const IoMap& map) const {
+NumberPlace Images::number_place(const IoPoint& point) const noexcept {
+  return {point.number, point.places, point.word_order, tables_.symbols[point.symbol].type()};
+}
+
+std::vector<std::uint64_t> Images::initial_operations() const {
   std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
   for (const core::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
   for (const core::SharedAddress& shared : tables_.shared_addresses) initial[shared.symbol] = initial[shared.leader];
-  std::vector<bool> seen(size_of(map, Table::holding_register));
-  std::vector<std::uint64_t> words(coil_words_ + register_words(size_of(map, Table::holding_register)), 0);
+  const std::uint32_t size = sizes_[static_cast<std::size_t>(Table::holding_register)];
+  std::vector<bool> seen(size);
+  std::vector<std::uint64_t> words(coil_words_ + register_words(size), 0);
   // Bit operations start off whatever their list says; numbers stand at their initial value, so that the register a
   // PLC reads before it ever wrote shows what the plant has.
-  for (const IoPoint& point : map.points) {
+  for (const IoPoint& point : points_) {
     if (point.table != Table::holding_register || seen[point.number]) continue;
     seen[point.number] = true;
-    const auto registers = std::span(words).subspan(coil_words_);
-    set_register(registers, point.number, static_cast<std::uint16_t>(initial[point.symbol]));
+    set_number(std::span(words).subspan(coil_words_), number_place(point), initial[point.symbol]);
   }
   return words;
 }
@@ -93,23 +97,30 @@ void Images::apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now
     const bool on = (now >> bit & 1) != 0;
     // All symbols of a place have one address, so that the first one's write is everybody's.
     const auto rows = coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit);
-    if (!rows.empty()) plant.set_operation(tables_.symbols[rows.front()].index, on);
+    if (!rows.empty()) plant.set_operation(tables_.symbols[points_[rows.front()].symbol].index, on);
   }
 }
 
-void Images::apply_registers(core::Plant& plant, std::size_t word, std::uint64_t now,
-                             std::uint64_t changed) const noexcept {
-  for (std::uint32_t i = 0; i < kRegistersPerWord; ++i) {
-    if (static_cast<std::uint16_t>(changed >> (16 * i)) == 0) continue;
-    const auto value = static_cast<std::uint16_t>(now >> (16 * i));
+void Images::apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept {
+  const auto registers = now.subspan(coil_words_);
+  const auto before = std::span(applied_).subspan(coil_words_);
+  const auto changed = [&](std::uint32_t place) {
+    return get_register(registers, place) != get_register(before, place);
+  };
+  const auto first = static_cast<std::uint32_t>(word) * kRegistersPerWord;
+  for (std::uint32_t place = first; place < first + kRegistersPerWord; ++place) {
+    if (!changed(place)) continue;
     // One write for each type that reads the register: symbols of one type and address are kept equal by the plant.
     std::uint32_t types_written = 0;
-    for (const std::uint32_t row : holding_registers_.at(static_cast<std::uint32_t>(word) * kRegistersPerWord + i)) {
-      const core::DataType type = tables_.symbols[row].type();
-      const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(type);
+    for (const std::uint32_t row : holding_registers_.at(place)) {
+      const NumberPlace number = number_place(points_[row]);
+      const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(number.type);
       if ((types_written & bit) != 0) continue;
       types_written |= bit;
-      plant.set_operation_value(tables_.symbols[row].index, widen(value, type));
+      bool written = false;  // for the sake of one of its registers before this one
+      for (std::uint32_t other = number.first; other < place; ++other) written = written || changed(other);
+      if (written) continue;
+      plant.set_operation_value(tables_.symbols[points_[row].symbol].index, number_at(registers, number));
     }
   }
 }
@@ -120,13 +131,13 @@ void Images::read_operations(core::Plant& plant) noexcept {
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t changed = image[word] ^ applied_[word];
     if (changed == 0) continue;
-    applied_[word] = image[word];
     if (word < coil_words_) {
       apply_coils(plant, word, image[word], changed);
     } else {
-      apply_registers(plant, word - coil_words_, image[word], changed);
+      apply_registers(plant, word - coil_words_, image);
     }
   }
+  std::copy(image.begin(), image.end(), applied_.begin());
 }
 
 void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
@@ -142,10 +153,13 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
 }
 
 void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexcept {
-  const std::uint32_t place = register_of_slot_[slot];
-  if (place == kNoPlace) return;
-  set_register(events_.words().subspan(discrete_words_), place, static_cast<std::uint16_t>(value));
-  events_.touch(discrete_words_ + place / kRegistersPerWord);
+  const std::uint32_t row = point_of_slot_[slot];
+  if (row == kNoPlace) return;
+  const IoPoint& point = points_[row];
+  set_number(events_.words().subspan(discrete_words_), number_place(point), value);
+  for (std::uint32_t word = point.number / kRegistersPerWord; word <= point.last() / kRegistersPerWord; ++word) {
+    events_.touch(discrete_words_ + word);
+  }
 }
 
 void Images::write_events(const core::Plant& plant) noexcept {

@@ -9,6 +9,7 @@
 #include "symplant/core/plant.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/modbus/codec.hpp"
+#include "symplant/link/modbus/numbers.hpp"
 #include "symplant/link/modbus/places.hpp"
 #include "symplant/share/shared_words.hpp"
 
@@ -37,31 +38,34 @@ class Images {
   std::uint32_t written(const Answer& answer) noexcept;
 
  private:
-  /// Operations by place: those of place p are rows[first[p]] up to rows[first[p + 1]].
+  /// Operations by place: those of place p are rows[first[p]] up to rows[first[p + 1]]. A number stands at each of its
+  /// registers.
   struct ByPlace {
     std::vector<std::uint32_t> first;
-    std::vector<std::uint32_t> rows;  ///< in PlantTables::symbols
+    std::vector<std::uint32_t> rows;  ///< in points_
 
     std::span<const std::uint32_t> at(std::uint32_t place) const noexcept;
   };
 
   static ByPlace by_place(const IoMap& map, Table table);
-  std::vector<std::uint64_t> initial_operations(const IoMap& map) const;
+  std::vector<std::uint64_t> initial_operations() const;
+  NumberPlace number_place(const IoPoint& point) const noexcept;
   void apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
-  void apply_registers(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
+  void apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
   void write_event_word(std::uint32_t word, std::uint64_t bits) noexcept;
   void write_input_register(std::uint32_t slot, std::uint64_t value) noexcept;
 
   const core::PlantTables& tables_;
+  std::vector<IoPoint> points_;
   std::array<std::uint32_t, kTables> sizes_;
   std::size_t coil_words_;      ///< holding registers follow them
   std::size_t discrete_words_;  ///< input registers follow them
   ByPlace coils_;
   ByPlace holding_registers_;
-  std::vector<std::uint32_t> place_of_event_;    ///< an event bit: its discrete input, or none
-  std::vector<std::uint64_t> applied_;           ///< operations that the plant was given, as in the image
-  std::vector<std::uint64_t> events_written_;    ///< the plant's event plane as the image has it
-  std::vector<std::uint32_t> register_of_slot_;  ///< a numeric event: its input register, or none
+  std::vector<std::uint32_t> place_of_event_;  ///< an event bit: its discrete input, or none
+  std::vector<std::uint64_t> applied_;         ///< operations that the plant was given, as in the image
+  std::vector<std::uint64_t> events_written_;  ///< the plant's event plane as the image has it
+  std::vector<std::uint32_t> point_of_slot_;   ///< a numeric event: its input registers, in points_, or none
   bool first_write_ = true;
   share::SharedWords operations_;  ///< server -> cycle
   share::SharedWords events_;      ///< cycle -> server

@@ -55,9 +55,9 @@ class ImageResponder final : public Responder {
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const core::PlantTables& tables, std::uint32_t controller, Listener listener, const core::Plant* plant)
+  ServerLink(const core::PlantTables& tables, const IoMap& map, Listener listener, const core::Plant* plant)
       : bound_(std::move(listener.bound)),
-        images_(tables, make_io_map(tables, controller)),
+        images_(tables, map),
         responder_(filled(images_, plant), {"symplant", tables.name, core::version()}),
         server_(std::move(listener.socket), responder_) {}
 
@@ -88,7 +88,7 @@ class ServerLink final : public Link {
 
 }  // namespace
 
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                             const core::Plant* plant) {
   if (rest.substr(0, 2) != "//") {
     return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
@@ -96,10 +96,12 @@ LinkResult open_server_link(std::string_view rest, const core::PlantTables& tabl
   }
   auto address = parse_host_port(rest.substr(2));
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
+  const IoMap map = make_io_map(tables, link.controller, link.settings);
+  if (!map.faults.empty()) return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};
   auto listener = listen_on(std::get<HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   try {
-    return std::make_unique<ServerLink>(tables, controller, std::move(std::get<Listener>(listener)), plant);
+    return std::make_unique<ServerLink>(tables, map, std::move(std::get<Listener>(listener)), plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
   }

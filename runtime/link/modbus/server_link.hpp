@@ -7,8 +7,9 @@
 
 namespace symplant::link::modbus {
 
-/// Makes and starts the server on `rest`, which is `//HOST:PORT`, with a controller's symbols. Tables must outlive it.
-LinkResult open_server_link(std::string_view rest, const core::PlantTables& tables, std::uint32_t controller,
+/// Makes and starts the server on `rest`, the link's URL behind its scheme, which is `//HOST:PORT`. Tables must outlive
+/// it. A map with a fault is a usage error.
+LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                             const core::Plant* plant);
 
 }  // namespace symplant::link::modbus

@@ -3,51 +3,18 @@
 
 #include "support/catch.hpp"
 #include "unit/exec/cell.hpp"
+#include "unit/link/image_bench.hpp"
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
 using namespace symplant::link::modbus;
 using core::DataType;
-using core::kMillisecond;
-using Bytes = std::vector<std::uint8_t>;
+using test::Bytes;
+using test::ImageBench;
 using test::SymbolList;
 
-namespace {
-
-struct Bench {
-  core::PlantTables tables;
-  test::OwnedPlant plant;
-  Images images;
-  std::uint32_t gaps = 0;
-  core::Time time = 0;
-
-  explicit Bench(const core::PlantTables& given)
-      : tables(given), plant(tables), images(tables, link::make_io_map(tables, 0)) {
-    plant->advance_to(0);
-    write();
-  }
-
-  Bytes ask(const Bytes& request) {
-    std::array<std::uint8_t, kMaxPdu> reply{};
-    const Answer answer = answer_request(request, images.tables(), {}, reply);
-    gaps += images.written(answer);
-    return {reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)};
-  }
-  void write() {
-    images.write_events(*plant);
-    plant->forget_changed_events();
-  }
-  void cycle(core::Time duration = 10 * kMillisecond) {
-    images.read_operations(*plant);
-    plant->advance_to(time += duration);
-    write();
-  }
-};
-
-}  // namespace
-
 TEST_CASE("a server drives the paper's cell by coils and sees it by discrete inputs") {
-  Bench bench(test::cell_tables());
+  ImageBench bench(test::cell_tables());
   CHECK(bench.ask({2, 0, 1, 0, 4}) == Bytes{2, 1, 0b0101});
   CHECK(bench.ask({5, 0, 1, 0xFF, 0}) == Bytes{5, 0, 1, 0xFF, 0});
   CHECK(bench.ask({1, 0, 1, 0, 4}) == Bytes{1, 1, 0b0001});
@@ -65,7 +32,7 @@ TEST_CASE("a server drives the paper's cell by coils and sees it by discrete inp
 }
 
 TEST_CASE("gaps read 0 until written, keep what is written, and are counted") {
-  Bench bench(test::cell_tables());
+  ImageBench bench(test::cell_tables());
   CHECK(bench.ask({1, 0, 0, 0, 16}) == Bytes{1, 2, 0, 0});
   bench.ask({15, 0, 0, 0, 16, 2, 0xFF, 0xFF});
   CHECK(bench.gaps == 12);
@@ -76,7 +43,7 @@ TEST_CASE("gaps read 0 until written, keep what is written, and are counted") {
 }
 
 TEST_CASE("beyond the rounded size there is no place") {
-  Bench bench(test::cell_tables());
+  ImageBench bench(test::cell_tables());
   CHECK(bench.ask({1, 0, 0, 0, 17}) == Bytes{0x81, 2});
   CHECK(bench.ask({5, 0, 16, 0xFF, 0}) == Bytes{0x85, 2});
   CHECK(bench.ask({3, 0, 0, 0, 1}) == Bytes{0x83, 2});
@@ -87,7 +54,7 @@ TEST_CASE("a coil that several operations stand on writes them all") {
   const std::uint32_t first = list.add("A", SymbolList::kOut, 5);
   list.share(list.add("B", SymbolList::kOut, 5), first);
   list.add("C", SymbolList::kOut, 6);
-  Bench bench(list.tables());
+  ImageBench bench(list.tables());
   bench.ask({5, 0, 5, 0xFF, 0});
   bench.cycle();
   CHECK(bench.plant->operations()[0] == 0b011);
@@ -103,7 +70,7 @@ TEST_CASE(
   list.share(list.add("B", SymbolList::kOut, 3, DataType::int_), first);
   list.add("W", SymbolList::kOut, 3, DataType::word);
   list.start_at(first, 7);
-  Bench bench(list.tables());
+  ImageBench bench(list.tables());
   CHECK(bench.ask({3, 0, 3, 0, 1}) == Bytes{3, 2, 0, 7});
   CHECK(bench.plant->operation_value(1) == 7);
   bench.ask({6, 0, 3, 0xFF, 0xFE});
@@ -118,7 +85,7 @@ TEST_CASE("holding registers reach the plant as numbers of their type") {
   list.add("SPEED", SymbolList::kOut, 3, DataType::int_);
   list.add("MASK", SymbolList::kOut, 4, DataType::word);
   list.add("COUNT", SymbolList::kOut, 9, DataType::uint);
-  Bench bench(list.tables());
+  ImageBench bench(list.tables());
   bench.ask({16, 0, 3, 0, 2, 4, 0xFF, 0xFE, 0xFF, 0xFE});
   bench.ask({6, 0, 9, 0x80, 0x00});
   bench.cycle();
@@ -138,7 +105,7 @@ TEST_CASE("numbers start at their initial value on both sides, and zero can be w
   list.start_at(0, static_cast<std::uint64_t>(std::int64_t{-5}));
   list.start_at(1, 300);
   list.start_at(2, 1);
-  Bench bench(list.tables());
+  ImageBench bench(list.tables());
   CHECK(bench.ask({3, 0, 2, 0, 1}) == Bytes{3, 2, 0xFF, 0xFB});
   CHECK(bench.ask({4, 0, 7, 0, 1}) == Bytes{4, 2, 0x01, 0x2C});
   CHECK(bench.ask({2, 0, 3, 0, 1}) == Bytes{2, 1, 1});
@@ -151,7 +118,7 @@ TEST_CASE("numbers start at their initial value on both sides, and zero can be w
 TEST_CASE("places far apart, in every word of the image, reach the plant and come back") {
   SymbolList list;
   for (std::uint32_t i = 0; i < 1000; ++i) list.add("O", SymbolList::kOut, i * 65);
-  Bench bench(list.tables());
+  ImageBench bench(list.tables());
   for (std::uint32_t i = 0; i < 1000; ++i) {
     const auto place = static_cast<std::uint16_t>(i * 65);
     bench.ask({5, static_cast<std::uint8_t>(place >> 8), static_cast<std::uint8_t>(place & 0xFF), 0xFF, 0});

@@ -28,10 +28,13 @@ std::vector<std::tuple<std::uint32_t, Table, int>> points(const link::IoMap& map
 using Points = std::vector<std::tuple<std::uint32_t, Table, int>>;
 using Sizes = std::array<std::uint32_t, link::kTables>;
 
+/// Without a status block.
+const link::LinkSettings kBare{.status_block = link::kNowhere};
+
 }  // namespace
 
 TEST_CASE("the paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
-  const auto map = link::make_io_map(test::cell_tables(), 0);
+  const auto map = link::make_io_map(test::cell_tables(), 0, kBare);
   CHECK(points(map) == Points{{0, Table::discrete_input, 1},
                               {1, Table::discrete_input, 2},
                               {2, Table::coil, 1},
@@ -45,25 +48,39 @@ TEST_CASE("the paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
 }
 
 TEST_CASE("an empty list has an empty map") {
-  const auto map = link::make_io_map(core::PlantTables{}, 0);
+  const auto map = link::make_io_map(core::PlantTables{}, 0, kBare);
   CHECK(map.points.empty());
   CHECK(map.sizes == Sizes{});
 }
 
-TEST_CASE("numbers of 16 bits are on registers, others on none") {
+TEST_CASE("a number's own place is its address counted in registers: one of 32 bits takes two, one of 64 bits four") {
   SymbolList list;
   list.add("A", kOut, 5, DataType::int_);
-  list.add("B", kOut, 6, DataType::uint);
+  list.add("B", kOut, 4, DataType::dint);
   list.add("C", kIn, 7, DataType::word);
-  const std::vector<DataType> others = {DataType::sint,  DataType::dint,  DataType::lint, DataType::usint,
-                                        DataType::udint, DataType::ulint, DataType::byte, DataType::dword,
-                                        DataType::lword, DataType::real,  DataType::lreal};
-  for (const DataType type : others) list.add("W", kOut, 1, type);
-  const auto map = link::make_io_map(list.tables(), 0);
-  CHECK(points(map) ==
-        Points{{0, Table::holding_register, 5}, {1, Table::holding_register, 6}, {2, Table::input_register, 7}});
-  CHECK(map.too_wide.size() == others.size());
-  CHECK(map.sizes == Sizes{0, 0, 16, 16});
+  list.add("D", kIn, 5, DataType::lreal);
+  const auto map = link::make_io_map(list.tables(), 0, kBare);
+  CHECK(points(map) == Points{{0, Table::holding_register, 5},
+                              {1, Table::holding_register, 8},
+                              {2, Table::input_register, 7},
+                              {3, Table::input_register, 20}});
+  CHECK(map.points[1].last() == 9);
+  CHECK(map.points[3].last() == 23);
+  CHECK(map.sizes == Sizes{0, 0, 16, 32});
+  CHECK(map.faults.empty());
+}
+
+TEST_CASE("numbers of 8 bits are on no register, unless their number is given: then on one") {
+  SymbolList list;
+  const DataType type = GENERATE(DataType::sint, DataType::usint, DataType::byte);
+  list.add("A", kOut, 1, type);
+  list.add("B", kOut, 2, type);
+  const std::array<link::PlaceRow, 1> places{{{1, 7}}};
+  link::LinkSettings settings = kBare;
+  settings.places = places;
+  const auto map = link::make_io_map(list.tables(), 0, settings);
+  CHECK(points(map) == Points{{1, Table::holding_register, 7}});
+  CHECK(map.of_8_bits == std::vector<std::uint32_t>{0});
 }
 
 TEST_CASE("a table's size is its highest number and one, rounded up to a multiple of 16") {
@@ -71,7 +88,7 @@ TEST_CASE("a table's size is its highest number and one, rounded up to a multipl
       GENERATE(table<std::uint32_t, std::uint32_t>({{0, 16}, {15, 16}, {16, 32}, {31, 32}, {65'535, 65'536}}));
   SymbolList list;
   list.add("A", kOut, number);
-  CHECK(link::make_io_map(list.tables(), 0).sizes == Sizes{size, 0, 0, 0});
+  CHECK(link::make_io_map(list.tables(), 0, kBare).sizes == Sizes{size, 0, 0, 0});
 }
 
 TEST_CASE("one symbol whose address is no number packs its whole table and no other") {
@@ -80,7 +97,7 @@ TEST_CASE("one symbol whose address is no number packs its whole table and no ot
   list.add("B", kIn, 41);
   list.add("C", kOut, AddressForm::other);
   list.add("D", kOut, 7);
-  const auto map = link::make_io_map(list.tables(), 0);
+  const auto map = link::make_io_map(list.tables(), 0, kBare);
   CHECK(points(map) ==
         Points{{0, Table::coil, 0}, {1, Table::discrete_input, 41}, {2, Table::coil, 1}, {3, Table::coil, 2}});
   CHECK(map.packed == std::array<bool, link::kTables>{true, false, false, false});
@@ -91,7 +108,7 @@ TEST_CASE("a number beyond 65535 packs its table too") {
   SymbolList list;
   list.add("A", kIn, 65'536);
   list.add("B", kIn, 3);
-  const auto map = link::make_io_map(list.tables(), 0);
+  const auto map = link::make_io_map(list.tables(), 0, kBare);
   CHECK(points(map) == Points{{0, Table::discrete_input, 0}, {1, Table::discrete_input, 1}});
   CHECK(map.packed[1]);
 }
@@ -100,7 +117,7 @@ TEST_CASE("a symbol without an address is on no link and packs nothing") {
   SymbolList list;
   list.add("A", kOut, AddressForm::none);
   list.add("B", kOut, 9);
-  const auto map = link::make_io_map(list.tables(), 0);
+  const auto map = link::make_io_map(list.tables(), 0, kBare);
   CHECK(points(map) == Points{{1, Table::coil, 9}});
   CHECK(map.without_address == std::vector<std::uint32_t>{0});
   CHECK_FALSE(map.packed[0]);
@@ -110,7 +127,7 @@ TEST_CASE("symbols of one address share one place") {
   SymbolList list;
   list.add("A", kOut, 5);
   list.add("B", kOut, 5);
-  CHECK(points(link::make_io_map(list.tables(), 0)) == Points{{0, Table::coil, 5}, {1, Table::coil, 5}});
+  CHECK(points(link::make_io_map(list.tables(), 0, kBare)) == Points{{0, Table::coil, 5}, {1, Table::coil, 5}});
 }
 
 TEST_CASE("symbols of one address share one place in a packed table, whichever comes first") {
@@ -119,14 +136,14 @@ TEST_CASE("symbols of one address share one place in a packed table, whichever c
   list.add("B", kIn, AddressForm::other);
   list.add("C", kIn, AddressForm::other);
   list.share(0, 2);
-  CHECK(points(link::make_io_map(list.tables(), 0)) ==
+  CHECK(points(link::make_io_map(list.tables(), 0, kBare)) ==
         Points{{0, Table::discrete_input, 0}, {1, Table::discrete_input, 1}, {2, Table::discrete_input, 0}});
 }
 
 TEST_CASE("a packed table is full at 65536 places") {
   SymbolList list;
   for (int i = 0; i < 65'538; ++i) list.add("A", kOut, AddressForm::other);
-  const auto map = link::make_io_map(list.tables(), 0);
+  const auto map = link::make_io_map(list.tables(), 0, kBare);
   CHECK(map.points.size() == 65'536);
   CHECK(map.sizes == Sizes{65'536, 0, 0, 0});
   CHECK(map.too_many == std::vector<std::uint32_t>{65'536, 65'537});
@@ -152,8 +169,9 @@ TEST_CASE("a map has the symbols of one controller alone, and packs them by them
   list.add("C", test::SymbolList::kOut, core::AddressForm::other);
   list.add("D", test::SymbolList::kIn, core::AddressForm::none);
   list.add("E", test::SymbolList::kIn, 7);
-  CHECK(points(link::make_io_map(list.tables(), 0)) == Points{{0, Table::coil, 0}, {1, Table::discrete_input, 7}});
-  const auto second = link::make_io_map(list.tables(), 1);
+  CHECK(points(link::make_io_map(list.tables(), 0, kBare)) ==
+        Points{{0, Table::coil, 0}, {1, Table::discrete_input, 7}});
+  const auto second = link::make_io_map(list.tables(), 1, kBare);
   CHECK(points(second) == Points{{2, Table::coil, 0}, {4, Table::discrete_input, 7}});
   CHECK(second.without_address == std::vector<std::uint32_t>{3});
 }

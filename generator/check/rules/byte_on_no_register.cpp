@@ -1,0 +1,38 @@
+// SP312 byte-on-no-register: a numeric symbol is of 8 bits and on no register.
+#include <fmt/format.h>
+
+#include "check/rules.hpp"
+#include "model/classify.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kPage =
+    R"(A numeric symbol is of 8 bits. Registers have 16, and two such symbols would share one: which half is whose, PLCs settle
+in different ways. So the symbol is in the images and on no register.
+
+**What the model loses.** The PLC can neither write nor read the symbol over Modbus.
+
+**How to mend it.** Give the symbol a register of its own in the description's `links`, by `symbol` and `number`; it lies in the
+lower half. Or use a type of 16 bits (INT, UINT, WORD).
+)";
+
+void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  for (const model::Symbol& symbol : plant.symbols) {
+    const int bits = model::data_type_bits(symbol.type);
+    if (bits != 8 || !symbol.address || bits != static_cast<int>(symbol.address->size)) continue;
+    diagnostics.add(rule.info, about(symbol),
+                    fmt::format("`{}` is {}, {} bits: it is in the images and on no register", symbol.name(),
+                                model::data_type_name(symbol.type), bits),
+                    place_of(plant, *symbol.row, symbol.row->type));
+  }
+}
+
+}  // namespace
+
+const Rule kByteOnNoRegister{
+    {"SP312", "byte-on-no-register", diag::Severity::note, "a numeric symbol is of 8 bits and on no register", kPage},
+    check_byte_on_no_register};
+
+}  // namespace symplant::check

@@ -1,0 +1,104 @@
+// A map in words and as a digest.
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+
+#include "symplant/core/digest.hpp"
+#include "symplant/core/names.hpp"
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::link {
+
+namespace {
+
+/// The symbol's name, out of texts of which each symbol has two.
+std::string quoted(const std::vector<std::string_view>& texts, std::uint32_t symbol) {
+  const std::size_t at = std::size_t{symbol} * 2;
+  return "`" + (at < texts.size() ? std::string(texts[at]) : std::string()) + "`";
+}
+
+const IoPoint* point_of(const IoMap& map, std::uint32_t symbol) {
+  const auto found =
+      std::find_if(map.points.begin(), map.points.end(), [&](const IoPoint& point) { return point.symbol == symbol; });
+  return found == map.points.end() ? nullptr : &*found;
+}
+
+/// "holding register 7", "holding registers 10 to 11".
+std::string place_text(const IoPoint& point) {
+  const std::string name = table_name(point.table);
+  if (point.places == 1) return name + " " + std::to_string(point.number);
+  return name + "s " + std::to_string(point.number) + " to " + std::to_string(point.last());
+}
+
+std::string size_text(const IoMap& map, Table table) {
+  const std::uint32_t size = map.sizes[static_cast<std::size_t>(table)];
+  return std::string(table_name(table)) + "s have the size " + std::to_string(size);
+}
+
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+}  // namespace
+
+std::string fault_text(const core::PlantTables& tables, const IoMap& map, const MapFault& fault) {
+  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+  const IoPoint* const point = point_of(map, fault.symbol);  // null where it is no symbol
+  const std::string name = quoted(texts, fault.symbol);
+  const std::string place = point == nullptr ? "" : place_text(*point);
+  switch (fault.kind) {
+    case MapFault::Kind::overlap: {
+      const IoPoint* const other = point_of(map, fault.other);
+      return name + " stands on " + place + ", and so does " + quoted(texts, fault.other) + " on " +
+             (other == nullptr ? "" : place_text(*other)) +
+             ": give one of them another number, in the list or in `links`";
+    }
+    case MapFault::Kind::beyond_end:
+      return name + " would end behind place 65535, the last that Modbus has: give it a lower number";
+    case MapFault::Kind::beyond_size:
+      return name + " stands on " + place + ", but the " + size_text(map, point->table) +
+             ": give them a larger `size`, or the symbol a lower number";
+    case MapFault::Kind::status_overlap:
+      return "the status block begins on input register " + std::to_string(*map.status_block) + " and meets " + name +
+             " on " + place + ": give `status` another register, or `\"off\"`";
+    case MapFault::Kind::status_beyond:
+      return "the status block has 12 registers, and from " + std::to_string(fault.symbol) +
+             " on they do not fit, the last input register is " + std::to_string(fault.other - 1) +
+             ": give `status` a lower register, or `\"off\"`";
+    case MapFault::Kind::watchdog_overlap:
+      return "the watchdog stands on holding register " + std::to_string(*map.watchdog) + ", and so does " + name +
+             " on " + place + ": give `watchdog` another register";
+    case MapFault::Kind::watchdog_beyond:
+      return "the watchdog stands on holding register " + std::to_string(fault.symbol) + ", but the last one is " +
+             std::to_string(fault.other - 1) + ": give `watchdog` a lower register";
+  }
+  return {};
+}
+
+std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
+  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+  std::vector<std::uint32_t> order(map.points.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  const auto key = [&](std::uint32_t i) {
+    const IoPoint& point = map.points[i];
+    return std::tuple(point.table, point.number, texts[std::size_t{point.symbol} * 2]);
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+
+  constexpr std::uint32_t kLayout = 1;  ///< of what is digested
+  core::Fnv1a64 hash;
+  hash.u32(kLayout);
+  for (const std::uint32_t size : map.sizes) hash.u32(size);
+  for (const std::uint32_t i : order) {
+    const IoPoint& point = map.points[i];
+    hash.byte(static_cast<std::uint8_t>(point.table));
+    hash.u32(point.number);
+    hash.byte(static_cast<std::uint8_t>(tables.symbols[point.symbol].type()));
+    hash.byte(point.places == 1 ? 0 : static_cast<std::uint8_t>(point.word_order));
+    for (const char c : texts[std::size_t{point.symbol} * 2]) hash.byte(static_cast<std::uint8_t>(upper(c)));
+    hash.byte(0);
+  }
+  hash.u32(map.status_block ? *map.status_block : kNowhere);
+  hash.u32(map.watchdog ? *map.watchdog : kNowhere);
+  return hash.value();
+}
+
+}  // namespace symplant::link

@@ -1,0 +1,45 @@
+// A plant, its images and requests to them, without a socket.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "symplant/link/modbus/images.hpp"
+#include "unit/exec/cell.hpp"
+
+namespace symplant::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct ImageBench {
+  core::PlantTables tables;
+  OwnedPlant plant;
+  link::modbus::Images images;
+  std::uint32_t gaps = 0;
+  core::Time time = 0;
+
+  explicit ImageBench(const core::PlantTables& given, const link::LinkSettings& settings = {})
+      : tables(given), plant(tables), images(tables, link::make_io_map(tables, 0, settings)) {
+    plant->advance_to(0);
+    write();
+  }
+
+  Bytes ask(const Bytes& request) {
+    std::array<std::uint8_t, link::modbus::kMaxPdu> reply{};
+    const link::modbus::Answer answer = link::modbus::answer_request(request, images.tables(), {}, reply);
+    gaps += images.written(answer);
+    return {reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)};
+  }
+  void write() {
+    images.write_events(*plant);
+    plant->forget_changed_events();
+  }
+  void cycle(core::Time duration = 10 * core::kMillisecond) {
+    images.read_operations(*plant);
+    plant->advance_to(time += duration);
+    write();
+  }
+};
+
+}  // namespace symplant::test

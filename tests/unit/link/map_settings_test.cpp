@@ -1,0 +1,261 @@
+// What the settings of a link make of its map, and the map's digest.
+#include "support/catch.hpp"
+#include "symplant/link/io_map.hpp"
+#include "symplant/link/status_fields.hpp"
+#include "unit/link/symbol_list.hpp"
+
+using namespace symplant;
+using core::AddressForm;
+using core::DataType;
+using link::LinkSettings;
+using link::PlaceRow;
+using link::Table;
+using link::WordOrder;
+using test::SymbolList;
+
+namespace {
+
+constexpr auto kIn = SymbolList::kIn;
+constexpr auto kOut = SymbolList::kOut;
+constexpr auto kCoils = static_cast<std::size_t>(Table::coil);
+constexpr auto kHolding = static_cast<std::size_t>(Table::holding_register);
+constexpr auto kInput = static_cast<std::size_t>(Table::input_register);
+
+std::vector<int> numbers(const link::IoMap& map) {
+  std::vector<int> result;
+  for (const link::IoPoint& point : map.points) result.push_back(point.number);
+  return result;
+}
+
+std::vector<std::string> faults(const SymbolList& list, const LinkSettings& settings = {}) {
+  const core::PlantTables tables = list.tables();
+  const auto map = link::make_io_map(tables, 0, settings);
+  std::vector<std::string> texts;
+  for (const link::MapFault& fault : map.faults) texts.push_back(link::fault_text(tables, map, fault));
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("the status block stands on the first multiple of 100 above the highest number of all tables") {
+  const auto [highest, first] = GENERATE(
+      table<std::uint32_t, std::uint16_t>({{0, 100}, {98, 100}, {99, 100}, {100, 200}, {199, 200}, {65'400, 65'500}}));
+  SymbolList list;
+  list.add("A", kOut, highest);
+  const auto map = link::make_io_map(list.tables(), 0, {});
+  REQUIRE(map.status_block);
+  CHECK(*map.status_block == first);
+  CHECK(map.sizes[kInput] == (first + 12U + 15U) / 16 * 16);
+  CHECK(map.faults.empty());
+}
+
+TEST_CASE("of a number of several registers the last one counts for the status block's place") {
+  SymbolList list;
+  list.add("A", kOut, 25, DataType::lint);  // 100 to 103
+  CHECK(link::make_io_map(list.tables(), 0, {}).status_block == 200);
+}
+
+TEST_CASE("the status block of a map without symbols stands on 100") {
+  CHECK(link::make_io_map(core::PlantTables{}, 0, {}).status_block == 100);
+}
+
+TEST_CASE("where there is no room above the map there is no status block, and the map says so") {
+  SymbolList list;
+  list.add("A", kOut, 65'500);
+  const auto map = link::make_io_map(list.tables(), 0, {});
+  CHECK_FALSE(map.status_block);
+  CHECK(map.no_room_for_status);
+  CHECK(map.faults.empty());
+
+  LinkSettings small;
+  small.sizes[kInput] = 64;
+  const auto sized = link::make_io_map(SymbolList().tables(), 0, small);
+  CHECK_FALSE(sized.status_block);
+  CHECK(sized.no_room_for_status);
+}
+
+TEST_CASE("status block and watchdog stand where they are put, or nowhere") {
+  SymbolList list;
+  list.add("A", kIn, 3, DataType::int_);
+  LinkSettings settings;
+  settings.status_block = 4;
+  settings.watchdog = 9;
+  const auto map = link::make_io_map(list.tables(), 0, settings);
+  CHECK(map.status_block == 4);
+  CHECK(map.watchdog == 9);
+  CHECK(map.sizes[kInput] == 16);
+  CHECK(map.sizes[kHolding] == 16);
+
+  settings.status_block = link::kNowhere;
+  settings.watchdog = link::kNowhere;
+  const auto bare = link::make_io_map(list.tables(), 0, settings);
+  CHECK_FALSE(bare.status_block);
+  CHECK_FALSE(bare.no_room_for_status);
+  CHECK_FALSE(bare.watchdog);
+  CHECK(bare.sizes[kHolding] == 0);
+}
+
+TEST_CASE("a status block or watchdog that meets a symbol is a fault") {
+  SymbolList list;
+  list.add("SPEED", kIn, 5, DataType::dint);  // 10 and 11
+  list.add("MODE", kOut, 3, DataType::int_);
+  LinkSettings settings;
+  settings.status_block = 0;
+  CHECK(faults(list, settings) == Texts{"the status block begins on input register 0 and meets `SPEED` on input "
+                                        "registers 10 to 11: give `status` another register, or `\"off\"`"});
+  settings.status_block = 12;
+  settings.watchdog = 3;
+  CHECK(faults(list, settings) == Texts{"the watchdog stands on holding register 3, and so does `MODE` on holding "
+                                        "register 3: give `watchdog` another register"});
+}
+
+TEST_CASE("a status block or watchdog beyond its table is a fault") {
+  LinkSettings settings;
+  settings.status_block = 65'525;
+  CHECK(faults(SymbolList(), settings) ==
+        Texts{"the status block has 12 registers, and from 65525 on they do not fit, the last input register is 65535: "
+              "give `status` a lower register, or `\"off\"`"});
+  settings.status_block = 65'524;
+  CHECK(faults(SymbolList(), settings).empty());
+  settings.sizes[kHolding] = 32;
+  settings.watchdog = 32;
+  CHECK(faults(SymbolList(), settings) == Texts{"the watchdog stands on holding register 32, but the last one is 31: "
+                                                "give `watchdog` a lower register"});
+}
+
+TEST_CASE("two symbols that overlap are a fault that names both") {
+  SymbolList list;
+  list.add("SPEED", kOut, 5, DataType::dint);  // 10 and 11
+  list.add("MODE", kOut, 11, DataType::int_);
+  list.add("OTHER", kIn, 11, DataType::int_);  // in another table
+  CHECK(faults(list) ==
+        Texts{"`SPEED` stands on holding registers 10 to 11, and so does `MODE` on holding register 11: "
+              "give one of them another number, in the list or in `links`"});
+}
+
+TEST_CASE("one address read as two types of one size is one place, but not two addresses that are given one number") {
+  SymbolList list;
+  list.add("A", kOut, 5, DataType::int_);
+  list.add("B", kOut, 5, DataType::word);
+  CHECK(faults(list).empty());
+  list.add("C", kOut, 6, DataType::word);
+  const std::array<PlaceRow, 1> places{{{2, 5}}};
+  LinkSettings settings;
+  settings.places = places;
+  REQUIRE(faults(list, settings).size() == 1);
+  CHECK(faults(list, settings)[0].substr(0, 61) == "`A` stands on holding register 5, and so does `C` on holding ");
+}
+
+TEST_CASE("a symbol that ends behind the last place, or beyond the size that its table was given, is a fault") {
+  SymbolList list;
+  list.add("A", kOut, AddressForm::none, 0, DataType::dint);
+  const std::array<PlaceRow, 1> places{{{0, 65'535}}};
+  LinkSettings settings;
+  settings.places = places;
+  CHECK(faults(list, settings) ==
+        Texts{"`A` would end behind place 65535, the last that Modbus has: give it a lower number"});
+  SymbolList sized;
+  sized.add("B", kOut, 20);
+  LinkSettings small;
+  small.sizes[kCoils] = 20;
+  CHECK(faults(sized, small) == Texts{"`B` stands on coil 20, but the coils have the size 20: give them a larger "
+                                      "`size`, or the symbol a lower number"});
+  small.sizes[kCoils] = 21;
+  CHECK(faults(sized, small).empty());
+  CHECK(link::make_io_map(sized.tables(), 0, small).sizes[kCoils] == 21);
+}
+
+TEST_CASE("symbols with numbers of their own stand there, and a packed table fills the places between them") {
+  SymbolList list;
+  list.add("A", kOut, AddressForm::other, 0, DataType::int_);
+  list.add("B", kOut, AddressForm::other, 0, DataType::dint);
+  list.add("C", kOut, 7, DataType::int_);
+  list.add("D", kOut, AddressForm::none, 0, DataType::int_);
+  const std::array<PlaceRow, 1> places{{{3, 2}}};
+  LinkSettings settings;
+  settings.places = places;
+  const auto map = link::make_io_map(list.tables(), 0, settings);
+  CHECK(numbers(map) == std::vector<int>{0, 3, 5, 2});  // B takes 3 and 4, since D stands on 2
+  CHECK(map.packed[kHolding]);
+  CHECK(map.faults.empty());
+  CHECK(map.without_address.empty());
+}
+
+TEST_CASE("a number that is given to the only symbol without one keeps its table from being packed") {
+  SymbolList list;
+  list.add("A", kOut, AddressForm::other);
+  list.add("B", kOut, 7);
+  const std::array<PlaceRow, 1> places{{{0, 3}}};
+  LinkSettings settings;
+  settings.places = places;
+  CHECK(numbers(link::make_io_map(list.tables(), 0, settings)) == std::vector<int>{3, 7});
+}
+
+TEST_CASE("word order and on-loss are the link's, or the symbol's own") {
+  SymbolList list;
+  list.add("A", kOut, 5, DataType::dint);
+  list.add("B", kOut, 6, DataType::dint);
+  const std::array<PlaceRow, 1> places{{{1, PlaceRow::kDefault, WordOrder::low_first, link::OnLoss::zero}}};
+  LinkSettings settings;
+  settings.places = places;
+  settings.word_order = WordOrder::high_first;
+  const auto map = link::make_io_map(list.tables(), 0, settings);
+  CHECK(map.points[0].word_order == WordOrder::high_first);
+  CHECK(map.points[0].on_loss == link::OnLoss::hold);
+  CHECK(map.points[1].word_order == WordOrder::low_first);
+  CHECK(map.points[1].on_loss == link::OnLoss::zero);
+  CHECK(numbers(map) == std::vector<int>{10, 12});
+}
+
+TEST_CASE("the digest of a map changes with all that a PLC's programmer has to know, and with nothing else") {
+  struct Wanted {
+    std::string_view name = "SPEED";
+    std::uint32_t number = 5;
+    DataType type = DataType::dint;
+    core::Direction direction = kOut;
+    LinkSettings settings = {};
+  };
+  const auto hash = [](const Wanted& wanted, bool other_way_round = false) {
+    SymbolList list;
+    if (other_way_round) list.add("LAMP", kOut, 1);
+    list.add(wanted.name, wanted.direction, wanted.number, wanted.type);
+    if (!other_way_round) list.add("LAMP", kOut, 1);
+    return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, wanted.settings));
+  };
+  const std::uint64_t before = hash({});
+  CHECK(before == hash({}));
+  CHECK(before == hash({}, true));
+  CHECK(before == hash({.name = "Speed"}));
+  CHECK(before != hash({.name = "SPEED2"}));
+  CHECK(before != hash({.number = 6}));
+  CHECK(before != hash({.type = DataType::udint}));
+  CHECK(before != hash({.direction = kIn}));
+  CHECK(before != hash({.settings = {.word_order = WordOrder::low_first}}));
+  CHECK(before != hash({.settings = {.sizes = {32, 0, 0, 0}}}));
+  CHECK(before != hash({.settings = {.status_block = 300}}));
+  CHECK(before != hash({.settings = {.status_block = link::kNowhere}}));
+  CHECK(before != hash({.settings = {.watchdog = 2}}));
+  CHECK(before == hash({.settings = {.on_loss = link::OnLoss::zero}}));
+  CHECK(before == hash({.settings = {.loss_after = 7}}));
+  // A word order is nothing to a number of one register.
+  CHECK(hash({.type = DataType::int_}) ==
+        hash({.type = DataType::int_, .settings = {.word_order = WordOrder::low_first}}));
+}
+
+TEST_CASE("the digest of the maps that this test knows stays the same from version to version") {
+  SymbolList list;
+  list.add("A", kOut, 0);
+  list.add("B", kIn, 2, DataType::real);
+  CHECK(link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {})) == 0xB5CB'2135'57CB'D1C2);
+}
+
+TEST_CASE("the fields of the status block fill its registers one after the other") {
+  std::uint32_t next = 0;
+  for (const link::StatusField& field : link::kStatusFields) {
+    CHECK(field.first == next);
+    next += field.registers;
+  }
+  CHECK(next == link::kStatusRegisters);
+}
