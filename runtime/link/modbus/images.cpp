@@ -11,6 +11,17 @@ namespace {
 constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
 constexpr std::uint32_t kPlaneWordBits = 64;
 
+// Behind the tables of operations: what a loss awaits.
+constexpr std::size_t kLossesSeen = 0;
+constexpr std::size_t kRewritten = 1;
+constexpr std::size_t kControlWords = 2;
+
+std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) {
+  image.resize(image.size() + kControlWords);
+  image.back() = 1;  // nothing is awaited
+  return image;
+}
+
 std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
 
 std::vector<std::uint32_t> places_of_events(const core::PlantTables& tables, const IoMap& map) {
@@ -46,7 +57,7 @@ Images::ByPlace Images::by_place(const IoMap& map, Table table) {
   return result;
 }
 
-Images::Images(const core::PlantTables& tables, const IoMap& map)
+Images::Images(const core::PlantTables& tables, const IoMap& map, WordOrder word_order)
     : tables_(tables),
       points_(map.points),
       sizes_(map.sizes),
@@ -56,9 +67,15 @@ Images::Images(const core::PlantTables& tables, const IoMap& map)
       holding_registers_(by_place(map, Table::holding_register)),
       place_of_event_(places_of_events(tables, map)),
       applied_(initial_operations()),
+      zeroed_(zero_masks()),
+      scratch_(applied_.size()),
+      status_block_(map.status_block),
+      watchdog_(map.watchdog),
+      word_order_(word_order),
       events_written_(tables.event_bits / kPlaneWordBits, 0),
       point_of_slot_(tables.event_slots, kNoPlace),
-      operations_(applied_),
+      rewriting_(size_of(map, Table::coil), size_of(map, Table::holding_register)),
+      operations_(with_control_words(applied_)),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
   std::vector<bool> seen(size_of(map, Table::input_register));
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
@@ -67,6 +84,23 @@ Images::Images(const core::PlantTables& tables, const IoMap& map)
     seen[point.number] = true;  // of several symbols on one register the first speaks
     point_of_slot_[tables.symbols[point.symbol].index] = i;
   }
+  for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = PlaceSet(map.sizes[table]);
+  for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.places);
+  if (watchdog_) mapped_[static_cast<std::size_t>(Table::holding_register)].add(*watchdog_, 1);
+}
+
+/// The bits of operations whose policy it is to go to zero.
+std::vector<std::uint64_t> Images::zero_masks() const {
+  std::vector<std::uint64_t> masks(applied_.size());
+  for (const IoPoint& point : points_) {
+    if (point.on_loss != OnLoss::zero) continue;
+    if (point.table == Table::coil) set_bit(masks, point.number, true);
+    if (point.table != Table::holding_register) continue;
+    for (std::uint32_t place = point.number; place <= point.last(); ++place) {
+      set_register(std::span(masks).subspan(coil_words_), place, 0xFFFF);
+    }
+  }
+  return masks;
 }
 
 NumberPlace Images::number_place(const IoPoint& point) const noexcept {
@@ -125,9 +159,8 @@ void Images::apply_registers(core::Plant& plant, std::size_t word, std::span<con
   }
 }
 
-void Images::read_operations(core::Plant& plant) noexcept {
-  if (!operations_.update()) return;
-  const auto image = operations_.latest();
+/// Gives the plant all that differs between the image and what it has.
+void Images::change_operations(core::Plant& plant, std::span<const std::uint64_t> image) noexcept {
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t changed = image[word] ^ applied_[word];
     if (changed == 0) continue;
@@ -138,6 +171,36 @@ void Images::read_operations(core::Plant& plant) noexcept {
     }
   }
   std::copy(image.begin(), image.end(), applied_.begin());
+}
+
+void Images::read_operations(core::Plant& plant) noexcept {
+  take_operations();
+  apply_operations(plant);
+}
+
+void Images::take_operations() noexcept {
+  if (operations_.update()) behind_ = true;
+}
+
+bool Images::is_complete(std::uint32_t losses) const noexcept {
+  const auto control = operations_.latest().subspan(applied_.size());
+  return control[kLossesSeen] == losses && control[kRewritten] != 0;
+}
+
+std::uint16_t Images::watchdog() const noexcept {
+  return watchdog_ ? get_register(operations_.latest().subspan(coil_words_), *watchdog_) : std::uint16_t{0};
+}
+
+void Images::apply_operations(core::Plant& plant) noexcept {
+  if (!behind_) return;
+  behind_ = false;
+  change_operations(plant, operations_.latest().first(applied_.size()));
+}
+
+void Images::zero_operations(core::Plant& plant) noexcept {
+  for (std::size_t word = 0; word < scratch_.size(); ++word) scratch_[word] = applied_[word] & ~zeroed_[word];
+  change_operations(plant, scratch_);
+  behind_ = true;
 }
 
 void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
@@ -162,7 +225,21 @@ void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexc
   }
 }
 
-void Images::write_events(const core::Plant& plant) noexcept {
+void Images::write_status(const StatusBlock& status) noexcept {
+  if (status_block_) {
+    const auto registers = registers_of(status, word_order_);
+    const auto inputs = events_.words().subspan(discrete_words_);
+    for (std::uint32_t i = 0; i < kStatusRegisters; ++i) {
+      const std::uint32_t place = *status_block_ + i;
+      if (get_register(inputs, place) == registers[i]) continue;
+      set_register(inputs, place, registers[i]);
+      events_.touch(discrete_words_ + place / kRegistersPerWord);
+    }
+  }
+  events_.publish();
+}
+
+void Images::write_events(const core::Plant& plant, const StatusBlock& status) noexcept {
   const auto bits = plant.events();
   if (first_write_) {
     for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);
@@ -173,7 +250,7 @@ void Images::write_events(const core::Plant& plant) noexcept {
     for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);
     for (const std::uint32_t slot : plant.changed_event_values()) write_input_register(slot, plant.event_value(slot));
   }
-  events_.publish();
+  write_status(status);
 }
 
 Tables Images::tables() noexcept {
@@ -183,22 +260,30 @@ Tables Images::tables() noexcept {
   const auto size = [this](Table table) { return sizes_[static_cast<std::size_t>(table)]; };
   return {.coils = {operations.first(coil_words_), size(Table::coil)},
           .discrete_inputs = {events.first(discrete_words_), size(Table::discrete_input)},
-          .holding_registers = {operations.subspan(coil_words_), size(Table::holding_register)},
+          .holding_registers = {operations.first(applied_.size()).subspan(coil_words_), size(Table::holding_register)},
           .input_registers = {events.subspan(discrete_words_), size(Table::input_register)}};
 }
 
-std::uint32_t Images::written(const Answer& answer) noexcept {
-  if (answer.count == 0) return 0;
-  const bool coils = answer.written == Table::coil;
-  const ByPlace& table = coils ? coils_ : holding_registers_;
-  const std::size_t base = coils ? 0 : coil_words_;
-  const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
-  const std::uint32_t end = std::uint32_t{answer.first} + answer.count;
+std::uint32_t Images::written(const Answer& answer, std::uint32_t losses) noexcept {
+  const bool lost = losses != losses_seen_;
+  if (answer.count == 0 && !lost) return 0;
+  if (lost) rewriting_.begin();
+  losses_seen_ = losses;
   std::uint32_t gaps = 0;
-  for (std::uint32_t place = answer.first; place < end; ++place) gaps += table.at(place).empty() ? 1U : 0U;
-  for (std::uint32_t word = answer.first / per_word; word <= (end - 1) / per_word; ++word) {
-    operations_.touch(base + word);
+  if (answer.count != 0) {
+    const bool coils = answer.written == Table::coil;
+    const std::size_t base = coils ? 0 : coil_words_;
+    const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
+    const std::uint32_t last = std::uint32_t{answer.first} + answer.count - 1;
+    gaps = answer.count - mapped_[static_cast<std::size_t>(answer.written)].count(answer.first, answer.count);
+    for (std::uint32_t word = answer.first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
+    rewriting_.wrote(coils, answer.first, answer.count);
   }
+  const auto control = operations_.words().subspan(applied_.size());
+  control[kLossesSeen] = losses;
+  control[kRewritten] = rewriting_.complete() ? 1 : 0;
+  operations_.touch(applied_.size() + kLossesSeen);
+  operations_.touch(applied_.size() + kRewritten);
   operations_.publish();
   return gaps;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,7 +11,10 @@
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/modbus/codec.hpp"
 #include "symplant/link/modbus/numbers.hpp"
+#include "symplant/link/modbus/place_set.hpp"
 #include "symplant/link/modbus/places.hpp"
+#include "symplant/link/modbus/rewriting.hpp"
+#include "symplant/link/modbus/status_block.hpp"
 #include "symplant/share/shared_words.hpp"
 
 namespace symplant::link::modbus {
@@ -19,23 +23,43 @@ namespace symplant::link::modbus {
 /// whole image at a time. At the start operations are off and numbers at their initial values.
 class Images {
  public:
-  Images(const core::PlantTables& tables, const IoMap& map);
+  /// `word_order`: of the status block.
+  Images(const core::PlantTables& tables, const IoMap& map, WordOrder word_order = WordOrder::high_first);
 
   // --- the cycle's thread
 
   /// Gives the plant the operations that changed since the last call. Costs a comparison of the image, where a newer
   /// one is there, and what changed.
   void read_operations(core::Plant& plant) noexcept;
-  /// Takes the plant's changed events, all of them at the first call.
-  void write_events(const core::Plant& plant) noexcept;
+  /// Takes the plant's changed events, all of them at the first call, and the status; hands them over.
+  void write_events(const core::Plant& plant, const StatusBlock& status = {}) noexcept;
+
+  // The parts of read_operations(), where a link may be lost.
+
+  /// Takes what the server handed over last, without giving it to the plant. O(1).
+  void take_operations() noexcept;
+  /// Whether in what was taken all has been written again that was written before the loss of this number.
+  bool is_complete(std::uint32_t losses) const noexcept;
+  /// The watchdog's register as it was taken; 0 where there is none.
+  std::uint16_t watchdog() const noexcept;
+  void apply_operations(core::Plant& plant) noexcept;
+  /// Puts operations to zero whose policy it is when their link is lost. What is there acts again with the next
+  /// apply_operations(). Costs a look at every word of the image.
+  void zero_operations(core::Plant& plant) noexcept;
+  /// Hands over the status alone.
+  void write_status(const StatusBlock& status) noexcept;
 
   // --- the server's thread
 
   /// The tables to answer one request from; inputs are those of the latest cycle.
   Tables tables() noexcept;
-  /// To be called after a request was answered: hands over what it wrote. Returns how many places it wrote that no
-  /// symbol stands on.
-  std::uint32_t written(const Answer& answer) noexcept;
+  /// To be called after a request was answered: hands over what it wrote. `losses`: how often the link was lost until
+  /// now. Returns how many places it wrote that nothing stands on.
+  std::uint32_t written(const Answer& answer, std::uint32_t losses = 0) noexcept;
+  /// Whether a request touches a place of the table that a symbol or the watchdog stands on. O(count / 64).
+  bool is_mapped(Table table, std::uint32_t first, std::uint32_t count) const noexcept {
+    return mapped_[static_cast<std::size_t>(table)].has_any(first, count);
+  }
 
  private:
   /// Operations by place: those of place p are rows[first[p]] up to rows[first[p + 1]]. A number stands at each of its
@@ -50,6 +74,8 @@ class Images {
   static ByPlace by_place(const IoMap& map, Table table);
   std::vector<std::uint64_t> initial_operations() const;
   NumberPlace number_place(const IoPoint& point) const noexcept;
+  std::vector<std::uint64_t> zero_masks() const;
+  void change_operations(core::Plant& plant, std::span<const std::uint64_t> image) noexcept;
   void apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
   void apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
   void write_event_word(std::uint32_t word, std::uint64_t bits) noexcept;
@@ -64,10 +90,19 @@ class Images {
   ByPlace holding_registers_;
   std::vector<std::uint32_t> place_of_event_;  ///< an event bit: its discrete input, or none
   std::vector<std::uint64_t> applied_;         ///< operations that the plant was given, as in the image
+  std::vector<std::uint64_t> zeroed_;          ///< their bits that go to zero when the link is lost
+  std::vector<std::uint64_t> scratch_;         ///< of zero_operations()
+  std::array<PlaceSet, kTables> mapped_;       ///< places of symbols, and the watchdog's
+  std::optional<std::uint32_t> status_block_;
+  std::optional<std::uint32_t> watchdog_;
+  WordOrder word_order_;
   std::vector<std::uint64_t> events_written_;  ///< the plant's event plane as the image has it
   std::vector<std::uint32_t> point_of_slot_;   ///< a numeric event: its input registers, in points_, or none
   bool first_write_ = true;
-  share::SharedWords operations_;  ///< server -> cycle
+  bool behind_ = false;  ///< what was taken may differ from what the plant was given
+  Rewriting rewriting_;  ///< of the server's thread
+  std::uint32_t losses_seen_ = 0;
+  share::SharedWords operations_;  ///< server -> cycle; the tables, then the losses seen, then whether all is rewritten
   share::SharedWords events_;      ///< cycle -> server
 };
 

@@ -25,6 +25,13 @@ class PlaceSet {
     });
     return removed;
   }
+  std::uint32_t count(std::uint32_t first, std::uint32_t count) const noexcept {
+    std::uint32_t there = 0;
+    over(first, count, [&](std::size_t word, std::uint64_t mask) {
+      there += static_cast<std::uint32_t>(std::popcount(words_[word] & mask));
+    });
+    return there;
+  }
   bool has_any(std::uint32_t first, std::uint32_t count) const noexcept {
     bool any = false;
     over(first, count, [&](std::size_t word, std::uint64_t mask) { any = any || (words_[word] & mask) != 0; });

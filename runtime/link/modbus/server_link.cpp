@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <system_error>
+#include <utility>
 
 #include "symplant/core/version.hpp"
+#include "symplant/link/health.hpp"
 #include "symplant/link/modbus/images.hpp"
 #include "symplant/link/modbus/listener.hpp"
 #include "symplant/link/modbus/server.hpp"
@@ -22,7 +24,9 @@ class ImageResponder final : public Responder {
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
-    const std::uint32_t gaps = images_.written(answer);
+    const std::uint32_t gaps = images_.written(answer, losses_.load(std::memory_order_relaxed));
+    // After written(), so that the cycle which hears of it finds what it wrote.
+    if (touches_map(answer)) heard_.fetch_add(1, std::memory_order_release);
     if (answer.size != 0) add(requests_, 1);
     if (answer.exception != Exception::none) add(exceptions_, 1);
     if (gaps != 0) add(gaps_, gaps);
@@ -34,8 +38,14 @@ class ImageResponder final : public Responder {
     add(exceptions_, 1);
   }
 
+  /// Any thread: counts the valid requests that touched the map.
+  std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
+  /// Any thread: how often the link was lost until now.
+  void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
+
   LinkStatus status() const noexcept {
     LinkStatus status;
+    status.losses = losses_.load(std::memory_order_relaxed);
     status.requests = requests_.load(std::memory_order_relaxed);
     status.exceptions = exceptions_.load(std::memory_order_relaxed);
     status.writes_to_gaps = gaps_.load(std::memory_order_relaxed);
@@ -46,26 +56,66 @@ class ImageResponder final : public Responder {
   using Count = std::atomic<std::uint64_t>;
   static void add(Count& count, std::uint64_t more) noexcept { count.fetch_add(more, std::memory_order_relaxed); }
 
+  bool touches_map(const Answer& answer) const noexcept {
+    return (answer.count != 0 && images_.is_mapped(answer.written, answer.first, answer.count)) ||
+           (answer.read_count != 0 && images_.is_mapped(answer.read, answer.read_first, answer.read_count));
+  }
+
   Images& images_;
   Identity identity_;
   Count requests_{0};
   Count exceptions_{0};
   Count gaps_{0};
+  Count heard_{0};
+  std::atomic<std::uint32_t> losses_{0};
 };
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const core::PlantTables& tables, const IoMap& map, Listener listener, const core::Plant* plant)
+  ServerLink(const core::PlantTables& tables, const IoMap& map, const LinkSettings& settings, Listener listener,
+             const core::Plant* plant)
       : bound_(std::move(listener.bound)),
-        images_(tables, map),
-        responder_(filled(images_, plant), {"symplant", tables.name, core::version()}),
+        freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
+        watched_(map.watchdog.has_value()),
+        health_(watched_ ? settings.watchdog_within : settings.loss_after, settings.resync),
+        images_(tables, map, settings.word_order),
+        responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
+                   {"symplant", tables.name, core::version()}),
         server_(std::move(listener.socket), responder_) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
-  void read_operations(core::Plant& plant, core::Time /*now*/) noexcept override { images_.read_operations(plant); }
-  void write_events(const core::Plant& plant, const exec::CycleStatus& /*status*/) noexcept override {
-    images_.write_events(plant);
+
+  void read_operations(core::Plant& plant, core::Time now) noexcept override {
+    const bool heard = is_heard();
+    switch (health_.look(now, heard, images_.is_complete(health_.losses()))) {
+      case Verdict::apply:
+        images_.apply_operations(plant);
+        break;
+      case Verdict::lose:
+        responder_.lost(health_.losses());
+        images_.zero_operations(plant);
+        break;
+      case Verdict::hold:
+        break;
+    }
+    if (health_.state() == exec::LinkState::lost) ++status_.lost_exchanges;
   }
+
+  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+    status_.cycles = status.cycles + 1;  // this one included
+    status_.overruns = status.overruns;
+    status_.live = status.live;
+    status_.state = plant_state(health_.state(), status.frozen, false);
+    images_.write_events(plant, status_);
+  }
+
+  void leave() noexcept override {
+    status_.state = PlantState::stopping;
+    images_.write_status(status_);
+  }
+
+  exec::LinkState state() const noexcept override { return health_.state(); }
+  bool freezes_plant() const noexcept override { return freezes_ && health_.state() == exec::LinkState::lost; }
 
   LinkStatus status() const noexcept override {
     LinkStatus status = responder_.status();
@@ -75,12 +125,26 @@ class ServerLink final : public Link {
 
  private:
   /// The images with the plant's events, before the server's thread begins to answer from them.
-  static Images& filled(Images& images, const core::Plant* plant) {
-    if (plant != nullptr) images.write_events(*plant);
+  static Images& filled(Images& images, const core::Plant* plant, std::uint64_t map_hash) {
+    if (plant != nullptr) images.write_events(*plant, {.map_hash = map_hash});
     return images;
   }
 
+  /// Takes what was written, and whether the PLC was heard since the last call: by its requests, or where there is a
+  /// watchdog by a change of its register alone.
+  bool is_heard() noexcept {
+    const std::uint64_t requests = responder_.heard();
+    images_.take_operations();
+    const std::uint64_t now = watched_ ? images_.watchdog() : requests;
+    return std::exchange(heard_, now) != now;
+  }
+
   HostPort bound_;
+  bool freezes_;
+  bool watched_;
+  LinkHealth health_;
+  std::uint64_t heard_ = 0;  ///< requests, or the watchdog's register, when they were looked at last
+  StatusBlock status_;
   Images images_;
   ImageResponder responder_;
   Server server_;  // last: its thread ends before what it uses
@@ -101,7 +165,7 @@ LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const
   auto listener = listen_on(std::get<HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   try {
-    return std::make_unique<ServerLink>(tables, map, std::move(std::get<Listener>(listener)), plant);
+    return std::make_unique<ServerLink>(tables, map, link.settings, std::move(std::get<Listener>(listener)), plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
   }

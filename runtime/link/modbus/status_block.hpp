@@ -5,11 +5,10 @@
 #include <cstdint>
 
 #include "symplant/exec/exchange.hpp"
-#include "symplant/link/link_settings.hpp"
+#include "symplant/link/io_map.hpp"
 
 namespace symplant::link::modbus {
 
-inline constexpr std::uint32_t kStatusRegisters = 12;
 inline constexpr std::uint16_t kStatusLayout = 1;  ///< register 0: changes when the layout does
 
 /// Register 2.

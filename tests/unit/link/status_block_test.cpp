@@ -6,6 +6,7 @@
 using symplant::exec::LinkState;
 using symplant::link::WordOrder;
 using namespace symplant::link::modbus;
+using symplant::link::kStatusRegisters;
 
 namespace {
 
