@@ -28,6 +28,23 @@ std::string real_time_text(const RealRun& run) {
   return text + "]";
 }
 
+const char* state_name(exec::LinkState state) {
+  if (state == exec::LinkState::waiting) return "waiting";
+  return state == exec::LinkState::live ? "live" : "lost";
+}
+
+std::string links_text(const Links& links) {
+  std::string text = ",\"links\":[";
+  for (const OpenLink& open : links) {
+    const link::LinkStatus status = open.link->status();
+    text += fmt::format(
+        R"({}{{"link":{},"state":"{}","losses":{},"requests":{},"exceptions":{},"writes_to_gaps":{},"connections":{}}})",
+        &open == links.data() ? "" : ",", trace::json_string(open.text()), state_name(open.link->state()),
+        status.losses, status.requests, status.exceptions, status.writes_to_gaps, status.connections);
+  }
+  return text + "]";
+}
+
 }  // namespace
 
 std::string stats_text(const StatsInput& input) {
@@ -50,6 +67,7 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
   if (input.real_time) text += real_time_text(*input.real_time);
+  if (!input.links.empty()) text += links_text(input.links);
   return text + "}\n";
 }
 

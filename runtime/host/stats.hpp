@@ -5,6 +5,7 @@
 #include <string>
 
 #include "symplant/core/plant.hpp"
+#include "symplant/host/links.hpp"
 #include "symplant/host/outputs.hpp"
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_real.hpp"
@@ -18,7 +19,8 @@ struct StatsInput {
   const Report& report;
   std::optional<scenario::Verdict> verdict;  ///< where a scenario was played
   const std::optional<RealRun>& real_time;   ///< where it was real time
-  core::Time wall = 0;                       ///< ns that the run took
+  const Links& links;
+  core::Time wall = 0;  ///< ns that the run took
 };
 
 std::string stats_text(const StatsInput& input);

@@ -265,6 +265,25 @@ TEST_CASE("in real time a scenario plays in cycles, and its end is that of the r
   CHECK(nlohmann::json::parse(cell.file("s"))["cycles"] == 2);
 }
 
+TEST_CASE("statistics of a run with links tell how each stands") {
+  Cell cell;
+  cell.options.links = {"modbus-tcp-server://127.0.0.1:0", "loop:"};
+  cell.options.until = 20 * kMs;
+  cell.options.stats = cell.folder / "s";
+  const Outcome outcome = cell.run();
+  CHECK(outcome.err.empty());
+  CHECK(outcome.code == host::kGood);
+  CHECK(contains(outcome.out, "; after 1 s of silence: operations hold, the plant runs on\nlink loop:\n"));
+  const auto links = nlohmann::json::parse(cell.file("s"))["links"];
+  REQUIRE(links.size() == 2);
+  CHECK(contains(links[0]["link"].get<std::string>(), "modbus-tcp-server://127.0.0.1:"));
+  CHECK(links[0]["state"] == "waiting");
+  CHECK(links[0]["losses"] == 0);
+  CHECK(links[0]["requests"] == 0);
+  CHECK(links[1]["link"] == "loop:");
+  CHECK(links[1]["state"] == "live");
+}
+
 TEST_CASE("sizes are bytes with a unit or without") {
   CHECK(host::parse_size("1") == 1);
   CHECK(host::parse_size("500k") == 512'000);
