@@ -62,7 +62,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
 
 Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, std::ostream& out)
     : meter_(meter), out_(out), terminal_(is_terminal(options, out)), manager_(ServiceManager::of_environment()) {
-  for (const OpenLink& open : links) links_.push_back(open.text());
+  for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? open.link->url() : open.controller);
   thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
 }
 

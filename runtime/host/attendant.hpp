@@ -15,7 +15,7 @@
 
 namespace symplant::host {
 
-/// "1230 cycles, p99 85.2 us late, 0 overruns; PLC1=modbus-tcp-server://127.0.0.1:1502 live".
+/// "1230 cycles, p99 85.2 us late, 0 overruns; PLC1 live, PLC2 waiting".
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links);
 
 /// From its making to its end it draws a status line on `out` once a second where that is a terminal, writes one line

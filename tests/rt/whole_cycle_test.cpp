@@ -99,32 +99,32 @@ TEST_CASE("a cycle with links on the real clock is clean, its sleeps included") 
   expect_nothing(result.report);
 }
 
-TEST_CASE("memory that a link takes while it reads is found") {
+TEST_CASE("memory that a link takes while it reads is found", "[planted]") {
   FaultyLink link(take_memory, nullptr);
   CHECK(watched({&link}).acts() == std::vector<std::string>{"heap: malloc"});
 }
 
-TEST_CASE("a lock that a link takes while it writes is found") {
+TEST_CASE("a lock that a link takes while it writes is found", "[planted]") {
   FaultyLink sound(nullptr, nullptr);
   FaultyLink link(nullptr, take_lock);
   CHECK(watched({&sound, &link}).acts() == std::vector<std::string>{"lock: pthread_mutex_lock"});
 }
 
-TEST_CASE("a system call that a link makes is found, the cycle's own sleeps are not") {
+TEST_CASE("a system call that a link makes is found, the cycle's own sleeps are not", "[planted]") {
   FaultyLink link(nullptr, write_nothing);
   const Watched result = watched({&link});
   if (result.report.no_trap.empty()) CHECK(result.acts() == std::vector<std::string>{"system call: write"});
   expect_trap(result.report);
 }
 
-TEST_CASE("what the cycle's observer does is found") {
+TEST_CASE("what the cycle's observer does is found", "[planted]") {
   FaultyObserver observer;
   const Watched result = watched({}, &observer);
   REQUIRE(!result.report.violations.empty());
   CHECK(result.acts()[0] == "heap: realloc");
 }
 
-TEST_CASE("a page that a link touches for the first time is counted") {
+TEST_CASE("a page that a link touches for the first time is counted", "[planted]") {
   void* const fresh = mmap(nullptr, std::size_t{16} * 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   REQUIRE(fresh != MAP_FAILED);
   madvise(fresh, std::size_t{16} * 4096, MADV_NOHUGEPAGE);

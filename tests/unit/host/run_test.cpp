@@ -98,5 +98,40 @@ TEST_CASE("real time keeps its end, and tells of its cycles") {
   CHECK(contains(outcome.out, "ended at 0.05 s"));
 }
 
+TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.clock = host::RunOptions::Clock::real_time;
+  options.until = 20 * core::kMillisecond;
+  options.spin = options.cycle;
+  const Outcome outcome = run(plant.tables, options);
+  CHECK(outcome.code == host::kBadInput);
+  CHECK(contains(outcome.err, "not shorter than the cycle of 0.01 s"));
+  options.spin = options.cycle - 1;
+  CHECK(run(plant.tables, options).code == host::kGood);
+}
+
+TEST_CASE("options of real time are said to have no effect in virtual time") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.until = core::kSecond;
+  CHECK(run(plant.tables, options).err.empty());
+  options.real_time.priority = 50;
+  const Outcome outcome = run(plant.tables, options);
+  CHECK(outcome.code == host::kGood);
+  CHECK(contains(outcome.err, "warning: in virtual time `--priority`"));
+}
+
+TEST_CASE("what to do when late is caught up to a number, ten by default, or slipped") {
+  CHECK(host::parse_late("catch-up") == 10);
+  CHECK(host::parse_late("catch-up:0") == 0);
+  CHECK(host::parse_late("catch-up:25") == 25);
+  CHECK(host::parse_late("slip") == 0);
+  for (const char* wrong :
+       {"", "catch-up:", "catch-up:-1", "catch-up:1000001", "catch-up: 3", "catch-up:3x", "late", "catch", "slip:3"}) {
+    CHECK_FALSE(host::parse_late(wrong));
+  }
+}
+
 }  // namespace
 }  // namespace symplant::test

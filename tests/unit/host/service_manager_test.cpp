@@ -10,12 +10,16 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <thread>
 
+#include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "symplant/host/attendant.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/host/run.hpp"
 
 namespace symplant::test {
 namespace {
@@ -139,14 +143,28 @@ TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, t
   CHECK(systemd.hears("STOPPING=1"));
 }
 
+TEST_CASE("a run in real time is ready when its cycle goes, and says when it ends") {
+  FakeManager systemd(abstract_name());
+  const Environment environment(abstract_name(), "", "");
+  core::PlantTables tables = bare_tables("bare", 0, 0);
+  tables.list_names = {"none", 5};
+  host::RunOptions options;
+  options.clock = host::RunOptions::Clock::real_time;
+  options.until = 300 * core::kMillisecond;
+  std::ostringstream out;
+  CHECK(host::run({.tables = tables}, options, out, out) == host::kGood);
+  CHECK(systemd.next().rfind("READY=1\n", 0) == 0);
+  CHECK(systemd.next() == "STOPPING=1");
+}
+
 TEST_CASE("the status line says cycles, lateness, overruns and how each link stands") {
   exec::CycleMeter meter;
   meter.cycles.add(7);
   meter.overruns.add(2);
   meter.lateness.add(1500);
   meter.note(1, exec::LinkState::lost);
-  CHECK(host::status_text(meter, {"loop:", "PLC2=loop:"}) ==
-        "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting, PLC2=loop: lost");
+  CHECK(host::status_text(meter, {"loop:", "PLC2"}) ==
+        "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting, PLC2 lost");
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Signals: the end within a second whatever goes on, SIGUSR1, an ignored SIGHUP, a reader that is gone.
+# usage: signals.sh SYMPLANT LIST
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+program=$1 list=$2
+server=(--link modbus-tcp-server://127.0.0.1:0)
+
+# Of three tries one is enough: the machine may be busy with something else for a second.
+ends_within_a_second() { # SIGNAL BEFORE OPTION...; BEFORE is a command, run just before the signal
+  local signal=$1 before=$2 try begin took code
+  shift 2
+  for try in 1 2 3; do
+    start_cycle "$program" run "$list" "${server[@]}" "$@"
+    sleep 0.2
+    "$before"
+    begin=$(milliseconds)
+    kill -"$signal" "$plant"
+    code=0
+    wait "$plant" || code=$?
+    plant=""
+    took=$(($(milliseconds) - begin))
+    ((code == 0)) || fail "$signal with $*: exit code $code"
+    grep -q 'by a signal' "$work/plant.log" || fail "$signal with $*: it does not say why it ended"
+    grep -q '"cycles":' "$work/stats.json" || fail "$signal with $*: there are no statistics"
+    printf '%s %s: %d ms\n' "$signal" "$*" "$took"
+    ((took < 1000)) && return
+  done
+  fail "$signal with $*: it took $took ms"
+}
+
+# Two seconds of cycles of 10 us, all of which are to be caught up.
+fall_behind() { kill -STOP "$plant" && sleep 2 && kill -CONT "$plant"; }
+
+ends_within_a_second TERM true
+ends_within_a_second INT true
+ends_within_a_second HUP true
+ends_within_a_second TERM true --cycle 1h
+ends_within_a_second TERM true --cycle 1h --spin 3599s
+ends_within_a_second TERM fall_behind --cycle 10us --late catch-up:1000000
+
+start_cycle "$program" run "$list" "${server[@]}"
+kill -USR1 "$plant"
+wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, p99 .* late, .* overruns; modbus-tcp-server:.* [a-z]*$' "$work/plant.log"
+stop_plant
+
+start_cycle env nohup "$program" run "$list" "${server[@]}"
+kill -HUP "$plant"
+sleep 0.5
+kill -0 "$plant" || fail "a SIGHUP that was ignored at the start ended it"
+stop_plant
+
+# Who reads its output goes away; the plant goes on.
+mkfifo "$work/pipe"
+"$program" run "$list" "${server[@]}" --stats "$work/stats.json" >"$work/pipe" 2>"$work/plant.log" &
+plant=$!
+head -n 1 "$work/pipe" >/dev/null
+sleep 0.5
+kill -USR1 "$plant"
+sleep 0.5
+kill -0 "$plant" || fail "it ended when nobody read its output any more"
+kill -TERM "$plant"
+code=0
+wait "$plant" || code=$?
+plant=""
+((code == 3)) || fail "exit code $code where the output could not be written"
+grep -q '"cycles":' "$work/stats.json" || fail "without a reader there are no statistics"
