@@ -15,8 +15,9 @@
 
 namespace symplant::test {
 
-inline std::unique_ptr<link::Link> open_or_throw(const std::string& url, const core::PlantTables& tables) {
-  auto result = link::open_link({url}, tables);
+inline std::unique_ptr<link::Link> open_or_throw(const std::string& url, const core::PlantTables& tables,
+                                                 const link::LinkSettings& settings = {}) {
+  auto result = link::open_link({url, 0, settings}, tables);
   if (auto* error = std::get_if<link::LinkError>(&result)) throw std::runtime_error(error->message);
   return std::move(std::get<std::unique_ptr<link::Link>>(result));
 }
