@@ -52,6 +52,8 @@ class Connection {
   State resume(Responder& responder, Sink& sink);
 
   bool has_answers_to_send() const noexcept { return sent_ < out_.size(); }
+  /// Bytes are there that no whole frame is made of yet, or that wait until answers have gone.
+  bool holds_part_of_frame() const noexcept { return in_size_ != 0; }
   std::uint64_t requests() const noexcept { return requests_; }
 
  private:

@@ -10,6 +10,8 @@
 #include <memory>
 #include <system_error>
 
+#include "symplant/link/modbus/port_owner.hpp"
+
 namespace symplant::link::modbus {
 
 namespace {
@@ -42,12 +44,17 @@ std::variant<Addresses, LinkError> resolve(const HostPort& address) {
 LinkError bind_error(const HostPort& address, int error) {
   const std::string port = "port " + std::to_string(address.port);
   if (error == EADDRINUSE) {
-    return environment(port + " is in use on `" + address.host +
-                       "`: end the program that has it (`ss -ltnp` names it), or give another port");
+    const std::string in_use = port + " is in use on `" + address.host + "`";
+    if (const auto owner = owner_of_port(address.port)) {
+      return environment(in_use + " by `" + owner->program + "` (process " + std::to_string(owner->process) +
+                         "): end it, or give another port");
+    }
+    return environment(in_use + ": end the program that has it (`sudo ss -ltnp` names it), or give another port");
   }
   if (error == EACCES && address.port < kFirstFreePort) {
     return environment("no permission for " + port +
-                       ": ports below 1024 need the capability CAP_NET_BIND_SERVICE, give one from 1024 on");
+                       ": give one from 1024 on, or allow this program the lower ones by `sudo setcap "
+                       "cap_net_bind_service=+ep PROGRAM`");
   }
   if (error == EADDRNOTAVAIL) {
     return usage("host `" + address.host +

@@ -1,8 +1,6 @@
 // The sockets of a Modbus TCP server and the thread that serves them.
 #include "symplant/link/modbus/server.hpp"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
 #include <sys/socket.h>
@@ -10,8 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <system_error>
+
+#include "symplant/link/modbus/peer.hpp"
 
 namespace symplant::link::modbus {
 
@@ -19,6 +20,13 @@ namespace {
 
 /// How long no client is accepted after the process ran out of descriptors.
 constexpr int kPauseMilliseconds = 100;
+/// How many clients are accepted before those that are there have their turn.
+constexpr int kAcceptsATurn = 64;
+
+core::Time steady_now() {
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
+}
 
 /// A connected socket that takes what it can; a peer that is gone raises no signal.
 class SocketSink final : public Sink {
@@ -75,15 +83,20 @@ struct Server::Client {
   Descriptor socket;
   Connection connection;
   std::uint64_t last_use = 0;
+  core::Time last_request = 0;  ///< or when it was accepted
+  core::Time frame_begun = 0;   ///< when the frame began that is not whole yet; 0: there is none
   std::uint32_t watched = EPOLLIN;
+  bool kept = false;
+  bool ended = false;  ///< it sends no more, but still gets its answers
 };
 
-Server::Server(Descriptor listener, Responder& responder, std::size_t max_connections)
+Server::Server(Descriptor listener, Responder& responder, ServerOptions options)
     : listener_(std::move(listener)),
       responder_(responder),
-      max_connections_(std::max<std::size_t>(max_connections, 1)),
+      options_(std::move(options)),
       epoll_(or_throw(Descriptor(::epoll_create1(EPOLL_CLOEXEC)), "epoll_create1")),
       wake_(or_throw(Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), "eventfd")) {
+  options_.connections = std::max<std::size_t>(options_.connections, 1);
   watch(epoll_.get(), EPOLL_CTL_ADD, wake_.get(), EPOLLIN);
   watch(epoll_.get(), EPOLL_CTL_ADD, listener_.get(), EPOLLIN);
   thread_ = without_signals([this] { return std::thread([this] { serve(); }); });
@@ -99,8 +112,9 @@ Server::~Server() {
 void Server::serve() {
   std::array<epoll_event, 64> events{};
   for (;;) {
-    const int timeout = listening_ ? -1 : kPauseMilliseconds;
-    const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), timeout);
+    const int count =
+        ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()), milliseconds_to_wait());
+    now_ = steady_now();
     if (!listening_) listen(true);
     for (int i = 0; i < count; ++i) {
       const epoll_event& event = events[static_cast<std::size_t>(i)];
@@ -113,11 +127,19 @@ void Server::serve() {
     for (int i = 0; i < count; ++i) {
       if (events[static_cast<std::size_t>(i)].data.fd == listener_.get()) accept_clients();
     }
+    if (now_ >= next_sweep_) close_overdue();
   }
 }
 
+int Server::milliseconds_to_wait() const noexcept {
+  if (!listening_) return kPauseMilliseconds;
+  if (clients_.empty()) return -1;
+  const core::Time left = std::max<core::Time>(next_sweep_ - now_, 0);
+  return static_cast<int>((left + core::kMillisecond - 1) / core::kMillisecond);
+}
+
 void Server::accept_clients() {
-  for (;;) {
+  for (int i = 0; i < kAcceptsATurn; ++i) {
     Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket) {
       add_client(std::move(socket));
@@ -126,17 +148,15 @@ void Server::accept_clients() {
     if (errno == EINTR || errno == ECONNABORTED) continue;
     if (errno == EAGAIN || errno == EWOULDBLOCK) return;
     // No descriptor or memory left: one of ours is given up, else the listener rests, as it stays readable.
-    if (close_oldest()) continue;
+    if (make_room()) continue;
     listen(false);
     return;
   }
 }
 
 void Server::add_client(Descriptor socket) {
-  if (clients_.size() >= max_connections_) close_oldest();
-  const int on = 1;
-  ::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  ::setsockopt(socket.get(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+  if (clients_.size() >= options_.connections && !make_room()) return;
+  prepare_peer(socket.get());
   const int fd = socket.get();
   epoll_event event{};
   event.events = EPOLLIN;
@@ -145,6 +165,10 @@ void Server::add_client(Descriptor socket) {
   auto client = std::make_unique<Client>();
   client->socket = std::move(socket);
   client->last_use = ++uses_;
+  client->last_request = now_;
+  client->kept = !options_.keep.empty() &&
+                 std::find(options_.keep.begin(), options_.keep.end(), peer_address(fd)) != options_.keep.end();
+  if (clients_.empty()) next_sweep_ = now_;
   clients_.emplace(fd, std::move(client));
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
@@ -155,8 +179,24 @@ void Server::serve_client(Client& client, std::uint32_t events) {
   bool open = true;
   if ((events & EPOLLOUT) != 0) open = client.connection.resume(responder_, sink) == Connection::State::open;
   if (open && (events & (EPOLLIN | EPOLLHUP | EPOLLERR)) != 0) open = read_from(client);
-  if (client.connection.requests() != before) client.last_use = ++uses_;
+  note_progress(client, before);
+  if (client.ended && !client.connection.has_answers_to_send()) open = false;
   if (!open || !rearm(client)) close_client(client.socket.get());
+}
+
+void Server::note_progress(Client& client, std::uint64_t requests_before) noexcept {
+  const bool answered = client.connection.requests() != requests_before;
+  if (answered) {
+    client.last_use = ++uses_;
+    client.last_request = now_;
+  }
+  // What waits behind answers that the peer does not take is no frame that it fails to end.
+  const bool partial = client.connection.holds_part_of_frame() && !client.connection.has_answers_to_send();
+  if (!partial) {
+    client.frame_begun = 0;
+  } else if (client.frame_begun == 0 || answered) {
+    client.frame_begun = now_;
+  }
 }
 
 bool Server::read_from(Client& client) {
@@ -165,13 +205,13 @@ bool Server::read_from(Client& client) {
   if (room.empty()) return true;
   const ssize_t count = ::recv(client.socket.get(), room.data(), room.size(), 0);
   if (count < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
-  if (count == 0) return false;
+  if (count == 0) return client.ended = true;
   SocketSink sink(client.socket.get());
   return client.connection.received(static_cast<std::size_t>(count), responder_, sink) == Connection::State::open;
 }
 
 bool Server::rearm(Client& client) {
-  const bool to_read = !client.connection.room().empty();
+  const bool to_read = !client.ended && !client.connection.room().empty();
   const bool to_send = client.connection.has_answers_to_send();
   const std::uint32_t wanted = (to_read ? std::uint32_t{EPOLLIN} : 0U) | (to_send ? std::uint32_t{EPOLLOUT} : 0U);
   if (wanted == client.watched) return true;
@@ -187,13 +227,28 @@ void Server::close_client(int fd) {
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
-bool Server::close_oldest() {
-  const auto oldest = std::min_element(clients_.begin(), clients_.end(), [](const auto& one, const auto& other) {
-    return one.second->last_use < other.second->last_use;
-  });
-  if (oldest == clients_.end()) return false;
-  close_client(oldest->first);
+bool Server::make_room() {
+  const auto rank = [](const Client& client) { return std::pair(client.connection.requests() != 0, client.last_use); };
+  Client* victim = nullptr;
+  for (const auto& [fd, client] : clients_) {
+    if (!client->kept && (victim == nullptr || rank(*client) < rank(*victim))) victim = client.get();
+  }
+  if (victim == nullptr) return false;
+  close_client(victim->socket.get());
   return true;
+}
+
+void Server::close_overdue() {
+  core::Time shortest = options_.frame;
+  if (options_.idle > 0) shortest = std::min(shortest, options_.idle);
+  next_sweep_ = now_ + std::clamp<core::Time>(shortest / 4, 5 * core::kMillisecond, core::kSecond);
+  std::vector<int> overdue;
+  for (const auto& [fd, client] : clients_) {
+    const bool idle = options_.idle > 0 && now_ - client->last_request > options_.idle;
+    const bool stuck = client->frame_begun != 0 && now_ - client->frame_begun > options_.frame;
+    if (idle || stuck) overdue.push_back(fd);
+  }
+  for (const int fd : overdue) close_client(fd);
 }
 
 void Server::listen(bool on) {

@@ -6,23 +6,34 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "symplant/core/time.hpp"
 #include "symplant/link/modbus/connection.hpp"
 #include "symplant/link/modbus/socket.hpp"
 
 namespace symplant::link::modbus {
 
+/// How many clients a server has, and for how long.
+struct ServerOptions {
+  std::size_t connections = 32;           ///< at once; 0 counts as 1
+  core::Time idle = 300 * core::kSecond;  ///< a client without a request for so long is closed; 0: never
+  core::Time frame = 10 * core::kSecond;  ///< a frame that was begun is whole within it, or its client is closed; > 0
+  std::vector<std::string> keep = {};     ///< numeric addresses of clients that never give way to a new one
+};
+
 /// Serves clients from its construction to its destruction, in a thread of its own that takes no signals.
 ///
-/// When all connections are taken, a new client gets the place of the one whose latest request is the oldest.
+/// When all connections are taken, a new client gets the place of one that never sent a request, else of the one whose
+/// latest request is the oldest; where all others are to be kept, the new one is closed. A peer that vanished without a
+/// word is found by the system's keep-alive after 25 s, and so is one that acknowledges nothing of what is sent to it.
 class Server {
  public:
-  static constexpr std::size_t kMaxConnections = 32;
-
   /// `listener` is non-blocking; `responder` is called by the server's thread only and must outlive it.
   /// Throws std::system_error where the system has no descriptor or thread left.
-  Server(Descriptor listener, Responder& responder, std::size_t max_connections = kMaxConnections);
+  Server(Descriptor listener, Responder& responder, ServerOptions options = {});
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
   ~Server();
@@ -34,22 +45,27 @@ class Server {
   struct Client;
 
   void serve();
+  int milliseconds_to_wait() const noexcept;
   void accept_clients();
   void add_client(Descriptor socket);
   void serve_client(Client& client, std::uint32_t events);
   bool read_from(Client& client);
+  void note_progress(Client& client, std::uint64_t requests_before) noexcept;
   bool rearm(Client& client);
   void close_client(int fd);
-  bool close_oldest();
+  bool make_room();
+  void close_overdue();
   void listen(bool on);
 
   Descriptor listener_;
   Responder& responder_;
-  std::size_t max_connections_;
+  ServerOptions options_;
   Descriptor epoll_;
   Descriptor wake_;                                 ///< an eventfd: written once, to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
   std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to tell who was used last
+  core::Time now_ = 0;                              ///< of the steady clock, as the latest events came
+  core::Time next_sweep_ = 0;                       ///< when clients are looked at next for what is overdue
   bool listening_ = true;
   std::atomic<std::uint32_t> open_{0};
   std::thread thread_;

@@ -100,19 +100,19 @@ TEST_CASE("a frame of another protocol gets no answer, and a broken one ends the
 TEST_CASE("many clients are served side by side") {
   CellServer server;
   std::vector<std::unique_ptr<RawClient>> clients;
-  for (std::size_t i = 0; i < link::modbus::Server::kMaxConnections; ++i) {
+  for (std::size_t i = 0; i < link::modbus::ServerOptions{}.connections; ++i) {
     clients.push_back(std::make_unique<RawClient>(server.port()));
   }
   for (int round = 0; round < 3; ++round) {
     for (const auto& client : clients) REQUIRE(client->ask(kReadInputs) == Bytes{2, 1, 0b0101});
   }
-  CHECK(server.link().status().connections == link::modbus::Server::kMaxConnections);
+  CHECK(server.link().status().connections == link::modbus::ServerOptions{}.connections);
 }
 
 TEST_CASE("when all connections are taken, the oldest unused one gives way") {
   CellServer server;
   std::vector<std::unique_ptr<RawClient>> clients;
-  for (std::size_t i = 0; i < link::modbus::Server::kMaxConnections; ++i) {
+  for (std::size_t i = 0; i < link::modbus::ServerOptions{}.connections; ++i) {
     clients.push_back(std::make_unique<RawClient>(server.port()));
     REQUIRE(clients.back()->ask(kReadInputs).size() == 3);
   }

@@ -1,0 +1,231 @@
+// How many clients the Modbus server has and for how long; who gives way, who has the port.
+#include <fcntl.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+
+#include "support/catch.hpp"
+#include "support/raw_client.hpp"
+#include "symplant/link/modbus/listener.hpp"
+#include "symplant/link/modbus/port_owner.hpp"
+#include "symplant/link/modbus/server.hpp"
+
+using namespace symplant;
+using namespace symplant::link::modbus;
+using test::Bytes;
+using test::RawClient;
+
+namespace {
+
+const Bytes kAsked = {3, 1, 2};
+
+/// Answers every request by its own bytes.
+class Echo final : public Responder {
+ public:
+  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    std::copy(request.begin(), request.end(), reply.begin());
+    return {.size = request.size()};
+  }
+  void refused() noexcept override {}
+};
+
+struct EchoServer {
+  Listener listener = std::get<Listener>(listen_on({"127.0.0.1", 0}));
+  std::uint16_t port = listener.bound.port;
+  Echo echo;
+  Server server;
+
+  explicit EchoServer(ServerOptions options) : server(std::move(listener.socket), echo, std::move(options)) {}
+
+  void wait_for_connections(std::uint32_t count) const {
+    for (int i = 0; i < 30'000 && server.connections() != count; ++i) ::poll(nullptr, 0, 1);
+    REQUIRE(server.connections() == count);
+  }
+};
+
+std::size_t open_descriptors() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
+  return count;
+}
+
+/// The server's end of a client's connection, which is in this process.
+int server_end(const RawClient& client) {
+  sockaddr_in ours{};
+  socklen_t size = sizeof ours;
+  ::getsockname(client.descriptor(), reinterpret_cast<sockaddr*>(&ours), &size);
+  for (int fd = 0; fd < 1024; ++fd) {
+    sockaddr_in peer{};
+    size = sizeof peer;
+    if (::getpeername(fd, reinterpret_cast<sockaddr*>(&peer), &size) == 0 && peer.sin_port == ours.sin_port) return fd;
+  }
+  return -1;
+}
+
+int option(int socket, int level, int name) {
+  int value = -1;
+  socklen_t size = sizeof value;
+  ::getsockopt(socket, level, name, &value, &size);
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("a client that asks nothing for the idle time is closed, one that asks is kept") {
+  const EchoServer bench({.idle = 400 * core::kMillisecond});
+  RawClient idle(bench.port);
+  RawClient busy(bench.port);
+  for (int i = 0; i < 20; ++i) {
+    REQUIRE(busy.ask(kAsked) == kAsked);
+    ::poll(nullptr, 0, 50);
+  }
+  CHECK(idle.is_closed());
+  CHECK(busy.ask(kAsked) == kAsked);
+}
+
+TEST_CASE("an idle time of 0 keeps a silent client") {
+  const EchoServer bench({.idle = 0, .frame = 20 * core::kMillisecond});
+  RawClient client(bench.port);
+  REQUIRE(client.ask(kAsked) == kAsked);
+  ::poll(nullptr, 0, 300);
+  CHECK(client.ask(kAsked) == kAsked);
+}
+
+TEST_CASE("who sends a frame a byte at a time, for ever, is closed; a byte does not start the time anew") {
+  const EchoServer bench({.frame = 300 * core::kMillisecond});
+  const RawClient slow(bench.port);
+  const Bytes frame = RawClient::frame(1, Bytes(200, 3));
+  pollfd waiting{slow.descriptor(), POLLIN, 0};
+  std::size_t sent = 0;
+  for (; sent < frame.size() && ::poll(&waiting, 1, 20) == 0; ++sent) slow.send({frame[sent]});
+  CHECK(sent < frame.size());
+  CHECK(slow.is_closed());
+}
+
+TEST_CASE("a frame that comes slowly, but in time, is answered, and so are many one behind the other") {
+  const EchoServer bench({.frame = 2 * core::kSecond});
+  const RawClient slow(bench.port);
+  const Bytes frame = RawClient::frame(1, kAsked);
+  // Each segment ends one frame and begins the next: bytes are always left over, for longer than the time of one.
+  slow.send({frame[0]});
+  for (int i = 0; i < 50; ++i) {
+    Bytes part(frame.begin() + 1, frame.end());
+    part.push_back(frame[0]);
+    slow.send(part);
+    REQUIRE(slow.receive(frame.size()) == frame);
+    ::poll(nullptr, 0, 60);
+  }
+}
+
+TEST_CASE("who never sent a request gives way before one who did, however long ago") {
+  const EchoServer bench({.connections = 3});
+  RawClient steady(bench.port);
+  REQUIRE(steady.ask(kAsked) == kAsked);
+  for (int i = 0; i < 50; ++i) {
+    const RawClient passing(bench.port);
+    passing.send({0, 1, 0});
+  }
+  CHECK(steady.ask(kAsked) == kAsked);
+}
+
+TEST_CASE("a client on the list of those to keep never gives way, and where all are kept the new one is closed") {
+  const EchoServer bench({.connections = 2, .keep = {"10.1.2.3", "127.0.0.1"}});
+  RawClient first(bench.port);
+  RawClient second(bench.port);
+  REQUIRE(first.ask(kAsked) == kAsked);
+  REQUIRE(second.ask(kAsked) == kAsked);
+  RawClient third(bench.port);
+  CHECK(third.is_closed());
+  CHECK(first.ask(kAsked) == kAsked);
+  CHECK(second.ask(kAsked) == kAsked);
+  CHECK(bench.server.connections() == 2);
+}
+
+TEST_CASE("the system asks after clients that say nothing, and gives up on what is not acknowledged") {
+  const EchoServer bench({});
+  RawClient client(bench.port);
+  REQUIRE(client.ask(kAsked) == kAsked);
+  const int socket = server_end(client);
+  REQUIRE(socket >= 0);
+  CHECK(option(socket, SOL_SOCKET, SO_KEEPALIVE) == 1);
+  CHECK(option(socket, IPPROTO_TCP, TCP_KEEPIDLE) == 10);
+  CHECK(option(socket, IPPROTO_TCP, TCP_KEEPINTVL) == 5);
+  CHECK(option(socket, IPPROTO_TCP, TCP_KEEPCNT) == 3);
+  CHECK(option(socket, IPPROTO_TCP, TCP_USER_TIMEOUT) == 25'000);
+  CHECK(option(socket, IPPROTO_TCP, TCP_NODELAY) == 1);
+}
+
+TEST_CASE("two thousand clients at once are served, on descriptors beyond 1024, and leave nothing open") {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  const rlimit before = limit;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_cur < 5000) return;
+  const std::size_t descriptors = open_descriptors();
+  {
+    const EchoServer bench({.connections = 2000});
+    std::vector<RawClient> clients;
+    for (int i = 0; i < 2000; ++i) {
+      clients.emplace_back(bench.port);
+      REQUIRE(clients.back().ask(kAsked) == kAsked);
+    }
+    for (RawClient& client : clients) REQUIRE(client.ask(kAsked) == kAsked);
+    CHECK(bench.server.connections() == 2000);
+    clients.clear();
+    bench.wait_for_connections(0);
+  }
+  CHECK(open_descriptors() == descriptors);
+  ::setrlimit(RLIMIT_NOFILE, &before);
+}
+
+TEST_CASE("five thousand clients that come and go leave no descriptor behind, and a steady one is served") {
+  const EchoServer bench({.connections = 8});
+  RawClient steady(bench.port);
+  REQUIRE(steady.ask(kAsked) == kAsked);
+  const std::size_t descriptors = open_descriptors();
+  for (int i = 0; i < 5000; ++i) {
+    const RawClient passing(bench.port);
+    passing.send(RawClient::frame(1, kAsked));
+    const linger at_once{1, 0};
+    if (i % 2 == 0) ::setsockopt(passing.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+    if (i % 4 == 0) REQUIRE(steady.ask(kAsked) == kAsked);
+  }
+  bench.wait_for_connections(1);
+  CHECK(open_descriptors() == descriptors);
+}
+
+TEST_CASE("who has ended his sending still gets all his answers, also where he reads late") {
+  const EchoServer bench({});
+  const RawClient client(bench.port);
+  const Bytes frame = RawClient::frame(1, Bytes(250, 3));
+  constexpr std::size_t kRequests = 20'000;
+  std::thread sender([&] {
+    for (std::size_t i = 0; i < kRequests; ++i) client.send(frame);
+    ::shutdown(client.descriptor(), SHUT_WR);
+  });
+  ::poll(nullptr, 0, 300);
+  std::size_t answers = 0;
+  for (; answers < kRequests; ++answers) {
+    const Bytes header = client.receive(7);
+    if (header.size() != 7) break;
+    client.receive(static_cast<std::size_t>(header[5]) - 1);
+  }
+  sender.join();
+  CHECK(answers == kRequests);
+  CHECK(client.is_closed());
+}
+
+TEST_CASE("the owner of a port is told by program and process, for IPv4 and IPv6") {
+  const Listener four = std::get<Listener>(listen_on({"127.0.0.1", 0}));
+  const auto owner = owner_of_port(four.bound.port);
+  REQUIRE(owner);
+  CHECK(owner->process == ::getpid());
+  CHECK(owner->program.substr(0, 5) == "test_");
+  auto six = listen_on({"::1", 0});
+  if (auto* listener = std::get_if<Listener>(&six)) {
+    REQUIRE(owner_of_port(listener->bound.port));
+    CHECK(owner_of_port(listener->bound.port)->process == ::getpid());
+  }
+  CHECK_FALSE(owner_of_port(0));
+}
