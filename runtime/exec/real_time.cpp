@@ -27,7 +27,7 @@ constexpr std::uint64_t kMegabyte = 1024 * 1024;
 std::string reason(int error) { return std::generic_category().message(error); }
 
 void touch_stack() noexcept {
-  std::array<volatile std::byte, kStack> stack;
+  std::array<volatile std::byte, kStack> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   for (std::size_t at = 0; at < kStack; at += kPage) stack[at] = std::byte{};
 }
 

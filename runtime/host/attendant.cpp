@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 
 constexpr core::Time kTurn = 100 * core::kMillisecond;
 constexpr auto kLinePeriod = std::chrono::seconds(1);
-constexpr std::size_t kUsualWidth = 80;
+constexpr std::size_t kUsualWidth = 79;
 constexpr const char* kClearLine = "\r\x1b[K";
 
 bool is_terminal(const RunOptions& options, const std::ostream& out) {
@@ -62,7 +62,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
 
 Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, std::ostream& out)
     : meter_(meter), out_(out), terminal_(is_terminal(options, out)), manager_(ServiceManager::of_environment()) {
-  for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? open.link->url() : open.controller);
+  for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? "link" : open.controller);
   thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
 }
 

@@ -27,6 +27,10 @@ wait "$plant" || code=$?
 plant=""
 cat "$work/masters.log" "$work/plant.log" "$work/stats.json"
 if grep -q 'were not looked at' "$work/plant.log"; then skip "the guard cannot look at all of it here"; fi
+if grep -q '^warning: `--lock-memory` is refused' "$work/plant.log" && [[ $(grep -c '^rt-check: ' "$work/plant.log") == 3 ]] &&
+  grep -q '^rt-check: memory: ' "$work/plant.log"; then
+  skip "memory cannot be locked here, and the system took some away"
+fi
 ((code == 0)) || fail "the guard found something, exit code $code"
 grep -q "^rt-check: $cycles cycles, nothing found" "$work/plant.log" || fail "it was not as many cycles as asked"
 ((devices < $(sed -n 's/.*, \([0-9]*\) motions.*/\1/p' "$work/masters.log"))) || fail "too little moved"

@@ -41,7 +41,7 @@ ends_within_a_second TERM fall_behind --cycle 10us --late catch-up:1000000
 
 start_cycle "$program" run "$list" "${server[@]}"
 kill -USR1 "$plant"
-wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, p99 .* late, .* overruns; modbus-tcp-server:.* [a-z]*$' "$work/plant.log"
+wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, p99 .* late, .* overruns; link waiting$' "$work/plant.log"
 stop_plant
 
 start_cycle env nohup "$program" run "$list" "${server[@]}"
