@@ -40,6 +40,20 @@ Four ways, all of them in `.ci/run`:
 
 An input that breaks something becomes a file in `tests/fuzz/crashes`, which every build tries.
 
+## A plant that runs
+
+| what happens | what holds | how to repeat it |
+|---|---|---|
+| memory, a lock, `write(2)`, an untouched page within a cycle | `--rt-check` finds each | `ctest --test-dir build/release -R 'rt: under load'` |
+| 60 s at 1 ms beside a busy program, 10,000 devices, two PLCs (10 minutes with `--campaign`) | the guard finds nothing: no memory taken, no lock, no system call but the sleep, no page fault | the same test, behind the planted faults |
+| priority, processor or locked memory is refused; memory at its limit | one warning each with what to do, the plant runs, `"rt":"degraded"` | `ctest --test-dir build/release -R 'rt: what the system refuses'` |
+| a cycle takes once, three times, always longer than it may | overruns are counted to the one, plant time catches up or slips, never a spiral | `build/release/tests/unit/exec/test_exec` |
+| the process stands still for 5 s | ten cycles are made up for, the rest is lost and counted | `ctest --test-dir build/release -R 'rt: a process that stood still'` |
+| the time of day jumps by an hour and a day at every look (a clock of the test's own, put before the system's) | cycles, plant time and what is lost are the same | `ctest --test-dir build/release -R 'rt: jumps'` |
+| SIGTERM, SIGINT, SIGHUP: waiting, in a cycle of an hour, awake before one, in a long catch-up | it ends within a second, with its statistics | `ctest --test-dir build/release -R 'rt: a signal'` |
+| nobody reads its output any more | the plant runs on, and ends with exit code 3 | the same test |
+| the cycle hangs under systemd | no sign of life is given, so that systemd starts it anew | `build/release/tests/unit/host/test_host` |
+
 )";
 
 std::string escaped(const std::string& text) {
