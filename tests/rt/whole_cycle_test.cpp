@@ -4,9 +4,10 @@
 
 #include <atomic>
 #include <cstdlib>
-#include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "rt/expect_nothing.hpp"
@@ -122,6 +123,22 @@ TEST_CASE("what the cycle's observer does is found", "[planted]") {
   const Watched result = watched({}, &observer);
   REQUIRE(!result.report.violations.empty());
   CHECK(result.acts()[0] == "heap: realloc");
+}
+
+TEST_CASE("memory that was there before is touched, so that the cycle's thread faults no more on it") {
+  // Bigger than what malloc keeps, so that nobody has touched it.
+  const std::size_t size = std::size_t{4} << 20;
+  const std::unique_ptr<char[]> fresh(new char[size]);
+  std::uint64_t faults = 1;
+  std::thread thread([&] {
+    exec::set_up_real_time({});
+    const exec::ThreadFaults before = exec::thread_faults();
+    volatile char* const memory = fresh.get();
+    for (std::size_t at = 0; at < size; at += 4096) memory[at] = 1;
+    faults = (exec::thread_faults() - before).pages();
+  });
+  thread.join();
+  CHECK(faults == 0);
 }
 
 TEST_CASE("a page that a link touches for the first time is counted", "[planted]") {

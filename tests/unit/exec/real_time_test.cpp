@@ -84,21 +84,6 @@ TEST_CASE("a priority is had, or refused once with what to do") {
   CHECK(contains(refused[0].message, "ulimit -r 5"));
 }
 
-TEST_CASE("memory that was there before is touched, so that the thread faults no more on it") {
-  // Bigger than what malloc keeps, so that nobody has touched it.
-  const std::size_t size = std::size_t{4} << 20;
-  const std::unique_ptr<char[]> fresh(new char[size]);
-  std::uint64_t faults = 1;
-  on_a_thread([&] {
-    exec::set_up_real_time({});
-    const exec::ThreadFaults before = exec::thread_faults();
-    volatile char* const memory = fresh.get();
-    for (std::size_t at = 0; at < size; at += 4096) memory[at] = 1;
-    faults = (exec::thread_faults() - before).pages();
-  });
-  CHECK(faults == 0);
-}
-
 TEST_CASE("page faults of a thread are counted") {
   std::uint64_t faults = 0;
   on_a_thread([&] {
