@@ -29,7 +29,8 @@ class RunningPlant:
 
     def give_up(self, what):
         self.stop()
-        print(f"FAILED: {what}; the plant said:\n{self.says()[:1500]}")
+        said = self.says()
+        print(f"FAILED: {what}; the plant said:\n{said[max(0, said.find('plant ')):][:1500]}")
         sys.exit(1)
 
     def stop(self):
