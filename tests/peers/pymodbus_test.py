@@ -29,6 +29,9 @@ VAR_GLOBAL,L_P_SCALE_I_TOTAL,,%ID6,DINT,70000
 """
 ILLEGAL_FUNCTION, ILLEGAL_ADDRESS, ILLEGAL_VALUE = 1, 2, 3
 SIZE = 16  # of each table: the highest number + 1, rounded up
+STATUS = 100  # the input registers of the status block: the first multiple of 100 above the map
+STATUS_SIZE = 12
+HEARTBEAT, STATE, RUNNING = 1, 2, 1
 failures = 0
 
 
@@ -66,8 +69,9 @@ def exception(answer):
 def check_tables(client):
     check("discrete inputs at the start: RET is on", [0, 0, 1, 0], bits(client.read_discrete_inputs(0, 4), 4))
     check("coils at the start are off", [0, 0, 0], bits(client.read_coils(0, 3), 3))
-    check("input registers: INT as two's complement, WORD whole, gaps 0, DINT on none",
-          [0, 0, 0, 0, 0xFFFB, 0, 0, 0, 0, 65534] + [0] * 6, registers(client.read_input_registers(0, SIZE)))
+    check("input registers: INT as two's complement, WORD whole, DINT on two with the high word first, gaps 0",
+          [0, 0, 0, 0, 0xFFFB, 0, 0, 0, 0, 65534, 0, 0, 70000 >> 16, 70000 & 0xFFFF, 0, 0],
+          registers(client.read_input_registers(0, SIZE)))
     check("holding registers at the start", [0, 0], registers(client.read_holding_registers(4, 2)))
 
 
@@ -85,14 +89,24 @@ def check_writes(client):
     check("and reads it back", [7], registers(client.read_holding_registers(15, 1)))
 
 
+def check_status(client):
+    def status(word):
+        return registers(client.read_input_registers(STATUS, STATUS_SIZE))[word]
+
+    check("the status block begins with its version", 1, status(0))
+    check("it says that the link is used and the plant runs", RUNNING, until(lambda: status(STATE), RUNNING))
+    first = status(HEARTBEAT)
+    check("its heartbeat goes on", True, until(lambda: status(HEARTBEAT) != first, True))
+
+
 def check_exceptions(client):
     from pymodbus.other_message import ReportSlaveIdRequest
-    for what, read in (("coils", client.read_coils), ("discrete inputs", client.read_discrete_inputs),
-                       ("holding registers", client.read_holding_registers),
-                       ("input registers", client.read_input_registers)):
-        check(f"{what}: the last place is there", False, read(SIZE - 1, 1).isError())
-        check(f"{what}: beyond it is an illegal address", ILLEGAL_ADDRESS, exception(read(SIZE, 1)))
-        check(f"{what}: across the end likewise", ILLEGAL_ADDRESS, exception(read(SIZE - 1, 2)))
+    for what, read, size in (("coils", client.read_coils, SIZE), ("discrete inputs", client.read_discrete_inputs, SIZE),
+                             ("holding registers", client.read_holding_registers, SIZE),
+                             ("input registers", client.read_input_registers, STATUS + STATUS_SIZE)):
+        check(f"{what}: the last place is there", False, read(size - 1, 1).isError())
+        check(f"{what}: beyond it is an illegal address", ILLEGAL_ADDRESS, exception(read(size, 1)))
+        check(f"{what}: across the end likewise", ILLEGAL_ADDRESS, exception(read(size - 1, 2)))
         check(f"{what}: nor at the end of all numbers", ILLEGAL_ADDRESS, exception(read(65535, 1)))
     before = registers(client.read_holding_registers(0, SIZE))
     for what, answer in (("a coil", client.write_coil(SIZE, True)), ("coils", client.write_coils(SIZE - 1, [True, True])),
@@ -149,6 +163,7 @@ def main():
             with client_of(plant.port) as client:
                 check_tables(client)
                 check_writes(client)
+                check_status(client)
                 check_exceptions(client)
             check_many(plant.port, client_of)
         finally:

@@ -4,6 +4,7 @@ Devices of two events each follow their operation at once; what is left of the i
 set of values a trigger. All else of coils and holding registers is read back as it was written, symbol or gap.
 """
 import json
+import struct
 
 COILS = INPUTS = 4096
 HOLDING = 512
@@ -13,6 +14,14 @@ BARRIER, END, FIRST_TRIGGER = 2000, 2001, 2008
 STAMP = 499  # the input register that counts the triggers
 TRIGGERS = KEPT.stop - FIRST_TRIGGER
 FOLLOWERS, FREE_INPUTS, NUMBERS = 400, 200, 150
+WIDE_FROM = 300  # from this register on numbers of 32 and 64 bits
+WIDE = {"D": {"DINT": "i", "UDINT": "I", "DWORD": "I", "REAL": "f"}, "L": {"LINT": "q", "ULINT": "Q", "LREAL": "d"}}
+
+
+def registers_of(value, layout):
+    """The words of a number of 32 or 64 bits, the high one first."""
+    data = struct.pack(">" + layout, value)
+    return list(struct.unpack(f">{len(data) // 2}H", data))
 
 
 class KnownPlant:
@@ -48,13 +57,36 @@ class KnownPlant:
         self.inputs[off] = 1
 
     def _numbers(self, dice):
-        for place in [HOLDING - 1, *dice.sample(range(HOLDING - 1), NUMBERS)]:
+        for place in [HOLDING - 1, *dice.sample(range(WIDE_FROM), NUMBERS)]:
             self.holding[place] = self._number(dice, f"NUMBER_O_{place}", f"%QW{place}")
         self.moving = {}
-        for place in [STAMP, *dice.sample(range(STAMP), NUMBERS)]:
+        for place in [STAMP, *dice.sample(range(WIDE_FROM), NUMBERS)]:
             name = f"NUMBER_I_{place}"
             self.input_registers[place] = self._number(dice, name, f"%IW{place}", "WORD", 0 if place == STAMP else None)
             self.moving[place] = name
+        self.wide = []
+        for size, numbers in (("D", range(WIDE_FROM // 2, 190)), ("L", range(96, 120))):
+            for number in numbers:
+                self._wide(dice, size, number, "Q", self.holding)
+                self.wide.append(self._wide(dice, size, number, "I", self.input_registers))
+
+    def _wide(self, dice, size, number, area, table):
+        """A number of 32 (`D`) or 64 (`L`) bits; its name, layout and first register."""
+        type_name = dice.choice(list(WIDE[size]))
+        layout, first = WIDE[size][type_name], number * (2 if size == "D" else 4)
+        name = f"WIDE_{area}_{first}"
+        value = self._value(dice, layout)
+        self._row(name, f"%{area}{size}{number}", type_name, repr(value))
+        words = registers_of(value, layout)
+        table[first:first + len(words)] = words
+        return name, layout, first
+
+    @staticmethod
+    def _value(dice, layout):
+        if layout in "fd":
+            return struct.unpack("<f", struct.pack("<f", dice.uniform(-1e6, 1e6)))[0]
+        bits = 8 * struct.calcsize("<" + layout)
+        return dice.randrange(-(1 << (bits - 1)), 1 << (bits - 1)) if layout.islower() else dice.randrange(1 << bits)
 
     def _number(self, dice, name, address, type_name=None, value=None):
         type_name = type_name or dice.choice(["WORD", "INT"])
@@ -65,7 +97,8 @@ class KnownPlant:
     def _set(self, dice, number):
         bits = {place: dice.randrange(2) for place in dice.sample(sorted(self.free), 20)}
         words = {place: dice.randrange(32768) for place in dice.sample(sorted(set(self.moving) - {STAMP}), 20)}
-        return bits, {**words, STAMP: number}
+        wide = {which: self._value(dice, which[1]) for which in dice.sample(sorted(self.wide), 10)}
+        return bits, {**words, STAMP: number}, wide
 
     def write_files(self, folder):
         """list.csv, plant.json and scenario.json; the arguments of `symplant run`."""
@@ -74,9 +107,10 @@ class KnownPlant:
         plant = {"symplant": 1, "name": "known", "symbols": ["list.csv"], "defaults": {"travel": "0s", "dwell": "0s"}}
         (folder / "plant.json").write_text(json.dumps(plant), encoding="utf-8")
         steps = []
-        for number, (bits, words) in enumerate(self.sets):
+        for number, (bits, words, wide) in enumerate(self.sets):
             values = {self.free[place]: bool(bit) for place, bit in bits.items()}
             values.update({self.moving[place]: word for place, word in words.items()})
+            values.update({name: value if abs(value) < 1 << 53 else str(value) for (name, _, _), value in wide.items()})
             steps += [{"wait": f"KEPT_{FIRST_TRIGGER + number}", "within": "10h"}, {"plus": "0s", "set": values}]
         steps.append({"wait": f"KEPT_{END}", "within": "10h"})
         (folder / "scenario.json").write_text(json.dumps({"symplant-scenario": 1, "steps": steps}), encoding="utf-8")
@@ -98,10 +132,13 @@ class KnownPlant:
         if self.triggered == TRIGGERS:
             return None
         coil = FIRST_TRIGGER + self.triggered
-        bits, words = self.sets[self.triggered]
+        bits, words, wide = self.sets[self.triggered]
         self.triggered += 1
         for place, bit in bits.items():
             self.inputs[place] = bit
         for place, word in words.items():
             self.input_registers[place] = word
+        for (_, layout, first), value in wide.items():
+            words_of_it = registers_of(value, layout)
+            self.input_registers[first:first + len(words_of_it)] = words_of_it
         return coil
