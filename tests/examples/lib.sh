@@ -32,7 +32,12 @@ wait_until() { # WHAT COMMAND...
   fail "waited in vain: $what"
 }
 
-listening() { port=$(sed -n 's,^link modbus-tcp-server://127\.0\.0\.1:\([0-9]*\)$,\1,p' "$work/plant.log") && [[ -n $port ]]; }
+# The port on which a link listens, as the plant says it; CONTROLLER is "" for the only link, else as in "PLC1=".
+port_of() { # CONTROLLER
+  sed -nE "s,^link $1modbus-tcp-server://127\.0\.0\.1:([0-9]+)(;.*)?\$,\1,p" "$work/plant.log"
+}
+
+listening() { port=$(port_of "") && [[ -n $port ]]; }
 
 # Starts a plant as a server on a free port; sets plant and port, leaves plant.log and trace.jsonl in $work.
 start_plant() { # COMMAND...

@@ -3,8 +3,7 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-port_of() { sed -n "s,^link $1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\)\$,\1,p" "$work/plant.log"; }
-listening() { press=$(port_of PRESS) && robot=$(port_of ROBOT) && [[ -n $press && -n $robot ]]; }
+listening() { press=$(port_of PRESS=) && robot=$(port_of ROBOT=) && [[ -n $press && -n $robot ]]; }
 
 # Sends a request (unit 1) and prints the answer's PDU in hexadecimal.
 ask() { # PORT ANSWER_BYTES PDU_BYTES...

@@ -17,7 +17,7 @@ class RunningPlant:
                                             stderr=subprocess.STDOUT)
         end = time.monotonic() + 60
         while time.monotonic() < end and self.process.poll() is None:
-            said = re.search(r"^link modbus-tcp-server://127\.0\.0\.1:(\d+)$", self.says(), re.MULTILINE)
+            said = re.search(r"^link modbus-tcp-server://127\.0\.0\.1:(\d+)(;.*)?$", self.says(), re.MULTILINE)
             if said:
                 self.port = int(said.group(1))
                 return
