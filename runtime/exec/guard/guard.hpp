@@ -3,8 +3,8 @@
 // A program that does not ask for it pays nothing. Who asks has the functions of heap and locks interposed
 // (interpose.hpp); they record only on a thread that is guarded at that moment, and always do what they were called
 // for. So does the trap of system calls (seccomp, x86-64 Linux), which is set thread by thread and cannot be taken away
-// again. Not seen: calls that the kernel serves in user space (clock_gettime of the vDSO), page faults, locks built of
-// atomics alone, and locks that a library takes within itself.
+// again. Not seen: calls that the kernel serves in user space (clock_gettime of the vDSO), page faults
+// (thread_faults.hpp counts them), locks built of atomics alone, and locks that a library takes within itself.
 #pragma once
 
 #include <cstddef>
