@@ -35,7 +35,8 @@ or, with libmodbus and pymodbus installed, in the folder of a build:
 ctest -R 'peers: conformance'
 ```
 
-`--update` of the program `tests/conformance/conformance` writes this page anew.
+`--update` of the program `tests/conformance/conformance` writes this page anew. What depends on how fast another's server happens to be (rows of the
+stream and of connections) is not compared, nor are pages of other versions of the libraries.
 )";
 
 /// Only what stands in cells: a bar would end one.

@@ -87,7 +87,7 @@ class Steps {
       const Seen probe = next_frame(client_);
       return probe.transaction == kProbe ? "" : "then " + probe.text();
     }
-    const bool foreign = seen.kind == Seen::Kind::frame && seen.transaction != transaction;
+    const bool foreign = seen.kind == Seen::Kind::frame && transaction >= 0 && seen.transaction != transaction;
     return foreign ? "another transaction's answer" : seen.text();
   }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the corpus of a fuzz target: goldens and examples, files of corpus/TARGET, lines of corpus/TARGET.txt.
+# Makes the corpus of a fuzz target: goldens and examples, files of corpus/TARGET, lines of corpus/TARGET.txt,
+# lines of hex digits of corpus/TARGET.hex.
 # seeds.sh TARGET FOLDER
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -29,4 +30,11 @@ if [[ -e $here/corpus/$target.txt ]]; then
     printf '%s' "$line" >"$folder/$(printf 'line%03d' "$number")"
     number=$((number + 1))
   done <"$here/corpus/$target.txt"
+fi
+if [[ -e $here/corpus/$target.hex ]]; then
+  number=0
+  while IFS= read -r line; do
+    printf '%b' "$(sed 's/../\\x&/g' <<<"$line")" >"$folder/$(printf 'hex%03d' "$number")"
+    number=$((number + 1))
+  done <"$here/corpus/$target.hex"
 fi

@@ -81,7 +81,7 @@ class ServerLink final : public Link {
         images_(tables, map, settings.word_order),
         responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
                    {"symplant", tables.name, core::version()}),
-        server_(std::move(listener.socket), responder_) {}
+        server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
 
@@ -124,6 +124,12 @@ class ServerLink final : public Link {
   }
 
  private:
+  static ServerOptions options_of(const LinkSettings& settings) {
+    return {.connections = settings.connections,
+            .idle = settings.idle,
+            .keep = {settings.keep.begin(), settings.keep.end()}};
+  }
+
   /// The images with the plant's events, before the server's thread begins to answer from them.
   static Images& filled(Images& images, const core::Plant* plant, std::uint64_t map_hash) {
     if (plant != nullptr) images.write_events(*plant, {.map_hash = map_hash});

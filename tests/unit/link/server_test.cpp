@@ -126,6 +126,23 @@ TEST_CASE("when all connections are taken, the oldest unused one gives way") {
   CHECK(clients[2]->ask(kReadInputs) == Bytes{2, 1, 0b0101});
 }
 
+TEST_CASE("how many clients there are at once, and who is kept, is a setting of the link") {
+  const auto tables = test::cell_tables();
+  link::LinkChoice choice{"modbus-tcp-server://127.0.0.1:0"};
+  const std::string_view here = "127.0.0.1";
+  choice.settings.connections = 2;
+  choice.settings.keep = std::span(&here, 1);
+  auto opened = link::open_link(choice, tables);
+  const auto link = std::move(std::get<std::unique_ptr<link::Link>>(opened));
+  RawClient first(test::port_of(*link));
+  RawClient second(test::port_of(*link));
+  REQUIRE(first.ask(kReadInputs).size() == 3);
+  REQUIRE(second.ask(kReadInputs).size() == 3);
+  const RawClient third(test::port_of(*link));
+  CHECK(third.is_closed());
+  CHECK(first.ask(kReadInputs).size() == 3);
+}
+
 TEST_CASE("a client that goes while answers are on their way to it ends nothing but itself") {
   CellServer server;
   {

@@ -1,0 +1,138 @@
+// Any bytes as what a Modbus client sends, cut anywhere: answers are those of the frames in it, in their order, whole.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "fuzz/target.hpp"
+#include "symplant/link/modbus/connection.hpp"
+
+namespace symplant::fuzz {
+namespace {
+
+using namespace link::modbus;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::uint32_t kBits = 100;
+constexpr std::uint32_t kRegisters = 40;
+
+/// Numbers from the input itself, so that an input is always cut alike.
+class Dice {
+ public:
+  explicit Dice(const Bytes& seed) {
+    for (const std::uint8_t byte : seed) state_ = (state_ ^ byte) * 1099511628211U;
+  }
+  std::size_t below(std::size_t end) {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<std::size_t>(state_ >> 33) % end;
+  }
+
+ private:
+  std::uint64_t state_ = 1469598103934665603U;
+};
+
+/// Answers from a small memory, and sees that nothing is written but what the answer tells.
+class Memory final : public Responder {
+ public:
+  Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    const auto coils = coils_;
+    const auto holding = holding_;
+    const Answer answer =
+        answer_request(request, {{coils_, kBits}, {inputs_, kBits}, {holding_, kRegisters}, {inputs_, kRegisters}},
+                       {"v", "p", "r"}, reply);
+    require(answer.size <= kMaxPdu, "an answer is longer than a frame holds");
+    require(answer.exception == Exception::none || answer.count == 0, "a refused request has written");
+    for (std::uint32_t i = 0; i < kBits; ++i) {
+      require(get_bit(coils, i) == get_bit(coils_, i) || is_told(answer, link::Table::coil, i),
+              "a coil changed untold");
+    }
+    for (std::uint32_t i = 0; i < kRegisters; ++i) {
+      const bool same = get_register(holding, i) == get_register(holding_, i);
+      require(same || is_told(answer, link::Table::holding_register, i), "a register changed untold");
+    }
+    require(coils_.back() >> (kBits % kBitsPerWord) == 0, "bits behind the last coil changed");
+    return answer;
+  }
+  void refused() noexcept override {}
+
+ private:
+  static bool is_told(const Answer& answer, link::Table table, std::uint32_t place) {
+    return answer.written == table && place >= answer.first && place < std::uint32_t{answer.first} + answer.count;
+  }
+
+  std::array<std::uint64_t, bit_words(kBits)> coils_{};
+  std::array<std::uint64_t, register_words(kRegisters)> holding_{};
+  std::array<std::uint64_t, register_words(kRegisters)> inputs_{};
+};
+
+class Peer final : public Sink {
+ public:
+  std::ptrdiff_t write(std::span<const std::uint8_t> bytes) noexcept override {
+    const std::size_t count = std::min(bytes.size(), window);
+    window -= count;
+    taken.insert(taken.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
+    return static_cast<std::ptrdiff_t>(count);
+  }
+
+  Bytes taken;
+  std::size_t window = 0;
+};
+
+struct Heads {
+  std::vector<std::array<std::uint8_t, 3>> heads;  ///< transaction and unit
+  bool broken = false;                             ///< the rest is no frame
+};
+
+/// The frames in a stream; of requests only those that are answered.
+Heads frames_of(const Bytes& bytes, bool requests) {
+  Heads result;
+  std::size_t at = 0;
+  while (at + 6 <= bytes.size()) {
+    const std::size_t length = static_cast<std::size_t>(bytes[at + 4] << 8 | bytes[at + 5]);
+    if (length < 2 || length > 254) {
+      result.broken = true;
+      break;
+    }
+    if (at + 6 + length > bytes.size()) break;
+    const bool modbus = bytes[at + 2] == 0 && bytes[at + 3] == 0;
+    require(modbus || requests, "an answer has another protocol");
+    if (!requests || (modbus && bytes[at + 7] < 128)) result.heads.push_back({bytes[at], bytes[at + 1], bytes[at + 6]});
+    at += 6 + length;
+  }
+  if (!requests) require(at == bytes.size(), "an answer is cut, or no frame");
+  return result;
+}
+
+void play(const Bytes& bytes, bool reads_all) {
+  Dice dice(bytes);
+  Connection connection;
+  Memory memory;
+  Peer peer;
+  auto state = Connection::State::open;
+  std::size_t fed = 0;
+  while (state == Connection::State::open && (fed < bytes.size() || connection.has_answers_to_send())) {
+    peer.window = reads_all ? SIZE_MAX : dice.below(600);
+    const auto room = connection.room();
+    if (fed == bytes.size() || room.empty()) {
+      state = connection.resume(memory, peer);
+      continue;
+    }
+    const std::size_t count = std::min({room.size(), bytes.size() - fed, 1 + dice.below(400)});
+    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(fed), count, room.begin());
+    fed += count;
+    state = connection.received(count, memory, peer);
+  }
+  const Heads wanted = frames_of(bytes, true);
+  require((state == Connection::State::closed) == wanted.broken, "closed without need, or open in spite of it");
+  if (wanted.broken && !reads_all) return;  // what was not taken before the end is lost
+  require(frames_of(peer.taken, false).heads == wanted.heads, "answers are not those of the requests");
+}
+
+}  // namespace
+}  // namespace symplant::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::vector<std::uint8_t> bytes(data, data + size);
+  symplant::fuzz::play(bytes, true);
+  symplant::fuzz::play(bytes, false);
+  return 0;
+}
