@@ -91,7 +91,7 @@ TEST_CASE("an idle time of 0 keeps a silent client") {
   CHECK(client.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("who sends a frame a byte at a time, for ever, is closed; a byte does not start the time anew") {
+TEST_CASE("who sends a frame a byte at a time, for ever, is closed, as a byte does not start the time anew") {
   const EchoServer bench({.frame = 300 * core::kMillisecond});
   const RawClient slow(bench.port);
   const Bytes frame = RawClient::frame(1, Bytes(200, 3));
