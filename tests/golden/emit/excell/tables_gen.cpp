@@ -10,6 +10,10 @@
 #include "plant_gen.hpp"
 #include "types_gen.hpp"
 
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Woverlength-strings"  // all names are one literal
+#endif
+
 namespace excell {
 namespace {
 
