@@ -9,13 +9,13 @@ skip() { # WHY; ctest counts exit code 77 as skipped
 
 # Starts a command in the background and waits until its cycle goes; sets plant, leaves plant.log and stats.json in $work.
 start_cycle() { # COMMAND...
-  rm -f "$work/stats.json"
+  rm -f "$work/stats.json" "$work/plant.log" # of the run before
   "$@" --stats "$work/stats.json" >"$work/plant.log" 2>&1 &
   plant=$!
-  wait_until "the cycle goes" grep -q '^running in real time' "$work/plant.log"
+  wait_until "the cycle goes" grep -qs "^running in real time" "$work/plant.log"
 }
 
-# A number out of the statistics by its name, of the first object that has it.
+# A number out of the statistics by its name, of the last object that has it.
 stat_of() { # NAME
   sed -n "s/.*\"$1\":\([0-9]*\).*/\1/p" "$work/stats.json"
 }
