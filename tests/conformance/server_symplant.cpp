@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kBits = 2016;
 constexpr std::uint32_t kRegisters = 160;
+constexpr core::Time kCycle = 10 * core::kMillisecond;  // the default of a run
 
 test::SymbolList symbols() {
   test::SymbolList list;
@@ -46,11 +47,11 @@ int main() {
   std::cout << test::port_of(*link);
   for (const std::uint32_t size : link::make_io_map(tables, 0, settings).sizes) std::cout << ' ' << size;
   std::cout << " symplant " << core::version() << std::endl;
-  for (core::Time time = core::kMillisecond;; time += core::kMillisecond) {
+  for (core::Time time = kCycle;; time += kCycle) {
     link->read_operations(*plant, time);
     plant->advance_to(time);
     link->write_events(*plant, {});
     plant->forget_changed_events();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::nanoseconds(kCycle));
   }
 }
