@@ -51,17 +51,23 @@ const char* words(exec::LinkState state) {
 
 }  // namespace
 
-std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links) {
+std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded) {
   std::string text = fmt::format("{} cycles, p99 {:.1f} us late, {} overruns", meter.cycles.value(),
                                  static_cast<double>(meter.lateness.durations().p99) / 1e3, meter.overruns.value());
+  if (degraded) text += ", real time degraded";
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
     text += (i == 0 ? "; " : ", ") + links[i] + " " + words(meter.state(i));
   }
   return text;
 }
 
-Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, std::ostream& out)
-    : meter_(meter), out_(out), terminal_(is_terminal(options, out)), manager_(ServiceManager::of_environment()) {
+Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, bool degraded,
+                     std::ostream& out)
+    : meter_(meter),
+      out_(out),
+      degraded_(degraded),
+      terminal_(is_terminal(options, out)),
+      manager_(ServiceManager::of_environment()) {
   for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? "link" : open.controller);
   thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
 }
@@ -104,7 +110,7 @@ void Attendant::tell_manager() {
 void Attendant::tell_user(bool line_is_due) {
   const bool asked = take_status_request();
   if (!asked && !line_is_due) return;
-  const std::string text = status_text(meter_, links_);
+  const std::string text = status_text(meter_, links_, degraded_);
   if (asked) out_ << (drawn_ ? kClearLine : "") << text << "\n";
   if (line_is_due) {
     out_ << kClearLine << text.substr(0, terminal_width()) << "\r";

@@ -16,14 +16,16 @@
 namespace symplant::host {
 
 /// "1230 cycles, p99 85.2 us late, 0 overruns; PLC1 live, PLC2 waiting".
-std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links);
+/// `degraded`: the system refused what was asked for, which is said, too.
+std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded);
 
 /// From its making to its end it draws a status line on `out` once a second where that is a terminal, writes one line
 /// of it for each SIGUSR1, and tells the service manager: READY=1 when the cycle goes, STOPPING=1 when it is to end,
 /// WATCHDOG=1 as long as it goes on.
 class Attendant {
  public:
-  Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, std::ostream& out);
+  Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, bool degraded,
+            std::ostream& out);
   Attendant(const Attendant&) = delete;
   Attendant& operator=(const Attendant&) = delete;
   ~Attendant();
@@ -36,6 +38,7 @@ class Attendant {
   const exec::CycleMeter& meter_;
   std::ostream& out_;
   std::vector<std::string> links_;
+  bool degraded_;
   bool terminal_;
   bool drawn_ = false;
   ServiceManager manager_;

@@ -92,7 +92,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, st
   err.flush();
   stage.outputs.start_thread();
   {
-    const Attendant attendant(meter, links, options, out);
+    const Attendant attendant(meter, links, options, !run.refused.empty(), out);
     thread.go();
     thread.join();
   }

@@ -126,7 +126,7 @@ TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, t
   const Environment environment(abstract_name(), "100000", std::to_string(getpid()));
   exec::CycleMeter meter;
   {
-    const host::Attendant attendant(meter, {}, {}, std::cout);
+    const host::Attendant attendant(meter, {}, {}, false, std::cout);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     CHECK(systemd.next().empty());  // no cycle yet
     meter.beats.add(1);
@@ -163,8 +163,9 @@ TEST_CASE("the status line says cycles, lateness, overruns and how each link sta
   meter.overruns.add(2);
   meter.lateness.add(1500);
   meter.note(1, exec::LinkState::lost);
-  CHECK(host::status_text(meter, {"loop:", "PLC2"}) ==
+  CHECK(host::status_text(meter, {"loop:", "PLC2"}, false) ==
         "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting, PLC2 lost");
+  CHECK(host::status_text(meter, {}, true) == "7 cycles, p99 1.5 us late, 2 overruns, real time degraded");
 }
 
 }  // namespace
