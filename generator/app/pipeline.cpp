@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/map_findings.hpp"
 #include "app/read_inputs.hpp"
 #include "check/causes.hpp"
 #include "check/check_plant.hpp"
@@ -72,6 +73,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   if (inputs->readable) {
     progress.stage("checking");
     check::check_plant(plant, diagnostics);
+    if (!diagnostics.has_errors() && places_can_meet(plant)) add_map_findings(plant, diagnostics);
     if (const model::GivenCheck& settings = plant.description->check;
         !settings.severity.empty() || !settings.ignore.empty()) {
       diagnostics = check::apply_settings(diagnostics, settings, options.today);

@@ -27,10 +27,11 @@ extern const Rule kRadixAssumed;               // SP308
 extern const Rule kNoAddress;                  // SP309
 extern const Rule kInitialNotUnderstood;       // SP310
 extern const Rule kOperationInitialIgnored;    // SP311
-extern const Rule kByteOnNoRegister;      // SP312
+extern const Rule kByteOnNoRegister;           // SP312
 extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kAddressesContradict;        // SP315
+extern const Rule kPlacesOverlap;              // SP316
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -65,7 +66,7 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 50> kRules{
+inline constexpr std::array<const Rule*, 51> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -86,6 +87,7 @@ inline constexpr std::array<const Rule*, 50> kRules{
     &kTypeOfNoIo,
     &kRadixDisagrees,
     &kAddressesContradict,
+    &kPlacesOverlap,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

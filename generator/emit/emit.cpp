@@ -11,6 +11,7 @@
 #include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
+#include "emit/link_rows.hpp"
 #include "emit/render.hpp"
 #include "emit/rows.hpp"
 #include "emit/table_views.hpp"
@@ -50,6 +51,9 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["type_rows"] = type_rows(classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);
+  texts["controller_count"] = std::to_string(plant.links.size());
+  texts["place_arrays"] = place_arrays(plant);
+  texts["link_settings_rows"] = link_settings_rows(plant);
   texts["kind_rows"] = kind_rows(tables);
   add_tables(view, tables, plant);
   view.lists["types"] = type_views(tables, plant, classes);

@@ -228,14 +228,6 @@ void name_rows(RowWriter& rows, const std::string& blob, int per_line) {
   }
 }
 
-std::string link_rows(const model::Description& description) {
-  RowWriter rows;
-  for (const model::LinkDescription& link : description.links) {
-    rows.text("    {\"").literal(link.controller).text("\", \"").literal(link.url).text("\"},\n");
-  }
-  return rows.take();
-}
-
 void device_rows(RowWriter& rows, const lower::EngineTables& tables) { constant_rows(rows, tables.unit_names, 1); }
 
 void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables) {

@@ -33,7 +33,6 @@ std::string_view direction_name(core::Direction direction);
 /// A blob's texts, of which there must be one, as string literals, `per_line` on each line.
 void name_rows(RowWriter& rows, const std::string& blob, int per_line);
 
-std::string link_rows(const model::Description& description);
 void device_rows(RowWriter& rows, const lower::EngineTables& tables);
 void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables);
 

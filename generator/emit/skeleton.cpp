@@ -67,6 +67,7 @@ class Skeleton {
     line("  // What holds for every device that says nothing else:");
     line("  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\" },");
     requirements();
+    links();
     check_section();
     line("  \"symbols\": [" + list_reference() + "],");
     nobody_moves();
@@ -143,6 +144,13 @@ class Skeleton {
     }
     line("  // What must hold whenever the plant runs; a violation makes `symplant run` fail:");
     line("  // \"requirements\": " + one_line(list) + ",");
+  }
+
+  void links() {
+    const bool low = plant_.links.front().link.word_order == core::WordOrder::low_first;
+    line("  // How the PLC is linked; `symplant map` shows which symbol stands where:");
+    line("  // \"links\": [{\"url\": \"modbus-tcp-server://127.0.0.1:1502\", \"word-order\": \"" +
+         std::string(low ? "low-first" : "high-first") + "\", \"on-loss\": \"hold\", \"loss-after\": \"1s\"}],");
   }
 
   const model::Unit* left_alone() const {

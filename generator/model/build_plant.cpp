@@ -147,12 +147,13 @@ PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& 
   collect_symbols(plant, lists);
   gather_units(plant);
   Faults faults(plant.description_faults, plant.description_warnings);
-  check_links(plant, faults);
+  const std::vector<const LinkDescription*> links = check_links(plant, faults);
   describe_units(plant, faults);
   derive_units(plant, faults);
   add_relations(plant, faults);
   faults.tell_lacks(plant);
   find_shared_addresses(plant);
+  resolve_links(plant, links, faults);
   return plant;
 }
 

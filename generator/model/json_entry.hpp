@@ -46,4 +46,7 @@ std::optional<core::Actuation> actuation_member(const nlohmann::json& object);
 /// An entry of `devices`.
 DeviceDescription device_entry(const std::string& path, const nlohmann::json& entry, ShapeFaults& faults);
 
+/// An entry of `links`.
+LinkDescription link_entry(const nlohmann::json& entry, const Pointer& here, ShapeFaults& faults);
+
 }  // namespace symplant::model

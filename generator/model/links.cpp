@@ -21,30 +21,47 @@ std::optional<std::size_t> find_controller(const PlantModel& plant, std::string_
 
 }  // namespace
 
-void check_links(const PlantModel& plant, Faults& faults) {
+core::LinkSettings ControllerLink::settings() const {
+  core::LinkSettings settings = link;
+  settings.places = places;
+  settings.keep = keep;
+  return settings;
+}
+
+std::vector<const LinkDescription*> check_links(const PlantModel& plant, Faults& faults) {
   std::vector<bool> linked(plant.controllers.size());
+  std::vector<const LinkDescription*> settings(plant.controllers.size());
   const std::vector<LinkDescription>& links = plant.description->links;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const LinkDescription& link = links[i];
     const Pointer place = Pointer("/links") / i;
-    if (link.controller.empty() && link.url == "loop:") continue;
     const bool the_only = link.controller.empty() && plant.controllers.size() == 1;
+    if (link.controller.empty() && link.url == "loop:" && !the_only) {
+      if (link.has_settings) {
+        faults.add(place, "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
+      }
+      continue;
+    }
     const auto controller = the_only ? std::optional<std::size_t>(0) : find_controller(plant, link.controller);
-    if (controller && link.url != "loop:") {
-      if (linked[*controller]) {
+    if (controller) {
+      if (link.url != "loop:" && linked[*controller]) {
         faults.add(place,
                    "this is the second link of its controller, and both would write its operations: leave one away");
+      } else if (link.has_settings && settings[*controller] != nullptr) {
+        faults.add(place, "another link of this controller has settings too, give them in one place");
       }
-      linked[*controller] = true;
-    } else if (!controller && link.controller.empty()) {
+      linked[*controller] = linked[*controller] || link.url != "loop:";
+      if (link.has_settings) settings[*controller] = &link;
+    } else if (link.controller.empty()) {
       faults.add(place, "the plant has several controllers, and this link does not say which: give it a `controller`");
-    } else if (!controller) {
+    } else {
       const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
                                           [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
       faults.add(place / "controller", missing("controller " + quoted(link.controller), nearest),
                  FaultKind::unknown_name);
     }
   }
+  return settings;
 }
 
 bool is_controller_name(std::string_view name) {

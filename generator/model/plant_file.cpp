@@ -36,9 +36,6 @@ constexpr std::array kOtherFiles{
     OtherFile{"configurePresets", "this looks like the CMakePresets.json of CMake, no plant"},
 };
 
-/// Keys of the format that a later version of the tool will know.
-constexpr std::array<std::string_view, 6> kLaterInLinks{"map", "policies", "size", "status", "word-order", "blocks"};
-
 /// Why a value is no plant description of this version at all; empty where it may be one.
 std::optional<DescriptionFault> why_none(const Json& root) {
   const auto fault = [](std::string pointer, std::string message, bool at_key = false) {
@@ -93,18 +90,11 @@ class PlantFileReader {
  private:
   /// What the format has and this version does not know yet, told apart from what is unknown.
   void take_out_later_keys() {
-    const auto take_out = [&](Json& object, std::string_view key, const Pointer& here) {
-      if (!object.is_object() || object.erase(std::string(key)) == 0) return;
-      all_.push_back({(here / key).text(),
-                      model::quoted(key) + " is not yet known to this version of symplant, leave it out", 0,
-                      FaultKind::shape, true});
-    };
-    take_out(root_, "naming", Pointer(""));
-    if (const auto links = root_.find("links"); links != root_.end() && links->is_array()) {
-      for (std::size_t i = 0; i < links->size(); ++i) {
-        for (const std::string_view key : kLaterInLinks) take_out((*links)[i], key, Pointer("/links") / i);
-      }
-    }
+    constexpr std::string_view kLater = "naming";
+    if (!root_.is_object() || root_.erase(std::string(kLater)) == 0) return;
+    all_.push_back({(Pointer("") / kLater).text(),
+                    model::quoted(kLater) + " is not yet known to this version of symplant, leave it out", 0,
+                    FaultKind::shape, true});
   }
 
   void check_shape() {
@@ -190,8 +180,7 @@ class PlantFileReader {
     const Json* links = member(root_, "links");
     if (links == nullptr || !links->is_array()) return;
     for (std::size_t i = 0; i < links->size(); ++i) {
-      LinkDescription link{text_or_empty((*links)[i], "url"), text_or_empty((*links)[i], "controller")};
-      file_.description.links.push_back(std::move(link));
+      file_.description.links.push_back(link_entry((*links)[i], Pointer("/links") / i, faults_));
     }
   }
 

@@ -218,6 +218,7 @@ struct PlantModel {
   std::vector<Symbol> symbols;  ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
   std::vector<Requirement> requirements;
+  std::vector<ControllerLink> links;  ///< by controller: how it is linked, whether a link is given or not
   std::vector<DescriptionFault> description_faults;  ///< while there is one, nothing is to be made of the plant
   std::vector<DescriptionFault> description_warnings;
   std::vector<std::string> description_decisions;  ///< which pattern speaks of how many devices, for --verbose

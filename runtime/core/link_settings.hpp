@@ -24,7 +24,11 @@ inline constexpr std::size_t kTables = 4;
 enum class WordOrder : std::uint8_t { low_first, high_first };
 
 /// What operations do while their link is lost.
-enum class OnLoss : std::uint8_t { hold, zero };
+enum class OnLoss : std::uint8_t {
+  hold,
+  zero,
+  as_link,  ///< of a symbol alone: what its link says
+};
 
 /// What the plant does while a link is lost.
 enum class PlantOnLoss : std::uint8_t { run, freeze };
@@ -33,10 +37,10 @@ enum class PlantOnLoss : std::uint8_t { run, freeze };
 struct PlaceRow {
   static constexpr std::uint32_t kDefault = 0xFFFF'FFFF;
 
-  std::uint32_t symbol;             ///< in PlantTables::symbols
+  std::uint32_t symbol = 0;         ///< in PlantTables::symbols
   std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: that of the default map
   WordOrder word_order = WordOrder::low_first;
-  OnLoss on_loss = OnLoss::hold;
+  OnLoss on_loss = OnLoss::as_link;
 };
 
 /// Place of the status block, of the watchdog: a register, or one of these.

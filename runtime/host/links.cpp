@@ -25,7 +25,14 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
     if (requests.empty() && !program.default_link.empty())
       requests.push_back(link::parse_request(program.default_link));
   }
-  return link::choose_links(program.tables, requests);
+  auto chosen = link::choose_links(program.tables, requests);
+  if (auto* choices = std::get_if<LinkChoices>(&chosen)) {
+    for (link::LinkChoice& choice : *choices) {
+      if (choice.controller < program.link_settings.size()) choice.settings = program.link_settings[choice.controller];
+      choice.settings.on_loss = options.on_loss.value_or(choice.settings.on_loss);
+    }
+  }
+  return chosen;
 }
 
 bool has_real_link(const LinkChoices& links) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "symplant/core/behaviour.hpp"
+#include "symplant/core/link_settings.hpp"
 #include "symplant/core/tables.hpp"
 
 namespace symplant::host {
@@ -22,9 +23,11 @@ struct PlantProgram {
   const core::PlantTables& tables;
   std::span<const core::Behaviour> behaviours = {};  ///< as core::Plant takes them
   std::span<const DefaultLink> links = {};           ///< of the description, used where no --link is given
-  std::string_view default_link = {};                ///< as --link takes it, used where neither of them is; empty: none
-  std::vector<std::string> more = {};                ///< further lines of what is told at the start
-  std::vector<std::string> inputs = {};              ///< files that the plant was read from: no output may replace them
+  /// By controller, whichever URL links it; empty: all as by default.
+  std::span<const core::LinkSettings> link_settings = {};
+  std::string_view default_link = {};    ///< as --link takes it, used where neither of them is; empty: none
+  std::vector<std::string> more = {};    ///< further lines of what is told at the start
+  std::vector<std::string> inputs = {};  ///< files that the plant was read from: no output may replace them
 };
 
 }  // namespace symplant::host

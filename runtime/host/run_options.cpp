@@ -55,6 +55,17 @@ void add_files(CLI::App& app, RunOptions& options) {
 
 void add_real_time(CLI::App& app, RunOptions& options) {
   app.add_option_function<std::string>(
+         "--on-loss",
+         [&options](const std::string& text) {
+           if (text != "hold" && text != "zero") {
+             throw CLI::ValidationError("--on-loss", "`" + text + "` says nothing of operations: write hold or zero");
+           }
+           options.on_loss = text == "hold" ? core::OnLoss::hold : core::OnLoss::zero;
+         },
+         "what operations do while their link is lost, but for symbols with a policy of their own (default: what the "
+         "plant's `links` say, else hold)")
+      ->type_name("hold|zero");
+  app.add_option_function<std::string>(
          "--late",
          [&options](const std::string& text) {
            const auto most = parse_late(text);

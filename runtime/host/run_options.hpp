@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "symplant/core/link_settings.hpp"
 #include "symplant/core/time.hpp"
 #include "symplant/exec/real_time.hpp"
 #include "symplant/trace/output_file.hpp"
@@ -26,7 +27,8 @@ struct RunOptions {
   std::int64_t max_catch_up = 10;  ///< cycles run at once after a delay
   core::Time spin = 0;             ///< awake before each deadline for so long
   exec::RealTimeOptions real_time;
-  std::vector<std::string> links;  ///< URL or CONTROLLER=URL; none: the plant's own
+  std::optional<core::OnLoss> on_loss;  ///< of every link; nothing: what its settings say
+  std::vector<std::string> links;       ///< URL or CONTROLLER=URL; none: the plant's own
   std::string scenario;
   std::string trace;
   std::string vcd;

@@ -75,8 +75,7 @@ class MapMaker {
     const PlaceRow* const end = next + settings_.places.size();
     for (std::uint32_t index = 0; index < tables_.symbols.size(); ++index) {
       const bool is_set = next != end && next->symbol == index;
-      const PlaceRow row =
-          is_set ? *next++ : PlaceRow{index, PlaceRow::kDefault, settings_.word_order, settings_.on_loss};
+      const PlaceRow row = is_set ? *next++ : PlaceRow{index, PlaceRow::kDefault, settings_.word_order};
       if (core::controller_of(tables_, index) != controller_) continue;
       const core::SymbolRow& symbol = tables_.symbols[index];
       const bool given = row.number != PlaceRow::kDefault;
@@ -87,7 +86,8 @@ class MapMaker {
       } else {
         const std::uint32_t number = given ? row.number : own_number(symbol);
         if (number == kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
-        carried_.push_back({index, number, given, row.word_order, row.on_loss});
+        const OnLoss on_loss = row.on_loss == OnLoss::as_link ? settings_.on_loss : row.on_loss;
+        carried_.push_back({index, number, given, row.word_order, on_loss});
       }
     }
     for (Carried& carried : carried_) {

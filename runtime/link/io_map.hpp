@@ -35,7 +35,7 @@ struct MapFault {
     watchdog_overlap,  ///< the watchdog and `symbol`
     watchdog_beyond,   ///< the watchdog on register `symbol` is beyond the table, which ends before `other`
   };
-  Kind kind;
+  Kind kind = Kind::overlap;
   std::uint32_t symbol = 0;
   std::uint32_t other = 0;
 };

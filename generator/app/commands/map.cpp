@@ -6,21 +6,30 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <ostream>
 
 #include "app/commands.hpp"
+#include "app/map_notes.hpp"
 #include "app/options.hpp"
 #include "base/utf8.hpp"
 #include "diag/visible_text.hpp"
+#include "symplant/core/names.hpp"
+#include "symplant/host/exit_codes.hpp"
+#include "symplant/link/choice.hpp"
 #include "symplant/link/io_map.hpp"
 
 namespace symplant::app {
 namespace {
 
+constexpr std::size_t kColumns = 9;
+constexpr std::size_t kWords = 6;   ///< the column of word orders, shown where some number takes several registers
+constexpr std::size_t kOnLoss = 7;  ///< shown where symbols differ in it
+
 struct Row {
-  std::array<std::string, 7> cells;
+  std::array<std::string, kColumns> cells;
 };
 
 /// Columns on a terminal.
@@ -34,52 +43,22 @@ std::size_t width_of(std::string_view text) {
   return width;
 }
 
-std::string table_text(const std::vector<Row>& rows) {
-  std::array<std::size_t, 7> widths{};
+std::string table_text(const std::vector<Row>& rows, const std::array<bool, kColumns>& shown) {
+  std::array<std::size_t, kColumns> widths{};
   for (const Row& row : rows) {
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row.cells[i]));
+    for (std::size_t i = 0; i < kColumns; ++i) widths[i] = std::max(widths[i], width_of(row.cells[i]));
   }
   std::string text;
   for (const Row& row : rows) {
     std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
+    for (std::size_t i = 0; i < kColumns; ++i) {
+      if (!shown[i]) continue;
       line += row.cells[i];
       line.append(widths[i] - width_of(row.cells[i]) + 2, ' ');
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
-  return text;
-}
-
-/// "coil 1", "holding registers 10-11".
-std::string place_text(const link::IoPoint& point) {
-  const std::string name = link::table_name(point.table);
-  if (point.places == 1) return fmt::format("{} {}", name, point.number);
-  return fmt::format("{}s {}-{}", name, point.number, point.last());
-}
-
-std::string modicon_text(const link::IoPoint& point) {
-  const std::string first = fmt::format("{:05}", link::modicon_number(point.table, point.number));
-  if (point.places == 1) return first;
-  const auto last = static_cast<std::uint16_t>(point.last());
-  return fmt::format("{}-{:05}", first, link::modicon_number(point.table, last));
-}
-
-std::string notes(const link::IoMap& map) {
-  std::string text;
-  for (std::size_t t = 0; t < link::kTables; ++t) {
-    if (map.sizes[t] == 0) continue;
-    fmt::format_to(std::back_inserter(text), "{}s: {} places{}\n", link::table_name(static_cast<link::Table>(t)),
-                   map.sizes[t],
-                   map.packed[t] ? ", packed in list order, since an address has no number below 65536" : "");
-  }
-  const auto count = [&](const std::vector<std::uint32_t>& symbols, std::string_view why) {
-    if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
-  };
-  count(map.without_address, "without a usable address");
-  count(map.of_8_bits, "of 8 bits, whose place nobody gives");
-  count(map.too_many, "beyond the 65536 places of a table");
   return text;
 }
 
@@ -98,35 +77,96 @@ std::string mover(const model::PlantModel& plant, const core::PlantTables& table
   return "nobody";
 }
 
+bool is_operation(const link::IoPoint& point) {
+  return point.table == link::Table::coil || point.table == link::Table::holding_register;
+}
+
+/// Which columns say something in this map.
+std::array<bool, kColumns> columns_of(const link::IoMap& map, const core::LinkSettings& settings) {
+  std::array<bool, kColumns> shown{};
+  shown.fill(true);
+  const auto any = [&](auto has) { return std::any_of(map.points.begin(), map.points.end(), has); };
+  shown[kWords] = any([](const link::IoPoint& point) { return point.places > 1; });
+  shown[kOnLoss] =
+      any([&](const link::IoPoint& point) { return is_operation(point) && point.on_loss != settings.on_loss; });
+  return shown;
+}
+
 /// The map of one controller: what a link to it carries.
 std::string map_text(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t controller) {
-  const link::IoMap map = link::make_io_map(tables, controller, {});
+  const core::LinkSettings settings = plant.links[controller].settings();
+  const link::IoMap map = link::make_io_map(tables, controller, settings);
   std::vector<const link::IoPoint*> points(tables.symbols.size());
   for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
 
-  std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "moved by"}}};
+  std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "words", "on loss", "moved by"}}};
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const model::Symbol& symbol = plant.symbols[i];
     if (plant.controller_of(symbol) != controller) continue;
     const link::IoPoint* point = points[i];
     const std::string list = plant.lists.size() == 1 ? "" : diag::visible(plant.list_of(symbol).name()) + ":";
+    const bool wide = point != nullptr && point->places > 1;
+    const bool operation = point != nullptr && is_operation(*point);
     rows.push_back({{list + std::to_string(symbol.row->line), diag::visible(symbol.name()),
                      diag::visible(symbol.row->vendor_address), diag::visible(symbol.row->iec_address),
                      point == nullptr ? "-" : place_text(*point), point == nullptr ? "-" : modicon_text(*point),
+                     wide ? word_order_text(point->word_order) : "",
+                     !operation                             ? ""
+                     : point->on_loss == core::OnLoss::hold ? "holds"
+                                                            : "off",
                      mover(plant, tables, i)}});
   }
-  return table_text(rows) + notes(map);
+  return table_text(rows, columns_of(map, settings)) + map_notes(tables, map, settings);
 }
 
-void show(const std::string& name, const PlantOptions& options, Context& context) {
-  const auto compiled = compile_for(context, name, options);
+/// The controllers whose maps are wanted: all, or those that the links name. Nothing, and an error, where a link is
+/// none that has a map.
+std::optional<std::vector<std::uint32_t>> wanted(const core::PlantTables& tables, const std::vector<std::string>& links,
+                                                 Context& context) {
+  std::vector<std::uint32_t> controllers;
+  std::vector<link::LinkRequest> requests;
+  requests.reserve(links.size());
+  for (const std::string& text : links) requests.push_back(link::parse_request(text));
+  const auto fail = [&](const std::string& message) {
+    context.err << "error: " << message << "\n";
+    context.exit_code = host::kBadInput;
+    return std::nullopt;
+  };
+  for (const link::LinkRequest& request : requests) {
+    if (link::is_loop(request.url)) return fail("`loop:` carries symbols by name, it has no map of numbers");
+    if (!request.url.starts_with("modbus-tcp-server:")) {
+      return fail("`" + request.url + "` names no link that has a map: give `modbus-tcp-server://HOST:PORT`");
+    }
+  }
+  const auto chosen = link::choose_links(tables, requests);
+  if (const auto* error = std::get_if<link::LinkError>(&chosen)) return fail(error->message);
+  for (const link::LinkChoice& choice : std::get<std::vector<link::LinkChoice>>(chosen)) {
+    controllers.push_back(choice.controller);
+  }
+  if (links.empty()) {
+    controllers.resize(std::max<std::size_t>(1, core::split_names(tables.controller_names).size()));
+    std::iota(controllers.begin(), controllers.end(), 0U);
+  }
+  return controllers;
+}
+
+struct Options {
+  std::string plant;
+  PlantOptions plant_options;
+  std::vector<std::string> links;
+};
+
+void show(const Options& options, Context& context) {
+  const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return;
   const model::PlantModel& plant = compiled->plant;
   const core::PlantTables tables = compiled->tables.tables();
-  for (std::uint32_t controller = 0; controller < plant.controllers.size(); ++controller) {
+  const auto controllers = wanted(tables, options.links, context);
+  if (!controllers) return;
+  for (const std::uint32_t controller : *controllers) {
     if (plant.controllers.size() > 1) {
       const std::string& called = plant.controllers[controller];
-      context.out << (controller == 0 ? "" : "\n")
+      context.out << (controller == controllers->front() ? "" : "\n")
                   << (called.empty() ? "the controller without a name" : "controller " + diag::visible(called)) << "\n";
     }
     context.out << map_text(plant, tables, controller);
@@ -136,16 +176,15 @@ void show(const std::string& name, const PlantOptions& options, Context& context
 }  // namespace
 
 void add_map(CLI::App& app, Context& context) {
-  struct Options {
-    std::string plant;
-    PlantOptions plant_options;
-  };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("map", "Show where each I/O symbol stands on a link, and who moves it");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
+  command->add_option("--link", options->links, "[CONTROLLER=]URL: only the map of this link's controller");
   add_plant_options(*command, options->plant_options);
-  command->footer("Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv");
-  command->callback([options, &context] { show(options->plant, options->plant_options, context); });
+  command->footer(
+      "Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv\n"
+      "  symplant map plant.json --link PLC1=modbus-tcp-server://127.0.0.1:1502");
+  command->callback([options, &context] { show(*options, context); });
 }
 
 }  // namespace symplant::app

@@ -75,6 +75,9 @@ void add_run(CLI::App& app, Context& context) {
       links.push_back({link.controller, link.url});
     }
     program.links = links;
+    std::vector<core::LinkSettings> settings;
+    for (const model::ControllerLink& link : compiled->plant.links) settings.push_back(link.settings());
+    program.link_settings = settings;
     context.exit_code = host::run(program, options->run, context.out, context.err);
   });
 }

@@ -125,7 +125,7 @@ TEST_CASE("map: who moves nothing and what nobody moves is said") {
   CHECK(contains(row_of(run.out, "L_P_D_I_ON"), "nobody"));
   CHECK(contains(row_of(run.out, "SPEED"), "holding register 5 40006"));
   CHECK(contains(row_of(run.out, "L_P_E_I_A"), "- - nobody"));
-  CHECK(contains(row_of(run.out, "WIDE"), "input registers 14-15 30015-30016 nobody"));
+  CHECK(contains(row_of(run.out, "WIDE"), "input registers 14-15 30015-30016 low word first nobody"));
 }
 
 TEST_CASE("map stands in columns whatever the script of the names") {

@@ -44,6 +44,24 @@ TEST_CASE("links come from the command line, else from the plant, else from what
   CHECK(chosen(program, options) == "1=modbus-tcp-server://127.0.0.1:3");
 }
 
+TEST_CASE("a controller's settings hold whichever URL links it, and --on-loss takes the place of the links' policy") {
+  const core::PlantTables tables = tables_of(kTwo);
+  std::array<core::LinkSettings, 2> settings{};
+  settings[1].resync = 7;
+  host::PlantProgram program{.tables = tables, .link_settings = settings};
+  host::RunOptions options;
+  options.links = {"PLC2=modbus-tcp-server://127.0.0.1:3", "PLC1=loop:"};
+  const auto links = [&] { return std::get<host::LinkChoices>(host::links_of(program, options)); };
+  CHECK(links().at(0).settings.resync == 7);
+  CHECK(links().at(1).settings.resync == core::kSecond);
+  CHECK(links().at(0).settings.on_loss == core::OnLoss::hold);
+  options.on_loss = core::OnLoss::zero;
+  CHECK(links().at(0).settings.on_loss == core::OnLoss::zero);
+  CHECK(links().at(1).settings.on_loss == core::OnLoss::zero);
+  program.link_settings = {};
+  CHECK(links().at(1).settings.on_loss == core::OnLoss::zero);
+}
+
 TEST_CASE("a link whose controller the plant has not is told") {
   const core::PlantTables tables = tables_of(kTwo);
   host::PlantProgram program{.tables = tables};

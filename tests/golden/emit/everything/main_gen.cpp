@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   const symplant::host::PlantProgram program{.tables = everything::tables(),
                                              .behaviours = everything::behaviours(),
                                              .links = kLinks,
+                                             .link_settings = everything::link_settings(),
                                              .default_link = SYMPLANT_LINK_DEFAULT};
   return symplant::host::run_plant(argc, argv, program);
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "plant_gen.hpp"
@@ -222,6 +223,12 @@ constexpr char kListNames[] =
 constexpr char kControllerNames[] =
     "\0";
 
+
+// How the PLC of each controller is linked: what differs from the default.
+constexpr std::array<core::LinkSettings, 1> kLinkSettings{{
+    {.word_order = core::WordOrder::low_first},
+}};
+
 constinit const core::PlantTables kTables = [] {
   core::PlantTables plant{};
   plant.name = "everything";
@@ -261,6 +268,8 @@ constinit const core::PlantTables kTables = [] {
 }  // namespace
 
 const core::PlantTables& tables() noexcept { return kTables; }
+
+std::span<const core::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
 std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "symplant/core/behaviour.hpp"
+#include "symplant/core/link_settings.hpp"
 #include "symplant/core/owned_plant.hpp"
 #include "symplant/core/tables.hpp"
 
@@ -18,6 +19,9 @@ const symplant::core::PlantTables& tables() noexcept;
 
 /// The classes of your own that devices behave by, as the engine calls them; none where they are not built in.
 std::span<const symplant::core::Behaviour> behaviours() noexcept;
+
+/// How the PLC of each controller is linked: places of symbols, word order, policies.
+std::span<const symplant::core::LinkSettings> link_settings() noexcept;
 
 /// A running plant with its own memory. Any number may live in a process, each in one thread at a time.
 class Plant final : public symplant::core::OwnedPlant {

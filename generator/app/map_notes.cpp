@@ -1,0 +1,106 @@
+// What `symplant map` says below the rows: sizes, status block, watchdog, policies.
+#include "app/map_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "symplant/link/status_fields.hpp"
+#include "view/words.hpp"
+
+namespace symplant::app {
+namespace {
+
+std::string time_text(core::Time time) { return view::duration_text(model::Duration::fixed(time)); }
+
+/// "100", "104-105".
+std::string range_text(std::uint32_t first, std::uint32_t count) {
+  return count == 1 ? std::to_string(first) : fmt::format("{}-{}", first, first + count - 1);
+}
+
+void add_sizes(std::string& text, const link::IoMap& map) {
+  for (std::size_t t = 0; t < link::kTables; ++t) {
+    if (map.sizes[t] == 0) continue;
+    fmt::format_to(std::back_inserter(text), "{}s: {} places{}\n", link::table_name(static_cast<link::Table>(t)),
+                   map.sizes[t],
+                   map.packed[t] ? ", packed in list order, since an address has no number below 65536" : "");
+  }
+  const auto count = [&](const std::vector<std::uint32_t>& symbols, std::string_view why) {
+    if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
+  };
+  count(map.without_address, "without a usable address");
+  count(map.of_8_bits, "of 8 bits, whose place nobody gives");
+  count(map.too_many, "beyond the 65536 places of a table");
+}
+
+void add_status_block(std::string& text, const link::IoMap& map) {
+  if (!map.status_block) {
+    text +=
+        map.no_room_for_status ? "status block: off, there is no room for it above the map\n" : "status block: off\n";
+    return;
+  }
+  const std::uint32_t first = *map.status_block;
+  fmt::format_to(std::back_inserter(text), "status block: input registers {}\n",
+                 range_text(first, link::kStatusRegisters));
+  for (const link::StatusField& field : link::kStatusFields) {
+    fmt::format_to(std::back_inserter(text), "  {}  {}: {}\n", range_text(first + field.first, field.registers),
+                   field.name, field.meaning);
+  }
+}
+
+void add_policies(std::string& text, const link::IoMap& map, const core::LinkSettings& settings) {
+  if (map.watchdog) {
+    fmt::format_to(std::back_inserter(text), "watchdog: holding register {}\n", *map.watchdog);
+  }
+  const auto zeroed = [](const link::IoPoint& point) { return point.on_loss == core::OnLoss::zero; };
+  const auto operations = [](const link::IoPoint& point) {
+    return point.table == link::Table::coil || point.table == link::Table::holding_register;
+  };
+  std::size_t zero = 0;
+  std::size_t all = 0;
+  for (const link::IoPoint& point : map.points) {
+    if (!operations(point)) continue;
+    ++all;
+    if (zeroed(point)) ++zero;
+  }
+  const std::string what = zero == 0     ? "hold"
+                           : zero == all ? "go off"
+                                         : fmt::format("hold, {} of {} go off", zero, all);
+  const std::string silence = map.watchdog ? time_text(settings.watchdog_within) + " without a change of the watchdog"
+                                           : time_text(settings.loss_after) + " without a request";
+  fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence, what,
+                 settings.plant_on_loss == core::PlantOnLoss::freeze ? "stands still" : "runs on");
+  fmt::format_to(std::back_inserter(text), "back again: writes are collected for {} at most\n",
+                 time_text(settings.resync));
+}
+
+}  // namespace
+
+std::string place_text(const link::IoPoint& point) {
+  return fmt::format("{}{} {}", link::table_name(point.table), point.places == 1 ? "" : "s",
+                     range_text(point.number, point.places));
+}
+
+std::string modicon_text(const link::IoPoint& point) {
+  std::string first = fmt::format("{:05}", link::modicon_number(point.table, point.number));
+  if (point.places == 1) return first;
+  const auto last = static_cast<std::uint16_t>(point.last());
+  return fmt::format("{}-{:05}", first, link::modicon_number(point.table, last));
+}
+
+std::string word_order_text(core::WordOrder order) {
+  return order == core::WordOrder::low_first ? "low word first" : "high word first";
+}
+
+std::string map_notes(const core::PlantTables& tables, const link::IoMap& map, const core::LinkSettings& settings) {
+  std::string text;
+  add_sizes(text, map);
+  fmt::format_to(std::back_inserter(text), "word order: {}\n", word_order_text(settings.word_order));
+  add_status_block(text, map);
+  add_policies(text, map, settings);
+  fmt::format_to(std::back_inserter(text), "map hash: {:016x}\n", link::map_hash(tables, map));
+  return text;
+}
+
+}  // namespace symplant::app

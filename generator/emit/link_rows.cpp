@@ -1,0 +1,124 @@
+// The plant's links as rows of generated code.
+#include "emit/link_rows.hpp"
+
+#include "emit/row_writer.hpp"
+
+namespace symplant::emit {
+namespace {
+
+std::string_view word_order(core::WordOrder order) {
+  return order == core::WordOrder::low_first ? "core::WordOrder::low_first" : "core::WordOrder::high_first";
+}
+
+std::string_view on_loss(core::OnLoss what) {
+  switch (what) {
+    case core::OnLoss::hold:
+      return "core::OnLoss::hold";
+    case core::OnLoss::zero:
+      return "core::OnLoss::zero";
+    case core::OnLoss::as_link:
+      break;
+  }
+  return "core::OnLoss::as_link";
+}
+
+/// `{.member = value, .member = value}` of what differs from the default.
+class Members {
+ public:
+  explicit Members(RowWriter& rows) : rows_(rows) { rows_.text("    {"); }
+
+  RowWriter& next(std::string_view name) {
+    rows_.text(first_ ? "." : ", .").text(name).text(" = ");
+    first_ = false;
+    return rows_;
+  }
+  template <class Number>
+  void number(std::string_view name, Number value, Number otherwise) {
+    if (value != otherwise) next(name).number(value);
+  }
+  void place(std::string_view name, std::uint32_t value, std::uint32_t otherwise) {
+    if (value == otherwise) return;
+    RowWriter& rows = next(name);
+    if (value == core::kNowhere) {
+      rows.text("core::kNowhere");
+    } else {
+      rows.number(value);
+    }
+  }
+
+ private:
+  RowWriter& rows_;
+  bool first_ = true;
+};
+
+void settings_row(RowWriter& rows, std::size_t controller, const model::ControllerLink& link) {
+  const core::LinkSettings& set = link.link;
+  const core::LinkSettings none;
+  Members members(rows);
+  if (!link.places.empty()) members.next("places").text("links::kPlaces").number(controller);
+  if (set.word_order != none.word_order) members.next("word_order").text(word_order(set.word_order));
+  if (set.on_loss != none.on_loss) members.next("on_loss").text(on_loss(set.on_loss));
+  if (set.plant_on_loss != none.plant_on_loss) {
+    members.next("plant_on_loss").text("core::PlantOnLoss::freeze");
+  }
+  if (set.sizes != none.sizes) {
+    members.next("sizes").text("{").numbers(set.sizes[0], set.sizes[1], set.sizes[2], set.sizes[3]).text("}");
+  }
+  members.number("loss_after", set.loss_after, none.loss_after);
+  members.number("resync", set.resync, none.resync);
+  members.place("status_block", set.status_block, none.status_block);
+  members.place("watchdog", set.watchdog, none.watchdog);
+  members.number("watchdog_within", set.watchdog_within, none.watchdog_within);
+  members.number("connections", set.connections, none.connections);
+  members.number("idle", set.idle, none.idle);
+  if (!link.keep.empty()) members.next("keep").text("links::kKeep").number(controller);
+  rows.text("},\n");
+}
+
+}  // namespace
+
+std::string link_rows(const model::Description& description) {
+  RowWriter rows;
+  for (const model::LinkDescription& link : description.links) {
+    rows.text("    {\"").literal(link.controller).text("\", \"").literal(link.url).text("\"},\n");
+  }
+  return rows.take();
+}
+
+std::string place_arrays(const model::PlantModel& plant) {
+  RowWriter rows;
+  for (std::size_t c = 0; c < plant.links.size(); ++c) {
+    const model::ControllerLink& link = plant.links[c];
+    if (!link.places.empty()) {
+      rows.text(
+          "// Symbols whose settings differ from their link's: symbol, number, word order, what a loss makes of it.\n");
+      rows.text("constexpr std::array<core::PlaceRow, ").number(link.places.size());
+      rows.text("> kPlaces").number(c).text("{{\n");
+      for (const core::PlaceRow& row : link.places) {
+        rows.text("    {").number(row.symbol).text(", ");
+        if (row.number == core::PlaceRow::kDefault) {
+          rows.text("core::PlaceRow::kDefault");
+        } else {
+          rows.number(row.number);
+        }
+        rows.text(", ").text(word_order(row.word_order)).text(", ").text(on_loss(row.on_loss)).text("},  // ");
+        rows.comment(plant.symbols[row.symbol].name()).text("\n");
+      }
+      rows.text("}};\n\n");
+    }
+    if (link.keep.empty()) continue;
+    rows.text("constexpr std::array<std::string_view, ").number(link.keep.size()).text("> kKeep").number(c).text("{\n");
+    for (const std::string_view peer : link.keep) rows.text("    \"").literal(peer).text("\",\n");
+    rows.text("};\n\n");
+  }
+  const std::string arrays = rows.take_or("");
+  return arrays.empty() ? arrays : "namespace links {\n\n" + arrays + "\n}  // namespace links\n";
+}
+
+std::string link_settings_rows(const model::PlantModel& plant) {
+  RowWriter rows;
+  for (std::size_t c = 0; c < plant.links.size(); ++c) settings_row(rows, c, plant.links[c]);
+  return rows.take();
+}
+
+}  // namespace symplant::emit

@@ -1,0 +1,275 @@
+// Which entry of a link's `map` speaks of which symbol, and what they come to together.
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+#include "address/address.hpp"
+#include "base/ascii.hpp"
+#include "base/pattern.hpp"
+#include "model/classify.hpp"
+#include "model/faults.hpp"
+#include "model/links.hpp"
+#include "model/plant_model.hpp"
+
+namespace symplant::model {
+namespace {
+
+using address::Address;
+
+constexpr std::uint64_t kBeyondAll = core::PlaceRow::kDefault - 1;  ///< a number that no table has
+constexpr std::string_view kAreas = "X, Y, %IX, %QX, %IB, %QB, %IW, %QW, %ID, %QD, %IL or %QL";
+
+/// How many places of a table an address takes: registers of a number.
+std::uint64_t places_of(const Address& address) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(address.size) / 16);
+}
+
+std::optional<Address> parse(std::string_view text, address::Radix radix) {
+  const auto iec = address::parse_iec(text);
+  return iec ? iec : address::parse_melsec(text, radix);
+}
+
+bool is_io(const std::optional<Address>& address) { return address && address->area != address::Area::memory; }
+
+/// Type and address are of one size, and the address has a number.
+bool has_number(const Symbol& symbol) {
+  return symbol.address && symbol.address->plain &&
+         static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
+}
+
+/// An entry with what its texts mean.
+struct Meant {
+  const MapEntry* entry;
+  Pointer place;
+  std::optional<Address> first;  ///< of an area its address 0
+  std::uint64_t last = 0;        ///< of a range
+  std::size_t rank = 0;          ///< what is more specific has a higher one
+  std::size_t matched = 0;
+};
+
+/// A value for a symbol, and the entry it is of.
+template <class Value>
+struct Chosen {
+  Value value{};
+  const Meant* by = nullptr;
+};
+
+class LinkResolver {
+ public:
+  LinkResolver(const PlantModel& plant, std::uint32_t controller, const LinkDescription& link, Faults& faults)
+      : plant_(plant), controller_(controller), link_(link), faults_(faults) {
+    const auto index = static_cast<std::size_t>(&link - plant.description->links.data());
+    place_ = (Pointer("/links") / index / "map").text();
+  }
+
+  void run(ControllerLink& result) {
+    find_symbols();
+    for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], Pointer(place_) / i);
+    std::stable_sort(meant_.begin(), meant_.end(), [](const Meant& a, const Meant& b) { return a.rank > b.rank; });
+    std::vector<core::PlaceRow> rows;
+    for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol, result.link));
+    join_addresses(rows);
+    for (const core::PlaceRow& row : rows) {
+      const bool differs = row.word_order != result.link.word_order || row.on_loss != core::OnLoss::as_link;
+      if (differs || row.number != core::PlaceRow::kDefault) result.places.push_back(row);
+    }
+    for (const Meant& meant : meant_) {
+      if (meant.matched != 0) continue;
+      faults_.warn(meant.place, "no symbol of this controller " + words_of(*meant.entry), FaultKind::matches_nothing);
+    }
+  }
+
+ private:
+  static std::string words_of(const MapEntry& entry) {
+    if (entry.by == MapEntry::By::area) return "stands in the area " + quoted(entry.text);
+    if (entry.by == MapEntry::By::range) return "stands between " + quoted(entry.text) + " and " + quoted(entry.last);
+    return "is matched by " + quoted(entry.text);
+  }
+
+  void find_symbols() {
+    for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
+      if (plant_.controller_of(plant_.symbols[i]) != controller_) continue;
+      by_name_.try_emplace(plant_.symbols[i].name(), i);
+      symbols_.push_back(i);
+    }
+  }
+
+  address::Radix radix() const {
+    for (const PlantList& list : plant_.lists) {
+      if (list.controller == controller_) return list.radix.radix;
+    }
+    return address::Radix::hexadecimal;
+  }
+
+  /// Keeps an entry for which there may be symbols, and tells why there can be none.
+  void understand(const MapEntry& entry, Pointer place) {
+    if (entry.text.empty()) return;  // its form is at fault
+    Meant meant{&entry, std::move(place), std::nullopt};
+    const bool sound = entry.by == MapEntry::By::area    ? understand_area(meant)
+                       : entry.by == MapEntry::By::range ? understand_range(meant)
+                                                         : understand_symbol(meant);
+    if (sound) meant_.push_back(std::move(meant));
+  }
+
+  bool understand_area(Meant& meant) {
+    meant.first = parse(meant.entry->text + "0", radix());
+    const bool ends_in_letter =
+        base::upper(meant.entry->text.back()) >= 'A' && base::upper(meant.entry->text.back()) <= 'Z';
+    if (is_io(meant.first) && ends_in_letter) return true;
+    faults_.add(meant.place / "area",
+                quoted(meant.entry->text) + " is no area of inputs or outputs, write " + std::string(kAreas));
+    return false;
+  }
+
+  bool understand_range(Meant& meant) {
+    meant.rank = 1;
+    const auto understood = [&](const std::string& text, std::size_t which) {
+      auto address = parse(text, radix());
+      if (is_io(address) && address->plain) return address;
+      faults_.add(meant.place / "range" / which,
+                  quoted(text) +
+                      " is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
+      return std::optional<Address>();
+    };
+    meant.first = understood(meant.entry->text, 0);
+    const auto last = understood(meant.entry->last, 1);
+    if (!meant.first || !last) return false;
+    meant.last = last->number;
+    if (meant.first->area == last->area && meant.first->size == last->size && meant.first->number <= last->number)
+      return true;
+    faults_.add(meant.place / "range",
+                quoted(meant.entry->text) + " and " + quoted(meant.entry->last) +
+                    " are not the first and the last address of one area, write them in their order");
+    return false;
+  }
+
+  bool understand_symbol(Meant& meant) {
+    const std::string& text = meant.entry->text;
+    constexpr std::size_t kPattern = 2;
+    constexpr std::size_t kExact = 1'000'000;
+    if (text.find_first_of("*?") != std::string::npos) {
+      meant.rank = kPattern + base::literal_characters(text);
+      if (!meant.entry->number) return true;
+      faults_.add(meant.place / "number",
+                  quoted(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
+      return false;
+    }
+    meant.rank = kExact;
+    if (by_name_.count(text) != 0) return true;
+    const auto nearest =
+        faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
+    faults_.add(meant.place / "symbol", missing("symbol " + quoted(text), nearest), FaultKind::unknown_name);
+    return false;
+  }
+
+  bool matches(const Meant& meant, const Symbol& symbol) const {
+    if (meant.entry->by == MapEntry::By::symbol) return base::matches_pattern(symbol.name(), meant.entry->text);
+    if (!symbol.address || symbol.address->area != meant.first->area || symbol.address->size != meant.first->size)
+      return false;
+    if (meant.entry->by == MapEntry::By::area) return true;
+    return symbol.address->plain && symbol.address->number >= meant.first->number &&
+           symbol.address->number <= meant.last;
+  }
+
+  /// The number that an entry gives a symbol; nothing where it gives none.
+  static std::optional<std::uint32_t> number_for(const Meant& meant, const Symbol& symbol) {
+    if (!meant.entry->number) return std::nullopt;
+    if (meant.entry->by == MapEntry::By::symbol) return meant.entry->number;
+    if (!has_number(symbol)) return std::nullopt;
+    const std::uint64_t away = symbol.address->number - meant.first->number;
+    if (away > kBeyondAll / 4) return static_cast<std::uint32_t>(kBeyondAll);
+    return static_cast<std::uint32_t>(*meant.entry->number + away * places_of(*symbol.address));
+  }
+
+  template <class Value>
+  void choose(Chosen<Value>& chosen, const std::optional<Value>& value, const Meant& meant, std::string_view key,
+              const Symbol& symbol) {
+    if (!value || (chosen.by != nullptr && chosen.by->rank > meant.rank)) return;
+    if (chosen.by == nullptr || chosen.by->rank < meant.rank) {
+      chosen = {*value, &meant};
+    } else if (chosen.value != *value && told_.try_emplace(meant.place.text() + std::string(key), true).second) {
+      DescriptionFault fault{(meant.place / key).text(), "two entries that are equally specific give " +
+                                                             quoted(symbol.name()) + " different values of " +
+                                                             quoted(key) + ": leave one away, or name the symbol"};
+      fault.related = (chosen.by->place / key).text();
+      fault.related_message = "the other entry";
+      faults_.add(std::move(fault));
+    }
+  }
+
+  core::PlaceRow row_of(std::uint32_t index, const core::LinkSettings& settings) {
+    const Symbol& symbol = plant_.symbols[index];
+    Chosen<std::uint32_t> number{core::PlaceRow::kDefault};
+    Chosen<core::WordOrder> word_order{settings.word_order};
+    Chosen<core::OnLoss> on_loss{core::OnLoss::as_link};
+    for (Meant& meant : meant_) {
+      if (!matches(meant, symbol)) continue;
+      ++meant.matched;
+      choose(number, number_for(meant, symbol), meant, "number", symbol);
+      choose(word_order, meant.entry->word_order, meant, "word-order", symbol);
+      choose(on_loss, meant.entry->on_loss, meant, "on-loss", symbol);
+    }
+    if (number.by != nullptr && number.by->entry->by == MapEntry::By::symbol) own_.emplace(index, number.by);
+    return {index, number.value, word_order.value, on_loss.value};
+  }
+
+  /// Symbols of one address are one place: where one is given its number, so are all.
+  void join_addresses(std::vector<core::PlaceRow>& rows) {
+    std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;  // of a leader: number, by whom
+    const auto leader = [&](std::uint32_t i) {
+      return plant_.symbols[i].leader == kNone ? i : plant_.symbols[i].leader;
+    };
+    for (const core::PlaceRow& row : rows) {
+      const auto own = own_.find(row.symbol);
+      if (own == own_.end()) continue;
+      const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
+      if (added || found->second.first == row.number) continue;
+      faults_.add(own->second->place / "number", quoted(plant_.symbols[row.symbol].name()) +
+                                                     " stands on the same address as " +
+                                                     quoted(plant_.symbols[found->second.second].name()) +
+                                                     ", which has another `number`: give both the same");
+    }
+    if (numbers.empty()) return;
+    for (core::PlaceRow& row : rows) {
+      const auto found = numbers.find(leader(row.symbol));
+      if (found != numbers.end()) row.number = found->second.first;
+    }
+  }
+
+  const PlantModel& plant_;
+  const std::uint32_t controller_;
+  const LinkDescription& link_;
+  Faults& faults_;
+  std::string place_;
+  std::vector<std::uint32_t> symbols_;  ///< of the controller
+  std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_name_;
+  std::vector<Meant> meant_;
+  std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols that an entry gives a number by their name
+  std::unordered_map<std::string, bool> told_;
+};
+
+/// A MELSEC address in some list of the controller: its PLC has the low word first.
+bool is_mitsubishis(const PlantModel& plant, std::uint32_t controller) {
+  return std::any_of(plant.symbols.begin(), plant.symbols.end(), [&](const Symbol& symbol) {
+    const std::string_view address = symbol.row->vendor_address;
+    return !address.empty() && address.front() != '%' && plant.controller_of(symbol) == controller;
+  });
+}
+
+}  // namespace
+
+void resolve_links(PlantModel& plant, const std::vector<const LinkDescription*>& links, Faults& faults) {
+  plant.links.resize(plant.controllers.size());
+  for (std::uint32_t c = 0; c < plant.links.size(); ++c) {
+    ControllerLink& result = plant.links[c];
+    if (links[c] != nullptr) result.link = links[c]->settings;
+    const bool low = is_mitsubishis(plant, c);
+    result.link.word_order = low ? core::WordOrder::low_first : core::WordOrder::high_first;
+    if (links[c] == nullptr) continue;
+    result.link.word_order = links[c]->word_order.value_or(result.link.word_order);
+    result.keep.assign(links[c]->keep.begin(), links[c]->keep.end());
+    if (!links[c]->map.empty()) LinkResolver(plant, c, *links[c], faults).run(result);
+  }
+}
+
+}  // namespace symplant::model

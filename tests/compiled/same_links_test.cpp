@@ -1,0 +1,64 @@
+// A generated plant's links are as the description's at run time: the same maps, the same policies.
+#include <algorithm>
+#include <sstream>
+
+#include "app/pipeline.hpp"
+#include "app/progress.hpp"
+#include "base/file_system.hpp"
+#include "compiled_linked/plant_gen.hpp"
+#include "support/catch.hpp"
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::test {
+namespace {
+
+app::Compiled compile() {
+  base::DiskFileSystem files;
+  diag::Diagnostics diagnostics;
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  auto compiled = app::compile({std::string(SYMPLANT_SOURCE_DIR) + "/tests/compiled/linked/plant.json", {}, {}}, files,
+                               progress, diagnostics);
+  REQUIRE(compiled.has_value());
+  return std::move(*compiled);
+}
+
+TEST_CASE("generated links have the maps and policies of the links made at run time") {
+  const app::Compiled compiled = compile();
+  const core::PlantTables tables = compiled.tables.tables();
+  const auto generated = linked::link_settings();
+  REQUIRE(generated.size() == 2);
+  REQUIRE(compiled.plant.links.size() == 2);
+  std::uint64_t before = 0;
+  for (std::uint32_t controller = 0; controller < generated.size(); ++controller) {
+    const core::LinkSettings made = compiled.plant.links[controller].settings();
+    const core::LinkSettings& own = generated[controller];
+    const link::IoMap map = link::make_io_map(linked::tables(), controller, own);
+    CHECK(map.faults.empty());
+    const std::uint64_t hash = link::map_hash(linked::tables(), map);
+    CHECK(hash == link::map_hash(tables, link::make_io_map(tables, controller, made)));
+    CHECK(hash != link::map_hash(tables, link::make_io_map(tables, controller, {})));
+    CHECK(hash != before);
+    before = hash;
+
+    CHECK(own.word_order == made.word_order);
+    CHECK(own.on_loss == made.on_loss);
+    CHECK(own.plant_on_loss == made.plant_on_loss);
+    CHECK(own.sizes == made.sizes);
+    CHECK(own.loss_after == made.loss_after);
+    CHECK(own.resync == made.resync);
+    CHECK(own.status_block == made.status_block);
+    CHECK(own.watchdog == made.watchdog);
+    CHECK(own.watchdog_within == made.watchdog_within);
+    CHECK(own.connections == made.connections);
+    CHECK(own.idle == made.idle);
+    CHECK(std::equal(own.keep.begin(), own.keep.end(), made.keep.begin(), made.keep.end()));
+    const auto same = [](const core::PlaceRow& a, const core::PlaceRow& b) {
+      return a.symbol == b.symbol && a.number == b.number && a.word_order == b.word_order && a.on_loss == b.on_loss;
+    };
+    CHECK(std::equal(own.places.begin(), own.places.end(), made.places.begin(), made.places.end(), same));
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test

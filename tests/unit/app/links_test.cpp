@@ -1,0 +1,108 @@
+// `links` of plant.json through the whole tool: what map shows, what run does, what generate writes.
+#include "unit/app/app_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+MemoryFileSystem plant(const std::string& link) {
+  MemoryFileSystem files;
+  files.files["l.csv"] =
+      "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
+      "VAR_GLOBAL,L_P_D_O_A,Y1,,BOOL,FALSE\n"
+      "VAR_GLOBAL,L_P_D_I_A,X1,,BOOL,FALSE\n"
+      "VAR_GLOBAL,SPEED,,%QD5,DINT,0\n"
+      "VAR_GLOBAL,LEVEL,,%IL2,LREAL,0\n";
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"url": "loop:", )" + link + "}]}";
+  return files;
+}
+
+std::string map_of(const std::string& link, const std::vector<std::string>& more = {}) {
+  MemoryFileSystem files = plant(link);
+  std::vector<std::string> words{"map", "plant.json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_tool(words, files).out;
+}
+
+TEST_CASE("map shows registers from first to last, their word order, and what it all comes to") {
+  const std::string out = map_of(R"("map": [{"symbol": "SPEED", "number": 7, "word-order": "high-first"}])");
+  CHECK(contains(out, "holding registers 7-8  40008-40009  high word first  the PLC, moves nothing"));
+  CHECK(contains(out, "input registers 8-11   30009-30012  low word first   nobody"));
+  CHECK(contains(out, "word order: low word first\n"));
+  CHECK(contains(out, "status block: input registers 100-111\n  100  layout: version of this layout: 1\n"));
+  CHECK(contains(out, "  108-111  map hash: digest of this map\n"));
+  CHECK(contains(out, "lost after 1 s without a request: operations hold, the plant runs on\n"));
+  CHECK_FALSE(contains(out, "watchdog"));
+  CHECK_FALSE(contains(out, "on loss"));
+}
+
+TEST_CASE("map shows sizes, watchdog and policies as the description has them") {
+  const std::string out = map_of(R"("status": 20, "watchdog": {"register": 3, "within": "2s"}, "on-loss": "zero",
+    "plant-on-loss": "freeze", "resync": "5s", "size": {"coils": 40},
+    "map": [{"symbol": "SPEED", "on-loss": "hold"}])");
+  CHECK(contains(out, "coils: 40 places\n"));
+  CHECK(contains(out, "input registers: 32 places\n"));
+  CHECK(contains(out, "status block: input registers 20-31\n"));
+  CHECK(contains(out, "watchdog: holding register 3\n"));
+  CHECK(contains(
+      out,
+      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go off, the plant stands still\n"));
+  CHECK(contains(out, "back again: writes are collected for 5 s at most\n"));
+  CHECK(contains(out, "on loss"));
+  CHECK(contains(map_of(R"("status": "off")"), "status block: off\n"));
+  CHECK(contains(map_of(R"("size": {"input-registers": 32})"),
+                 "status block: off, there is no room for it above the map\n"));
+  CHECK(contains(map_of(R"("on-loss": "zero")"), "operations go off, "));
+}
+
+TEST_CASE("map --link: the map of that link's controller, or why there is none") {
+  CHECK(map_of(R"("status": 20)", {"--link", "modbus-tcp-server://:1502"}) == map_of(R"("status": 20)"));
+  MemoryFileSystem files = plant(R"("status": 20)");
+  const ToolRun loop = run_tool({"map", "plant.json", "--link", "loop:"}, files);
+  CHECK(loop.code == 2);
+  CHECK(contains(loop.err, "`loop:` carries symbols by name, it has no map of numbers"));
+  const ToolRun other = run_tool({"map", "plant.json", "--link", "modbus:"}, files);
+  CHECK(other.code == 2);
+  CHECK(contains(other.err, "`modbus:` names no link that has a map: give `modbus-tcp-server://HOST:PORT`"));
+  const ToolRun unknown = run_tool({"map", "plant.json", "--link", "PLC9=modbus-tcp-server://:1502"}, files);
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err, "there is no controller `PLC9`"));
+}
+
+TEST_CASE("a plant whose symbols meet on a link is no plant for any command") {
+  MemoryFileSystem files = plant(R"("map": [{"symbol": "LEVEL", "number": 98}], "status": 101)");
+  for (const char* command : {"map", "run", "model"}) {
+    const ToolRun run = run_tool({command, "plant.json"}, files);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err,
+                   "the status block begins on input register 101 and meets `LEVEL` on input registers 98 to 101"));
+  }
+  CHECK(run_tool({"check", "plant.json"}, files).code == 1);
+}
+
+TEST_CASE(
+    "run: the settings reach the link, whichever URL the command line gives it, and --on-loss comes before them") {
+  MemoryFileSystem files = plant(R"("plant-on-loss": "freeze", "loss-after": "2s", "on-loss": "zero")");
+  const std::vector<std::string> words{"run",     "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0",
+                                       "--until", "20ms"};
+  CHECK(contains(run_tool(words, files).out, "after 2 s of silence: operations go to zero, the plant stands still"));
+  std::vector<std::string> held = words;
+  held.insert(held.end(), {"--on-loss", "hold"});
+  CHECK(contains(run_tool(held, files).out, "after 2 s of silence: operations hold, the plant stands still"));
+  held.back() = "keep";
+  const ToolRun wrong = run_tool(held, files);
+  CHECK(wrong.code == 2);
+  CHECK(contains(wrong.err, "`keep` says nothing of operations: write hold or zero"));
+}
+
+TEST_CASE("generate: the settings of the links stand in the tables") {
+  MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "number": 7}], "status": "off", "keep": ["::1"])");
+  CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);
+  const std::string& tables = files.files["out/tables_gen.cpp"];
+  CHECK(contains(tables, "    {2, 7, core::WordOrder::low_first, core::OnLoss::as_link},  // SPEED\n"));
+  CHECK(contains(tables,
+                 "    {.places = links::kPlaces0, .word_order = core::WordOrder::low_first, .status_block = "
+                 "core::kNowhere, .keep = links::kKeep0},\n"));
+}
+
+}  // namespace
+}  // namespace symplant::test

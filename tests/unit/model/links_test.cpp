@@ -1,0 +1,271 @@
+// `links` of plant.json: every key, every fault, and which entry speaks of which symbol.
+#include <map>
+
+#include "model/plant_file.hpp"
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+#include "support/memory_file_system.hpp"
+
+namespace symplant::test {
+namespace {
+
+using core::LinkSettings;
+using core::OnLoss;
+using core::WordOrder;
+
+const std::string kList =
+    "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
+    "VAR_GLOBAL,L_P_D_I_A,,%IX2.0,BOOL,FALSE\n"
+    "VAR_GLOBAL,L_P_D_O_A,,%QX0,BOOL,FALSE\n"
+    "VAR_GLOBAL,SPEED,,%QD5,DINT,0\n"
+    "VAR_GLOBAL,MODE,,%QW30,INT,0\n"
+    "VAR_GLOBAL,LEVEL,,%IW7,WORD,0\n"
+    "VAR_GLOBAL,LEVEL2,,%IW7,WORD,0\n"
+    "VAR_GLOBAL,X_Y_Z_O_NOWHERE,,,BOOL,FALSE\n";
+
+/// A plant of the list with one link of these members.
+Analysed linked(const std::string& members, const std::string& list = kList) {
+  MemoryFileSystem files;
+  files.files["l.csv"] = list;
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"url": "loop:", )" + members + "}]}";
+  std::ostringstream err;
+  app::Progress progress(err, false);
+  Analysed result;
+  result.plant = app::analyse({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics);
+  return result;
+}
+
+/// What is said of the description, a line each.
+std::string told(const Analysed& analysed) {
+  std::string text;
+  for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
+    if (finding.rule->id.substr(0, 3) != "SP6" && finding.rule->slug != "places-overlap") continue;
+    text += (text.empty() ? "" : "\n") + finding.message;
+  }
+  return text;
+}
+std::string told(const std::string& members) { return told(linked(members)); }
+
+LinkSettings settings(const std::string& members) {
+  const Analysed analysed = linked(members);
+  CHECK(told(analysed).empty());
+  return analysed.model().links.at(0).link;
+}
+
+/// Numbers that entries of a map give, by symbol.
+std::map<std::string, std::uint32_t> numbers(const std::string& map) {
+  const Analysed analysed = linked("\"map\": [" + map + "]");
+  CHECK(told(analysed).empty());
+  std::map<std::string, std::uint32_t> result;
+  for (const core::PlaceRow& row : analysed.model().links.at(0).places) {
+    if (row.number != core::PlaceRow::kDefault) result.emplace(analysed.model().symbols[row.symbol].name(), row.number);
+  }
+  return result;
+}
+using Numbers = std::map<std::string, std::uint32_t>;
+
+TEST_CASE("a link that says nothing has the settings by default") {
+  const LinkSettings none;
+  const LinkSettings read = settings(R"("word-order": "high-first")");
+  CHECK(read.word_order == none.word_order);
+  CHECK(read.on_loss == OnLoss::hold);
+  CHECK(read.plant_on_loss == core::PlantOnLoss::run);
+  CHECK(read.loss_after == core::kSecond);
+  CHECK(read.resync == core::kSecond);
+  CHECK(read.status_block == core::kAbove);
+  CHECK(read.watchdog == core::kNowhere);
+  CHECK(read.sizes == none.sizes);
+  CHECK(read.connections == 32);
+  CHECK(read.idle == 300 * core::kSecond);
+}
+
+TEST_CASE("every key of a link arrives in its settings") {
+  const LinkSettings read = settings(R"("word-order": "low-first", "on-loss": "zero", "plant-on-loss": "freeze",
+    "loss-after": "250ms", "resync": "0s", "status": 70, "watchdog": {"register": 9, "within": "2s"},
+    "size": {"coils": 8, "discrete-inputs": 17, "holding-registers": 40, "input-registers": 100},
+    "connections": 3, "idle": "1min", "keep": ["127.0.0.1"])");
+  CHECK(read.word_order == WordOrder::low_first);
+  CHECK(read.on_loss == OnLoss::zero);
+  CHECK(read.plant_on_loss == core::PlantOnLoss::freeze);
+  CHECK(read.loss_after == 250 * core::kMillisecond);
+  CHECK(read.resync == 0);
+  CHECK(read.status_block == 70);
+  CHECK(read.watchdog == 9);
+  CHECK(read.watchdog_within == 2 * core::kSecond);
+  CHECK(read.sizes == std::array<std::uint32_t, 4>{8, 17, 40, 100});
+  CHECK(read.connections == 3);
+  CHECK(read.idle == 60 * core::kSecond);
+  CHECK(settings(R"("status": "off")").status_block == core::kNowhere);
+  CHECK(settings(R"("status": "above")").status_block == core::kAbove);
+  const Analysed kept = linked(R"("keep": ["127.0.0.1", "::1"])");
+  CHECK(kept.model().links.at(0).settings().keep.size() == 2);
+  CHECK(kept.model().links.at(0).settings().keep[1] == "::1");
+}
+
+TEST_CASE("the low word comes first where a list has a MELSEC address, else the high one, unless the link says") {
+  const std::string melsec = kList + "VAR_GLOBAL,L_P_E_I_A,X10,,BOOL,FALSE\n";
+  CHECK(linked(R"("resync": "1s")", melsec).model().links.at(0).link.word_order == WordOrder::low_first);
+  CHECK(linked(R"("resync": "1s")").model().links.at(0).link.word_order == WordOrder::high_first);
+  CHECK(linked(R"("word-order": "high-first")", melsec).model().links.at(0).link.word_order == WordOrder::high_first);
+}
+
+TEST_CASE("an area moves all symbols whose addresses are of it, by their own number in registers") {
+  CHECK(numbers(R"({"area": "%IX", "number": 100})") == Numbers{{"L_P_D_I_A", 116}});
+  CHECK(numbers(R"({"area": "X", "number": 1})") == Numbers{{"L_P_D_I_A", 17}});
+  CHECK(numbers(R"({"area": "%QD", "number": 5})") == Numbers{{"SPEED", 15}});
+  CHECK(numbers(R"({"area": "%iw", "number": 0})") == Numbers{{"LEVEL", 7}, {"LEVEL2", 7}});
+}
+
+TEST_CASE("a range moves the symbols from its first address to its last, so that the first stands on the number") {
+  CHECK(numbers(R"({"range": ["%IX2.0", "%IX2.7"], "number": 0})") == Numbers{{"L_P_D_I_A", 0}});
+  CHECK(numbers(R"({"range": ["%QD3", "%QD5"], "number": 100})") == Numbers{{"SPEED", 104}});
+  CHECK(numbers(R"({"range": ["%QW30", "%QW30"], "number": 1})") == Numbers{{"MODE", 1}});
+}
+
+TEST_CASE(
+    "a symbol stands on the number that is given to it, also one without an address, and so do others of its address") {
+  CHECK(numbers(R"({"symbol": "speed", "number": 100}, {"symbol": "X_Y_Z_O_NOWHERE", "number": 3})") ==
+        Numbers{{"SPEED", 100}, {"X_Y_Z_O_NOWHERE", 3}});
+  CHECK(numbers(R"({"symbol": "LEVEL2", "number": 20})") == Numbers{{"LEVEL", 20}, {"LEVEL2", 20}});
+}
+
+TEST_CASE("a symbol's own entry comes before a range's, that before an area's, key by key and in whatever order") {
+  CHECK(
+      numbers(
+          R"({"symbol": "MODE", "number": 1}, {"range": ["%QW0", "%QW99"], "number": 2}, {"area": "%QW", "number": 3})") ==
+      Numbers{{"MODE", 1}});
+  CHECK(
+      numbers(
+          R"({"area": "%QW", "number": 3}, {"range": ["%QW30", "%QW99"], "number": 2}, {"symbol": "MODE", "on-loss": "zero"})") ==
+      Numbers{{"MODE", 2}});
+}
+
+TEST_CASE("word order and on-loss of patterns: the one with more letters wins") {
+  const Analysed analysed = linked(R"("map": [{"symbol": "*", "on-loss": "zero", "word-order": "low-first"},
+                                              {"symbol": "SP*", "on-loss": "hold"}])");
+  CHECK(told(analysed).empty());
+  for (const core::PlaceRow& row : analysed.model().links.at(0).places) {
+    const bool speed = analysed.model().symbols[row.symbol].name() == "SPEED";
+    CHECK(row.on_loss == (speed ? OnLoss::hold : OnLoss::zero));
+    CHECK(row.word_order == WordOrder::low_first);
+    CHECK(row.number == core::PlaceRow::kDefault);
+  }
+  CHECK(analysed.model().links.at(0).places.size() == analysed.model().symbols.size());
+}
+
+TEST_CASE("what an entry names and is not there is told with the nearest") {
+  CHECK(told(R"("map": [{"symbol": "SPED", "number": 1}])") == "there is no symbol `SPED`, the nearest is `SPEED`");
+  CHECK(
+      told(R"("map": [{"area": "%MW", "number": 1}])").starts_with("`%MW` is no area of inputs or outputs, write X, "));
+  CHECK(told(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is no area of inputs or outputs"));
+  CHECK(told(R"("map": [{"area": "%IL", "number": 1}])") == "no symbol of this controller stands in the area `%IL`");
+  CHECK(told(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
+        "no symbol of this controller stands between `%QW1` and `%QW2`");
+  CHECK(told(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") == "no symbol of this controller is matched by `Q*`");
+}
+
+TEST_CASE("entries that cannot be are told") {
+  CHECK(told(R"("map": [{"symbol": "S*", "number": 1}])") ==
+        "`S*` is a pattern, and its symbols cannot all stand on one `number`: name each");
+  CHECK(told(R"("map": [{"range": ["%QW9", "%QW2"], "number": 1}])") ==
+        "`%QW9` and `%QW2` are not the first and the last address of one area, write them in their order");
+  CHECK(
+      told(R"("map": [{"range": ["%QW2", "%QD9"], "number": 1}])").starts_with("`%QW2` and `%QD9` are not the first"));
+  CHECK(told(R"("map": [{"range": ["%MW2", "%IX1.2.3"], "number": 1}])") ==
+        "`%MW2` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`\n"
+        "`%IX1.2.3` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
+  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}])") ==
+        "two entries that are equally specific give `MODE` different values of `number`: leave one away, or name the "
+        "symbol");
+  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
+  CHECK(told(R"("map": [{"symbol": "LEVEL", "number": 1}, {"symbol": "LEVEL2", "number": 2}])") ==
+        "`LEVEL2` stands on the same address as `LEVEL`, which has another `number`: give both the same");
+  CHECK(told(R"("map": [{"number": 1, "on-loss": "zero"}])") ==
+        "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
+  CHECK(told(R"("map": [{"number": 1, "area": "X", "symbol": "MODE"}])") ==
+        "this entry has several of `area`, `range` and `symbol`: make an entry of each");
+}
+
+TEST_CASE("an entry that says nothing of its symbols is told") {
+  CHECK(told(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
+  CHECK(told(R"("map": [{"symbol": "MODE"}])") != "");
+}
+
+TEST_CASE("values that do not fit are told in the schema's words") {
+  CHECK(told(R"("status": "on")") != "");
+  CHECK(told(R"("status": 65536)") != "");
+  CHECK(told(R"("word-order": "big")") == "the text `big` stands here, wanted is one of `low-first`, `high-first`");
+  CHECK(told(R"("on-loss": "zeros")") ==
+        "the text `zeros` stands here, wanted is one of `hold`, `zero`; the nearest is `zero`");
+  CHECK(told(R"("size": {"coil": 5})") == "the key `coil` is unknown here, the nearest is `coils`");
+  CHECK(told(R"("size": {"coils": 0})") != "");
+  CHECK(told(R"("connections": 0)") != "");
+  CHECK(told(R"("watchdog": {"within": "1s"})") ==
+        "the key `register` is missing here, it holds a number from 0 to 65535");
+  CHECK(told(R"("loss-after": "0s")") == "the time is 0, write a longer one, such as `500ms`");
+  CHECK(told(R"("watchdog": {"register": 1, "within": "0s"})") == "the time is 0, write a longer one, such as `500ms`");
+  CHECK(told(R"("loss-after": "1 fortnight")") != "");
+}
+
+TEST_CASE("symbols that meet, and settings that do not fit the map, are told by check") {
+  CHECK(told(R"("map": [{"symbol": "MODE", "number": 11}])") ==
+        "`SPEED` stands on holding registers 10 to 11, and so does `MODE` on holding register 11: give one of them "
+        "another number, in the list or in `links`");
+  CHECK(told(R"("status": 0)").starts_with("the status block begins on input register 0 and meets `LEVEL`"));
+  CHECK(told(R"("watchdog": {"register": 30})")
+            .starts_with("the watchdog stands on holding register 30, and so does `MODE`"));
+  CHECK(told(R"("size": {"holding-registers": 30})")
+            .starts_with("`MODE` stands on holding register 30, but the holding"));
+  CHECK(told(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
+        "`SPEED` would end behind place 65535, the last that Modbus has: give it a lower number");
+}
+
+TEST_CASE("settings are a controller's: of one link, and of `loop:` only where that names it") {
+  const auto of_two = [](const std::string& links) {
+    MemoryFileSystem files;
+    files.files["a.csv"] = kList;
+    files.files["plant.json"] = R"({"symplant": 1, "symbols": [{"file": "a.csv", "controller": "PLC1"},
+      {"file": "b.csv", "controller": "PLC2"}], "links": [)" +
+                                links + "]}";
+    files.files["b.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,A_B_C_I_D,X1,,BOOL,FALSE\n";
+    std::ostringstream err;
+    app::Progress progress(err, false);
+    Analysed result;
+    result.plant = app::analyse({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics);
+    return result;
+  };
+  const Analysed sound = of_two(R"({"url": "loop:", "controller": "plc2", "on-loss": "zero"},
+                                   {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "resync": "2s"})");
+  CHECK(told(sound).empty());
+  CHECK(sound.model().links.at(0).link.resync == 2 * core::kSecond);
+  CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
+  CHECK(told(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
+        "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
+  CHECK(told(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
+                       {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "on-loss": "zero"})")) ==
+        "another link of this controller has settings too, give them in one place");
+}
+
+TEST_CASE("values of every wrong type are refused in every key of a link, and nothing breaks") {
+  const std::vector<std::string> values{"null", "true", "-1",   "1.5", "99999999999", "\"x\"",
+                                        "\"\"", "[]",   "[[]]", "{}",  R"({"x": {}})"};
+  for (const std::string& value : values) {
+    for (const char* key : {"map", "word-order", "size", "on-loss", "plant-on-loss", "loss-after", "resync", "status",
+                            "watchdog", "connections", "idle", "keep"}) {
+      CHECK(model::read_plant_file(std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", ")") +
+                                       key + "\": " + value + "}]}",
+                                   "s")
+                .file);
+    }
+    for (const char* key : {"area", "range", "symbol", "number", "word-order", "on-loss"}) {
+      CHECK(model::read_plant_file(
+                std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", "map": [{")") + key +
+                    "\": " + value + "}]}]}",
+                "s")
+                .file);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace symplant::test
