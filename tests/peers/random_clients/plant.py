@@ -14,14 +14,16 @@ BARRIER, END, FIRST_TRIGGER = 2000, 2001, 2008
 STAMP = 499  # the input register that counts the triggers
 TRIGGERS = KEPT.stop - FIRST_TRIGGER
 FOLLOWERS, FREE_INPUTS, NUMBERS = 400, 200, 150
+LINK_ORDER = "low-first"
 WIDE_FROM = 300  # from this register on numbers of 32 and 64 bits
 WIDE = {"D": {"DINT": "i", "UDINT": "I", "DWORD": "I", "REAL": "f"}, "L": {"LINT": "q", "ULINT": "Q", "LREAL": "d"}}
 
 
-def registers_of(value, layout):
-    """The words of a number of 32 or 64 bits, the high one first."""
+def registers_of(value, layout, order):
+    """The words of a number of 32 or 64 bits."""
     data = struct.pack(">" + layout, value)
-    return list(struct.unpack(f">{len(data) // 2}H", data))
+    words = list(struct.unpack(f">{len(data) // 2}H", data))
+    return words if order == "high-first" else words[::-1]
 
 
 class KnownPlant:
@@ -64,22 +66,25 @@ class KnownPlant:
             name = f"NUMBER_I_{place}"
             self.input_registers[place] = self._number(dice, name, f"%IW{place}", "WORD", 0 if place == STAMP else None)
             self.moving[place] = name
-        self.wide = []
+        self.wide, self.orders = [], []
         for size, numbers in (("D", range(WIDE_FROM // 2, 190)), ("L", range(96, 120))):
             for number in numbers:
                 self._wide(dice, size, number, "Q", self.holding)
                 self.wide.append(self._wide(dice, size, number, "I", self.input_registers))
 
     def _wide(self, dice, size, number, area, table):
-        """A number of 32 (`D`) or 64 (`L`) bits; its name, layout and first register."""
+        """A number of 32 (`D`) or 64 (`L`) bits; its name, layout, first register and word order."""
         type_name = dice.choice(list(WIDE[size]))
         layout, first = WIDE[size][type_name], number * (2 if size == "D" else 4)
         name = f"WIDE_{area}_{first}"
         value = self._value(dice, layout)
         self._row(name, f"%{area}{size}{number}", type_name, repr(value))
-        words = registers_of(value, layout)
+        order = dice.choice([LINK_ORDER, "high-first"])
+        if order != LINK_ORDER:
+            self.orders.append({"symbol": name, "word-order": order})
+        words = registers_of(value, layout, order)
         table[first:first + len(words)] = words
-        return name, layout, first
+        return name, layout, first, order
 
     @staticmethod
     def _value(dice, layout):
@@ -104,13 +109,15 @@ class KnownPlant:
         """list.csv, plant.json and scenario.json; the arguments of `symplant run`."""
         header = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial"
         (folder / "list.csv").write_text("\n".join([header, *self.rows, ""]), encoding="utf-8")
-        plant = {"symplant": 1, "name": "known", "symbols": ["list.csv"], "defaults": {"travel": "0s", "dwell": "0s"}}
+        link = {"url": "modbus-tcp-server://127.0.0.1:0", "word-order": LINK_ORDER, "map": self.orders}
+        plant = {"symplant": 1, "name": "known", "symbols": ["list.csv"], "defaults": {"travel": "0s", "dwell": "0s"},
+                 "links": [link]}
         (folder / "plant.json").write_text(json.dumps(plant), encoding="utf-8")
         steps = []
         for number, (bits, words, wide) in enumerate(self.sets):
             values = {self.free[place]: bool(bit) for place, bit in bits.items()}
             values.update({self.moving[place]: word for place, word in words.items()})
-            values.update({name: value if abs(value) < 1 << 53 else str(value) for (name, _, _), value in wide.items()})
+            values.update({name: value if abs(value) < 1 << 53 else str(value) for (name, *_), value in wide.items()})
             steps += [{"wait": f"KEPT_{FIRST_TRIGGER + number}", "within": "10h"}, {"plus": "0s", "set": values}]
         steps.append({"wait": f"KEPT_{END}", "within": "10h"})
         (folder / "scenario.json").write_text(json.dumps({"symplant-scenario": 1, "steps": steps}), encoding="utf-8")
@@ -138,7 +145,7 @@ class KnownPlant:
             self.inputs[place] = bit
         for place, word in words.items():
             self.input_registers[place] = word
-        for (_, layout, first), value in wide.items():
-            words_of_it = registers_of(value, layout)
+        for (_, layout, first, order), value in wide.items():
+            words_of_it = registers_of(value, layout, order)
             self.input_registers[first:first + len(words_of_it)] = words_of_it
         return coil
