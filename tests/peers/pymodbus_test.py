@@ -69,8 +69,8 @@ def exception(answer):
 def check_tables(client):
     check("discrete inputs at the start: RET is on", [0, 0, 1, 0], bits(client.read_discrete_inputs(0, 4), 4))
     check("coils at the start are off", [0, 0, 0], bits(client.read_coils(0, 3), 3))
-    check("input registers: INT as two's complement, WORD whole, DINT on two with the high word first, gaps 0",
-          [0, 0, 0, 0, 0xFFFB, 0, 0, 0, 0, 65534, 0, 0, 70000 >> 16, 70000 & 0xFFFF, 0, 0],
+    check("input registers: INT as two's complement, WORD whole, DINT on two, in a list with MELSEC addresses the low word first, gaps 0",
+          [0, 0, 0, 0, 0xFFFB, 0, 0, 0, 0, 65534, 0, 0, 70000 & 0xFFFF, 70000 >> 16, 0, 0],
           registers(client.read_input_registers(0, SIZE)))
     check("holding registers at the start", [0, 0], registers(client.read_holding_registers(4, 2)))
 
