@@ -178,6 +178,8 @@ TEST_CASE("entries that cannot be are told") {
         "two entries that are equally specific give `MODE` different values of `number`: leave one away, or name the "
         "symbol");
   CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
+  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}, {"symbol": "MODE", "number": 3}])")
+            .empty());
   CHECK(told(R"("map": [{"symbol": "LEVEL", "number": 1}, {"symbol": "LEVEL2", "number": 2}])") ==
         "`LEVEL2` stands on the same address as `LEVEL`, which has another `number`: give both the same");
   CHECK(told(R"("map": [{"number": 1, "on-loss": "zero"}])") ==
