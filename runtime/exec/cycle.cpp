@@ -12,6 +12,8 @@ namespace {
 /// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
 constexpr core::Time kLongestSleep = 100 * core::kMillisecond;
 constexpr std::size_t kToldLinks = 64;
+/// So many cycles a standstill of this process counts for a PLC's silence: nobody heard it meanwhile.
+constexpr core::Time kStandstill = 2;
 constexpr core::Time kStopped = core::kNever;
 
 class Run {
@@ -60,6 +62,7 @@ class Run {
     const core::Time lateness = woken - (next + offset_);
     meter_.lateness.add(lateness);
     if (last_start_ != core::kNever) meter_.jitter.add(std::abs(woken - last_start_ - cycle_));
+    link_time_ += last_start_ == core::kNever ? cycle_ : std::min(woken - last_start_, kStandstill * cycle_);
     last_start_ = woken;
     const std::int64_t excess = lateness / cycle_ - most_;
     if (excess > 0) {
@@ -68,7 +71,7 @@ class Run {
     }
 
     const core::Time deadline = next + offset_;
-    for (Exchange* link : links_) link->read_operations(plant_, woken);
+    for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus told = status();
     if (told.frozen) {
       offset_ += next - time_;
@@ -101,7 +104,6 @@ class Run {
       const LinkState state = links_[i]->state();
       meter_.note(i, state);
       if (state == LinkState::live && i < kToldLinks) status.live |= std::uint64_t{1} << i;
-      status.lost = status.lost || state == LinkState::lost;
       status.frozen = status.frozen || links_[i]->freezes_plant();
     }
     return status;
@@ -120,6 +122,7 @@ class Run {
   std::int64_t most_;
   core::Time time_;                       ///< plant time of the cycle that was last
   core::Time offset_ = 0;                 ///< real time minus plant time; grows when plant time slips
+  core::Time link_time_ = 0;              ///< by which links count how long their PLC is silent
   core::Time last_start_ = core::kNever;  ///< of the cycle that was last
 };
 

@@ -20,7 +20,6 @@ struct CycleStatus {
   std::uint64_t cycles = 0;    ///< ended before this one
   std::uint64_t overruns = 0;  ///< as CycleStatistics counts them
   std::uint64_t live = 0;      ///< bit i: link i is live; of the first 64 links
-  bool lost = false;           ///< a link is lost
   bool frozen = false;         ///< the plant stands still, as a lost link's policy says
 };
 
@@ -33,8 +32,8 @@ class Exchange {
   Exchange& operator=(const Exchange&) = delete;
   virtual ~Exchange() = default;
 
-  /// Hands what the PLC wrote to the plant; called before the plant is advanced. `now` is the clock's time, by which
-  /// a link knows how long its PLC is silent.
+  /// Hands what the PLC wrote to the plant; called before the plant is advanced. `now` is a time by which a link knows
+  /// how long its PLC is silent: the clock's, but where this process stood still that counts for two cycles at most.
   virtual void read_operations(core::Plant& plant, core::Time now) noexcept = 0;
 
   /// Hands the plant's events to the PLC; called after the plant was advanced, and once before the first cycle.

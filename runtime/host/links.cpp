@@ -7,8 +7,19 @@
 #include "symplant/core/names.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
+
+std::string OpenLink::silence() const {
+  using trace::seconds;
+  if (settings.watchdog != link::kNowhere) {
+    return "its watchdog, holding register " + std::to_string(settings.watchdog) + ", has not changed for " +
+           seconds(settings.watchdog_within) + "; look whether the PLC's program runs";
+  }
+  return "no valid request that touches the map has come for " + seconds(settings.loss_after) +
+         "; look whether the PLC runs and its cable is in";
+}
 
 bool keeps_plants_links_closed(const RunOptions& options) {
   using Clock = RunOptions::Clock;

@@ -38,6 +38,8 @@ struct OpenLink {
   link::LinkSettings settings;
   std::unique_ptr<link::Link> link;
 
+  /// What a loss of it means, and what to look at.
+  std::string silence() const;
   /// `PLC1=URL` or `URL`, with the real port.
   std::string text() const { return (controller.empty() ? "" : controller + "=") + link->url(); }
 };

@@ -73,7 +73,7 @@ bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& fa
 }
 
 bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
-  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
+  const WatchedLinks watched(links, stage.plant, stage.recorder);
   const core::Time begin = stage.plant.now();
   const exec::CycleOptions cycle{.cycle = options.cycle, .until = end_of_rt_check(begin, options)};
   out << fmt::format("rt-check: {} cycles of {} ms under the guard\n", *options.rt_check,

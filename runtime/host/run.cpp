@@ -100,9 +100,9 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   Links links;
   const int opened = open_links(chosen, program.tables, stage.plant, links, err);
   if (opened != kGood) return opened;
-  std::vector<std::string> texts;
-  for (const OpenLink& open : links) texts.push_back(open.text());
-  names.name_links(std::move(texts));
+  std::vector<trace::PlantNames::Link> named;
+  for (const OpenLink& open : links) named.push_back({open.text(), open.silence()});
+  names.name_links(std::move(named));
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
   tell << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)

@@ -70,7 +70,7 @@ void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::o
 }  // namespace
 
 RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out, std::ostream& err) {
-  const WatchedLinks watched(links, stage.plant.tables(), stage.recorder);
+  const WatchedLinks watched(links, stage.plant, stage.recorder);
   exec::CycleOptions cycle{.cycle = options.cycle,
                            .until = options.until.value_or(core::kNever),
                            .max_catch_up = options.max_catch_up,

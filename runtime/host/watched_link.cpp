@@ -28,9 +28,18 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const core::P
 
 }  // namespace
 
-WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, const core::PlantTables& tables,
-                         trace::Recorder& recorder)
-    : link_(*link.link), place_(place), behaviours_(behaviours_of(link.carries, tables)), recorder_(recorder) {}
+WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, core::Plant& plant, trace::Recorder& recorder)
+    : link_(*link.link),
+      place_(place),
+      behaviours_(behaviours_of(link.carries, plant.tables())),
+      recorder_(recorder),
+      before_(link_.state()) {
+  if (before_ != LinkState::live) tell(plant);
+}
+
+void WatchedLink::tell(core::Plant& plant) const noexcept {
+  for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, before_ == LinkState::live);
+}
 
 void WatchedLink::read_operations(core::Plant& plant, core::Time now) noexcept {
   link_.read_operations(plant, now);
@@ -39,12 +48,12 @@ void WatchedLink::read_operations(core::Plant& plant, core::Time now) noexcept {
   if (state == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_lost, place_);
   if (before_ == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_back, place_);
   before_ = state;
-  for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, state == LinkState::live);
+  tell(plant);
 }
 
-WatchedLinks::WatchedLinks(const Links& links, const core::PlantTables& tables, trace::Recorder& recorder) {
+WatchedLinks::WatchedLinks(const Links& links, core::Plant& plant, trace::Recorder& recorder) {
   for (const OpenLink& open : links) {
-    links_.emplace_back(open, static_cast<std::uint32_t>(links_.size()), tables, recorder);
+    links_.emplace_back(open, static_cast<std::uint32_t>(links_.size()), plant, recorder);
     exchanges_.push_back(&links_.back());
   }
 }

@@ -18,7 +18,7 @@ namespace symplant::host {
 class WatchedLink final : public exec::Exchange {
  public:
   /// `place`: of the link in the run, for its findings.
-  WatchedLink(const OpenLink& link, std::uint32_t place, const core::PlantTables& tables, trace::Recorder& recorder);
+  WatchedLink(const OpenLink& link, std::uint32_t place, core::Plant& plant, trace::Recorder& recorder);
 
   void read_operations(core::Plant& plant, core::Time now) noexcept override;
   void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
@@ -29,17 +29,20 @@ class WatchedLink final : public exec::Exchange {
   bool freezes_plant() const noexcept override { return link_.freezes_plant(); }
 
  private:
+  void tell(core::Plant& plant) const noexcept;
+
   link::Link& link_;
   std::uint32_t place_;
   std::vector<std::uint32_t> behaviours_;  ///< of devices whose operations it carries
   trace::Recorder& recorder_;
-  exec::LinkState before_ = exec::LinkState::live;  ///< as a plant takes its links to be
+  exec::LinkState before_;
 };
 
 /// The links of a run as the cycle takes them.
 class WatchedLinks {
  public:
-  WatchedLinks(const Links& links, const core::PlantTables& tables, trace::Recorder& recorder);
+  /// Tells the plant's behaviours at once of links that are not live yet.
+  WatchedLinks(const Links& links, core::Plant& plant, trace::Recorder& recorder);
 
   std::span<exec::Exchange* const> exchanges() const noexcept { return exchanges_; }
 

@@ -137,14 +137,11 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
 }
 
 std::string of_link(const FoundThing& found, const PlantNames& names) {
-  const std::string_view name = names.link(found.of.front());
+  const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::link_back) {
-    return fmt::format("link back: {}, what the PLC wrote acts again", name);
+    return fmt::format("link back: {}, what the PLC writes acts again", link.name);
   }
-  return fmt::format(
-      "link lost: {}, no valid request that touches the map has come for the time of `loss-after`; look whether the "
-      "PLC runs and its cable is in",
-      name);
+  return fmt::format("link lost: {}, {}", link.name, link.silence);
 }
 
 /// The violation, then each unit that the requirement looks at, the last to change first.
@@ -181,7 +178,7 @@ bool is_of_symbol(FindingKind kind) {
 std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
-  if (is_of_link(found.kind)) return std::string(names.link(found.of.front()));
+  if (is_of_link(found.kind)) return names.link(found.of.front()).name;
   std::vector<std::string_view> units;
   units.reserve(found.of.size());
   for (const std::uint32_t unit : found.of) units.push_back(names.unit(unit));

@@ -24,9 +24,14 @@ class PlantNames {
   std::string_view state(std::uint32_t unit, std::uint8_t state) const;
   std::span<const std::string_view> states(std::uint32_t unit) const;
   std::string_view requirement(std::uint32_t requirement) const { return requirements_[requirement]; }
-  /// A link of the run; empty where none was named.
-  std::string_view link(std::uint32_t link) const { return link < links_.size() ? links_[link] : std::string_view(); }
-  void name_links(std::vector<std::string> links) { links_ = std::move(links); }
+  /// A link of the run.
+  struct Link {
+    std::string name;
+    std::string silence;  ///< what a loss of it means: "nothing was heard for 1 s"
+  };
+  /// Empty where none was named.
+  Link link(std::uint32_t link) const { return link < links_.size() ? links_[link] : Link(); }
+  void name_links(std::vector<Link> links) { links_ = std::move(links); }
   /// The task that a unit's symbol stands for, by the end of its name.
   std::string_view task(std::uint32_t symbol) const;
   /// The name of the list that a symbol is declared in. O(log lists).
@@ -47,7 +52,7 @@ class PlantNames {
   std::vector<std::string_view> states_;
   std::vector<std::string_view> requirements_;
   std::vector<std::string_view> lists_;
-  std::vector<std::string> links_;
+  std::vector<Link> links_;
   std::vector<std::uint32_t> first_states_;  ///< a type: of its states in states_
   std::vector<std::uint32_t> by_unit_;       ///< symbols of units, unit by unit
   std::vector<std::uint32_t> first_of_;      ///< a unit: of its symbols in by_unit_; one more at the end

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace symplant::link::modbus {
 
@@ -187,10 +188,6 @@ bool Images::is_complete(std::uint32_t losses) const noexcept {
   return control[kLossesSeen] == losses && control[kRewritten] != 0;
 }
 
-std::uint16_t Images::watchdog() const noexcept {
-  return watchdog_ ? get_register(operations_.latest().subspan(coil_words_), *watchdog_) : std::uint16_t{0};
-}
-
 void Images::apply_operations(core::Plant& plant) noexcept {
   if (!behind_) return;
   behind_ = false;
@@ -264,28 +261,48 @@ Tables Images::tables() noexcept {
           .input_registers = {events.subspan(discrete_words_), size(Table::input_register)}};
 }
 
-std::uint32_t Images::written(const Answer& answer, std::uint32_t losses) noexcept {
-  const bool lost = losses != losses_seen_;
-  if (answer.count == 0 && !lost) return 0;
-  if (lost) rewriting_.begin();
+void Images::begin_request(std::uint32_t losses) noexcept {
+  if (losses == losses_seen_) return;
   losses_seen_ = losses;
-  std::uint32_t gaps = 0;
-  if (answer.count != 0) {
-    const bool coils = answer.written == Table::coil;
-    const std::size_t base = coils ? 0 : coil_words_;
-    const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
-    const std::uint32_t last = std::uint32_t{answer.first} + answer.count - 1;
-    gaps = answer.count - mapped_[static_cast<std::size_t>(answer.written)].count(answer.first, answer.count);
-    for (std::uint32_t word = answer.first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
-    rewriting_.wrote(coils, answer.first, answer.count);
+  rewriting_.begin(mapped_[static_cast<std::size_t>(Table::coil)],
+                   mapped_[static_cast<std::size_t>(Table::holding_register)]);
+  const auto words = operations_.words();
+  for (std::size_t word = 0; word < zeroed_.size(); ++word) {
+    if ((words[word] & zeroed_[word]) == 0) continue;
+    words[word] &= ~zeroed_[word];
+    operations_.touch(word);
   }
+  hand_over();
+}
+
+/// With what a loss awaits.
+void Images::hand_over() noexcept {
   const auto control = operations_.words().subspan(applied_.size());
-  control[kLossesSeen] = losses;
+  control[kLossesSeen] = losses_seen_;
   control[kRewritten] = rewriting_.complete() ? 1 : 0;
   operations_.touch(applied_.size() + kLossesSeen);
   operations_.touch(applied_.size() + kRewritten);
   operations_.publish();
-  return gaps;
+}
+
+std::uint32_t Images::written(const Answer& answer) noexcept {
+  if (answer.count == 0) return 0;
+  const bool coils = answer.written == Table::coil;
+  const std::size_t base = coils ? 0 : coil_words_;
+  const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
+  const std::uint32_t last = std::uint32_t{answer.first} + answer.count - 1;
+  for (std::uint32_t word = answer.first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
+  rewriting_.wrote(coils, answer.first, answer.count);
+  hand_over();
+  return answer.count - mapped_[static_cast<std::size_t>(answer.written)].count(answer.first, answer.count);
+}
+
+bool Images::changed_watchdog(const Answer& answer) noexcept {
+  const bool written = watchdog_ && answer.written == Table::holding_register && answer.first <= *watchdog_ &&
+                       *watchdog_ < std::uint32_t{answer.first} + answer.count;
+  if (!written) return false;
+  const std::uint16_t value = get_register(operations_.words().subspan(coil_words_), *watchdog_);
+  return std::exchange(watchdog_value_, value) != value;
 }
 
 }  // namespace symplant::link::modbus

@@ -40,8 +40,6 @@ class Images {
   void take_operations() noexcept;
   /// Whether in what was taken all has been written again that was written before the loss of this number.
   bool is_complete(std::uint32_t losses) const noexcept;
-  /// The watchdog's register as it was taken; 0 where there is none.
-  std::uint16_t watchdog() const noexcept;
   void apply_operations(core::Plant& plant) noexcept;
   /// Puts operations to zero whose policy it is when their link is lost. What is there acts again with the next
   /// apply_operations(). Costs a look at every word of the image.
@@ -53,9 +51,15 @@ class Images {
 
   /// The tables to answer one request from; inputs are those of the latest cycle.
   Tables tables() noexcept;
-  /// To be called after a request was answered: hands over what it wrote. `losses`: how often the link was lost until
-  /// now. Returns how many places it wrote that nothing stands on.
-  std::uint32_t written(const Answer& answer, std::uint32_t losses = 0) noexcept;
+  /// To be called before a request is answered, with how often the link was lost until now. After a loss all that was
+  /// written is awaited anew, and operations that went to zero are zero in the tables, too: what nobody writes again
+  /// stays so. O(1); after a loss a look at every word of the image.
+  void begin_request(std::uint32_t losses) noexcept;
+  /// To be called after a request was answered: hands over what it wrote. Returns how many places it wrote that nothing
+  /// stands on.
+  std::uint32_t written(const Answer& answer) noexcept;
+  /// Whether a request that was answered changed the watchdog's register.
+  bool changed_watchdog(const Answer& answer) noexcept;
   /// Whether a request touches a place of the table that a symbol or the watchdog stands on. O(count / 64).
   bool is_mapped(Table table, std::uint32_t first, std::uint32_t count) const noexcept {
     return mapped_[static_cast<std::size_t>(table)].has_any(first, count);
@@ -75,6 +79,7 @@ class Images {
   std::vector<std::uint64_t> initial_operations() const;
   NumberPlace number_place(const IoPoint& point) const noexcept;
   std::vector<std::uint64_t> zero_masks() const;
+  void hand_over() noexcept;
   void change_operations(core::Plant& plant, std::span<const std::uint64_t> image) noexcept;
   void apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
   void apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
@@ -102,6 +107,7 @@ class Images {
   bool behind_ = false;  ///< what was taken may differ from what the plant was given
   Rewriting rewriting_;  ///< of the server's thread
   std::uint32_t losses_seen_ = 0;
+  std::uint16_t watchdog_value_ = 0;
   share::SharedWords operations_;  ///< server -> cycle; the tables, then the losses seen, then whether all is rewritten
   share::SharedWords events_;      ///< cycle -> server
 };

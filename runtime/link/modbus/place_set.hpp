@@ -42,9 +42,9 @@ class PlaceSet {
     for (const std::uint64_t word : words_) size += static_cast<std::uint32_t>(std::popcount(word));
     return size;
   }
-  /// Takes the places of another set of the same size.
-  void assign(const PlaceSet& other) noexcept {
-    for (std::size_t word = 0; word < words_.size(); ++word) words_[word] = other.words_[word];
+  /// Takes the places that two sets of the same size have in common.
+  void assign_common(const PlaceSet& one, const PlaceSet& other) noexcept {
+    for (std::size_t word = 0; word < words_.size(); ++word) words_[word] = one.words_[word] & other.words_[word];
   }
 
  private:

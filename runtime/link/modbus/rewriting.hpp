@@ -15,13 +15,11 @@ class Rewriting {
   Rewriting(std::uint32_t coils, std::uint32_t holding_registers)
       : tables_{Written(coils), Written(holding_registers)} {}
 
-  /// A loss: all that was written until now is awaited.
-  void begin() noexcept {
-    awaited_ = 0;
-    for (Written& table : tables_) {
-      table.awaited.assign(table.ever);
-      awaited_ += table.ever.size();
-    }
+  /// A loss: all that was written until now is awaited, of the places that something stands on.
+  void begin(const PlaceSet& mapped_coils, const PlaceSet& mapped_registers) noexcept {
+    tables_[0].awaited.assign_common(tables_[0].ever, mapped_coils);
+    tables_[1].awaited.assign_common(tables_[1].ever, mapped_registers);
+    awaited_ = tables_[0].awaited.size() + tables_[1].awaited.size();
   }
   void wrote(bool coils, std::uint32_t first, std::uint32_t count) noexcept {
     Written& table = tables_[coils ? 0 : 1];

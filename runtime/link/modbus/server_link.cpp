@@ -20,13 +20,18 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 /// Answers requests from the images and counts them. Lives in the server's thread; the counts may be read by any.
 class ImageResponder final : public Responder {
  public:
-  ImageResponder(Images& images, const Identity& identity) noexcept : images_(images), identity_(identity) {}
+  /// `watched`: a change of the watchdog's register is the only sign of life.
+  ImageResponder(Images& images, const Identity& identity, bool watched) noexcept
+      : images_(images), identity_(identity), watched_(watched) {}
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    images_.begin_request(losses_.load(std::memory_order_relaxed));
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
-    const std::uint32_t gaps = images_.written(answer, losses_.load(std::memory_order_relaxed));
+    const std::uint32_t gaps = images_.written(answer);
     // After written(), so that the cycle which hears of it finds what it wrote.
-    if (touches_map(answer)) heard_.fetch_add(1, std::memory_order_release);
+    if (watched_ ? images_.changed_watchdog(answer) : touches_map(answer)) {
+      heard_.fetch_add(1, std::memory_order_release);
+    }
     if (answer.size != 0) add(requests_, 1);
     if (answer.exception != Exception::none) add(exceptions_, 1);
     if (gaps != 0) add(gaps_, gaps);
@@ -38,7 +43,7 @@ class ImageResponder final : public Responder {
     add(exceptions_, 1);
   }
 
-  /// Any thread: counts the valid requests that touched the map.
+  /// Any thread: counts the signs of life, requests that touched the map or changed the watchdog.
   std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
   /// Any thread: how often the link was lost until now.
   void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
@@ -63,6 +68,7 @@ class ImageResponder final : public Responder {
 
   Images& images_;
   Identity identity_;
+  bool watched_;
   Count requests_{0};
   Count exceptions_{0};
   Count gaps_{0};
@@ -76,11 +82,10 @@ class ServerLink final : public Link {
              const core::Plant* plant)
       : bound_(std::move(listener.bound)),
         freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
-        watched_(map.watchdog.has_value()),
-        health_(watched_ ? settings.watchdog_within : settings.loss_after, settings.resync),
+        health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
         images_(tables, map, settings.word_order),
         responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
-                   {"symplant", tables.name, core::version()}),
+                   {"symplant", tables.name, core::version()}, map.watchdog.has_value()),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
@@ -136,20 +141,17 @@ class ServerLink final : public Link {
     return images;
   }
 
-  /// Takes what was written, and whether the PLC was heard since the last call: by its requests, or where there is a
-  /// watchdog by a change of its register alone.
+  /// Takes what was written, and whether the PLC was heard since the last call.
   bool is_heard() noexcept {
-    const std::uint64_t requests = responder_.heard();
+    const std::uint64_t now = responder_.heard();
     images_.take_operations();
-    const std::uint64_t now = watched_ ? images_.watchdog() : requests;
     return std::exchange(heard_, now) != now;
   }
 
   HostPort bound_;
   bool freezes_;
-  bool watched_;
   LinkHealth health_;
-  std::uint64_t heard_ = 0;  ///< requests, or the watchdog's register, when they were looked at last
+  std::uint64_t heard_ = 0;  ///< signs of life that were counted
   StatusBlock status_;
   Images images_;
   ImageResponder responder_;

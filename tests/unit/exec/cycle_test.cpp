@@ -184,19 +184,17 @@ TEST_CASE("a link that freezes the plant has its turns while plant time stands s
   CHECK(bench.link.told[2].live == 1);
   CHECK_FALSE(bench.link.told[2].frozen);
   CHECK(bench.link.told[3].live == 0);
-  CHECK(bench.link.told[3].lost);
   CHECK(bench.link.told[3].frozen);
 }
 
 TEST_CASE("a link is told how many cycles were, what time it is, and at the end that it is over") {
   Bench bench;
-  const Time begin = bench.clock.now();
   bench.run({.until = 30 * kMillisecond});
   std::vector<std::uint64_t> cycles;
   for (const exec::CycleStatus& status : bench.link.told) cycles.push_back(status.cycles);
   CHECK(cycles == std::vector<std::uint64_t>{0, 0, 1, 2});
   CHECK(bench.link.read_at.size() == 3);
-  CHECK(bench.link.read_at.back() >= begin + 30 * kMillisecond);
+  CHECK(bench.link.read_at.back() - bench.link.read_at.front() == 20 * kMillisecond);
   CHECK(bench.link.left == 1);
 }
 

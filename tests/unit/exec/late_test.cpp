@@ -49,6 +49,30 @@ TEST_CASE(
   CHECK(behind - statistics.slipped < 3 * 10 * kMillisecond + 30 * kMillisecond);
 }
 
+TEST_CASE("a process that stood still for 5 s takes its PLCs to have been silent for two cycles, not for 5 s") {
+  Bench bench;
+  bool stood = false;
+  bench.clock.on_sleep = [&] {
+    if (stood || bench.plant->now() != 50 * kMillisecond) return;
+    stood = true;
+    bench.clock.pass(5 * kSecond);
+  };
+  bench.run({.until = kSecond});
+  Time longest = 0;
+  const std::vector<Time>& read_at = bench.link.read_at;
+  for (std::size_t i = 1; i < read_at.size(); ++i) longest = std::max(longest, read_at[i] - read_at[i - 1]);
+  CHECK(longest == 20 * kMillisecond);
+  REQUIRE(stood);
+}
+
+TEST_CASE("a process that is always too slow counts the silence of its PLCs in true time, up to two cycles each") {
+  Bench bench;
+  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(15 * kMillisecond); };
+  bench.run({.until = kSecond, .max_catch_up = 0});
+  const std::vector<Time>& read_at = bench.link.read_at;
+  CHECK(read_at[50] - read_at[40] == 150 * kMillisecond);
+}
+
 TEST_CASE("a process that stood still for 5 s runs no more than the catch-up at once, and counts what it lost") {
   Bench bench;
   std::vector<Time> starts;

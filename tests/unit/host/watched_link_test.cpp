@@ -37,7 +37,7 @@ struct Bench {
     auto made = std::make_unique<SetLink>();
     link = made.get();
     links.push_back({"", carries, {}, std::move(made)});
-    watched = std::make_unique<host::WatchedLinks>(links, tables.rows, recorder);
+    watched = std::make_unique<host::WatchedLinks>(links, plant, recorder);
     recorder.attach(plant);
   }
   static Told told() {
@@ -90,6 +90,12 @@ TEST_CASE("a behaviour sees that the link of its operations is not well") {
   bench.cycle(LinkState::lost);
   CHECK(bench.plant.unit(0).moving);
   CHECK(bench.plant.unit(0).target == kP2);
+}
+
+TEST_CASE("a behaviour knows from the first instant that the PLC has not been heard yet") {
+  Bench bench(0);
+  bench.plant.advance_to(0, &bench.recorder);
+  CHECK(bench.plant.unit(0).moving);
 }
 
 TEST_CASE("a behaviour takes no notice of a link that carries none of its operations") {

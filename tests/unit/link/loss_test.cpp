@@ -126,8 +126,8 @@ TEST_CASE("operations whose policy is zero go to zero when the link is lost, oth
   CHECK_FALSE(bench.a());
   CHECK(bench.b());
   CHECK(bench.n() == 0);
-  // The PLC reads back what it wrote, not what the policy made of it.
-  CHECK(bench.client->ask({1, 0, 0, 0, 2}) == Bytes{1, 1, 3});
+  // And so the PLC reads them when it asks again.
+  CHECK(bench.client->ask({1, 0, 0, 0, 2}) == Bytes{1, 1, 2});
 }
 
 TEST_CASE("on return writes are collected, and act together when all that was written before is written again") {
@@ -153,13 +153,14 @@ TEST_CASE("on return writes are collected, and act together when all that was wr
   CHECK(bench.n() == 9);
 }
 
-TEST_CASE(
-    "a PLC that comes back and only reads, though it wrote before, has its old values back after the resync time") {
+TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live after the resync time") {
+  const std::array<PlaceRow, 1> places = {PlaceRow{.symbol = 1, .on_loss = OnLoss::zero}};
   LinkSettings settings;
-  settings.on_loss = OnLoss::zero;
+  settings.places = places;
   settings.resync = 500 * kMillisecond;
   Bench bench(settings);
   bench.write_coil(0, true);
+  bench.write_coil(1, true);
   bench.cycle();
   bench.silence(2 * kSecond);
   core::Time waited = 0;
@@ -171,6 +172,7 @@ TEST_CASE(
   CHECK(bench.link->state() == LinkState::live);
   CHECK(waited == 510 * kMillisecond);  // counted from the cycle that heard it first
   CHECK(bench.a());
+  CHECK_FALSE(bench.b());  // went to zero, and nobody wrote it again
 }
 
 TEST_CASE("a PLC that never wrote is back with its first read") {
@@ -218,6 +220,18 @@ TEST_CASE("the watchdog's register keeps the link alive, requests alone do not")
   bench.cycle();
   CHECK(bench.link->state() == LinkState::lost);
   CHECK(bench.link->status().writes_to_gaps == 0);
+}
+
+TEST_CASE("a watchdog that is changed and changed back within a cycle has changed") {
+  LinkSettings settings;
+  settings.watchdog = 5;
+  Bench bench(settings);
+  for (int i = 0; i < 200; ++i) {
+    bench.write_register(5, 1);
+    bench.write_register(5, 0);
+    bench.cycle();
+  }
+  CHECK(bench.link->state() == LinkState::live);
 }
 
 TEST_CASE("the status block counts cycles, tells the state and what was lost, and at the end that it is over") {
