@@ -12,14 +12,17 @@
 #include <csignal>
 #include <system_error>
 
+#include "symplant/link/modbus/descriptors.hpp"
 #include "symplant/link/modbus/peer.hpp"
 
 namespace symplant::link::modbus {
 
 namespace {
 
-/// How long no client is accepted after the process ran out of descriptors.
+/// How long no client is accepted after the system had no descriptor or memory for one.
 constexpr int kPauseMilliseconds = 100;
+/// Who asked within it gives no descriptor away to a new client.
+constexpr core::Time kQuiet = 10 * core::kSecond;
 /// How many clients are accepted before those that are there have their turn.
 constexpr int kAcceptsATurn = 64;
 
@@ -142,20 +145,32 @@ void Server::accept_clients() {
   for (int i = 0; i < kAcceptsATurn; ++i) {
     Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket) {
+      gave_way_ = false;
       add_client(std::move(socket));
       continue;
     }
-    if (errno == EINTR || errno == ECONNABORTED) continue;
-    if (errno == EAGAIN || errno == EWOULDBLOCK) return;
-    // No descriptor or memory left: one of ours is given up, else the listener rests, as it stays readable.
-    if (make_room()) continue;
-    listen(false);
+    switch (after_accept(errno)) {
+      case AfterAccept::again:
+        continue;
+      case AfterAccept::serve:
+        return;
+      case AfterAccept::give_way:
+        // Once only until it has helped: what we close need not be what is short.
+        if (!gave_way_ && make_room(kQuiet)) {
+          gave_way_ = true;
+          continue;
+        }
+        break;
+      case AfterAccept::pause:
+        break;
+    }
+    listen(false);  // as it stays readable
     return;
   }
 }
 
 void Server::add_client(Descriptor socket) {
-  if (clients_.size() >= options_.connections && !make_room()) return;
+  if (clients_.size() >= options_.connections && !make_room(0)) return;
   prepare_peer(socket.get());
   const int fd = socket.get();
   epoll_event event{};
@@ -227,11 +242,12 @@ void Server::close_client(int fd) {
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
-bool Server::make_room() {
+bool Server::make_room(core::Time quiet) {
   const auto rank = [](const Client& client) { return std::pair(client.connection.requests() != 0, client.last_use); };
   Client* victim = nullptr;
   for (const auto& [fd, client] : clients_) {
-    if (!client->kept && (victim == nullptr || rank(*client) < rank(*victim))) victim = client.get();
+    const bool asks = client->connection.requests() != 0 && now_ - client->last_request < quiet;
+    if (!client->kept && !asks && (victim == nullptr || rank(*client) < rank(*victim))) victim = client.get();
   }
   if (victim == nullptr) return false;
   close_client(victim->socket.get());

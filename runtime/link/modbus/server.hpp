@@ -27,8 +27,10 @@ struct ServerOptions {
 /// Serves clients from its construction to its destruction, in a thread of its own that takes no signals.
 ///
 /// When all connections are taken, a new client gets the place of one that never sent a request, else of the one whose
-/// latest request is the oldest; where all others are to be kept, the new one is closed. A peer that vanished without a
-/// word is found by the system's keep-alive after 25 s, and so is one that acknowledges nothing of what is sent to it.
+/// latest request is the oldest; where all others are to be kept, the new one is closed. Where the process has no
+/// descriptor left, one client that asked nothing for 10 s gives way; whatever else keeps a new client out, none that
+/// is there is closed for it. A peer that vanished without a word is found by the system's keep-alive after 25 s, and
+/// so is one that acknowledges nothing of what is sent to it.
 class Server {
  public:
   /// `listener` is non-blocking; `responder` is called by the server's thread only and must outlive it.
@@ -53,7 +55,8 @@ class Server {
   void note_progress(Client& client, std::uint64_t requests_before) noexcept;
   bool rearm(Client& client);
   void close_client(int fd);
-  bool make_room();
+  /// Closes who gives way; none that asked within `quiet`. False where there is none.
+  bool make_room(core::Time quiet);
   void close_overdue();
   void listen(bool on);
 
@@ -67,6 +70,7 @@ class Server {
   core::Time now_ = 0;                              ///< of the steady clock, as the latest events came
   core::Time next_sweep_ = 0;                       ///< when clients are looked at next for what is overdue
   bool listening_ = true;
+  bool gave_way_ = false;  ///< a client was closed for want of descriptors, and no other was accepted since
   std::atomic<std::uint32_t> open_{0};
   std::thread thread_;
 };

@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/raw_client.hpp"
+#include "symplant/link/modbus/descriptors.hpp"
 #include "symplant/link/modbus/listener.hpp"
 #include "symplant/link/modbus/port_owner.hpp"
 #include "symplant/link/modbus/server.hpp"
@@ -61,6 +62,22 @@ int server_end(const RawClient& client) {
   }
   return -1;
 }
+
+/// No descriptor can be had while it lives.
+class NoDescriptors {
+ public:
+  NoDescriptors() {
+    ::getrlimit(RLIMIT_NOFILE, &before_);
+    const rlimit none{1, before_.rlim_max};  // poll() of one takes a limit of one
+    ::setrlimit(RLIMIT_NOFILE, &none);
+  }
+  NoDescriptors(const NoDescriptors&) = delete;
+  NoDescriptors& operator=(const NoDescriptors&) = delete;
+  ~NoDescriptors() { ::setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_{};
+};
 
 int option(int socket, int level, int name) {
   int value = -1;
@@ -139,6 +156,44 @@ TEST_CASE("a client on the list of those to keep never gives way, and where all 
   CHECK(first.ask(kAsked) == kAsked);
   CHECK(second.ask(kAsked) == kAsked);
   CHECK(bench.server.connections() == 2);
+}
+
+TEST_CASE("what keeps a new client out costs none that asks its connection, and one silent client its own at most") {
+  const EchoServer bench({});
+  std::vector<RawClient> asking;
+  for (int i = 0; i < 8; ++i) {
+    asking.emplace_back(bench.port);
+    REQUIRE(asking.back().ask(kAsked) == kAsked);
+  }
+  const RawClient silent(bench.port);
+  const RawClient also_silent(bench.port);
+  bench.wait_for_connections(10);
+  const Descriptor late(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(bench.port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  {
+    const NoDescriptors none;
+    REQUIRE(::connect(late.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+    // The server's thread comes to it between two of these, and again after each pause.
+    for (int i = 0; i < 30; ++i) {
+      for (RawClient& client : asking) REQUIRE(client.ask(kAsked) == kAsked);
+      ::poll(nullptr, 0, 10);
+    }
+    CHECK(bench.server.connections() == 9);
+  }
+  bench.wait_for_connections(10);
+  for (RawClient& client : asking) CHECK(client.ask(kAsked) == kAsked);
+}
+
+TEST_CASE("only for want of descriptors of its own does a server close a client, and no fault ends its listening") {
+  CHECK(after_accept(EMFILE) == AfterAccept::give_way);
+  CHECK(after_accept(EAGAIN) == AfterAccept::serve);
+  for (const int error : {ENFILE, ENOMEM, ENOBUFS, EBADF}) CHECK(after_accept(error) == AfterAccept::pause);
+  for (const int error : {EINTR, ECONNABORTED, EPERM, EPROTO, ENETDOWN, EHOSTUNREACH, ENETUNREACH}) {
+    CHECK(after_accept(error) == AfterAccept::again);
+  }
 }
 
 TEST_CASE("the system asks after clients that say nothing, and gives up on what is not acknowledged") {
