@@ -75,13 +75,20 @@ std::string fault_text(const core::PlantTables& tables, const IoMap& map, const 
 
 std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
   const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+  const auto name_of = [&](const IoPoint& point) {
+    std::string name(texts[std::size_t{point.symbol} * 2]);
+    std::transform(name.begin(), name.end(), name.begin(), upper);
+    return name;
+  };
   std::vector<std::uint32_t> order(map.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto key = [&](std::uint32_t i) {
-    const IoPoint& point = map.points[i];
-    return std::tuple(point.table, point.number, texts[std::size_t{point.symbol} * 2]);
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const IoPoint& one = map.points[a];
+    const IoPoint& other = map.points[b];
+    const auto place = std::tuple(one.table, one.number);
+    const auto other_place = std::tuple(other.table, other.number);
+    return place != other_place ? place < other_place : name_of(one) < name_of(other);
+  });
 
   constexpr std::uint32_t kLayout = 1;  ///< of what is digested
   core::Fnv1a64 hash;
@@ -93,7 +100,7 @@ std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
     hash.u32(point.number);
     hash.byte(static_cast<std::uint8_t>(tables.symbols[point.symbol].type()));
     hash.byte(point.places == 1 ? 0 : static_cast<std::uint8_t>(point.word_order));
-    for (const char c : texts[std::size_t{point.symbol} * 2]) hash.byte(static_cast<std::uint8_t>(upper(c)));
+    for (const char c : name_of(point)) hash.byte(static_cast<std::uint8_t>(c));
     hash.byte(0);
   }
   hash.u32(map.status_block ? *map.status_block : kNowhere);

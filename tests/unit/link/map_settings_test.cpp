@@ -244,6 +244,18 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
         hash({.type = DataType::int_, .settings = {.word_order = WordOrder::low_first}}));
 }
 
+TEST_CASE("the digest of a map takes several names on one place in an order that is not of their case") {
+  const auto hash = [](std::string_view one, std::string_view other) {
+    SymbolList list;
+    const std::uint32_t leader = list.add(one, kOut, 1);
+    list.share(list.add(other, kOut, 1), leader);
+    return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {}));
+  };
+  CHECK(hash("A", "B") == hash("a", "B"));
+  CHECK(hash("A", "B") == hash("B", "a"));
+  CHECK(hash("A", "B") != hash("A", "C"));
+}
+
 TEST_CASE("the digest of the maps that this test knows stays the same from version to version") {
   SymbolList list;
   list.add("A", kOut, 0);
