@@ -23,13 +23,6 @@ using std::chrono::milliseconds;
 constexpr core::Time kTurn = 100 * core::kMillisecond;
 constexpr auto kLinePeriod = std::chrono::seconds(1);
 constexpr std::size_t kUsualWidth = 79;
-constexpr const char* kClearLine = "\r\x1b[K";
-
-bool is_terminal(const RunOptions& options, const std::ostream& out) {
-  if (&out != &std::cout || uses_standard_output(options) || isatty(STDOUT_FILENO) == 0) return false;
-  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets any
-  return kind != nullptr && std::string_view(kind) != "dumb";
-}
 
 /// A line that is longer than the terminal is wide could not be drawn over.
 std::size_t terminal_width() {
@@ -51,6 +44,12 @@ const char* words(exec::LinkState state) {
 
 }  // namespace
 
+bool can_draw(const RunOptions& options, const std::ostream& out) {
+  if (&out != &std::cout || uses_standard_output(options) || isatty(STDOUT_FILENO) == 0) return false;
+  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  return kind != nullptr && std::string_view(kind) != "dumb";
+}
+
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded) {
   std::string text = fmt::format("{} cycles, p99 {:.1f} us late, {} overruns", meter.cycles.value(),
                                  static_cast<double>(meter.lateness.durations().p99) / 1e3, meter.overruns.value());
@@ -61,13 +60,8 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
   return text;
 }
 
-Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, bool degraded,
-                     std::ostream& out)
-    : meter_(meter),
-      out_(out),
-      degraded_(degraded),
-      terminal_(is_terminal(options, out)),
-      manager_(ServiceManager::of_environment()) {
+Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console)
+    : meter_(meter), console_(console), degraded_(degraded), draws_(draws), manager_(ServiceManager::of_environment()) {
   for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? "link" : open.controller);
   thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
 }
@@ -75,7 +69,7 @@ Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, const Ru
 Attendant::~Attendant() {
   thread_.request_stop();
   thread_.join();
-  if (drawn_) out_ << kClearLine << std::flush;
+  if (console_.is_taken()) console_.clear();
   if (!stopping_) manager_.tell("STOPPING=1");
 }
 
@@ -85,7 +79,7 @@ void Attendant::attend(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     tell_manager();
-    const bool due = terminal_ && Clock::now() >= next_line;
+    const bool due = draws_ && Clock::now() >= next_line;
     if (due) next_line += kLinePeriod;
     tell_user(due);
     wake_.wait_for(lock, stop, std::chrono::nanoseconds(turn), [] { return false; });
@@ -108,15 +102,12 @@ void Attendant::tell_manager() {
 }
 
 void Attendant::tell_user(bool line_is_due) {
+  if (!console_.is_taken()) return;  // or the watchdog would wait for whoever reads
   const bool asked = take_status_request();
   if (!asked && !line_is_due) return;
   const std::string text = status_text(meter_, links_, degraded_);
-  if (asked) out_ << (drawn_ ? kClearLine : "") << text << "\n";
-  if (line_is_due) {
-    out_ << kClearLine << text.substr(0, terminal_width()) << "\r";
-    drawn_ = true;
-  }
-  out_.flush();
+  if (asked) console_.line(text + "\n");
+  if (line_is_due) console_.draw(text.substr(0, terminal_width()));
 }
 
 }  // namespace symplant::host

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <condition_variable>
+#include <iosfwd>
 #include <mutex>
-#include <ostream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "symplant/exec/cycle_meter.hpp"
+#include "symplant/host/console.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/service_manager.hpp"
@@ -19,13 +20,15 @@ namespace symplant::host {
 /// `degraded`: the system refused what was asked for, which is said, too.
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded);
 
-/// From its making to its end it draws a status line on `out` once a second where that is a terminal, writes one line
-/// of it for each SIGUSR1, and tells the service manager: READY=1 when the cycle goes, STOPPING=1 when it is to end,
-/// WATCHDOG=1 as long as it goes on.
+/// Whether a status line can be drawn on `out`: it is a terminal, and no file goes there.
+bool can_draw(const RunOptions& options, const std::ostream& out);
+
+/// From its making to its end it draws a status line on `console` once a second where `draws`, writes one line
+/// of it for each SIGUSR1 as soon as that is taken, and tells the service manager: READY=1 when the cycle goes,
+/// STOPPING=1 when it is to end, WATCHDOG=1 as long as it goes on.
 class Attendant {
  public:
-  Attendant(const exec::CycleMeter& meter, const Links& links, const RunOptions& options, bool degraded,
-            std::ostream& out);
+  Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console);
   Attendant(const Attendant&) = delete;
   Attendant& operator=(const Attendant&) = delete;
   ~Attendant();
@@ -36,11 +39,10 @@ class Attendant {
   void tell_user(bool line_is_due);
 
   const exec::CycleMeter& meter_;
-  std::ostream& out_;
+  Console& console_;
   std::vector<std::string> links_;
   bool degraded_;
-  bool terminal_;
-  bool drawn_ = false;
+  bool draws_;
   ServiceManager manager_;
   bool ready_ = false;
   bool stopping_ = false;

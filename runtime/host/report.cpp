@@ -22,12 +22,12 @@ const char* severity(FindingKind kind) {
 }  // namespace
 
 Report::Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-               std::string file, std::ostream& err)
+               std::string file, Console& console)
     : names_(names),
       history_(history),
       scenario_(scenario),
       file_(std::move(file)),
-      err_(err),
+      console_(console),
       violations_(names.tables().requirements.size()),
       failures_(scenario == nullptr ? 0 : scenario->steps.size()) {}
 
@@ -35,9 +35,10 @@ std::string Report::place(std::size_t step) const {
   return fmt::format("{}:{}", shown(file_), scenario_->steps[step].line);
 }
 
-void Report::tell(std::span<const std::string> parts) {
-  err_ << shown(parts.front()) << "\n";
-  for (const std::string& part : parts.subspan(1)) err_ << "    " << shown(part) << "\n";
+void Report::tell(std::string head, std::span<const std::string> parts) {
+  head += shown(parts.front()) + "\n";
+  for (const std::string& part : parts.subspan(1)) head += "    " + shown(part) + "\n";
+  console_.message(head);
 }
 
 std::string Report::found(const trace::FoundThing& found) {
@@ -52,8 +53,7 @@ std::string Report::found(const trace::FoundThing& found) {
     }
   }
   if (told_.emplace(found.kind, found.of).second) {
-    err_ << severity(found.kind) << ": " << seconds(found.time) << ": ";
-    tell(parts);
+    tell(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), parts);
   }
   return words;
 }
@@ -61,8 +61,7 @@ std::string Report::found(const trace::FoundThing& found) {
 void Report::failed(std::uint32_t step, core::Time time) {
   const std::vector<std::string> parts = scenario::failure_parts(scenario_->steps[step], time, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
-  err_ << place(step) << ": error: ";
-  tell(parts);
+  tell(place(step) + ": error: ", parts);
 }
 
 std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
@@ -77,7 +76,7 @@ void Report::tell_unreached(const core::Plant& plant, std::span<const scenario::
     if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
     failures_[i] = fmt::format("{} was not reached, since the run ended at {}",
                                scenario::expectation_words(scenario_->steps[i], names_), seconds(plant.now()));
-    err_ << place(i) << ": error: " << shown(failures_[i]) << "\n";
+    console_.message(fmt::format("{}: error: {}\n", place(i), shown(failures_[i])));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "symplant/core/plant.hpp"
+#include "symplant/host/console.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/verdict.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -23,12 +24,12 @@ struct Violation {
   std::string words;  ///< of the first
 };
 
-/// Used by one thread at a time. Names, history, scenario and the stream must outlive it.
+/// Used by one thread at a time. Names, history, scenario and the console must outlive it.
 class Report {
  public:
   /// `scenario` is null where none is played; `file` is its path, for messages.
   Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
-         std::string file, std::ostream& err);
+         std::string file, Console& console);
 
   /// Tells the first of each kind and thing. Gives the sentence.
   std::string found(const trace::FoundThing& found);
@@ -41,7 +42,7 @@ class Report {
   /// Why a step failed; empty where it did not.
   const std::string& failure(std::size_t step) const { return failures_[step]; }
 
-  /// At the end: what was not reached, on the stream of messages; counts, what is pending and what is on but not armed
+  /// At the end: what was not reached, as messages; counts, what is pending and what is on but not armed
   /// on `out`. `outcomes` are the scenario's, if there is one.
   void sum_up(const core::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
               std::ostream& out);
@@ -54,14 +55,14 @@ class Report {
   void tell_requirements(const core::Plant& plant, std::ostream& out) const;
   void tell_disarmed(const core::Plant& plant, std::ostream& out) const;
   std::string place(std::size_t step) const;
-  /// A line each, all but the first indented.
-  void tell(std::span<const std::string> parts);
+  /// A line each, all but the first indented, behind `head`.
+  void tell(std::string head, std::span<const std::string> parts);
 
   const trace::PlantNames& names_;
   const trace::History& history_;
   const scenario::Scenario* scenario_;
   std::string file_;
-  std::ostream& err_;
+  Console& console_;
   std::array<std::uint64_t, core::kAllFindingKinds> counts_{};
   std::set<std::pair<core::FindingKind, std::vector<std::uint32_t>>> told_;
   std::vector<Violation> violations_;

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "symplant/exec/rt_check.hpp"
+#include "symplant/host/console.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
@@ -94,7 +95,7 @@ bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
 
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
-         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, std::ostream& out,
+         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, Console& console, std::ostream& out,
          std::ostream& tell, std::ostream& err) {
   stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
   Links links;
@@ -117,7 +118,7 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   std::optional<RealRun> real_run;
   bool clean = true;
   if (real) {
-    real_run = run_real(stage, options, links, tell, err);
+    real_run = run_real(stage, options, links, console, tell, err);
     clean = real_run->clean;
   } else if (options.rt_check) {
     clean = run_rt_check(stage, options, links, tell);
@@ -171,9 +172,10 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
-  Stage stage(staged, options, names, played, real, out, err);
-  return play(stage, program, options, names, played, chosen, real, out, uses_standard_output(options) ? err : out,
-              err);
+  std::ostream& tell = uses_standard_output(options) ? err : out;
+  Console console(tell, err);
+  Stage stage(staged, options, names, played, real, out, console);
+  return play(stage, program, options, names, played, chosen, real, console, out, tell, err);
 }
 
 }  // namespace symplant::host

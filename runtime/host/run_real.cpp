@@ -69,7 +69,8 @@ void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::o
 
 }  // namespace
 
-RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out, std::ostream& err) {
+RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Console& console, std::ostream& out,
+                 std::ostream& err) {
   const WatchedLinks watched(links, stage.plant, stage.recorder);
   exec::CycleOptions cycle{.cycle = options.cycle,
                            .until = options.until.value_or(core::kNever),
@@ -90,13 +91,16 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, st
   run.refused = thread.refused();
   for (const exec::Refusal& refusal : run.refused) err << "warning: " << refusal.message << "\n";
   err.flush();
-  stage.outputs.start_thread();
   {
-    const Attendant attendant(meter, links, options, !run.refused.empty(), out);
-    thread.go();
-    thread.join();
+    const Untied untied(err);
+    stage.outputs.start_thread();
+    {
+      const Attendant attendant(meter, links, !run.refused.empty(), can_draw(options, out), console);
+      thread.go();
+      thread.join();
+    }
+    stage.outputs.stop_thread();
   }
-  stage.outputs.stop_thread();
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();

@@ -15,11 +15,11 @@ std::size_t capacity(const core::PlantTables& tables, bool real_time) {
 }  // namespace
 
 Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
-             const scenario::Scenario* scenario, bool real_time, std::ostream& out, std::ostream& err)
+             const scenario::Scenario* scenario, bool real_time, std::ostream& out, Console& console)
     : plant(program.tables, program.behaviours),
       recorder(program.tables, capacity(program.tables, real_time)),
       history(names),
-      report(names, history, scenario, options.scenario, err),
+      report(names, history, scenario, options.scenario, console),
       outputs(names, options, recorder, history, report, out) {
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);

@@ -20,9 +20,9 @@ namespace symplant::host {
 /// it is.
 class Stage {
  public:
-  /// `scenario` may be null. `out` and `err` are those of the run.
+  /// `scenario` may be null. `out` is standard output, for files that go there.
   Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
-        const scenario::Scenario* scenario, bool real_time, std::ostream& out, std::ostream& err);
+        const scenario::Scenario* scenario, bool real_time, std::ostream& out, Console& console);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 

@@ -126,7 +126,8 @@ TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, t
   const Environment environment(abstract_name(), "100000", std::to_string(getpid()));
   exec::CycleMeter meter;
   {
-    const host::Attendant attendant(meter, {}, {}, false, std::cout);
+    host::Console console(std::cout, std::cerr);
+    const host::Attendant attendant(meter, {}, false, false, console);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     CHECK(systemd.next().empty());  // no cycle yet
     meter.beats.add(1);
