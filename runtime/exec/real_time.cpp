@@ -1,12 +1,14 @@
 // A thread made fit for the cycle.
 #include "symplant/exec/real_time.hpp"
 
+#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -21,14 +23,29 @@ namespace symplant::exec {
 namespace {
 
 constexpr std::size_t kStack = std::size_t{256} * 1024;  ///< more than a cycle uses
+constexpr std::size_t kSpare = std::size_t{32} * 1024;   ///< of the stack, for what runs below the touch
 constexpr std::size_t kPage = 4096;
 constexpr std::uint64_t kMegabyte = 1024 * 1024;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-void touch_stack() noexcept {
-  std::array<volatile std::byte, kStack> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
-  for (std::size_t at = 0; at < kStack; at += kPage) stack[at] = std::byte{};
+/// So much of the thread's stack lies free below `here`; 0 where the system does not tell.
+std::size_t free_stack(const void* here) noexcept {
+  pthread_attr_t attributes;
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
+  void* lowest = nullptr;
+  std::size_t size = 0;
+  const bool known = pthread_attr_getstack(&attributes, &lowest, &size) == 0;
+  pthread_attr_destroy(&attributes);
+  return known ? static_cast<std::size_t>(static_cast<const char*>(here) - static_cast<const char*>(lowest)) : 0;
+}
+
+/// No more than there is: `ulimit -s` may leave less than a cycle is given. A page a call, from the top downwards.
+__attribute__((noinline)) void touch_stack(std::size_t bytes) noexcept {
+  std::array<volatile std::byte, kPage> page;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
+  page[0] = std::byte{};
+  if (bytes > kPage) touch_stack(bytes - kPage);
+  page[kPage - 1] = std::byte{};  // behind the call, so that its frame stays
 }
 
 std::optional<Refusal> take_priority(int priority) {
@@ -109,7 +126,9 @@ std::vector<Refusal> set_up_real_time(const RealTimeOptions& options) {
     if (refusal) refused.push_back(std::move(*refusal));
   };
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
-  touch_stack();
+  const char here = 0;
+  const std::size_t left = free_stack(&here);
+  if (left > kSpare) touch_stack(std::min(left - kSpare, kStack));
   populate_memory();
   if (options.lock_memory) note(lock_memory());
   if (options.cpu) note(stay_on(static_cast<std::size_t>(*options.cpu)));

@@ -24,3 +24,6 @@ run_with 0
 grep -q '0 MB may be locked' "$work/plant.log" || fail "it does not say how much may be locked"
 run_with 8388608 # enough to begin with, too little for a thread
 cat "$work/plant.log"
+
+# A stack that is smaller than what a cycle is given beforehand.
+(ulimit -s 256 && "$1" run "$2" --clock real --until 50ms >"$work/small") || fail "with a stack of 256 kB: exit code $?"
