@@ -9,6 +9,7 @@
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/junit.hpp"
+#include "symplant/host/last_resort.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/load_scenario.hpp"
 #include "symplant/host/rt_check.hpp"
@@ -95,8 +96,8 @@ bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
 
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
-         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, Console& console, std::ostream& out,
-         std::ostream& tell, std::ostream& err) {
+         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, LastResort& resort, Console& console,
+         std::ostream& out, std::ostream& tell, std::ostream& err) {
   stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
   Links links;
   const int opened = open_links(chosen, program.tables, stage.plant, links, err);
@@ -106,6 +107,7 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   names.name_links(std::move(named));
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
+  resort.begun();
   tell << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
        << absent_behaviours(program.tables, program.behaviours);
   if (scenario != nullptr) tell << scenario_summary(options.scenario, *scenario);
@@ -166,6 +168,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     if (!scenario) return kBadInput;
   }
   catch_signals();
+  LastResort resort;
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!real_time_fits(options, real, err)) return kBadInput;
@@ -175,7 +178,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   std::ostream& tell = uses_standard_output(options) ? err : out;
   Console console(tell, err);
   Stage stage(staged, options, names, played, real, out, console);
-  return play(stage, program, options, names, played, chosen, real, console, out, tell, err);
+  return play(stage, program, options, names, played, chosen, real, resort, console, out, tell, err);
 }
 
 }  // namespace symplant::host

@@ -8,20 +8,27 @@ namespace {
 
 std::atomic<bool> stop{false};
 std::atomic<bool> status{false};
-static_assert(std::atomic<bool>::is_always_lock_free);  // or a handler could not touch it
+std::atomic<int> wishes{0};
+static_assert(std::atomic<bool>::is_always_lock_free &&
+              std::atomic<int>::is_always_lock_free);  // or a handler could not touch it
 
-void request_stop(int) { stop.store(true); }
+void hang_up(int) { stop.store(true); }
+void request_stop(int) {
+  wishes.fetch_add(1);
+  stop.store(true);
+}
 void request_status(int) { status.store(true); }
 
 }  // namespace
 
 void catch_signals() {
   stop.store(false);
+  wishes.store(0);
   status.store(false);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 #ifdef SIGHUP
-  if (std::signal(SIGHUP, request_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+  if (std::signal(SIGHUP, hang_up) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 #endif
 #ifdef SIGUSR1
   std::signal(SIGUSR1, request_status);
@@ -32,6 +39,8 @@ void catch_signals() {
 }
 
 const std::atomic<bool>& stop_requested() { return stop; }
+
+int stop_wishes() { return wishes.load(); }
 
 bool take_status_request() { return status.exchange(false); }
 

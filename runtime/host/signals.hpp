@@ -12,6 +12,9 @@ void catch_signals();
 /// Set by a signal. One for the whole process, since a handler can only reach what is global.
 const std::atomic<bool>& stop_requested();
 
+/// How many SIGINT and SIGTERM have come.
+int stop_wishes();
+
 /// Whether SIGUSR1 has come since the last call.
 bool take_status_request();
 

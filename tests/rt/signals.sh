@@ -65,3 +65,40 @@ wait "$plant" || code=$?
 plant=""
 ((code == 3)) || fail "exit code $code where the output could not be written"
 grep -q '"cycles":' "$work/stats.json" || fail "without a reader there are no statistics"
+
+# Nobody takes what it writes: it ends all the same, and says why. Of three tries one is enough, as above.
+cannot_end() { # WHAT WORDS COMMAND...; the command's plant is told to end after half a second
+  local what=$1 words=$2 try begin took code
+  shift 2
+  for try in 1 2 3; do
+    "$@" 2>"$work/plant.log" &
+    plant=$!
+    sleep 0.5
+    kill -0 "$plant" || fail "$what: it did not run"
+    begin=$(milliseconds)
+    kill -TERM "$plant"
+    for ((; $(milliseconds) - begin < 5000; )); do kill -0 "$plant" 2>/dev/null || break; sleep 0.02; done
+    took=$(($(milliseconds) - begin))
+    kill -KILL "$plant" 2>/dev/null || true
+    code=0
+    wait "$plant" || code=$?
+    plant=""
+    ((code == 3)) || fail "$what: exit code $code after $took ms"
+    grep -q "$words" "$work/plant.log" || fail "$what: it does not say why"
+    printf 'TERM with %s: %d ms\n' "$what" "$took"
+    ((took < 1000)) && return
+  done
+  fail "TERM with $what: it took $took ms"
+}
+
+mkfifo "$work/full" "$work/unread"
+exec 3<>"$work/full" # a reader that stands still
+fill() { timeout 1 head -c 1048576 /dev/zero >"$work/full" || true; }
+fill
+stuck() { exec "$program" run "$list" "$@" >"$work/full"; }
+named() { exec "$program" run "$list" "$@" >"$work/said"; }
+cannot_end "a trace to a pipe that is not read" "while nobody took the output" stuck "${server[@]}" --trace -
+cannot_end "a pipe that is not read" "while nobody took the output" stuck "${server[@]}"
+cannot_end "a run in virtual time into a pipe" "while nobody took the output" stuck --until 10h --trace -
+cannot_end "a file that is a pipe" "while nobody took the output" named "${server[@]}" --trace "$work/full"
+cannot_end "a FIFO without a reader" "before the run began" named --clock real --trace "$work/unread"
