@@ -36,6 +36,11 @@ std::string known(const Names& names) {
 
 LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
 
+/// Two links cannot have it both; port 0 is any that is free.
+bool has_fixed_port(std::string_view url) {
+  return !is_loop(url) && (url.size() < 2 || url.substr(url.size() - 2) != ":0");
+}
+
 LinkError unknown(const Names& names, const LinkRequest& request) {
   const std::string what = "there is no controller `" + request.controller + "`, ";
   condition::NearestName nearest(request.controller);
@@ -87,6 +92,14 @@ std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantT
       if (other != choices.end()) {
         return usage(text_of(names, chosen.controller) + " has two links, `" + other->url + "` and `" + chosen.url +
                      "`: both would write its operations, leave one away");
+      }
+    }
+    if (has_fixed_port(chosen.url)) {
+      const auto same = std::find_if(choices.begin(), choices.end(),
+                                     [&](const LinkChoice& before) { return before.url == chosen.url; });
+      if (same != choices.end()) {
+        return usage(text_of(names, same->controller) + " and " + text_of(names, chosen.controller) +
+                     " both have the link `" + chosen.url + "`: give each a port of its own");
       }
     }
     choices.push_back(std::move(chosen));

@@ -30,8 +30,8 @@ std::string controller_text(const core::PlantTables& tables, std::uint32_t contr
 
 /// Says for each request whose symbols it carries. Where none is named it is the plant's one controller, or else the
 /// one without a name; `loop:` then carries those of all. Refused: a controller that the plant has not, none named
-/// where that leaves it open, two links to PLCs of one controller (each would write its operations). Controllers
-/// compare without regard to the case of ASCII letters.
+/// where that leaves it open, two links to PLCs of one controller (each would write its operations), two links of one
+/// URL with a port that is not 0. Controllers compare without regard to the case of ASCII letters.
 std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantTables& tables,
                                                               std::span<const LinkRequest> requests);
 

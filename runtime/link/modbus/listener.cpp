@@ -4,6 +4,7 @@
 #include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
@@ -40,12 +41,17 @@ std::variant<Addresses, LinkError> resolve(const HostPort& address) {
                        : environment(why + ": try again, or give a numeric address");
 }
 
-/// Why a socket could not be bound, and what to do about it.
-LinkError bind_error(const HostPort& address, int error) {
+/// Why a socket could not be bound at `at`, an address of the host, and what to do about it.
+LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
   const std::string port = "port " + std::to_string(address.port);
   if (error == EADDRINUSE) {
     const std::string in_use = port + " is in use on `" + address.host + "`";
-    if (const auto owner = owner_of_port(address.port)) {
+    const auto owner = owner_of_port(at);
+    if (owner && owner->process == ::getpid()) {
+      return environment(in_use + " by this program itself (process " + std::to_string(owner->process) +
+                         "): give each of its links a port of its own");
+    }
+    if (owner) {
       return environment(in_use + " by `" + owner->program + "` (process " + std::to_string(owner->process) +
                          "): end it, or give another port");
     }
@@ -116,15 +122,18 @@ std::variant<Listener, LinkError> listen_on(const HostPort& address) {
   auto resolved = resolve(address);
   if (auto* error = std::get_if<LinkError>(&resolved)) return std::move(*error);
   int error = EADDRNOTAVAIL;
-  for (const addrinfo* one = std::get<Addresses>(resolved).get(); one != nullptr; one = one->ai_next) {
+  const addrinfo* const first = std::get<Addresses>(resolved).get();
+  const addrinfo* failed = first;
+  for (const addrinfo* one = first; one != nullptr; one = one->ai_next) {
     Descriptor socket = listen_at(*one);
     if (socket) {
       const std::uint16_t port = port_of(socket.get());
       return Listener{std::move(socket), {address.host, port}};
     }
     error = errno;
+    failed = one;
   }
-  return bind_error(address, error);
+  return bind_error(address, *failed->ai_addr, error);
 }
 
 }  // namespace symplant::link::modbus

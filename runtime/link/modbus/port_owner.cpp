@@ -1,11 +1,16 @@
 // Who listens on a port of this machine.
 #include "symplant/link/modbus/port_owner.hpp"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -20,8 +25,60 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kListening = "0A";  ///< the state as /proc/net/tcp writes it
 
-/// `socket:[INODE]` of every socket that listens on the port.
-std::vector<std::string> listeners(const char* table, std::uint16_t port) {
+constexpr std::string_view kAll4 = "0000000000000000FFFF000000000000";
+constexpr std::string_view kAll6 = "00000000000000000000000000000000";
+constexpr std::string_view kMapped =
+    kAll4.substr(0, 24);  ///< how an address of IPv4 begins that is written as one of IPv6
+
+/// A place to listen on, as /proc/net/tcp6 writes it; an IPv4 address is mapped.
+struct Place {
+  std::string address;
+  std::uint16_t port = 0;
+};
+
+Place place_of(const sockaddr& address) {
+  std::array<std::uint32_t, 4> words{};
+  Place place;
+  const bool six = address.sa_family == AF_INET6;
+  if (six) {
+    const auto& v6 = reinterpret_cast<const sockaddr_in6&>(address);
+    std::memcpy(words.data(), &v6.sin6_addr, sizeof words);
+    place.port = ntohs(v6.sin6_port);
+  } else {
+    const auto& v4 = reinterpret_cast<const sockaddr_in&>(address);
+    words = {0, 0, htonl(0xFFFF), v4.sin_addr.s_addr};
+    place.port = ntohs(v4.sin_port);
+  }
+  for (const std::uint32_t word : words) {
+    std::array<char, 9> hex{};
+    std::snprintf(hex.data(), hex.size(), "%08X", static_cast<unsigned>(word));  // in the machine's order, as there
+    place.address += hex.data();
+  }
+  return place;
+}
+
+/// The first column of a line that names a place, "0100007F:05DE"; port 0 where it is none.
+Place place_of(std::string_view column) {
+  Place place;
+  const std::size_t colon = column.find(':');
+  if (colon == column.npos) return place;
+  std::from_chars(column.data() + colon + 1, column.data() + column.size(), place.port, 16);
+  place.address = column.substr(0, colon);
+  if (place.address.size() == 8) place.address.insert(0, kMapped);
+  return place;
+}
+
+bool covers(std::string_view all, std::string_view address) {
+  return all == kAll6 || (all == kAll4 && address.substr(0, kMapped.size()) == kMapped);
+}
+
+/// Both cannot be listened on at once.
+bool collide(const Place& a, const Place& b) {
+  return a.port == b.port && (a.address == b.address || covers(a.address, b.address) || covers(b.address, a.address));
+}
+
+/// `socket:[INODE]` of every socket that listens where `wanted` would.
+std::vector<std::string> listeners(const char* table, const Place& wanted) {
   std::ifstream stream(table);
   std::vector<std::string> found;
   std::string line;
@@ -30,11 +87,7 @@ std::vector<std::string> listeners(const char* table, std::uint16_t port) {
     std::istringstream fields(line);
     std::string row, local, remote, state, queues, timer, retransmits, user, timeout, inode;
     fields >> row >> local >> remote >> state >> queues >> timer >> retransmits >> user >> timeout >> inode;
-    const std::size_t colon = local.find(':');
-    if (state != kListening || colon == local.npos) continue;
-    std::uint16_t number = 0;
-    std::from_chars(local.data() + colon + 1, local.data() + local.size(), number, 16);
-    if (number == port) found.push_back("socket:[" + inode + "]");
+    if (state == kListening && collide(place_of(local), wanted)) found.push_back("socket:[" + inode + "]");
   }
   return found;
 }
@@ -63,9 +116,10 @@ std::string program_of(const fs::path& process) {
 
 }  // namespace
 
-std::optional<PortOwner> owner_of_port(std::uint16_t port) {
-  std::vector<std::string> sockets = listeners("/proc/net/tcp", port);
-  for (std::string& socket : listeners("/proc/net/tcp6", port)) sockets.push_back(std::move(socket));
+std::optional<PortOwner> owner_of_port(const sockaddr& address) {
+  const Place wanted = place_of(address);
+  std::vector<std::string> sockets = listeners("/proc/net/tcp", wanted);
+  for (std::string& socket : listeners("/proc/net/tcp6", wanted)) sockets.push_back(std::move(socket));
   if (sockets.empty()) return std::nullopt;
   std::error_code error;
   for (fs::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {

@@ -1,9 +1,9 @@
 // Who listens on a port of this machine.
 #pragma once
 
+#include <sys/socket.h>
 #include <sys/types.h>
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -14,7 +14,8 @@ struct PortOwner {
   pid_t process = 0;
 };
 
-/// The process that listens on a TCP port, by /proc; nothing where it cannot be read, as of other users' processes.
-std::optional<PortOwner> owner_of_port(std::uint16_t port);
+/// The process that listens where a socket of this address (IPv4 or IPv6, with its port) would: on the port, and on the
+/// same address or on all. By /proc; nothing where it cannot be read, as of other users' processes.
+std::optional<PortOwner> owner_of_port(const sockaddr& address);
 
 }  // namespace symplant::link::modbus

@@ -89,6 +89,14 @@ TEST_CASE("two links to PLCs of one controller are refused, since both would wri
   CHECK(chosen(plant_of({"PLC1"}), {"loop:", kServer}) == "0=loop: 0=" + kServer);
 }
 
+TEST_CASE("two links on one port are refused, unless it is 0 and so another for each") {
+  const std::string fixed = "modbus-tcp-server://127.0.0.1:1502";
+  const SymbolList list = plant_of({"PLC1", "PLC2"});
+  CHECK(chosen(list, {"PLC1=" + fixed, "PLC2=" + fixed}) ==
+        "controller `PLC1` and controller `PLC2` both have the link `" + fixed + "`: give each a port of its own");
+  CHECK(chosen(list, {"PLC1=" + kServer, "PLC2=" + kServer}) == "0=" + kServer + " 1=" + kServer);
+}
+
 TEST_CASE("the loop without a name is that of all controllers") {
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"loop:"}) == "all=loop:");
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"PLC2=loop:"}) == "1=loop:");

@@ -1,4 +1,4 @@
-// How many clients the Modbus server has and for how long; who gives way, who has the port.
+// How many clients the Modbus server has and for how long; who gives way.
 #include <fcntl.h>
 #include <sys/resource.h>
 
@@ -8,7 +8,6 @@
 #include "support/raw_client.hpp"
 #include "symplant/link/modbus/descriptors.hpp"
 #include "symplant/link/modbus/listener.hpp"
-#include "symplant/link/modbus/port_owner.hpp"
 #include "symplant/link/modbus/server.hpp"
 
 using namespace symplant;
@@ -273,18 +272,4 @@ TEST_CASE("who has ended his sending still gets all his answers, also where he r
   sender.join();
   CHECK(answers == kRequests);
   CHECK(client.is_closed());
-}
-
-TEST_CASE("the owner of a port is told by program and process, for IPv4 and IPv6") {
-  const Listener four = std::get<Listener>(listen_on({"127.0.0.1", 0}));
-  const auto owner = owner_of_port(four.bound.port);
-  REQUIRE(owner);
-  CHECK(owner->process == ::getpid());
-  CHECK(owner->program.substr(0, 5) == "test_");
-  auto six = listen_on({"::1", 0});
-  if (auto* listener = std::get_if<Listener>(&six)) {
-    REQUIRE(owner_of_port(listener->bound.port));
-    CHECK(owner_of_port(listener->bound.port)->process == ::getpid());
-  }
-  CHECK_FALSE(owner_of_port(0));
 }
