@@ -178,7 +178,9 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   std::ostream& tell = uses_standard_output(options) ? err : out;
   Console console(tell, err);
   Stage stage(staged, options, names, played, real, out, console);
-  return play(stage, program, options, names, played, chosen, real, resort, console, out, tell, err);
+  const int code = play(stage, program, options, names, played, chosen, real, resort, console, out, tell, err);
+  out.flush();  // as long as somebody looks whether it is taken
+  return code;
 }
 
 }  // namespace symplant::host

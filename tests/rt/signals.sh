@@ -91,14 +91,19 @@ cannot_end() { # WHAT WORDS COMMAND...; the command's plant is told to end after
   fail "TERM with $what: it took $took ms"
 }
 
-mkfifo "$work/full" "$work/unread"
-exec 3<>"$work/full" # a reader that stands still
-fill() { timeout 1 head -c 1048576 /dev/zero >"$work/full" || true; }
-fill
+mkfifo "$work/full" "$work/late" "$work/unread"
+exec 3<>"$work/full" 4<>"$work/late" # readers that stand still
+fill() { timeout 1 head -c 1048576 /dev/zero >"$1" || true; }
+fill "$work/full"
 stuck() { exec "$program" run "$list" "$@" >"$work/full"; }
+stuck_later() {
+  (sleep 0.2 && fill "$work/late") &
+  exec "$program" run "$list" "$@" >"$work/late"
+}
 named() { exec "$program" run "$list" "$@" >"$work/said"; }
 cannot_end "a trace to a pipe that is not read" "while nobody took the output" stuck "${server[@]}" --trace -
 cannot_end "a pipe that is not read" "while nobody took the output" stuck "${server[@]}"
+cannot_end "a pipe that is no longer read" "while nobody took the output" stuck_later "${server[@]}"
 cannot_end "a run in virtual time into a pipe" "while nobody took the output" stuck --until 10h --trace -
 cannot_end "a file that is a pipe" "while nobody took the output" named "${server[@]}" --trace "$work/full"
 cannot_end "a FIFO without a reader" "before the run began" named --clock real --trace "$work/unread"
