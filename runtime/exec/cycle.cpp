@@ -61,7 +61,7 @@ class Run {
   void one(core::Time next, core::Time woken) noexcept {
     const core::Time lateness = woken - (next + offset_);
     meter_.lateness.add(lateness);
-    if (last_start_ != core::kNever) meter_.jitter.add(std::abs(woken - last_start_ - cycle_));
+    if (last_start_ != core::kNever) meter_.jitter.add(std::abs(woken - last_start_ - (next - time_)));
     link_time_ += last_start_ == core::kNever ? cycle_ : std::min(woken - last_start_, kStandstill * cycle_);
     last_start_ = woken;
     const std::int64_t excess = lateness / cycle_ - most_;
@@ -73,6 +73,7 @@ class Run {
     const core::Time deadline = next + offset_;
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus told = status();
+    meter_.note_standstill(told.frozen);
     if (told.frozen) {
       offset_ += next - time_;
       meter_.frozen.add(static_cast<std::uint64_t>(next - time_));

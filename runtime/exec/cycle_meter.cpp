@@ -23,6 +23,10 @@ void CycleMeter::note(std::size_t link, LinkState state) noexcept {
   if (after != before) states_.set(after);
 }
 
+void CycleMeter::note_standstill(bool stands_still) noexcept {
+  if (stands_still != this->stands_still()) stands_still_.set(stands_still ? 1 : 0);
+}
+
 LinkState CycleMeter::state(std::size_t link) const noexcept {
   return static_cast<LinkState>(states_.value() >> (2 * link) & 3);
 }

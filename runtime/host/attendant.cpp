@@ -57,6 +57,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
     text += (i == 0 ? "; " : ", ") + links[i] + " " + words(meter.state(i));
   }
+  if (meter.stands_still()) text += "; the plant stands still";
   return text;
 }
 
@@ -70,6 +71,7 @@ Attendant::~Attendant() {
   thread_.request_stop();
   thread_.join();
   if (console_.is_taken()) console_.clear();
+  tell_ready();  // a run may be shorter than a turn
   if (!stopping_) manager_.tell("STOPPING=1");
 }
 
@@ -86,19 +88,16 @@ void Attendant::attend(const std::stop_token& stop) {
   }
 }
 
+void Attendant::tell_ready() {
+  if (!ready_ && meter_.beats.value() != 0) ready_ = manager_.tell("READY=1\nSTATUS=running");
+}
+
 void Attendant::tell_manager() {
   if (!manager_.listens()) return;
+  tell_ready();
+  if (!stopping_ && stop_requested().load()) stopping_ = manager_.tell("STOPPING=1");
   const std::uint64_t beats = meter_.beats.value();
-  if (!ready_ && beats != 0) {
-    ready_ = true;
-    manager_.tell("READY=1\nSTATUS=running");
-  }
-  if (!stopping_ && stop_requested().load()) {
-    stopping_ = true;
-    manager_.tell("STOPPING=1");
-  }
-  if (manager_.watchdog() != 0 && beats != beats_) manager_.tell("WATCHDOG=1");
-  beats_ = beats;
+  if (manager_.watchdog() != 0 && beats != beats_ && manager_.tell("WATCHDOG=1")) beats_ = beats;
 }
 
 void Attendant::tell_user(bool line_is_due) {

@@ -17,7 +17,8 @@
 namespace symplant::host {
 
 /// "1230 cycles, p99 85.2 us late, 0 overruns; PLC1 live, PLC2 waiting".
-/// `degraded`: the system refused what was asked for, which is said, too.
+/// A plant that stands still with a lost link says so at the end. `degraded`: the system refused what was asked for,
+/// which is said, too.
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded);
 
 /// Whether a status line can be drawn on `out`: it is a terminal, and no file goes there.
@@ -35,6 +36,7 @@ class Attendant {
 
  private:
   void attend(const std::stop_token& stop);
+  void tell_ready();
   void tell_manager();
   void tell_user(bool line_is_due);
 

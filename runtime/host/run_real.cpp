@@ -51,9 +51,10 @@ std::string text_of(const char* what, const exec::Durations& durations) {
 
 void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
   const exec::CycleStatistics& cycles = run.cycles;
-  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost\n", seconds(stage.plant.now()),
+  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost{}\n", seconds(stage.plant.now()),
                      stop_requested().load() ? " by a signal" : "", cycles.cycles, cycles.overruns,
-                     seconds(cycles.slipped));
+                     seconds(cycles.slipped),
+                     cycles.frozen == 0 ? "" : fmt::format(", stood still for {}", seconds(cycles.frozen)));
   if (cycles.cycles != 0) {
     out << text_of("cycles began late by", cycles.lateness) << text_of("cycles worked for", cycles.work)
         << text_of("from start to start a cycle was off by", cycles.jitter)

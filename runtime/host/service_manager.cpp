@@ -66,8 +66,8 @@ ServiceManager::~ServiceManager() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-void ServiceManager::tell(const std::string& state) const noexcept {
-  if (socket_ >= 0) ::send(socket_, state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+bool ServiceManager::tell(const std::string& state) const noexcept {
+  return socket_ >= 0 && ::send(socket_, state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
 }
 
 }  // namespace symplant::host

@@ -25,8 +25,9 @@ class ServiceManager {
   /// Silence of this length has the program killed; 0: it may be as silent as it likes.
   core::Time watchdog() const noexcept { return watchdog_; }
 
-  /// `state`: lines such as `READY=1`. Never waits.
-  void tell(const std::string& state) const noexcept;
+  /// `state`: lines such as `READY=1`. Never waits; false where it did not go out, since the manager is behind with
+  /// what it was told, say.
+  bool tell(const std::string& state) const noexcept;
 
  private:
   int socket_ = -1;

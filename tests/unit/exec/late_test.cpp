@@ -133,6 +133,13 @@ TEST_CASE("jitter is how far one start is from the next, off the cycle either wa
   CHECK(statistics.jitter.p999 == 4 * kMillisecond);
 }
 
+TEST_CASE("a last cycle that is planned to be shorter is no jitter") {
+  Bench bench;
+  const auto statistics = bench.run({.until = 41 * kMillisecond});
+  CHECK(statistics.jitter.count == 4);
+  CHECK(statistics.jitter.max == 0);
+}
+
 TEST_CASE("the meter of a run can be read in the middle of it") {
   Bench bench;
   bench.link.stands = exec::LinkState::lost;

@@ -151,7 +151,7 @@ TEST_CASE("a run in real time is ready when its cycle goes, and says when it end
   tables.list_names = {"none", 5};
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
-  options.until = 300 * core::kMillisecond;
+  options.until = GENERATE(50, 300) * core::kMillisecond;
   std::ostringstream out;
   CHECK(host::run({.tables = tables}, options, out, out) == host::kGood);
   CHECK(systemd.next().rfind("READY=1\n", 0) == 0);
@@ -166,6 +166,10 @@ TEST_CASE("the status line says cycles, lateness, overruns and how each link sta
   meter.note(1, exec::LinkState::lost);
   CHECK(host::status_text(meter, {"loop:", "PLC2"}, false) ==
         "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting, PLC2 lost");
+  meter.note_standstill(true);
+  CHECK(host::status_text(meter, {"loop:"}, false) ==
+        "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting; the plant stands still");
+  meter.note_standstill(false);
   CHECK(host::status_text(meter, {}, true) == "7 cycles, p99 1.5 us late, 2 overruns, real time degraded");
 }
 
