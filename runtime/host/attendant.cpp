@@ -13,6 +13,7 @@
 
 #include "symplant/host/files_apart.hpp"
 #include "symplant/host/signals.hpp"
+#include "symplant/host/words.hpp"
 
 namespace symplant::host {
 namespace {
@@ -30,18 +31,6 @@ std::size_t terminal_width() {
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - std::size_t{1} : kUsualWidth;
 }
 
-const char* words(exec::LinkState state) {
-  switch (state) {
-    case exec::LinkState::waiting:
-      return "waiting";
-    case exec::LinkState::live:
-      return "live";
-    case exec::LinkState::lost:
-      break;
-  }
-  return "lost";
-}
-
 }  // namespace
 
 bool can_draw(const RunOptions& options, const std::ostream& out) {
@@ -55,7 +44,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
                                  static_cast<double>(meter.lateness.durations().p99) / 1e3, meter.overruns.value());
   if (degraded) text += ", real time degraded";
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
-    text += (i == 0 ? "; " : ", ") + links[i] + " " + words(meter.state(i));
+    text += (i == 0 ? "; " : ", ") + links[i] + " " + state_name(meter.state(i));
   }
   if (meter.stands_still()) text += "; the plant stands still";
   return text;

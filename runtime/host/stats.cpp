@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "symplant/host/words.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::host {
@@ -26,11 +27,6 @@ std::string real_time_text(const RealRun& run) {
     text += (&refusal == run.refused.data() ? "\"" : ",\"") + refusal.option + "\"";
   }
   return text + "]";
-}
-
-const char* state_name(exec::LinkState state) {
-  if (state == exec::LinkState::waiting) return "waiting";
-  return state == exec::LinkState::live ? "live" : "lost";
 }
 
 std::string links_text(const Links& links) {

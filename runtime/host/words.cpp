@@ -9,6 +9,11 @@ std::string plural(std::size_t count, std::string_view word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
 }
 
+const char* state_name(exec::LinkState state) {
+  if (state == exec::LinkState::waiting) return "waiting";
+  return state == exec::LinkState::live ? "live" : "lost";
+}
+
 std::string shown(std::string_view name) {
   std::string text;
   for (std::size_t i = 0; i < name.size(); ++i) {

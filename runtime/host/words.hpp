@@ -5,10 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "symplant/exec/exchange.hpp"
+
 namespace symplant::host {
 
 /// `1 step`, `2 steps`.
 std::string plural(std::size_t count, std::string_view word);
+
+/// `waiting`, `live`, `lost`.
+const char* state_name(exec::LinkState state);
 
 /// A name as a terminal may show it: control and direction-changing characters as `?`.
 std::string shown(std::string_view name);
