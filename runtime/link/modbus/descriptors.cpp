@@ -1,9 +1,18 @@
-// What the system allows of sockets: what follows when a client cannot be accepted.
+// What the system allows of sockets: what follows when a client cannot be accepted, how many can be.
 #include "symplant/link/modbus/descriptors.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <string>
+#include <system_error>
 
 namespace symplant::link::modbus {
+
+namespace {
+
+constexpr rlim_t kOtherFiles = 32;  ///< of the process beside its clients, ample
+
+}  // namespace
 
 AfterAccept after_accept(int error) noexcept {
   switch (error) {
@@ -26,6 +35,27 @@ AfterAccept after_accept(int error) noexcept {
     default:
       return AfterAccept::pause;
   }
+}
+
+std::optional<rlim_t> limit_for(rlimit limit, std::size_t clients) noexcept {
+  if (limit.rlim_max < clients + kOtherFiles) return std::nullopt;
+  if (limit.rlim_max - clients <= limit.rlim_cur) return limit.rlim_max;
+  return limit.rlim_cur + clients;
+}
+
+void make_room_for(std::size_t clients) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  const auto wanted = limit_for(limit, clients);
+  if (!wanted) {
+    throw std::system_error(EMFILE, std::generic_category(),
+                            std::to_string(clients) + " connections are more than fit in the " +
+                                std::to_string(limit.rlim_max) +
+                                " files that this process may open, give fewer `connections` or raise `ulimit -Hn`");
+  }
+  limit.rlim_cur = std::max(*wanted, limit.rlim_cur);
+  // Up to the hard limit needs no privilege.
+  if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) throw std::system_error(errno, std::generic_category(), "setrlimit");
 }
 
 }  // namespace symplant::link::modbus

@@ -100,6 +100,7 @@ Server::Server(Descriptor listener, Responder& responder, ServerOptions options)
       epoll_(or_throw(Descriptor(::epoll_create1(EPOLL_CLOEXEC)), "epoll_create1")),
       wake_(or_throw(Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), "eventfd")) {
   options_.connections = std::max<std::size_t>(options_.connections, 1);
+  make_room_for(options_.connections);
   watch(epoll_.get(), EPOLL_CTL_ADD, wake_.get(), EPOLLIN);
   watch(epoll_.get(), EPOLL_CTL_ADD, listener_.get(), EPOLLIN);
   thread_ = without_signals([this] { return std::thread([this] { serve(); }); });

@@ -34,7 +34,8 @@ struct ServerOptions {
 class Server {
  public:
   /// `listener` is non-blocking; `responder` is called by the server's thread only and must outlive it.
-  /// Throws std::system_error where the system has no descriptor or thread left.
+  /// Raises the process's soft limit of descriptors by the number of connections, at most to the hard one. Throws
+  /// std::system_error where the system has no descriptor or thread left, or the hard limit has no room for them.
   Server(Descriptor listener, Responder& responder, ServerOptions options = {});
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

@@ -209,6 +209,40 @@ TEST_CASE("the system asks after clients that say nothing, and gives up on what 
   CHECK(option(socket, IPPROTO_TCP, TCP_NODELAY) == 1);
 }
 
+TEST_CASE("the limit of descriptors has room for the clients that are allowed, as far as the hard one goes") {
+  CHECK(limit_for({1024, 4096}, 2000) == 3024);
+  CHECK(limit_for({1024, RLIM_INFINITY}, 10'000) == 11'024);
+  CHECK(limit_for({1024, 4096}, 4000) == 4096);
+  CHECK(limit_for({1024, 1024}, 32) == 1024);
+  CHECK_FALSE(limit_for({1024, 4096}, 4090));
+  CHECK_FALSE(limit_for({1024, 4096}, 10'000));
+}
+
+TEST_CASE("a server has room for all its clients where the soft limit has not") {
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  if (before.rlim_max < 1000) return;
+  const rlimit low{100, before.rlim_max};
+  ::setrlimit(RLIMIT_NOFILE, &low);
+  {
+    const EchoServer bench({.connections = 300});
+    std::vector<RawClient> clients;
+    for (int i = 0; i < 150; ++i) {
+      clients.emplace_back(bench.port);
+      REQUIRE(clients.back().ask(kAsked) == kAsked);
+    }
+    CHECK(bench.server.connections() == 150);
+  }
+  ::setrlimit(RLIMIT_NOFILE, &before);
+}
+
+TEST_CASE("a server whose clients do not fit says so at its start") {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_NOFILE, &limit);
+  if (limit.rlim_max > 100'000'000) return;
+  CHECK_THROWS_WITH(EchoServer({.connections = limit.rlim_max}), Catch::Contains("give fewer `connections`"));
+}
+
 TEST_CASE("two thousand clients at once are served, on descriptors beyond 1024, and leave nothing open") {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
