@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 
+#include "symplant/core/ascii.hpp"
+
 namespace symplant::condition {
 namespace {
 
-constexpr std::size_t kLongest = 200;  ///< bytes; longer names are compared by nobody
+using core::upper;
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr std::size_t kLongest = 200;  ///< bytes; longer names are compared by nobody
 
 /// The distance where it is below `limit`, else any number from there on.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {

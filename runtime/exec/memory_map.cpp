@@ -1,6 +1,7 @@
 // Every mapping of the process, populated.
 #include "symplant/exec/memory_map.hpp"
 
+#include <pthread.h>
 #include <sys/mman.h>
 
 #include <cstdint>
@@ -35,26 +36,37 @@ bool parse(const std::string& line, Mapping& mapping) {
   return true;
 }
 
-/// A thread's stack lies right above a small piece that nobody may touch.
-bool is_stack(const Mapping& mapping, const Mapping& below) {
+/// A thread's stack lies right above a small piece that nobody may touch. What follows it without a gap is shown as one
+/// mapping with it.
+bool begins_with_stack(const Mapping& mapping, const Mapping& below) {
   return mapping.writable && below.end == mapping.begin && !below.readable && !below.writable &&
          below.end - below.begin <= kLargestFence;
+}
+
+std::uintptr_t stack_size() {
+  pthread_attr_t defaults;
+  std::size_t size = 0;
+  if (pthread_getattr_default_np(&defaults) != 0) return kLargest;
+  pthread_attr_getstacksize(&defaults, &size);
+  pthread_attr_destroy(&defaults);
+  return size;
 }
 
 }  // namespace
 
 void populate_memory() {
+  const std::uintptr_t stack = stack_size();
   std::ifstream maps("/proc/self/maps");
   Mapping below;
   Mapping mapping;
   for (std::string line; std::getline(maps, line); below = mapping) {
     if (!parse(line, mapping)) continue;
     const bool special = line.find("[v") != std::string::npos;  // the kernel's own
-    if (special || !mapping.readable || !mapping.own || is_stack(mapping, below)) continue;
-    if (mapping.end - mapping.begin > kLargest) continue;
+    if (special || !mapping.readable || !mapping.own) continue;
+    const std::uintptr_t begin = begins_with_stack(mapping, below) ? mapping.begin + stack : mapping.begin;
+    if (begin >= mapping.end || mapping.end - begin > kLargest) continue;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel tells addresses as numbers
-    madvise(reinterpret_cast<void*>(mapping.begin), mapping.end - mapping.begin,
-            mapping.writable ? kPopulateWrite : kPopulateRead);
+    madvise(reinterpret_cast<void*>(begin), mapping.end - begin, mapping.writable ? kPopulateWrite : kPopulateRead);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTurn{100};
+constexpr milliseconds kLook{100};
 constexpr milliseconds kSameWish{200};  ///< a terminal that is closed may send its signal twice
 constexpr milliseconds kPatience{500};
 constexpr int kLooks = 3;       ///< a reader that is slow, but reads, takes something in between
@@ -58,7 +58,7 @@ LastResort::~LastResort() {
 
 void LastResort::look(const std::stop_token& done) {
   std::unique_lock lock(mutex_);
-  const auto wait = [&] { wake_.wait_for(lock, done, kTurn, [] { return false; }); };
+  const auto wait = [&] { wake_.wait_for(lock, done, kLook, [] { return false; }); };
   while (!done.stop_requested() && !stop_requested().load()) wait();
   const Clock::time_point told = Clock::now();
   int wishes = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "symplant/condition/nearest.hpp"
+#include "symplant/core/ascii.hpp"
 #include "symplant/core/names.hpp"
 #include "symplant/link/names.hpp"
 
@@ -15,7 +16,7 @@ using Names = std::vector<std::string_view>;
 
 std::optional<std::uint32_t> find(const Names& names, std::string_view wanted) {
   const auto found = std::find_if(names.begin(), names.end(),
-                                  [&](std::string_view name) { return equal_ignoring_case(name, wanted); });
+                                  [&](std::string_view name) { return core::equal_ignoring_case(name, wanted); });
   if (found == names.end()) return std::nullopt;
   return static_cast<std::uint32_t>(found - names.begin());
 }

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "symplant/core/ascii.hpp"
 #include "symplant/core/digest.hpp"
 #include "symplant/core/names.hpp"
 #include "symplant/link/io_map.hpp"
@@ -34,8 +35,6 @@ std::string size_text(const IoMap& map, Table table) {
   const std::uint32_t size = map.sizes[static_cast<std::size_t>(table)];
   return std::string(table_name(table)) + "s have the size " + std::to_string(size);
 }
-
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 }  // namespace
 
@@ -75,11 +74,7 @@ std::string fault_text(const core::PlantTables& tables, const IoMap& map, const 
 
 std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
   const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
-  const auto name_of = [&](const IoPoint& point) {
-    std::string name(texts[std::size_t{point.symbol} * 2]);
-    std::transform(name.begin(), name.end(), name.begin(), upper);
-    return name;
-  };
+  const auto name_of = [&](const IoPoint& point) { return core::to_upper(texts[std::size_t{point.symbol} * 2]); };
   std::vector<std::uint32_t> order(map.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -11,9 +11,6 @@
 
 namespace symplant::link {
 
-/// As names compare: without regard to the case of ASCII letters.
-bool equal_ignoring_case(std::string_view a, std::string_view b);
-
 /// Finds symbols by name, without regard to the case of ASCII letters. Immutable once made.
 class SymbolNames {
  public:

@@ -2,17 +2,10 @@
 #include "symplant/scenario/table_names.hpp"
 
 #include "symplant/condition/nearest.hpp"
+#include "symplant/core/ascii.hpp"
 
 namespace symplant::scenario {
 namespace {
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return result;
-}
 
 std::string path(std::string_view device, std::string_view facet) {
   std::string text(device);
@@ -24,28 +17,28 @@ std::string path(std::string_view device, std::string_view facet) {
 TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
   const core::PlantTables& tables = names.tables();
   units_.reserve(tables.units.size());
-  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(upper(names.unit(u)), u);
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(core::to_upper(names.unit(u)), u);
   symbols_.reserve(tables.symbols.size());
-  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(upper(names.symbol(s)), s);
+  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(core::to_upper(names.symbol(s)), s);
 }
 
 std::optional<std::uint32_t> TableNames::unit(std::string_view device, std::string_view facet) const {
-  const auto found = units_.find(upper(path(device, facet)));
+  const auto found = units_.find(core::to_upper(path(device, facet)));
   if (found == units_.end()) return std::nullopt;
   return found->second;
 }
 
 std::optional<std::uint8_t> TableNames::state(std::uint32_t unit, std::string_view name) const {
   const auto states = names_.states(unit);
-  const std::string wanted = upper(name);
+  const std::string wanted = core::to_upper(name);
   for (std::size_t s = 0; s < states.size(); ++s) {
-    if (states[s].size() == name.size() && upper(states[s]) == wanted) return static_cast<std::uint8_t>(s);
+    if (states[s].size() == name.size() && core::to_upper(states[s]) == wanted) return static_cast<std::uint8_t>(s);
   }
   return std::nullopt;
 }
 
 std::optional<condition::Names::Symbol> TableNames::symbol(std::string_view name) const {
-  const auto found = symbols_.find(upper(name));
+  const auto found = symbols_.find(core::to_upper(name));
   if (found == symbols_.end()) return std::nullopt;
   return Symbol{found->second, names_.tables().symbols[found->second].type()};
 }
@@ -70,9 +63,9 @@ std::string TableNames::nearest_symbol(std::string_view name) const {
 }
 
 std::string TableNames::why_no_state(std::uint32_t unit, std::string_view name) const {
-  const std::string wanted = upper(name);
+  const std::string wanted = core::to_upper(name);
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
-    if (upper(names_.task(symbol)) != wanted) continue;
+    if (core::to_upper(names_.task(symbol)) != wanted) continue;
     return "`" + std::string(name) + "` is no state of `" + std::string(names_.unit(unit)) + "`, name the symbol `" +
            std::string(names_.symbol(symbol)) + "`";
   }

@@ -50,7 +50,7 @@ An input that breaks something becomes a file in `tests/fuzz/crashes`, which eve
 | a cycle takes once, three times, always longer than it may | overruns are counted to the one, plant time catches up or slips, never a spiral | `build/release/tests/unit/exec/test_exec` |
 | the process stands still for 5 s | ten cycles are made up for, the rest is lost and counted | `ctest --test-dir build/release -R 'rt: a process that stood still'` |
 | the time of day jumps by an hour and a day at every look (a clock of the test's own, put before the system's) | cycles, plant time and what is lost are the same | `ctest --test-dir build/release -R 'rt: jumps'` |
-| SIGTERM, SIGINT, SIGHUP: waiting, in a cycle of an hour, awake before one, in a long catch-up | it ends within a second, with its statistics | `ctest --test-dir build/release -R 'rt: a signal'` |
+| SIGTERM, SIGINT, SIGHUP: waiting, in a cycle of an hour, awake before one, in a long catch-up | it ends within a second, with its statistics; where nobody takes its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: a signal'` |
 | nobody reads its output any more | the plant runs on, and ends with exit code 3 | the same test |
 | the cycle hangs under systemd | no sign of life is given, so that systemd starts it anew | `build/release/tests/unit/host/test_host` |
 

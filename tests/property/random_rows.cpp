@@ -21,7 +21,7 @@ class RowWriter {
     if (dice_.percent(40)) initial = std::to_string(dice_.below(8));
     std::string address;
     if (needs_address || dice_.percent(70)) {
-      address = (value.operation ? "%Q" : "%I") + std::string(1, size_of(value.type)) + std::to_string(next_++);
+      address = (value.operation ? "%Q" : "%I") + std::string(1, size_of(value.type)) + next_number(value.type);
     }
     rows.push_back({std::move(name), std::move(address), value.type, std::move(initial)});
   }
@@ -49,6 +49,13 @@ class RowWriter {
     if (type == "INT" || type == "UINT" || type == "WORD") return 'W';
     if (type == "LINT" || type == "ULINT" || type == "LWORD" || type == "LREAL") return 'L';
     return 'D';
+  }
+  /// A number behind all that stand already: %IL3 lies on the registers of %ID6 and %ID7.
+  std::string next_number(const std::string& type) {
+    const std::size_t registers = size_of(type) == 'L' ? 4 : size_of(type) == 'D' ? 2 : 1;
+    const std::size_t number = (next_ + registers - 1) / registers;
+    next_ = (number + 1) * registers;
+    return std::to_string(number);
   }
   static std::string name(const PlannedUnit& unit, const char* direction, const std::string& task) {
     return unit.path + direction + task;

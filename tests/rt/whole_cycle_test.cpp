@@ -1,7 +1,9 @@
 // The guard on the whole cycle: links' reading and writing, the plant, what looks at it, and the sleep between.
+#include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <memory>
@@ -139,6 +141,29 @@ TEST_CASE("memory that was there before is touched, so that the cycle's thread f
   });
   thread.join();
   CHECK(faults == 0);
+}
+
+TEST_CASE("memory right above a thread's stack is touched, too, the stack itself is not") {
+  pthread_attr_t defaults;
+  std::size_t stack = 0;
+  REQUIRE(pthread_getattr_default_np(&defaults) == 0);
+  pthread_attr_getstacksize(&defaults, &stack);
+  pthread_attr_destroy(&defaults);
+  // As the kernel shows them: a fence, then stack and memory as one mapping.
+  constexpr std::size_t kPage = 4096;
+  constexpr std::size_t kMore = 16 * kPage;
+  const std::size_t size = kPage + stack + kMore;
+  void* const fresh = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  REQUIRE(fresh != MAP_FAILED);
+  madvise(fresh, size, MADV_NOHUGEPAGE);
+  REQUIRE(mprotect(fresh, kPage, PROT_NONE) == 0);
+  std::thread([] { exec::set_up_real_time({}); }).join();
+  std::vector<unsigned char> resident(size / kPage);
+  REQUIRE(mincore(fresh, size, resident.data()) == 0);
+  munmap(fresh, size);
+  const auto there = [](unsigned char page) { return (page & 1U) != 0; };
+  CHECK(std::none_of(resident.begin(), resident.end() - 16, there));
+  CHECK(std::all_of(resident.end() - 16, resident.end(), there));
 }
 
 TEST_CASE("a page that a link touches for the first time is counted", "[planted]") {
