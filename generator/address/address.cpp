@@ -6,11 +6,13 @@
 #include <charconv>
 #include <string>
 
+#include "base/ascii.hpp"
+
 namespace symplant::address {
 
 namespace {
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+using base::upper;
 
 std::string_view trimmed(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };

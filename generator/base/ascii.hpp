@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include "base/words.hpp"
 
 namespace symplant::base {
 
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
@@ -54,5 +57,9 @@ struct EqualIgnoringCase {
   using is_transparent = void;
   bool operator()(std::string_view a, std::string_view b) const { return equal_ignoring_case(a, b); }
 };
+
+/// Values by name. The names are views: what they look at must outlive the map.
+template <class Value>
+using ByName = std::unordered_map<std::string_view, Value, HashIgnoringCase, EqualIgnoringCase>;
 
 }  // namespace symplant::base

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "base/ascii.hpp"
 #include "base/utf8.hpp"
 
 namespace symplant::base {
@@ -78,7 +79,6 @@ bool is_macro_like(std::string_view text) {
          std::any_of(kEnds.begin(), kEnds.end(), [&](auto part) { return text.ends_with(part); });
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char32_t c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
 std::string in_hex(std::uint32_t value, const char* format) {

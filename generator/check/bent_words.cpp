@@ -11,7 +11,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::size_t kShortest = 3;  ///< of a word that another may begin with
+constexpr std::size_t kShortestBegin = 3;  ///< of a word that another may begin with
 
 bool is_ending(std::string_view stem, std::string_view rest) {
   constexpr std::array<std::string_view, 8> kEndings{"", "E", "D", "N", "S", "ED", "EN", "ING"};
@@ -38,7 +38,7 @@ bool bent_alike(std::string_view a, std::string_view b) {
   std::size_t same = 0;
   while (same < a.size() && base::upper(a[same]) == base::upper(b[same])) ++same;
   if (same == a.size() && same == b.size()) return false;
-  if (same == a.size() && same >= kShortest) return true;
+  if (same == a.size() && same >= kShortestBegin) return true;
   return same >= 2 && is_ending(a.substr(0, same), a.substr(same)) && is_ending(b.substr(0, same), b.substr(same));
 }
 

@@ -9,8 +9,6 @@
 namespace symplant::check {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 constexpr std::uint32_t kLeastSiblings = 3;
 
 }  // namespace
@@ -19,9 +17,9 @@ std::string class_name(std::string_view device) {
   std::string name;
   name.reserve(device.size());
   for (std::size_t i = 0; i < device.size(); ++i) {
-    if (!is_digit(device[i])) {
+    if (!base::is_digit(device[i])) {
       name += base::upper(device[i]);
-    } else if (i == 0 || !is_digit(device[i - 1])) {
+    } else if (i == 0 || !base::is_digit(device[i - 1])) {
       name += '#';
     }
   }
@@ -76,7 +74,7 @@ void DeviceClasses::add_part(std::uint32_t device, std::uint32_t symbol, const m
 }
 
 void DeviceClasses::add_numeric(const model::PlantModel& plant) {
-  std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_path;
+  base::ByName<std::uint32_t> by_path;
   for (std::uint32_t symbol = 0; symbol < plant.symbols.size(); ++symbol) {
     const model::Symbol& of = plant.symbols[symbol];
     if (of.unmodelled != model::Unmodelled::numeric || of.reading.fault != name::NameFault::none) continue;

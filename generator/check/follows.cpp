@@ -9,7 +9,8 @@ namespace {
 
 using Of = RuleRole::Of;
 
-// Rules by the numbers of their ids, in the order of their rank as roots.
+/// Rules by the numbers of their ids, in the order of their rank as roots.
+namespace sp {
 constexpr int kAddressesContradict = 315;
 constexpr int kNameSlip = 205;
 constexpr int kSymbolDeclaredDifferently = 302;
@@ -36,6 +37,7 @@ constexpr int kOperationInitialIgnored = 311;
 constexpr int kInferredRestState = 501;
 constexpr int kInferredSingleSolenoid = 502;
 constexpr int kInferredSequence = 503;
+}  // namespace sp
 
 constexpr std::uint8_t kLast = 10;
 
@@ -67,53 +69,53 @@ bool may_be(const Lost& lost, name::Direction direction, std::string_view task) 
 
 }  // namespace
 
-bool RuleRole::lacks_side() const { return rule == kOperationWithoutEvent || rule == kEventWithoutOperation; }
+bool RuleRole::lacks_side() const { return rule == sp::kOperationWithoutEvent || rule == sp::kEventWithoutOperation; }
 
 RuleRole role_of(const diag::RuleInfo& rule) {
   const int number = number_of(rule);
   switch (number) {
-    case kAddressesContradict:
+    case sp::kAddressesContradict:
       return {number, Of::symbol, 0, true, false, false};
     case 201:
     case 202:
     case 203:
     case 204:  // the rules of faulty names
       return {number, Of::name, 1, true, false, false};
-    case kNameSlip:
+    case sp::kNameSlip:
       return {number, Of::slip, 1, true, false, false};
-    case kSymbolDeclaredDifferently:
+    case sp::kSymbolDeclaredDifferently:
       return {number, Of::row, 2, true, false, false};
-    case kTypeAgainstAddress:
-    case kTypeOfNoIo:
+    case sp::kTypeAgainstAddress:
+    case sp::kTypeOfNoIo:
       return {number, Of::lost_row, 2, true, false, false};
-    case kDirectionAgainstAddress:
-    case kTaskClaimedTwice:
+    case sp::kDirectionAgainstAddress:
+    case sp::kTaskClaimedTwice:
       return {number, Of::row, 3, true, false, true};
-    case kInitialNotUnderstood:
+    case sp::kInitialNotUnderstood:
       return {number, Of::row, 4, true, false, false};
-    case kTwoWordsOneState:
+    case sp::kTwoWordsOneState:
       return {number, Of::device, 5, true, true, false};
-    case kSequenceRepeated:
+    case sp::kSequenceRepeated:
       return {number, Of::device, 6, true, true, false};
-    case kSequenceGap:
+    case sp::kSequenceGap:
       return {number, Of::device, 7, true, true, false};
-    case kOneTaskAlone:
+    case sp::kOneTaskAlone:
       return {number, Of::device_and_lacks, 8, true, true, false};
-    case kShapeLacksSymbol:
+    case sp::kShapeLacksSymbol:
       return {number, Of::device_and_lacks, 9, true, true, false};
-    case kAddressUsedTwice:
-    case kEventMovedTwice:
-    case kOperationInitialIgnored:
+    case sp::kAddressUsedTwice:
+    case sp::kEventMovedTwice:
+    case sp::kOperationInitialIgnored:
       return {number, Of::device, kLast, false, false, true};
-    case kOperationWithoutEvent:
-    case kEventWithoutOperation:
-    case kUnitWithoutEvents:
-    case kNobodyMoves:
-    case kSequenceAmbiguous:
-    case kInitialByRowOrder:
-    case kInferredRestState:
-    case kInferredSingleSolenoid:
-    case kInferredSequence:
+    case sp::kOperationWithoutEvent:
+    case sp::kEventWithoutOperation:
+    case sp::kUnitWithoutEvents:
+    case sp::kNobodyMoves:
+    case sp::kSequenceAmbiguous:
+    case sp::kInitialByRowOrder:
+    case sp::kInferredRestState:
+    case sp::kInferredSingleSolenoid:
+    case sp::kInferredSequence:
       return {number, Of::device, kLast, false, true, false};
     default:
       return {number};
@@ -130,27 +132,28 @@ Lost Lost::of_words(std::string_view direction, std::string_view task) {
 
 bool Facts::follows(const diag::Diagnostic& finding, std::string_view path, const Root& root) {
   const int effect = role_of(*finding.rule).rule;
-  if (root.role.rule == kInitialNotUnderstood) {
-    return effect == kInitialByRowOrder || (effect == kNobodyMoves && same(finding.about.front(), root.symbol));
+  if (root.role.rule == sp::kInitialNotUnderstood) {
+    return effect == sp::kInitialByRowOrder || (effect == sp::kNobodyMoves && same(finding.about.front(), root.symbol));
   }
-  if (root.role.rule == kSequenceGap && (effect == kOperationWithoutEvent || effect == kEventWithoutOperation)) {
+  if (root.role.rule == sp::kSequenceGap &&
+      (effect == sp::kOperationWithoutEvent || effect == sp::kEventWithoutOperation)) {
     return false;
   }
   if (!root.lost) return true;
   const Lost& lost = *root.lost;
   switch (effect) {
-    case kOperationWithoutEvent:
+    case sp::kOperationWithoutEvent:
       return may_be(lost, name::Direction::event, task_of(finding.about.front()));
-    case kEventWithoutOperation:
+    case sp::kEventWithoutOperation:
       return may_be(lost, name::Direction::operation, task_of(finding.about.front()));
-    case kUnitWithoutEvents:
+    case sp::kUnitWithoutEvents:
       return may_be(lost, name::Direction::event);
-    case kNobodyMoves:
+    case sp::kNobodyMoves:
       return may_be(lost, name::Direction::operation);
-    case kOneTaskAlone:
-    case kShapeLacksSymbol:
+    case sp::kOneTaskAlone:
+    case sp::kShapeLacksSymbol:
       return is_told_lacking(finding, path, lost);
-    case kInferredRestState: {
+    case sp::kInferredRestState: {
       const model::Unit* unit = unit_of(path);  // with the lost event it would have been one task all the same
       return unit == nullptr || !same(unit->states.back().name, lost.task) || may_be(lost, name::Direction::operation);
     }

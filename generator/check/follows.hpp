@@ -64,7 +64,7 @@ class Facts {
   const model::Unit* unit_of(std::string_view path);
 
   const model::PlantModel& plant_;
-  std::unordered_map<std::string_view, const model::Unit*, base::HashIgnoringCase, base::EqualIgnoringCase> units_;
+  base::ByName<const model::Unit*> units_;
 };
 
 }  // namespace symplant::check

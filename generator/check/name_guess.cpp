@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::size_t kLevels = 5;
+constexpr std::size_t kWords = 5;
 constexpr std::size_t kDirection = 3;
 constexpr std::string_view kUnknown = "*";
 
@@ -24,10 +24,10 @@ class Guesses {
 
   /// Of five words. The direction must be one, and no more than one word unknown.
   void add(const Words& words) {
-    if (words.size() != kLevels) return;
+    if (words.size() != kWords) return;
     NameGuess guess;
     std::size_t unknown = 0;
-    for (std::size_t i = 0; i < kLevels; ++i) {
+    for (std::size_t i = 0; i < kWords; ++i) {
       const bool known = !words[i].empty() && std::all_of(words[i].begin(), words[i].end(), is_word) &&
                          (i != kDirection || is_direction(words[i]));
       unknown += known ? 0U : 1U;
@@ -111,7 +111,7 @@ std::string NameGuess::path() const {
 
 std::string NameGuess::name() const {
   std::string name = levels[0];
-  for (std::size_t i = 1; i < kLevels; ++i) name += "_" + levels[i];
+  for (std::size_t i = 1; i < kWords; ++i) name += "_" + levels[i];
   return name;
 }
 
@@ -122,9 +122,9 @@ std::vector<NameGuess> guess_names(std::string_view name, const name::NamingRule
   constexpr char separator = '_';
   Guesses guesses(rule);
   const Words words = parted(name, separator);
-  if (words.size() == kLevels) guesses.add(words);
-  if (words.size() + 1 == kLevels) guesses.add_word(words);
-  if (words.size() == kLevels + 1) guesses.drop_word(words);
+  if (words.size() == kWords) guesses.add(words);
+  if (words.size() + 1 == kWords) guesses.add_word(words);
+  if (words.size() == kWords + 1) guesses.drop_word(words);
   if (const std::string cleaned = without_foreign(name, separator); cleaned != name) {
     guesses.add(parted(cleaned, separator));
     guesses.add(parted(with_separators(name, separator), separator));

@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::size_t kShortest = 2;
+constexpr std::size_t kFewestLetters = 2;
 
 bool is_letter(char32_t c) { return !(c >= '0' && c <= '9') && c != '#'; }
 
@@ -47,7 +47,8 @@ std::size_t letters_in(std::u32string_view word) {
 
 bool differ_by_slip(std::u32string_view a, std::u32string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
-  if (b.size() - a.size() > 1 || a == b || letters_in(a) < kShortest || letters_in(b) < kShortest) return false;
+  if (b.size() - a.size() > 1 || a == b || letters_in(a) < kFewestLetters || letters_in(b) < kFewestLetters)
+    return false;
   const auto first = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
   if (a.size() < b.size()) return is_letter(b[first]) && a.substr(first) == b.substr(first + 1);
   if (!is_letter(a[first]) || !is_letter(b[first])) return false;

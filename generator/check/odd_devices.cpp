@@ -30,9 +30,9 @@ const model::Symbol* find_symbol(const model::PlantModel& plant, const model::Un
   return nullptr;
 }
 
-class Search {
+class OddSearch {
  public:
-  explicit Search(const Subject& subject) : plant_(subject.plant), classes_(subject.classes) {}
+  explicit OddSearch(const Subject& subject) : plant_(subject.plant), classes_(subject.classes) {}
 
   std::vector<OddDevice> find() {
     for (const DeviceClasses::Class& kind : classes_.classes()) {
@@ -94,6 +94,6 @@ class Search {
 
 }  // namespace
 
-std::vector<OddDevice> odd_devices(const Subject& subject) { return Search(subject).find(); }
+std::vector<OddDevice> odd_devices(const Subject& subject) { return OddSearch(subject).find(); }
 
 }  // namespace symplant::check

@@ -49,20 +49,18 @@ std::u32string code_points(std::string_view text) {
   return points;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// `written` with the letters of `pattern`, a word of the same class but for a slip in its letters: its digits stay.
 std::string with_letters_of(std::string_view pattern, std::string_view written) {
   std::string word;
   std::size_t from = 0;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
-    if (!is_digit(pattern[i])) {
+    if (!base::is_digit(pattern[i])) {
       word += pattern[i];
       continue;
     }
-    while (i + 1 < pattern.size() && is_digit(pattern[i + 1])) ++i;
-    while (from < written.size() && !is_digit(written[from])) ++from;
-    while (from < written.size() && is_digit(written[from])) word += written[from++];
+    while (i + 1 < pattern.size() && base::is_digit(pattern[i + 1])) ++i;
+    while (from < written.size() && !base::is_digit(written[from])) ++from;
+    while (from < written.size() && base::is_digit(written[from])) word += written[from++];
   }
   return word;
 }
@@ -247,7 +245,7 @@ class SlipSearch {
   /// Whether a device has the same word with the number before or behind: `GAP2` and `GAP4` beside `GAP3`.
   bool continues(std::uint32_t device, std::string_view task, core::Direction direction) const {
     std::size_t digits = task.size();
-    while (digits > 0 && is_digit(task[digits - 1])) --digits;
+    while (digits > 0 && base::is_digit(task[digits - 1])) --digits;
     if (digits == task.size() || task.size() - digits > 6) return false;
     const long number = std::stol(std::string(task.substr(digits)));
     const std::string letters(task.substr(0, digits));
@@ -310,7 +308,7 @@ class SlipSearch {
   std::array<std::vector<std::uint32_t>, 3> places_;  ///< by Level, then by device
   std::vector<std::uint32_t> tasks_;                  ///< by part
   std::unordered_set<std::string_view, base::HashIgnoringCase, base::EqualIgnoringCase> names_;
-  std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase> paths_;
+  base::ByName<std::uint32_t> paths_;
   std::unordered_map<std::string, std::size_t> by_key_;
   std::vector<Slip> slips_;
 };

@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::uint32_t kUnseen = 0xFFFF'FFFF;
 
-class Search {
+class PartSearch {
  public:
-  explicit Search(const std::vector<std::vector<std::uint32_t>>& edges)
+  explicit PartSearch(const std::vector<std::vector<std::uint32_t>>& edges)
       : edges_(edges), number_(edges.size(), kUnseen), lowest_(edges.size()), stacked_(edges.size()) {}
 
   void from(std::uint32_t start) {
@@ -74,7 +74,7 @@ class Search {
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> strong_parts(const std::vector<std::vector<std::uint32_t>>& edges) {
-  Search search(edges);
+  PartSearch search(edges);
   for (std::uint32_t i = 0; i < edges.size(); ++i) search.from(i);
   std::vector<std::vector<std::uint32_t>> parts = search.take();
   std::sort(parts.begin(), parts.end());

@@ -36,7 +36,7 @@ constexpr std::size_t kMostKinds = 8;
 /// their first devices; the shape as it is where there are too many.
 std::vector<Shape> by_kind(const Shape& shape, const model::PlantModel& plant) {
   std::vector<Shape> kinds;
-  std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_name;
+  base::ByName<std::size_t> by_name;
   for (const std::uint32_t unit : shape.units) {
     const auto [found, added] = by_name.try_emplace(kind_of(plant.units[unit]), kinds.size());
     if (added) kinds.emplace_back();

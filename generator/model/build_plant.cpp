@@ -17,9 +17,6 @@
 namespace symplant::model {
 namespace {
 
-template <class Value>
-using ByName = std::unordered_map<std::string_view, Value, base::HashIgnoringCase, base::EqualIgnoringCase>;
-
 constexpr std::size_t kFew = 6;  ///< as many as the smallest piece of memory holds
 
 /// Puts every BOOL symbol with a name by the rule into its device's unit.
@@ -83,7 +80,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
     side.resize(kept);
     return;
   }
-  ByName<bool> tasks;
+  base::ByName<bool> tasks;
   std::erase_if(side, [&](std::uint32_t symbol) {
     if (tasks.try_emplace(symbols[symbol].reading.task, true).second) return false;
     drop(symbol);
@@ -112,7 +109,7 @@ bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
   plant.too_large.push_back(std::move(large));
   if (unit.described != nullptr && !unit.described->is_pattern()) {
     faults.add(device_pointer(*unit.described),
-               quoted(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
+               ticked(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
   }
   return false;
 }

@@ -12,9 +12,6 @@
 namespace symplant::model {
 namespace {
 
-template <class Value>
-using ByName = std::unordered_map<std::string_view, Value, base::HashIgnoringCase, base::EqualIgnoringCase>;
-
 using Symbols = std::vector<std::uint32_t>;
 
 class Classes {
@@ -41,24 +38,24 @@ class Classes {
     if (!looked_at_.insert(here.text()).second) return;  // under a pattern: once, not once a device
     const std::string legal = base::identifier(name);
     if (legal != name) {
-      faults_.add(here, quoted(name) + " is no name of a C++ class, write " + quoted(legal) + ", say");
+      faults_.add(here, ticked(name) + " is no name of a C++ class, write " + ticked(legal) + ", say");
       return;
     }
     const auto is_name = [&](std::string_view taken) { return base::equal_ignoring_case(taken, name); };
     if (std::any_of(base::kGeneratedNames.begin(), base::kGeneratedNames.end(), is_name)) {
-      faults_.add(here, quoted(name) + " is a name that generated code uses itself, choose another");
+      faults_.add(here, ticked(name) + " is a name that generated code uses itself, choose another");
     }
   }
 
   void check_inputs(const DeviceDescription& described) {
     if (!looked_at_.insert(key_pointer(described, DeviceKey::inputs).text()).second) return;
-    ByName<bool> seen;
+    base::ByName<bool> seen;
     for (const auto& [name, condition] : described.inputs) {
       const Pointer here = key_pointer(described, DeviceKey::inputs) / name;
       if (name.empty()) {
         faults_.add(here, "an input without a name, give it one");
       } else if (!seen.try_emplace(name, true).second) {
-        faults_.add(here, quoted(name) + " names another input already, give each its own name");
+        faults_.add(here, ticked(name) + " names another input already, give each its own name");
       }
     }
   }
@@ -68,20 +65,20 @@ class Classes {
     const Pointer here = key_pointer(*unit.described, DeviceKey::behaviour);
     check_name(name, here);
     if (const auto type = types_.find(name); type != types_.end()) {
-      faults_.add(here, quoted(name) + " is the `type` of " + quoted(type->second->path) +
+      faults_.add(here, ticked(name) + " is the `type` of " + ticked(type->second->path) +
                             " too, choose another name for the class that is derived from it");
     }
     const auto [found, added] = behaviours_.try_emplace(name, &unit);
     if (added) return;
     const Unit& first = *found->second;
     if (first.described->behaviour != name) {
-      faults_.add(here, quoted(name) + " and " + quoted(first.described->behaviour) +
+      faults_.add(here, ticked(name) + " and " + ticked(first.described->behaviour) +
                             " differ by upper and lower case only, write them alike or choose another name");
       return;
     }
     const std::string_view other = difference(first, unit);
     if (other.empty()) return;
-    faults_.add(here, quoted(name) + " is the behaviour of " + quoted(first.path) + " too, which has other " +
+    faults_.add(here, ticked(name) + " is the behaviour of " + ticked(first.path) + " too, which has other " +
                           std::string(other) + ", choose another name for one of them");
   }
 
@@ -108,8 +105,8 @@ class Classes {
   const PlantModel& plant_;
   Faults& faults_;
   std::unordered_set<std::string> looked_at_;  // pointers
-  ByName<const Unit*> types_;                  // a given `type` -> the first device of it
-  ByName<const Unit*> behaviours_;             // a behaviour -> likewise
+  base::ByName<const Unit*> types_;            // a given `type` -> the first device of it
+  base::ByName<const Unit*> behaviours_;       // a behaviour -> likewise
 };
 
 }  // namespace

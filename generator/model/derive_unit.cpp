@@ -57,7 +57,7 @@ void choose_actuation_and_rest(Unit& unit, const Defaults& defaults, Faults& fau
   const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
   if (rest == kNone) return;
   if (unit.actuation != core::Actuation::spring) {
-    faults.add(here, quoted(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
+    faults.add(here, ticked(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
                          "` and returns to no rest state, leave `rest` out or make it `spring`");
     return;
   }

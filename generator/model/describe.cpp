@@ -41,18 +41,18 @@ class Describer {
       unit.described = joined(unit, exact[u], entries);
     }
     for (const Pattern& pattern : patterns_) {
-      plant_.description_decisions.push_back(quoted(pattern.entry->path) + " speaks of " +
+      plant_.description_decisions.push_back(ticked(pattern.entry->path) + " speaks of " +
                                              std::to_string(pattern.matched) +
                                              (pattern.matched == 1 ? " device" : " devices"));
       if (pattern.matched != 0) continue;
-      faults_.warn(device_pointer(*pattern.entry), quoted(pattern.entry->path) + " matches no device",
+      faults_.warn(device_pointer(*pattern.entry), ticked(pattern.entry->path) + " matches no device",
                    FaultKind::matches_nothing);
     }
   }
 
  private:
   void find_exact(std::vector<const DeviceDescription*>& exact) {
-    std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_path;
+    base::ByName<std::size_t> by_path;
     by_path.reserve(plant_.units.size());
     for (std::size_t u = 0; u < plant_.units.size(); ++u) by_path.try_emplace(plant_.units[u].path, u);
     for (const DeviceDescription& device : plant_.description->devices) {
@@ -61,9 +61,9 @@ class Describer {
       if (found == by_path.end()) {
         const auto nearest =
             faults_.nearest(device.path, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; });
-        faults_.add(device_pointer(device), missing("device " + quoted(device.path), nearest), FaultKind::unknown_name);
+        faults_.add(device_pointer(device), missing("device " + ticked(device.path), nearest), FaultKind::unknown_name);
       } else if (exact[found->second] != nullptr) {
-        DescriptionFault fault{device_pointer(device).text(), quoted(device.path) + " is described twice, join both"};
+        DescriptionFault fault{device_pointer(device).text(), ticked(device.path) + " is described twice, join both"};
         fault.related = device_pointer(*exact[found->second]).text();
         fault.related_message = "the other description";
         faults_.add(std::move(fault));
@@ -137,8 +137,8 @@ class Describer {
   void contradiction(const Unit& unit, const DeviceDescription& first, const DeviceDescription& second, DeviceKey key) {
     if (!contradictions_.insert({key_pointer(first, key).text(), key_pointer(second, key).text()}).second) return;
     DescriptionFault fault{key_pointer(second, key).text(),
-                           quoted(second.path) + " and " + quoted(first.path) + " are equally specific and give `" +
-                               std::string(device_key_name(key)) + "` of " + quoted(unit.path) +
+                           ticked(second.path) + " and " + ticked(first.path) + " are equally specific and give `" +
+                               std::string(device_key_name(key)) + "` of " + ticked(unit.path) +
                                " different values, make one more specific or name the device"};
     fault.kind = FaultKind::patterns;
     fault.at_key = true;

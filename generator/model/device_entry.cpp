@@ -113,7 +113,7 @@ class DeviceReader {
                          return is_letter(c) || (c >= '0' && c <= '9');
                        });
     if (sound) return *name;
-    faults_.add(here_ / key, model::quoted(*name) + " is no name of a C++ class, use letters, digits and `_`");
+    faults_.add(here_ / key, model::ticked(*name) + " is no name of a C++ class, use letters, digits and `_`");
     return {};
   }
 

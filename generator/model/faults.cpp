@@ -10,10 +10,10 @@
 
 namespace symplant::model {
 
-std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
+std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string missing(const std::string& what, std::string_view nearest) {
-  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + quoted(nearest));
+  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + ticked(nearest));
 }
 
 std::string_view named_text(Named what) {
@@ -77,7 +77,7 @@ void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::si
     const auto [told, added] = told_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
     if (!added) {
       std::string& first = faults_[told->second].message;
-      const std::string others = "; so it is with other devices that " + quoted(at.pattern()->path) + " matches";
+      const std::string others = "; so it is with other devices that " + ticked(at.pattern()->path) + " matches";
       if (!first.ends_with(others)) first += others;
       return;
     }
@@ -95,7 +95,7 @@ void Faults::describes(const DeviceDescription& described) {
 
 void Faults::tell_lacks(const PlantModel& plant) {
   for (auto& [at, lack] : lacks_) {
-    const std::string pattern = quoted(lack.pattern->path);
+    const std::string pattern = ticked(lack.pattern->path);
     const std::size_t takers = takers_[lack.pattern][static_cast<std::size_t>(lack.key)];
     if (lack.count == takers && !some_have(plant, lack.pattern->path, at.second, lack.name)) {
       const std::size_t others = lack.count - 1;
@@ -108,14 +108,14 @@ void Faults::tell_lacks(const PlantModel& plant) {
       continue;
     }
     std::string paths;
-    for (const std::string_view path : lack.paths) paths.append(paths.empty() ? "" : ", ").append(quoted(path));
+    for (const std::string_view path : lack.paths) paths.append(paths.empty() ? "" : ", ").append(ticked(path));
     if (lack.count > lack.paths.size()) {
       paths.append(" and ").append(std::to_string(lack.count - lack.paths.size())).append(" more");
     }
     std::string words = std::to_string(lack.count);
     words.append(" of the ").append(std::to_string(takers)).append(" devices that take it from ").append(pattern);
     words.append(lack.count == 1 ? " has no " : " have no ").append(named_text(at.second)).append(" ");
-    words.append(quoted(lack.name)).append(", it is left out for ").append(paths);
+    words.append(ticked(lack.name)).append(", it is left out for ").append(paths);
     warnings_.push_back({at.first, std::move(words), 0, FaultKind::left_out});
   }
   lacks_.clear();

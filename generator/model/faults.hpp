@@ -15,7 +15,7 @@
 namespace symplant::model {
 
 /// Text in back-ticks, for a message.
-std::string quoted(std::string_view text);
+std::string ticked(std::string_view text);
 
 /// "there is no state `X` of `Y`, the nearest is `Z`", from "state `X` of `Y`"; `nearest` may be empty.
 std::string missing(const std::string& what, std::string_view nearest);

@@ -61,7 +61,7 @@ class TransitionExpander {
     way.when = place_of(given.when);
     if (!sound || lacking) return;
     if (from == to) {
-      faults_.add(here, quoted(given.to) + " to itself is no transition, name two states");
+      faults_.add(here, ticked(given.to) + " to itself is no transition, name two states");
       return;
     }
     way.after = given.after.value_or(Duration::fixed(0));
@@ -91,7 +91,7 @@ class TransitionExpander {
       if (way.on == kNone) {
         lacking = true;
         faults_.lacks(here / "on", unit_.path, Named::operation, given.on, [&] {
-          return missing("operation " + quoted(given.on) + " of " + quoted(unit_.path),
+          return missing("operation " + ticked(given.on) + " of " + ticked(unit_.path),
                          nearest_task(given.on, unit_.operations, symbols_, faults_));
         });
       }
@@ -103,7 +103,7 @@ class TransitionExpander {
       if (way.on == kNone) {
         lacking = true;
         faults_.lacks(here / "to", unit_.path, Named::operation, given.to, [&] {
-          return quoted(given.to) + " has no operation of its name, say with `on` which one commands the transition, " +
+          return ticked(given.to) + " has no operation of its name, say with `on` which one commands the transition, " +
                  "or `automatic` where it comes by itself";
         });
       }
@@ -122,7 +122,7 @@ class TransitionExpander {
     bool sound = true;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
-      faults_.add(here / key, quoted(key) + " stands in what a spring's own way to its rest state takes, where" +
+      faults_.add(here / key, ticked(key) + " stands in what a spring's own way to its rest state takes, where" +
                                   " only `takes` may, or say with `on` which operation commands it");
       sound = false;
     };
@@ -139,10 +139,10 @@ class TransitionExpander {
         std::uint64_t{way.from} << 56 | std::uint64_t{way.to} << 48 | on << 40 | std::uint64_t{way.when};
     const auto [first, added] = given_by_.try_emplace(key, index);
     if (!added) {
-      const std::string from = quoted(unit_.states[way.from].name);
+      const std::string from = ticked(unit_.states[way.from].name);
       faults_.add(pointer_ / std::size_t{index}, "the transition from " + from + " to " +
-                                                     quoted(unit_.states[way.to].name) + " stands at " +
-                                                     quoted((pointer_ / std::size_t{first->second}).text()) +
+                                                     ticked(unit_.states[way.to].name) + " stands at " +
+                                                     ticked((pointer_ / std::size_t{first->second}).text()) +
                                                      " too, with the same `on` and `when`, leave one out");
       return false;
     }
@@ -188,7 +188,7 @@ void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
   for (const GivenOutputs& output : given) {
     const Pointer here = pointer / output.state;
     const std::uint32_t state = given_state(unit, output.state, here, faults);
-    if (state != kNone && seen[state]) faults.add(here, quoted(output.state) + " stands twice, join both");
+    if (state != kNone && seen[state]) faults.add(here, ticked(output.state) + " stands twice, join both");
     if (state != kNone) seen[state] = true;
     const auto switched = [&](const auto& list, std::string_view key) {
       std::vector<std::pair<std::uint32_t, bool>> events;
@@ -196,7 +196,7 @@ void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
         const std::uint32_t event = find_task(task, unit.events, symbols);
         if (event == kNone) {
           faults.lacks(here / key / task, unit.path, Named::event, task, [&, &name = task] {
-            return missing("event " + quoted(name) + " of " + quoted(unit.path),
+            return missing("event " + ticked(name) + " of " + ticked(unit.path),
                            nearest_task(name, unit.events, symbols, faults));
           });
         } else {
@@ -217,7 +217,7 @@ std::uint32_t given_state(const Unit& unit, std::string_view name, const Pointer
   faults.lacks(pointer, unit.path, Named::state, name, [&] {
     const auto nearest = faults.nearest(name, unit.states.size(),
                                         [&](std::size_t s) -> std::string_view { return unit.states[s].name; });
-    return missing("state " + quoted(name) + " of " + quoted(unit.path), nearest);
+    return missing("state " + ticked(name) + " of " + ticked(unit.path), nearest);
   });
   return kNone;
 }

@@ -20,14 +20,14 @@ std::string why_no_duration(const std::string& text) {
     const std::size_t unit = text.find_first_not_of("0123456789", point + 1);
     if (unit != std::string::npos && unit > point + 1 &&
         core::parse_duration(text.substr(0, point) + text.substr(unit))) {
-      return model::quoted(text) + " has a part below 1 ns, give it fewer decimals";
+      return model::ticked(text) + " has a part below 1 ns, give it fewer decimals";
     }
   }
   const std::size_t unit = text.find_first_not_of("0123456789");
   if (unit != std::string::npos && unit > 0 && core::parse_duration("1" + text.substr(unit))) {
-    return model::quoted(text) + " is longer than the 292 years that a plant lives, write less";
+    return model::ticked(text) + " is longer than the 292 years that a plant lives, write less";
   }
-  return model::quoted(text) + " is no duration, write a number and ns, us, ms, s, min or h, such as `500ms`";
+  return model::ticked(text) + " is no duration, write a number and ns, us, ms, s, min or h, such as `500ms`";
 }
 
 std::optional<core::Time> time_of(const std::string& text, const Pointer& here, ShapeFaults& faults) {
@@ -87,7 +87,7 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   const auto max = time_member(*value, "max", inside, faults);
   if (min && max) {
     if (*min <= *max) return Duration{Duration::Kind::uniform, *min, *max};
-    faults.add(inside / "max", model::quoted(text_or_empty(*value, "max")) + " is less than `min`, exchange the two",
+    faults.add(inside / "max", model::ticked(text_or_empty(*value, "max")) + " is less than `min`, exchange the two",
                FaultKind::contradiction);
     return std::nullopt;
   }

@@ -57,7 +57,7 @@ std::vector<const LinkDescription*> check_links(const PlantModel& plant, Faults&
     } else {
       const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
                                           [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
-      faults.add(place / "controller", missing("controller " + quoted(link.controller), nearest),
+      faults.add(place / "controller", missing("controller " + ticked(link.controller), nearest),
                  FaultKind::unknown_name);
     }
   }

@@ -81,9 +81,9 @@ class LinkResolver {
 
  private:
   static std::string words_of(const MapEntry& entry) {
-    if (entry.by == MapEntry::By::area) return "stands in the area " + quoted(entry.text);
-    if (entry.by == MapEntry::By::range) return "stands between " + quoted(entry.text) + " and " + quoted(entry.last);
-    return "is matched by " + quoted(entry.text);
+    if (entry.by == MapEntry::By::area) return "stands in the area " + ticked(entry.text);
+    if (entry.by == MapEntry::By::range) return "stands between " + ticked(entry.text) + " and " + ticked(entry.last);
+    return "is matched by " + ticked(entry.text);
   }
 
   void find_symbols() {
@@ -117,7 +117,7 @@ class LinkResolver {
         base::upper(meant.entry->text.back()) >= 'A' && base::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;
     faults_.add(meant.place / "area",
-                quoted(meant.entry->text) + " is no area of inputs or outputs, write " + std::string(kAreas));
+                ticked(meant.entry->text) + " is no area of inputs or outputs, write " + std::string(kAreas));
     return false;
   }
 
@@ -127,7 +127,7 @@ class LinkResolver {
       auto address = parse(text, radix());
       if (is_io(address) && address->plain) return address;
       faults_.add(meant.place / "range" / which,
-                  quoted(text) +
+                  ticked(text) +
                       " is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
       return std::optional<Address>();
     };
@@ -138,7 +138,7 @@ class LinkResolver {
     if (meant.first->area == last->area && meant.first->size == last->size && meant.first->number <= last->number)
       return true;
     faults_.add(meant.place / "range",
-                quoted(meant.entry->text) + " and " + quoted(meant.entry->last) +
+                ticked(meant.entry->text) + " and " + ticked(meant.entry->last) +
                     " are not the first and the last address of one area, write them in their order");
     return false;
   }
@@ -151,14 +151,14 @@ class LinkResolver {
       meant.rank = kPattern + base::literal_characters(text);
       if (!meant.entry->number) return true;
       faults_.add(meant.place / "number",
-                  quoted(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
+                  ticked(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
       return false;
     }
     meant.rank = kExact;
     if (by_name_.count(text) != 0) return true;
     const auto nearest =
         faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
-    faults_.add(meant.place / "symbol", missing("symbol " + quoted(text), nearest), FaultKind::unknown_name);
+    faults_.add(meant.place / "symbol", missing("symbol " + ticked(text), nearest), FaultKind::unknown_name);
     return false;
   }
 
@@ -189,8 +189,8 @@ class LinkResolver {
       chosen = {*value, &meant};
     } else if (chosen.value != *value && told_.try_emplace(meant.place.text() + std::string(key), true).second) {
       DescriptionFault fault{(meant.place / key).text(), "two entries that are equally specific give " +
-                                                             quoted(symbol.name()) + " different values of " +
-                                                             quoted(key) + ": leave one away, or name the symbol"};
+                                                             ticked(symbol.name()) + " different values of " +
+                                                             ticked(key) + ": leave one away, or name the symbol"};
       fault.related = (chosen.by->place / key).text();
       fault.related_message = "the other entry";
       faults_.add(std::move(fault));
@@ -224,9 +224,9 @@ class LinkResolver {
       if (own == own_.end()) continue;
       const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
       if (added || found->second.first == row.number) continue;
-      faults_.add(own->second->place / "number", quoted(plant_.symbols[row.symbol].name()) +
+      faults_.add(own->second->place / "number", ticked(plant_.symbols[row.symbol].name()) +
                                                      " stands on the same address as " +
-                                                     quoted(plant_.symbols[found->second.second].name()) +
+                                                     ticked(plant_.symbols[found->second.second].name()) +
                                                      ", which has another `number`: give both the same");
     }
     if (numbers.empty()) return;
@@ -242,7 +242,7 @@ class LinkResolver {
   Faults& faults_;
   std::string place_;
   std::vector<std::uint32_t> symbols_;  ///< of the controller
-  std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_name_;
+  base::ByName<std::uint32_t> by_name_;
   std::vector<Meant> meant_;
   std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols that an entry gives a number by their name
   std::unordered_map<std::string, bool> told_;

@@ -93,7 +93,7 @@ class PlantFileReader {
     constexpr std::string_view kLater = "naming";
     if (!root_.is_object() || root_.erase(std::string(kLater)) == 0) return;
     all_.push_back({(Pointer("") / kLater).text(),
-                    model::quoted(kLater) + " is not yet known to this version of symplant, leave it out", 0,
+                    model::ticked(kLater) + " is not yet known to this version of symplant, leave it out", 0,
                     FaultKind::shape, true});
   }
 
@@ -124,7 +124,7 @@ class PlantFileReader {
     list.file = text_or_empty(value, "file");
     list.controller = text_or_empty(value, "controller");
     if (!list.controller.empty() && !is_controller_name(list.controller)) {
-      faults_.add(here / "controller", model::quoted(list.controller) +
+      faults_.add(here / "controller", model::ticked(list.controller) +
                                            " is no name for a controller, since `--link NAME=URL` could not say it; "
                                            "leave `=`, `:`, control characters and blanks at its ends out");
     }
@@ -146,10 +146,10 @@ class PlantFileReader {
     for (const read::ReaderInfo& reader : read::readers()) {
       if (reader.name == format) return;
       nearest.offer(reader.name);
-      known += (known.empty() ? "" : ", ") + model::quoted(reader.name);
+      known += (known.empty() ? "" : ", ") + model::ticked(reader.name);
     }
-    faults_.add(here, model::quoted(format) + " is no known format of a list, choose among " + known +
-                          (nearest.name().empty() ? "" : "; the nearest is " + model::quoted(nearest.name())));
+    faults_.add(here, model::ticked(format) + " is no known format of a list, choose among " + known +
+                          (nearest.name().empty() ? "" : "; the nearest is " + model::ticked(nearest.name())));
   }
 
   void read_defaults() {
@@ -228,8 +228,8 @@ std::string no_such_encoding(std::string_view name) {
     nearest.offer(each);
     known.append(known.empty() ? "`" : ", `").append(each).append("`");
   }
-  return model::quoted(name) + " is no encoding, choose among " + known +
-         (nearest.name().empty() ? "" : "; the nearest is " + model::quoted(nearest.name()));
+  return model::ticked(name) + " is no encoding, choose among " + known +
+         (nearest.name().empty() ? "" : "; the nearest is " + model::ticked(nearest.name()));
 }
 
 bool is_plant_file(std::string_view path, std::string_view bytes) {

@@ -58,8 +58,8 @@ std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) 
   const auto tells = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
     for (const std::uint32_t symbol : side) {
       if (!base::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
-      return quoted(name) + std::string(why) + quoted(of.path) + ", name the symbol " +
-             quoted(plant_.symbols[symbol].name());
+      return ticked(name) + std::string(why) + ticked(of.path) + ", name the symbol " +
+             ticked(plant_.symbols[symbol].name());
     }
     return {};
   };

@@ -27,12 +27,10 @@ class PlantNames final : public condition::Names {
   std::string why_no_state(std::uint32_t unit, std::string_view name) const override;
 
  private:
-  using ByName = std::unordered_map<std::string_view, std::uint32_t, base::HashIgnoringCase, base::EqualIgnoringCase>;
-
   const PlantModel& plant_;
   const Faults& faults_;
-  ByName units_;
-  ByName symbols_;
+  base::ByName<std::uint32_t> units_;
+  base::ByName<std::uint32_t> symbols_;
 };
 
 }  // namespace symplant::model

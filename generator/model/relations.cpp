@@ -92,7 +92,7 @@ class Relations {
     for (const GivenDisables& entry : given) {
       const Pointer here = key_pointer(*unit.described, DeviceKey::disables) / entry.state;
       const std::uint32_t state = given_state(unit, entry.state, here, faults_);
-      if (state != kNone && seen[state]) faults_.add(here, quoted(entry.state) + " stands twice, join both");
+      if (state != kNone && seen[state]) faults_.add(here, ticked(entry.state) + " stands twice, join both");
       if (state != kNone) seen[state] = true;
       std::vector<std::uint32_t> disabled = disabled_units(by, entry, here, state != kNone);
       if (state != kNone) unit.disables[state] = std::move(disabled);
@@ -112,11 +112,11 @@ class Relations {
       }
       const auto unit = names_.unit(device, {});
       if (!unit) {
-        faults_.add(here / i, missing("device " + quoted(device), names_.nearest_device(device, {})),
+        faults_.add(here / i, missing("device " + ticked(device), names_.nearest_device(device, {})),
                     FaultKind::unknown_name);
       } else if (*unit == by) {
         // Under a pattern, of a device without the state, nothing is said.
-        if (has_state) faults_.add(here / i, quoted(device) + " disables itself, leave it out");
+        if (has_state) faults_.add(here / i, ticked(device) + " disables itself, leave it out");
       } else {
         disabled.push_back(*unit);
       }
@@ -139,7 +139,7 @@ class Relations {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
       if (base::matches_pattern(plant_.units[u].path, pattern)) found->second.push_back(u);
     }
-    if (found->second.empty()) faults_.warn(here, quoted(pattern) + " matches no device", FaultKind::matches_nothing);
+    if (found->second.empty()) faults_.warn(here, ticked(pattern) + " matches no device", FaultKind::matches_nothing);
     return found->second;
   }
 
@@ -164,7 +164,7 @@ class Relations {
         faults_.add(here / "name", "a requirement without a name, give it one");
       } else if (!seen.insert(given[i].name).second) {
         faults_.add(here / "name",
-                    quoted(given[i].name) + " names another requirement already, give each its own name");
+                    ticked(given[i].name) + " names another requirement already, give each its own name");
       }
       add_requirement(given[i], here);
     }

@@ -40,7 +40,7 @@ class Drafts {
   static constexpr std::size_t kFew = 16;
 
   std::vector<Draft> drafts_;
-  std::unordered_map<std::string_view, std::size_t, base::HashIgnoringCase, base::EqualIgnoringCase> by_task_;
+  base::ByName<std::size_t> by_task_;
 };
 
 std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
@@ -94,11 +94,11 @@ void add_given_states(Unit& unit, Faults& faults) {
     if (same != nullptr) {
       const bool by_symbol = same->operation != kNone || same->event != kNone;
       faults.add(here,
-                 quoted(given[i]) +
-                     (by_symbol ? " is a state of " + quoted(unit.path) + " by its symbols already" : " stands twice") +
+                 ticked(given[i]) +
+                     (by_symbol ? " is a state of " + ticked(unit.path) + " by its symbols already" : " stands twice") +
                      ", leave it out");
     } else if (given[i].empty() || given[i] == "*") {
-      faults.add(here, quoted(given[i]) + " is no name of a state, give it another");
+      faults.add(here, ticked(given[i]) + " is no name of a state, give it another");
     } else if (unit.states.size() == core::kMaxStates) {
       faults.add(pointer, "the device has more than " + std::to_string(core::kMaxStates) +
                               " states together with those of its symbols, leave some out");

@@ -5,6 +5,7 @@
 #include <deque>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "read/csv.hpp"
 
 namespace symplant::read {
@@ -51,11 +52,8 @@ constexpr std::array<std::string_view, 26> kTypes{"BIT",   "BOOL",   "BYTE",  "C
                                                   "SINT",  "STRING", "TIME",  "TIMER", "TOD",     "UDINT", "UINT",
                                                   "ULINT", "USINT",  "WCHAR", "WORD",  "WSTRING"};
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool is_letter(char c) { return upper(c) >= 'A' && upper(c) <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
+bool is_letter(char c) { return base::upper(c) >= 'A' && base::upper(c) <= 'Z'; }
 std::string header_word(std::string_view cell) {
   std::string word;
   if (cell.size() > 64) return word;
@@ -67,7 +65,7 @@ std::string header_word(std::string_view cell) {
 
 std::string in_upper(std::string_view cell) {
   std::string text(cell);
-  std::transform(text.begin(), text.end(), text.begin(), upper);
+  std::transform(text.begin(), text.end(), text.begin(), base::upper);
   return text;
 }
 
@@ -228,7 +226,8 @@ GxSearch find_gx_layout(std::string_view text) {
 }
 
 bool looks_like_iec_address(std::string_view cell) {
-  return cell.size() > 2 && cell[0] == '%' && (upper(cell[1]) == 'I' || upper(cell[1]) == 'Q' || upper(cell[1]) == 'M');
+  return cell.size() > 2 && cell[0] == '%' &&
+         (base::upper(cell[1]) == 'I' || base::upper(cell[1]) == 'Q' || base::upper(cell[1]) == 'M');
 }
 
 bool looks_like_vendor_address(std::string_view cell) {
@@ -236,9 +235,10 @@ bool looks_like_vendor_address(std::string_view cell) {
   std::size_t letters = 0;
   while (letters < cell.size() && is_letter(cell[letters])) ++letters;
   const std::string_view rest = cell.substr(std::min<std::size_t>(letters, 3));
-  return letters > 0 && std::any_of(rest.begin(), rest.end(), is_digit) &&
-         std::all_of(rest.begin(), rest.end(),
-                     [](char c) { return is_digit(c) || c == '.' || (upper(c) >= 'A' && upper(c) <= 'F'); });
+  return letters > 0 && std::any_of(rest.begin(), rest.end(), base::is_digit) &&
+         std::all_of(rest.begin(), rest.end(), [](char c) {
+           return base::is_digit(c) || c == '.' || (base::upper(c) >= 'A' && base::upper(c) <= 'F');
+         });
 }
 
 std::string describe(const GxColumns& columns) {

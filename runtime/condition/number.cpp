@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include "symplant/core/ascii.hpp"
+
 namespace symplant::condition {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
 /// Beyond every exponent that matters, yet far from overflowing.
 constexpr std::int64_t kFarExponent = std::int64_t{1} << 40;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using core::is_digit;
 
 /// Digits at the beginning of `text`, single `_` between them left out; they are taken off `text`.
 std::string take_digits(std::string_view& text) {

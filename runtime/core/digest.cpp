@@ -6,8 +6,6 @@
 namespace symplant::core {
 namespace {
 
-void add_time(Fnv1a64& hash, Time time) noexcept { hash.u64(static_cast<std::uint64_t>(time)); }
-
 template <class Enumeration>
 void add_enumerator(Fnv1a64& hash, Enumeration value) noexcept {
   hash.byte(static_cast<std::uint8_t>(value));
@@ -50,14 +48,14 @@ void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
 }
 
 void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {
-  add_time(hash, times.after);
-  add_time(hash, times.takes);
+  hash.time(times.after);
+  hash.time(times.takes);
 }
 
 void add(Fnv1a64& hash, const RandomTime& random) noexcept {
   add_enumerator(hash, random.kind);
-  add_time(hash, random.a);
-  add_time(hash, random.b);
+  hash.time(random.a);
+  hash.time(random.b);
 }
 
 void add(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
@@ -121,7 +119,7 @@ void add(Fnv1a64& hash, const RequirementRow& requirement) noexcept {
   add_enumerator(hash, requirement.kind);
   hash.u32(requirement.condition);
   hash.u32(requirement.expected);
-  add_time(hash, requirement.within);
+  hash.time(requirement.within);
 }
 
 void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {

@@ -14,6 +14,7 @@ class Fnv1a64 {
   void byte(std::uint8_t value) noexcept { hash_ = (hash_ ^ value) * 0x0000'0100'0000'01B3; }
   void u32(std::uint32_t value) noexcept { fixed(value, 4); }
   void u64(std::uint64_t value) noexcept { fixed(value, 8); }
+  void time(Time value) noexcept { u64(static_cast<std::uint64_t>(value)); }
   void text(std::string_view value) noexcept {
     for (const char c : value) byte(static_cast<std::uint8_t>(c));
   }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "symplant/core/ascii.hpp"
+
 namespace symplant::core {
 namespace {
 
@@ -23,7 +25,6 @@ constexpr std::array<Unit, 6> kUnits{{{"ns", 1},
 /// More of them are below a nanosecond even of an hour.
 constexpr std::size_t kMostDecimals = 13;
 
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }
 
 std::size_t digits(std::string_view text) noexcept {

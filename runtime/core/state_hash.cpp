@@ -15,8 +15,6 @@ std::uint8_t force_of(const BitPlane& plane, std::uint32_t bit) noexcept {
   return digit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + digit_of(plane.forced_on, bit));
 }
 
-void add_time(Fnv1a64& hash, Time time) noexcept { hash.u64(static_cast<std::uint64_t>(time)); }
-
 }  // namespace
 
 void Engine::hash_move(Fnv1a64& hash, std::uint32_t unit) const noexcept {
@@ -26,8 +24,8 @@ void Engine::hash_move(Fnv1a64& hash, std::uint32_t unit) const noexcept {
   hash.byte(moving ? state.target : state.state);
   hash.byte(static_cast<std::uint8_t>(state.transition));
   hash.byte(static_cast<std::uint8_t>(state.transition >> 8));
-  add_time(hash, moving ? remaining(unit) : 0);
-  add_time(hash, state.whole);
+  hash.time(moving ? remaining(unit) : 0);
+  hash.time(state.whole);
   const bool disabled = (state.flags & kDisabled) != 0;
   const bool frozen = (state.flags & kFrozen) != 0;
   hash.byte(static_cast<std::uint8_t>((moving ? 1 : 0) | (disabled ? 2 : 0) | (frozen ? 4 : 0)));
@@ -48,7 +46,7 @@ void Engine::hash_transitions(Fnv1a64& hash, std::uint32_t unit) const noexcept 
     const bool held = remembers && record.holds != 0;
     hash.byte(held ? 1 : 0);
     const bool counted_down = !halted && record.ready != kNever;
-    add_time(hash, !held ? 0 : counted_down ? std::max<Time>(0, record.ready - head->now) : record.ready);
+    hash.time(!held ? 0 : counted_down ? std::max<Time>(0, record.ready - head->now) : record.ready);
     hash.u32(record.draws);
   }
 }
@@ -78,7 +76,7 @@ void Engine::hash_behaviour(Fnv1a64& hash, std::uint32_t unit) const noexcept {
   hash.u32(state.draws);
   Time left = -1;
   if (state.wake != kNever) left = halted ? state.wake : state.wake - head->now;
-  add_time(hash, state.woken != 0 ? 0 : left);
+  hash.time(state.woken != 0 ? 0 : left);
   const auto* memory = reinterpret_cast<const std::uint8_t*>(behaviour_memory);
   for (std::uint32_t i = 0; i < memory_of(rich.behaviour); ++i) hash.byte(memory[memory_begin(rich.behaviour) + i]);
 }
@@ -100,7 +98,7 @@ void Engine::hash_free_symbol(Fnv1a64& hash, const SymbolRow& symbol) const noex
 std::uint64_t Engine::state_hash() const noexcept {
   Fnv1a64 hash;
   const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
-  add_time(hash, head->now);
+  hash.time(head->now);
   for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
     hash_move(hash, unit);
     hash_transitions(hash, unit);
@@ -112,7 +110,7 @@ std::uint64_t Engine::state_hash() const noexcept {
   }
   for (std::size_t r = 0; r < tables.requirements.size(); ++r) {
     hash.byte(monitors[r].running != 0 ? 1 : 0);
-    add_time(hash, monitors[r].deadline);
+    hash.time(monitors[r].deadline);
     hash.byte(monitors[r].held != 0 ? 1 : 0);
   }
   for (std::uint8_t kind = 0; kind < 2; ++kind) {

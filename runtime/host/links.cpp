@@ -22,8 +22,8 @@ std::string OpenLink::silence() const {
 }
 
 bool keeps_plants_links_closed(const RunOptions& options) {
-  using Clock = RunOptions::Clock;
-  return options.clock == Clock::virtual_time || (!options.scenario.empty() && options.clock == Clock::automatic);
+  using enum RunOptions::Clock;
+  return options.clock == virtual_time || (!options.scenario.empty() && options.clock == automatic);
 }
 
 std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options) {

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include "symplant/exec/cycle.hpp"
 #include "symplant/host/attendant.hpp"
 #include "symplant/host/cycle_thread.hpp"
@@ -68,6 +72,15 @@ void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::o
   }
 }
 
+/// A PLC that reads the status block is given the time to read there that the plant stops.
+void let_end_be_read(const Links& links) {
+  constexpr int kEndLooks = 100;  // half a second: SIGTERM is to end a run within one
+  const auto unread = [](const OpenLink& open) { return open.link->status().end_unread; };
+  for (int i = 0; i < kEndLooks && std::any_of(links.begin(), links.end(), unread); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 }  // namespace
 
 RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Console& console, std::ostream& out,
@@ -99,6 +112,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
       const Attendant attendant(meter, links, !run.refused.empty(), can_draw(options, out), console);
       thread.go();
       thread.join();
+      let_end_be_read(links);
     }
     stage.outputs.stop_thread();
   }

@@ -7,7 +7,7 @@ namespace symplant::host {
 namespace {
 
 std::atomic<bool> stop{false};
-std::atomic<bool> status{false};
+std::atomic<bool> status_asked{false};
 std::atomic<int> wishes{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // or a handler could not touch it
@@ -17,14 +17,14 @@ void request_stop(int) {
   wishes.fetch_add(1);
   stop.store(true);
 }
-void request_status(int) { status.store(true); }
+void request_status(int) { status_asked.store(true); }
 
 }  // namespace
 
 void catch_signals() {
   stop.store(false);
   wishes.store(0);
-  status.store(false);
+  status_asked.store(false);
   std::signal(SIGINT, request_stop);
   std::signal(SIGTERM, request_stop);
 #ifdef SIGHUP
@@ -42,6 +42,6 @@ const std::atomic<bool>& stop_requested() { return stop; }
 
 int stop_wishes() { return wishes.load(); }
 
-bool take_status_request() { return status.exchange(false); }
+bool take_status_request() { return status_asked.exchange(false); }
 
 }  // namespace symplant::host

@@ -25,6 +25,7 @@ struct LinkStatus {
   std::uint64_t writes_to_gaps = 0;  ///< places written that no symbol stands on
   std::uint32_t connections = 0;     ///< open now
   std::uint32_t losses = 0;          ///< how often its PLC fell silent
+  bool end_unread = false;           ///< the link was left, and a PLC that reads the status block has not seen it yet
 };
 
 /// A running link to a PLC. The cycle uses it as an Exchange; the rest may be asked by any thread.

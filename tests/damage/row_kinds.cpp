@@ -7,7 +7,7 @@
 namespace symplant::damage {
 namespace {
 
-bool any(const Cells&, const Levels&) { return true; }
+bool any_row(const Cells&, const Levels&) { return true; }
 bool is_bool(const Cells& cells, const Levels&) { return cells.type == "BOOL"; }
 
 /// Behind the row that it is a copy of, or at some place after it.
@@ -18,7 +18,7 @@ std::size_t place_behind(const Shop& shop, std::size_t row, Dice& dice) {
 /// A copy of a row, changed; the first of the two counts for the tool, and either may be meant.
 template <class Change>
 Damaged copy_row(const Shop& shop, Dice& dice, Change&& change) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   const std::size_t to = place_behind(shop, row, dice);
   Damaged damaged{shop.list, {to}};
   Cells copy = shop.list.rows[row];
@@ -67,7 +67,7 @@ Damaged insert_garbage(const Shop& shop, Dice& dice) {
 }
 
 Damaged open_quote(const Shop& shop, Dice& dice) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   Damaged damaged{shop.list, {row}};
   Cells& cells = damaged.list.rows[row];
   cells.comment = "\"" + cells.comment;
@@ -75,7 +75,7 @@ Damaged open_quote(const Shop& shop, Dice& dice) {
 }
 
 Damaged write_after_quote(const Shop& shop, Dice& dice) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   Damaged damaged{shop.list, {row}};
   Cells& cells = damaged.list.rows[row];
   cells.comment = "\"" + cells.comment + "\" (new)";
@@ -84,7 +84,7 @@ Damaged write_after_quote(const Shop& shop, Dice& dice) {
 
 /// Latin-1 among UTF-8.
 Damaged write_foreign_byte(const Shop& shop, Dice& dice) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   Damaged damaged{shop.list, {row}};
   damaged.list.rows[row].comment +=
       " schlie\xDF"
@@ -93,7 +93,7 @@ Damaged write_foreign_byte(const Shop& shop, Dice& dice) {
 }
 
 Damaged wrong_size_of_type(const Shop& shop, Dice& dice) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   Damaged damaged{shop.list, {row}};
   std::string& type = damaged.list.rows[row].type;
   type = type == "BOOL" ? dice.pick(std::vector<std::string>{"INT", "WORD", "REAL"}) : std::string("DINT");
@@ -109,7 +109,7 @@ Damaged misspell_type(const Shop& shop, Dice& dice) {
 }
 
 Damaged misspell_initial(const Shop& shop, Dice& dice) {
-  const std::size_t row = pick_row(shop, dice, any);
+  const std::size_t row = pick_row(shop, dice, any_row);
   Damaged damaged{shop.list, {row}};
   damaged.list.rows[row].initial = dice.pick(std::vector<std::string>{"YES", "ON", "TURE", "FLASE", "?", "2,5"});
   if (damaged.list.rows[row].initial == "2,5") damaged.list.rows[row].initial = "\"2,5\"";

@@ -24,7 +24,7 @@ std::string utf16(const std::string& ascii, bool little) {
   return bytes;
 }
 
-std::string nothing() { return ""; }
+std::string empty() { return ""; }
 std::string blanks() { return " \t\r\n\n\r  \n"; }
 std::string header_alone() { return kHeader; }
 std::string binary() { return noise(100'000); }
@@ -138,8 +138,8 @@ std::string cut_in_cell() { return good_list().substr(0, 130); }
 std::string cut_in_character() { return kHeader + row("L_P_\xEA\xB3\xB5_I_P1", 0).substr(0, 17); }
 
 constexpr auto kList = Input::Kind::list;
-constexpr std::array kInputs{
-    Input{kList, "an empty file", nothing},
+constexpr std::array kListInputs{
+    Input{kList, "an empty file", empty},
     Input{kList, "blanks and line ends alone", blanks},
     Input{kList, "a header alone", header_alone},
     Input{kList, "100,000 bytes of noise", binary},
@@ -180,7 +180,7 @@ constexpr std::array kInputs{
 
 }  // namespace
 
-std::span<const Input> list_inputs() { return kInputs; }
+std::span<const Input> list_inputs() { return kListInputs; }
 
 std::string repeated(const std::string& text, std::size_t times) {
   std::string result;

@@ -64,7 +64,7 @@ std::string composed() {
          row("L_P_A_I_P1", 3);
 }
 
-std::string long_names() {
+std::string very_long_names() {
   const std::string level(20'000, 'A');
   return kHeader + row("L_P_" + level + "_O_P1", 0) + row("L_P_" + level + "_I_P1", 1) +
          row("L_P_D_O_" + level + "1", 2) + row("L_P_D_I_" + level + "1", 3) + row("L_P_D_O_" + level + "2", 4) +
@@ -84,7 +84,7 @@ std::string long_sequence() {
   return text;
 }
 
-constexpr std::array kInputs{
+constexpr std::array kNameInputs{
     Input{Input::Kind::list,
           "devices and states called as C++ keywords, macros (`NULL`, `errno`, `linux`, `EOF`, `I`), "
           "digits first, in other scripts",
@@ -96,14 +96,14 @@ constexpr std::array kInputs{
     Input{Input::Kind::list, "names that differ only by case", one_case},
     Input{Input::Kind::list, "names that differ only by a character that no identifier can hold", no_identifier},
     Input{Input::Kind::list, "names composed, decomposed, and of look-alike letters", composed},
-    Input{Input::Kind::list, "names of 20,000 characters", long_names},
+    Input{Input::Kind::list, "names of 20,000 characters", very_long_names},
     Input{Input::Kind::list, "a name of 50 MB", long_line, true},
     Input{Input::Kind::list, "sequence numbers of 30 digits", long_sequence},
 };
 
 }  // namespace
 
-std::span<const Input> name_inputs() { return kInputs; }
+std::span<const Input> name_inputs() { return kNameInputs; }
 
 std::vector<std::string> hostile_levels() {
   return {"NULL",

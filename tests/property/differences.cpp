@@ -10,7 +10,7 @@
 namespace symplant::property {
 namespace {
 
-std::string text_of(const core::Finding& finding, const model::PlantModel& plant) {
+std::string told_as(const core::Finding& finding, const model::PlantModel& plant) {
   using Of = core::FindingKind;
   std::string text(reference::finding_name(finding.kind));
   if (finding.more) text += "+";
@@ -26,18 +26,18 @@ std::string text_of(const core::Finding& finding, const model::PlantModel& plant
   return text.append(plant.symbols[finding.of].name());
 }
 
-std::string text_of(const reference::InstantRecord& record, const model::PlantModel& plant) {
+std::string told_as(const reference::InstantRecord& record, const model::PlantModel& plant) {
   std::string text = "t=" + std::to_string(record.time);
   for (const auto& [symbol, value] : record.changes) {
     text.append(" ").append(plant.symbols[symbol].name()).append("=").append(std::to_string(value));
   }
   for (const core::Finding& finding : record.findings) {
-    text += " {" + text_of(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
+    text += " {" + told_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
   }
   return text;
 }
 
-std::string text_of(const reference::UnitView& view, const model::Unit& unit) {
+std::string told_as(const reference::UnitView& view, const model::Unit& unit) {
   const auto name = [&](std::uint8_t state) {
     return state < unit.states.size() ? unit.states[state].name : "#" + std::to_string(state);
   };
@@ -63,8 +63,8 @@ std::string units_difference(const core::Plant& engine, const reference::Plant& 
     const core::UnitView seen = engine.unit(i);
     const reference::UnitView view = as_reference(seen);
     if (view != reference.unit(i)) {
-      return both("unit " + std::string(plant.units[i].path), text_of(view, plant.units[i]),
-                  text_of(reference.unit(i), plant.units[i]));
+      return both("unit " + std::string(plant.units[i].path), told_as(view, plant.units[i]),
+                  told_as(reference.unit(i), plant.units[i]));
     }
     const bool in_order = seen.progress >= 0 && seen.progress <= 1 && (seen.moving || seen.progress == 0);
     if (!in_order) return "progress of " + std::string(plant.units[i].path) + " is " + std::to_string(seen.progress);
@@ -99,8 +99,8 @@ std::string instants_difference(const EnginePlant& engine, const reference::Plan
   const auto& told = engine.instants();
   const auto& wanted = reference.instants();
   for (std::size_t i = 0; i < std::max(told.size(), wanted.size()); ++i) {
-    const std::string engine_text = i < told.size() ? text_of(told[i], plant) : "nothing";
-    const std::string reference_text = i < wanted.size() ? text_of(wanted[i], plant) : "nothing";
+    const std::string engine_text = i < told.size() ? told_as(told[i], plant) : "nothing";
+    const std::string reference_text = i < wanted.size() ? told_as(wanted[i], plant) : "nothing";
     const bool same = i < told.size() && i < wanted.size() && told[i].time == wanted[i].time &&
                       told[i].changes == wanted[i].changes && told[i].findings == wanted[i].findings;
     if (!same) return both("instant", engine_text, reference_text);
@@ -140,8 +140,8 @@ std::string Shadow::difference(const EnginePlant& engine) const {
     reference::UnitView view = as_reference(now.unit(i));
     old.remaining = view.remaining = 0;  // goes by itself
     if (old != view && !engine.units_told()[i]) {
-      return both("unit not told: " + std::string(plant_.units[i].path), text_of(view, plant_.units[i]),
-                  text_of(old, plant_.units[i]) + " before");
+      return both("unit not told: " + std::string(plant_.units[i].path), told_as(view, plant_.units[i]),
+                  told_as(old, plant_.units[i]) + " before");
     }
   }
   const auto told = [](std::span<const std::uint32_t> places, std::uint32_t place) {

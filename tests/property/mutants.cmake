@@ -21,6 +21,7 @@ endfunction()
 # place of the engine's own.
 function(symplant_mutant NAME FROM TO)
   symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/core symplant/core "${FROM}" "${TO}")
+  set_target_properties(symplant_core PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
   add_executable(property_mutant_${NAME} main.cpp ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)

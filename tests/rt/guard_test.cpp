@@ -133,10 +133,10 @@ TEST_CASE("a write is seen, and still written") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
   CHECK(trapped("system call: write", [&] {
-          if (write(ends[1], "x", 1) != 1) std::abort();
+          if (::write(ends[1], "x", 1) != 1) std::abort();
         }) == "system call: write");
   char read_back = 0;
-  CHECK(read(ends[0], &read_back, 1) == 1);
+  CHECK(::read(ends[0], &read_back, 1) == 1);
   CHECK(read_back == 'x');
   close(ends[0]);
   close(ends[1]);

@@ -44,6 +44,32 @@ kill -USR1 "$plant"
 wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, p99 .* late, .* overruns; link waiting$' "$work/plant.log"
 stop_plant
 
+# A PLC that reads the status block each 150 ms, fifteen times as long as a cycle, reads that the plant stops.
+state() { # of the plant, by the connection 5
+  printf '\0\1\0\0\0\6\1\4\0\146\0\1' >&5 # input register 102
+  head -c 11 <&5 | od -An -tu1 | awk '{ print $11 }'
+}
+start_cycle "$program" run "$list" "${server[@]}"
+port=$(port_of "")
+exec 5<>"/dev/tcp/127.0.0.1/$port"
+[[ $(state) == 0 ]] || fail "the status block does not say that the plant waits"
+begin=$(milliseconds)
+kill -TERM "$plant"
+sleep 0.15
+[[ $(state) == 4 ]] || fail "the status block does not say that the plant stops"
+wait "$plant" || fail "exit code $? where the end was read"
+plant=""
+printf 'TERM, its end read: %d ms\n' "$(($(milliseconds) - begin))"
+exec 5<&-
+
+# One that reads it no more is waited for half a second, and no longer.
+start_cycle "$program" run "$list" "${server[@]}"
+port=$(port_of "")
+exec 5<>"/dev/tcp/127.0.0.1/$port"
+[[ $(state) == 0 ]] || fail "the status block does not say that the plant waits"
+stop_plant
+exec 5<&-
+
 start_cycle env nohup "$program" run "$list" "${server[@]}"
 kill -HUP "$plant"
 sleep 0.5

@@ -45,10 +45,10 @@ class FaultyLink final : public exec::Exchange {
 
 /// Looks at instants, and takes memory in one of them.
 class FaultyObserver final : public core::Observer {
-  void instant(const core::Instant&) noexcept override { kept = std::realloc(kept, 100); }
+  void instant(const core::Instant&) noexcept override { kept_page = std::realloc(kept_page, 100); }
   void finding(const core::Finding&) noexcept override {}
 
-  void* kept = nullptr;
+  void* kept_page = nullptr;
 };
 
 struct Watched {
@@ -81,15 +81,15 @@ Watched watched(std::vector<exec::Exchange*> links, core::Observer* observer = n
   return result;
 }
 
-std::mutex mutex;
-void* volatile kept = nullptr;
+std::mutex nobodys;
+void* volatile kept_page = nullptr;
 
-void take_memory() { kept = std::malloc(1000); }
-void take_lock() { const std::lock_guard lock(mutex); }
+void take_memory() { kept_page = std::malloc(1000); }
+void take_lock() { const std::lock_guard lock(nobodys); }
 void write_nothing() { static_cast<void>(!write(-1, "x", 1)); }
 void fault() {
   constexpr std::size_t kSize = 16 * 4096;
-  void* const fresh = kept;
+  void* const fresh = kept_page;
   for (std::size_t at = 0; at < kSize; at += 4096) static_cast<volatile char*>(fresh)[at] = 1;
 }
 
@@ -170,12 +170,12 @@ TEST_CASE("a page that a link touches for the first time is counted", "[planted]
   void* const fresh = mmap(nullptr, std::size_t{16} * 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   REQUIRE(fresh != MAP_FAILED);
   madvise(fresh, std::size_t{16} * 4096, MADV_NOHUGEPAGE);
-  kept = fresh;
+  kept_page = fresh;
   FaultyLink link([] { fault(); }, nullptr);
   const Watched populated = watched({&link});
   CHECK(populated.faults.pages() == 0);  // it was there before the first cycle
   madvise(fresh, std::size_t{16} * 4096, MADV_DONTNEED);
-  FaultyLink late([] { madvise(kept, std::size_t{16} * 4096, MADV_DONTNEED); }, [] { fault(); });
+  FaultyLink late([] { madvise(kept_page, std::size_t{16} * 4096, MADV_DONTNEED); }, [] { fault(); });
   CHECK(watched({&late}).faults.pages() == 16);
   munmap(fresh, std::size_t{16} * 4096);
 }

@@ -8,11 +8,19 @@
 #include <sys/socket.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "symplant/link/modbus/socket.hpp"
 
 namespace symplant::test {
+
+/// Of this process.
+inline std::size_t open_descriptors() {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
+  return count;
+}
 
 using Bytes = std::vector<std::uint8_t>;
 

@@ -150,13 +150,13 @@ std::optional<std::vector<std::uint32_t>> wanted(const core::PlantTables& tables
   return controllers;
 }
 
-struct Options {
+struct MapOptions {
   std::string plant;
   PlantOptions plant_options;
   std::vector<std::string> links;
 };
 
-void show(const Options& options, Context& context) {
+void show(const MapOptions& options, Context& context) {
   const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return;
   const model::PlantModel& plant = compiled->plant;
@@ -176,7 +176,7 @@ void show(const Options& options, Context& context) {
 }  // namespace
 
 void add_map(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Show where each I/O symbol stands on a link, and who moves it");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("--link", options->links, "[CONTROLLER=]URL: only the map of this link's controller");

@@ -16,7 +16,7 @@
 namespace symplant::app {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string plant;
   PlantOptions plant_options;
   host::RunOptions run;
@@ -51,7 +51,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
 }  // namespace
 
 void add_run(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   CLI::App* command =
       app.add_subcommand("run", "Run the plant, beside a PLC or in virtual time; no compiler is needed");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();

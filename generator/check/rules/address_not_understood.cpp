@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kAddressNotUnderstoodPage =
     R"(A cell of an address column holds something that is neither an IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) nor a MELSEC
 device (X1F, Y0001, M500, D10).
 
@@ -29,8 +29,8 @@ void check_address_not_understood(const Rule& rule, const Subject& subject, diag
 
 }  // namespace
 
-const Rule kAddressNotUnderstood{
-    {"SP307", "address-not-understood", diag::Severity::warning, "an address cell holds no address", kPage},
-    check_address_not_understood};
+const Rule kAddressNotUnderstood{{"SP307", "address-not-understood", diag::Severity::warning,
+                                  "an address cell holds no address", kAddressNotUnderstoodPage},
+                                 check_address_not_understood};
 
 }  // namespace symplant::check

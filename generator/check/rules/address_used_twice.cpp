@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kAddressUsedTwicePage =
     R"(Two symbols have one address. That may be meant (two names for one signal), but more often a row was copied and its address
 not changed.
 
@@ -39,8 +39,8 @@ void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Di
 
 }  // namespace
 
-const Rule kAddressUsedTwice{
-    {"SP303", "address-used-twice", diag::Severity::warning, "several symbols stand on one address", kPage},
-    check_address_used_twice};
+const Rule kAddressUsedTwice{{"SP303", "address-used-twice", diag::Severity::warning,
+                              "several symbols stand on one address", kAddressUsedTwicePage},
+                             check_address_used_twice};
 
 }  // namespace symplant::check

@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kAddressesContradictPage =
     R"(A row has a MELSEC and an IEC address, and they are not the same place: another number (`X0010` is input 16, `%IX17` input
 17), another side (`X`, `%Q`), or a number that was counted in octal where the list counts in hexadecimal (`X0020` and
 `%IX16`). Most often one column was changed and the other was not.
@@ -116,8 +116,9 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
 
 }  // namespace
 
-const Rule kAddressesContradict{{"SP315", "addresses-contradict", diag::Severity::warning,
-                                 "the MELSEC and the IEC address of a row name different places", kPage},
-                                check_addresses_contradict};
+const Rule kAddressesContradict{
+    {"SP315", "addresses-contradict", diag::Severity::warning,
+     "the MELSEC and the IEC address of a row name different places", kAddressesContradictPage},
+    check_addresses_contradict};
 
 }  // namespace symplant::check

@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kByteOnNoRegisterPage =
     R"(A numeric symbol is of 8 bits. Registers have 16, and two such symbols would share one: which half is whose, PLCs settle
 in different ways. So the symbol is in the images and on no register.
 
@@ -31,8 +31,8 @@ void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::D
 
 }  // namespace
 
-const Rule kByteOnNoRegister{
-    {"SP312", "byte-on-no-register", diag::Severity::note, "a numeric symbol is of 8 bits and on no register", kPage},
-    check_byte_on_no_register};
+const Rule kByteOnNoRegister{{"SP312", "byte-on-no-register", diag::Severity::note,
+                              "a numeric symbol is of 8 bits and on no register", kByteOnNoRegisterPage},
+                             check_byte_on_no_register};
 
 }  // namespace symplant::check

@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kConditionAlwaysHoldsPage =
     R"(A condition of a device holds whatever the plant does: `not AGV.P1 or not AGV.P2`, a number not below 3 or not above 5.
 
 **What the model loses.** The condition holds nobody back: a transition is taken as if it had no `when`, and an input of a
@@ -32,7 +32,7 @@ void check_condition_always_holds(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kConditionAlwaysHolds{
-    {"SP615", "condition-always-holds", diag::Severity::warning, "a condition says nothing", kPage},
+    {"SP615", "condition-always-holds", diag::Severity::warning, "a condition says nothing", kConditionAlwaysHoldsPage},
     check_condition_always_holds};
 
 }  // namespace symplant::check

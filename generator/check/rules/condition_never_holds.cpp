@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kConditionNeverHoldsPage =
     R"(A condition of a device cannot hold, whatever the plant does: it wants one device in two states at once (`AGV.P1 and AGV.P2`),
 in a state and moving, a number below 3 and above 5, or a thing and its opposite. A device that has no transition that takes
 time never moves.
@@ -32,8 +32,8 @@ void check_condition_never_holds(const Rule& rule, const Subject& subject, diag:
 
 }  // namespace
 
-const Rule kConditionNeverHolds{
-    {"SP614", "condition-never-holds", diag::Severity::warning, "a condition contradicts itself", kPage},
-    check_condition_never_holds};
+const Rule kConditionNeverHolds{{"SP614", "condition-never-holds", diag::Severity::warning,
+                                 "a condition contradicts itself", kConditionNeverHoldsPage},
+                                check_condition_never_holds};
 
 }  // namespace symplant::check

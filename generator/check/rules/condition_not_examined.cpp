@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kConditionNotExaminedPage =
     R"(Whether a condition can hold, and can fail, is found by trying its parts in all combinations. Parts that have no device,
 symbol or number in common are tried one by one, so most conditions are examined whatever their length; parts that have are
 tried together in 4096 combinations at most (twelve symbols). This condition has more.
@@ -34,8 +34,9 @@ void check_condition_not_examined(const Rule& rule, const Subject& subject, diag
 
 }  // namespace
 
-const Rule kConditionNotExamined{{"SP617", "condition-not-examined", diag::Severity::note,
-                                  "a condition has too many parts that depend on each other", kPage},
-                                 check_condition_not_examined};
+const Rule kConditionNotExamined{
+    {"SP617", "condition-not-examined", diag::Severity::note,
+     "a condition has too many parts that depend on each other", kConditionNotExaminedPage},
+    check_condition_not_examined};
 
 }  // namespace symplant::check

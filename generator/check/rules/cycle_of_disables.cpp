@@ -14,7 +14,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kCycleOfDisablesPage =
     R"(A state of device A disables device B, and a state of B disables A, or the circle is longer. A disabled device still disables
 others while it stands in its state.
 
@@ -117,8 +117,8 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kCycleOfDisables{
-    {"SP613", "cycle-of-disables", diag::Severity::warning, "devices disable each other in a circle", kPage},
-    check_cycle_of_disables};
+const Rule kCycleOfDisables{{"SP613", "cycle-of-disables", diag::Severity::warning,
+                             "devices disable each other in a circle", kCycleOfDisablesPage},
+                            check_cycle_of_disables};
 
 }  // namespace symplant::check

@@ -4,7 +4,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kDateNotUnderstoodPage =
     R"(The `until` of an entry of `"check": { "ignore": [ ... ] }` in plant.json is no date of the calendar in the form
 `2027-06-30`: year, month, day.
 
@@ -15,8 +15,8 @@ constexpr std::string_view kPage =
 
 }  // namespace
 
-const Rule kDateNotUnderstood{
-    {"SP624", "date-not-understood", diag::Severity::error, "the `until` of an entry of `ignore` is no date", kPage},
-    nullptr};
+const Rule kDateNotUnderstood{{"SP624", "date-not-understood", diag::Severity::error,
+                               "the `until` of an entry of `ignore` is no date", kDateNotUnderstoodPage},
+                              nullptr};
 
 }  // namespace symplant::check

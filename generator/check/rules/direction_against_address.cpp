@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kDirectionAgainstAddressPage =
     R"(The direction in a symbol's name contradicts its address: `..._I_...` stands on an output (Y, `%Q`), or `..._O_...` on an
 input (X, `%I`).
 
@@ -38,7 +38,7 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
 }  // namespace
 
 const Rule kDirectionAgainstAddress{{"SP305", "direction-against-address", diag::Severity::warning,
-                                     "a name says one direction, its address the other", kPage},
+                                     "a name says one direction, its address the other", kDirectionAgainstAddressPage},
                                     check_direction_against_address};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kDirectionNotIoPage =
     R"(The level of a symbol's name that tells its direction holds another word than the naming rule knows. Under the built-in
 rule it is `I` (the PLC reads it: an event of the plant) or `O` (the PLC writes it: an operation).
 
@@ -36,8 +36,8 @@ void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diag
 
 }  // namespace
 
-const Rule kDirectionNotIo{
-    {"SP203", "direction-not-io", diag::Severity::warning, "the direction level is neither I nor O", kPage},
-    check_direction_not_io};
+const Rule kDirectionNotIo{{"SP203", "direction-not-io", diag::Severity::warning,
+                            "the direction level is neither I nor O", kDirectionNotIoPage},
+                           check_direction_not_io};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kDuplicateSymbolPage =
     R"(Two rows of the plant's lists declare one name, with the same address and type. Names are compared without regard to the case of
 ASCII letters, as PLC tools do.
 
@@ -30,8 +30,8 @@ void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diag
 
 }  // namespace
 
-const Rule kDuplicateSymbol{
-    {"SP301", "duplicate-symbol", diag::Severity::warning, "a symbol is declared twice in the same way", kPage},
-    check_duplicate_symbol};
+const Rule kDuplicateSymbol{{"SP301", "duplicate-symbol", diag::Severity::warning,
+                             "a symbol is declared twice in the same way", kDuplicateSymbolPage},
+                            check_duplicate_symbol};
 
 }  // namespace symplant::check

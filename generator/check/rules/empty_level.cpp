@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kEmptyLevelPage =
     R"(A symbol's name has two separators side by side, or one at its beginning or end, so that one of its levels is empty.
 
 **What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same.
@@ -30,7 +30,7 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
 
 }  // namespace
 
-const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kPage},
+const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kEmptyLevelPage},
                        check_empty_level};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kEventMovedTwicePage =
     R"(Two events stand on one address, and different devices move them. The PLC reads one bit there; the plant would have two
 answers for it.
 
@@ -30,8 +30,8 @@ void check_event_moved_twice(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kEventMovedTwice{
-    {"SP304", "event-moved-twice", diag::Severity::error, "two devices move events on one address", kPage},
-    check_event_moved_twice};
+const Rule kEventMovedTwice{{"SP304", "event-moved-twice", diag::Severity::error,
+                             "two devices move events on one address", kEventMovedTwicePage},
+                            check_event_moved_twice};
 
 }  // namespace symplant::check

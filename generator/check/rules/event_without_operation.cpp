@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kEventWithoutOperationPage =
     R"(A device has an event for a task, but no operation for it, and nothing else that was inferred leads there: it is neither
 the rest state of a spring nor the next one of a numbered sequence.
 
@@ -37,7 +37,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
 }  // namespace
 
 const Rule kEventWithoutOperation{{"SP402", "event-without-operation", diag::Severity::warning,
-                                   "a device reports a state that it can never reach", kPage},
+                                   "a device reports a state that it can never reach", kEventWithoutOperationPage},
                                   check_event_without_operation};
 
 }  // namespace symplant::check

@@ -4,7 +4,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kIgnoreIsOverPage =
     R"(An entry of `"check": { "ignore": [ ... ] }` in plant.json has an `until`, the last day on which it counts, and that day is
 over. The findings that it hid are told again.
 
@@ -16,6 +16,7 @@ over. The findings that it hid are told again.
 }  // namespace
 
 const Rule kIgnoreIsOver{
-    {"SP621", "ignore-is-over", diag::Severity::warning, "an entry of `ignore` is past its date", kPage}, nullptr};
+    {"SP621", "ignore-is-over", diag::Severity::warning, "an entry of `ignore` is past its date", kIgnoreIsOverPage},
+    nullptr};
 
 }  // namespace symplant::check

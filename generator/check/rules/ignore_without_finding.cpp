@@ -4,7 +4,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kIgnoreWithoutFindingPage =
     R"(An entry of `"check": { "ignore": [ ... ] }` in plant.json fits no finding. What it hid was mended, or its pattern has a slip.
 
 **What the model loses.** Nothing. But an entry that hides nothing today may hide a fault tomorrow.
@@ -15,8 +15,8 @@ its path) or requirement that a finding is about; `*` stands for any text, `?` f
 
 }  // namespace
 
-const Rule kIgnoreWithoutFinding{
-    {"SP620", "ignore-without-finding", diag::Severity::warning, "an entry of `ignore` fits no finding", kPage},
-    nullptr};
+const Rule kIgnoreWithoutFinding{{"SP620", "ignore-without-finding", diag::Severity::warning,
+                                  "an entry of `ignore` fits no finding", kIgnoreWithoutFindingPage},
+                                 nullptr};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kIllegalCharacterPage =
     R"(A symbol's name holds a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a
 bracket. Letters and digits of every script are welcome.
 
@@ -33,8 +33,8 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kIllegalCharacter{
-    {"SP204", "illegal-character", diag::Severity::warning, "a name holds a character that no level may hold", kPage},
-    check_illegal_character};
+const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning,
+                              "a name holds a character that no level may hold", kIllegalCharacterPage},
+                             check_illegal_character};
 
 }  // namespace symplant::check

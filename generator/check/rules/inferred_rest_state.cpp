@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kInferredRestStatePage =
     R"(Inference 1. A device has one task X only (`O_RUN` and `I_RUN`, a push button `I_ON`, a lamp `O_GREEN`). It was given a
 rest state `NOT_X` without an event, in which it starts. Where X has an operation, the device is a `spring`: it returns to
 rest when the operation goes off. Where plant.json gives it another actuation, it only starts there.
@@ -34,8 +34,8 @@ void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::D
 
 }  // namespace
 
-const Rule kInferredRestState{
-    {"SP501", "inferred-rest-state", diag::Severity::note, "a device of one task was given a rest state", kPage},
-    check_inferred_rest_state};
+const Rule kInferredRestState{{"SP501", "inferred-rest-state", diag::Severity::note,
+                               "a device of one task was given a rest state", kInferredRestStatePage},
+                              check_inferred_rest_state};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kInferredSequencePage =
     R"(Inference 3. A numbered state of a device has an event and no operation leading to it (`O_RUN2`, `I_RUN2`, `I_IDLE1`). It is
 reached by itself from the state with the next lower number, the lowest from the highest: after RUN2 has lasted the default
 time (1 s), the device is back in IDLE1.
@@ -28,8 +28,8 @@ void check_inferred_sequence(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kInferredSequence{
-    {"SP503", "inferred-sequence", diag::Severity::note, "a device goes on to a numbered state by itself", kPage},
-    check_inferred_sequence};
+const Rule kInferredSequence{{"SP503", "inferred-sequence", diag::Severity::note,
+                              "a device goes on to a numbered state by itself", kInferredSequencePage},
+                             check_inferred_sequence};
 
 }  // namespace symplant::check

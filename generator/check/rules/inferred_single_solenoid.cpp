@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kInferredSingleSolenoidPage =
     R"(Inference 2. A device has two states, X with an operation and an event, Y with an event alone and no sequence number
 (`O_ADV`, `I_ADV`, `I_RET`). It was taken as a single solenoid: a `spring` that rests in Y and returns there when the
 operation goes off. What plant.json says of `actuation`, `rest` and `initial` wins.
@@ -40,8 +40,8 @@ void check_inferred_single_solenoid(const Rule& rule, const Subject& subject, di
 
 }  // namespace
 
-const Rule kInferredSingleSolenoid{
-    {"SP502", "inferred-single-solenoid", diag::Severity::note, "a device was taken as a single solenoid", kPage},
-    check_inferred_single_solenoid};
+const Rule kInferredSingleSolenoid{{"SP502", "inferred-single-solenoid", diag::Severity::note,
+                                    "a device was taken as a single solenoid", kInferredSingleSolenoidPage},
+                                   check_inferred_single_solenoid};
 
 }  // namespace symplant::check

@@ -10,7 +10,8 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage = R"(Several events of one device have Initial TRUE, but a device starts in one state.
+constexpr std::string_view kInitialAmbiguousPage =
+    R"(Several events of one device have Initial TRUE, but a device starts in one state.
 
 **What the model loses.** None of them counts: the device starts in its rest state, or else in the first of its states.
 
@@ -50,8 +51,8 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kInitialAmbiguous{
-    {"SP408", "initial-ambiguous", diag::Severity::warning, "several events of a device are on at the start", kPage},
-    check_initial_ambiguous};
+const Rule kInitialAmbiguous{{"SP408", "initial-ambiguous", diag::Severity::warning,
+                              "several events of a device are on at the start", kInitialAmbiguousPage},
+                             check_initial_ambiguous};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kInitialByRowOrderPage =
     R"(Neither an Initial TRUE, nor a rest state, nor a sequence number says in which state a device starts. It starts in the one
 whose symbol comes first in the list.
 
@@ -33,8 +33,8 @@ void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::
 
 }  // namespace
 
-const Rule kInitialByRowOrder{
-    {"SP410", "initial-by-row-order", diag::Severity::note, "only the order of rows says where a device starts", kPage},
-    check_initial_by_row_order};
+const Rule kInitialByRowOrder{{"SP410", "initial-by-row-order", diag::Severity::note,
+                               "only the order of rows says where a device starts", kInitialByRowOrderPage},
+                              check_initial_by_row_order};
 
 }  // namespace symplant::check

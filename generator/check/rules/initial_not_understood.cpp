@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kInitialNotUnderstoodPage =
     R"(The Initial cell of a symbol is no value of its type: BOOL wants TRUE or FALSE (or 1, 0), numbers are written like 5, -3,
 16#1F, K5, H1F or 1.5, and must fit their type.
 
@@ -31,8 +31,8 @@ void check_initial_not_understood(const Rule& rule, const Subject& subject, diag
 
 }  // namespace
 
-const Rule kInitialNotUnderstood{
-    {"SP310", "initial-not-understood", diag::Severity::warning, "an initial value cannot be read", kPage},
-    check_initial_not_understood};
+const Rule kInitialNotUnderstood{{"SP310", "initial-not-understood", diag::Severity::warning,
+                                  "an initial value cannot be read", kInitialNotUnderstoodPage},
+                                 check_initial_not_understood};
 
 }  // namespace symplant::check

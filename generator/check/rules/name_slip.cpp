@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kNameSlipPage =
     R"(A line, process, device or task is written with a letter more, less or other, or with two neighbours exchanged, than the word
 that is meant: `CLAPM1` for `CLAMP1`. Digits are never a slip: `CLAMP1` and `CLAMP2` are two devices.
 
@@ -76,7 +76,7 @@ void check_name_slip(const Rule& rule, const Subject& subject, diag::Diagnostics
 }  // namespace
 
 const Rule kNameSlip{{"SP205", "name-slip", diag::Severity::warning,
-                      "a word in a name differs by a slip from the one that is meant", kPage},
+                      "a word in a name differs by a slip from the one that is meant", kNameSlipPage},
                      check_name_slip};
 
 }  // namespace symplant::check

@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kNoAddressPage =
     R"(Some symbols have neither a vendor's nor an IEC address; their direction is taken from their names.
 
 **What the model loses.** Nothing within the plant: they are modelled and traced. But they are on no link, so no PLC writes
@@ -35,7 +35,7 @@ void check_no_address(const Rule& rule, const Subject& subject, diag::Diagnostic
 
 }  // namespace
 
-const Rule kNoAddress{{"SP309", "no-address", diag::Severity::note, "I/O symbols have no address", kPage},
+const Rule kNoAddress{{"SP309", "no-address", diag::Severity::note, "I/O symbols have no address", kNoAddressPage},
                       check_no_address};
 
 }  // namespace symplant::check

@@ -9,7 +9,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kNobodyMovesPage =
     R"(A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air, doors).
 
 **What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
@@ -72,7 +72,8 @@ void check_nobody_moves(const Rule& rule, const Subject& subject, diag::Diagnost
 
 }  // namespace
 
-const Rule kNobodyMoves{{"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kPage},
-                        check_nobody_moves};
+const Rule kNobodyMoves{
+    {"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kNobodyMovesPage},
+    check_nobody_moves};
 
 }  // namespace symplant::check

@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kOneTaskAlonePage =
     R"(A device has one task only (`O_OPEN`, `I_OPEN`), while nearly all devices named like it have more (`CLOSE`, too). Names are
 alike that differ in digits only: `CLAMP1`, `CLAMP2`.
 
@@ -44,7 +44,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kOneTaskAlone{{"SP413", "one-task-alone", diag::Severity::warning,
-                          "a device has one task, where those named like it have more", kPage},
+                          "a device has one task, where those named like it have more", kOneTaskAlonePage},
                          check_one_task_alone};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kOperationInitialIgnoredPage =
     R"(An operation (a PLC output) of type BOOL has Initial TRUE. Operations are the PLC's to write: in the plant they start off
 until a PLC, a scenario or a person sets them.
 
@@ -29,8 +29,8 @@ void check_operation_initial_ignored(const Rule& rule, const Subject& subject, d
 
 }  // namespace
 
-const Rule kOperationInitialIgnored{
-    {"SP311", "operation-initial-ignored", diag::Severity::note, "an operation has an initial value", kPage},
-    check_operation_initial_ignored};
+const Rule kOperationInitialIgnored{{"SP311", "operation-initial-ignored", diag::Severity::note,
+                                     "an operation has an initial value", kOperationInitialIgnoredPage},
+                                    check_operation_initial_ignored};
 
 }  // namespace symplant::check

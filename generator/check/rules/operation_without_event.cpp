@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kOperationWithoutEventPage =
     R"(A device has an operation for a task and reports on other tasks, but has no event for this one: `O_P2` without `I_P2`.
 
 **What the model loses.** The device moves to that state and nothing tells the PLC. A program that waits for the report
@@ -47,8 +47,9 @@ void check_operation_without_event(const Rule& rule, const Subject& subject, dia
 
 }  // namespace
 
-const Rule kOperationWithoutEvent{{"SP401", "operation-without-event", diag::Severity::warning,
-                                   "the PLC commands a state and is never told that it is reached", kPage},
-                                  check_operation_without_event};
+const Rule kOperationWithoutEvent{
+    {"SP401", "operation-without-event", diag::Severity::warning,
+     "the PLC commands a state and is never told that it is reached", kOperationWithoutEventPage},
+    check_operation_without_event};
 
 }  // namespace symplant::check

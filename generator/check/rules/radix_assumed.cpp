@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kRadixAssumedPage =
     R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list does not tell: no row has both a
 MELSEC and an IEC address that would prove it, and numbers occur for which it makes a difference.
 
@@ -33,8 +33,8 @@ void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnos
 
 }  // namespace
 
-const Rule kRadixAssumed{
-    {"SP308", "radix-assumed", diag::Severity::note, "whether X and Y count in hexadecimal is assumed", kPage},
-    check_radix_assumed};
+const Rule kRadixAssumed{{"SP308", "radix-assumed", diag::Severity::note,
+                          "whether X and Y count in hexadecimal is assumed", kRadixAssumedPage},
+                         check_radix_assumed};
 
 }  // namespace symplant::check

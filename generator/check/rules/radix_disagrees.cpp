@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kRadixDisagreesPage =
     R"(A controller counts its X and Y in one way: in hexadecimal or in octal. Here one of its lists says the one, and another
 list the other, by rows with both a MELSEC and an IEC address or by its `"xy"`. What most rows of all its lists prove counts
 for all of them.
@@ -44,7 +44,7 @@ void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagn
 }  // namespace
 
 const Rule kRadixDisagrees{{"SP314", "radix-disagrees", diag::Severity::warning,
-                            "two lists of one controller count X and Y in different ways", kPage},
+                            "two lists of one controller count X and Y in different ways", kRadixDisagreesPage},
                            check_radix_disagrees};
 
 }  // namespace symplant::check

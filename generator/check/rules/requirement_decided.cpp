@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kRequirementDecidedPage =
     R"(The outcome of a requirement is known before the plant runs. What it forbids (`never`) or begins with (`after`) can never
 hold, because it contradicts itself or names a state that nothing leads to; or what it expects can never hold; or one of its
 conditions always holds.
@@ -85,7 +85,7 @@ void check_requirement_decided(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kRequirementDecided{{"SP616", "requirement-decided", diag::Severity::warning,
-                                "a requirement is met or violated whatever the PLC does", kPage},
+                                "a requirement is met or violated whatever the PLC does", kRequirementDecidedPage},
                                check_requirement_decided};
 
 }  // namespace symplant::check

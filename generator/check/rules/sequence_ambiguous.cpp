@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kSequenceAmbiguousPage =
     R"(A numbered state has an event and no operation, so it should be reached by itself from the state with the next lower
 number; but several states have that number.
 
@@ -33,8 +33,8 @@ void check_sequence_ambiguous(const Rule& rule, const Subject& subject, diag::Di
 
 }  // namespace
 
-const Rule kSequenceAmbiguous{
-    {"SP409", "sequence-ambiguous", diag::Severity::warning, "several states could come before a numbered one", kPage},
-    check_sequence_ambiguous};
+const Rule kSequenceAmbiguous{{"SP409", "sequence-ambiguous", diag::Severity::warning,
+                               "several states could come before a numbered one", kSequenceAmbiguousPage},
+                              check_sequence_ambiguous};
 
 }  // namespace symplant::check

@@ -9,7 +9,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kSequenceGapPage =
     R"(The numbered tasks of a device leave a number out: `P1`, `P2`, `P4`. Numbers in even steps (`10`, `20`, `30`) are no gap.
 
 **What the model loses.** A state, if its rows are missing: the device steps from `P2` to `P4`, and a program that waits for `P3`
@@ -64,7 +64,8 @@ void check_sequence_gap(const Rule& rule, const Subject& subject, diag::Diagnost
 
 }  // namespace
 
-const Rule kSequenceGap{{"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing", kPage},
-                        check_sequence_gap};
+const Rule kSequenceGap{
+    {"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing", kSequenceGapPage},
+    check_sequence_gap};
 
 }  // namespace symplant::check

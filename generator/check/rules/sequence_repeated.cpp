@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kSequenceRepeatedPage =
     R"(A device numbers its tasks, and two of them have one number: `HOME1`, `JOB2`, `DONE2`. Where several numbers repeat
 (`ADV1`, `RET1`, `ADV2`, `RET2`) they count sensors and are no sequence.
 
@@ -53,8 +53,8 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kSequenceRepeated{
-    {"SP412", "sequence-repeated", diag::Severity::warning, "two tasks of a sequence have one number", kPage},
-    check_sequence_repeated};
+const Rule kSequenceRepeated{{"SP412", "sequence-repeated", diag::Severity::warning,
+                              "two tasks of a sequence have one number", kSequenceRepeatedPage},
+                             check_sequence_repeated};
 
 }  // namespace symplant::check

@@ -8,7 +8,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kShapeLacksSymbolPage =
     R"(Nearly all devices named like this one have the same operations and events, and this one lacks some of them. Names are alike that
 differ in digits only (`CLAMP1`, `CLAMP2`), in whatever process. At least three others and three quarters of all must have the
 symbol; where several devices lack it, more than one in eight, that counts as meant.
@@ -56,7 +56,7 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
 }  // namespace
 
 const Rule kShapeLacksSymbol{{"SP414", "shape-lacks-symbol", diag::Severity::warning,
-                              "a device lacks a symbol that those named like it have", kPage},
+                              "a device lacks a symbol that those named like it have", kShapeLacksSymbolPage},
                              check_shape_lacks_symbol};
 
 }  // namespace symplant::check

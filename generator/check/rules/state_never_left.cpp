@@ -11,7 +11,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kStateNeverLeftPage =
     R"(A device comes into a state and nothing leads out of it, though the PLC has an operation that commands another one: with
 `"only": true` no transition begins there, or each that does waits for a condition that cannot hold.
 
@@ -65,7 +65,7 @@ void check_state_never_left(const Rule& rule, const Subject& subject, diag::Diag
 }  // namespace
 
 const Rule kStateNeverLeft{{"SP611", "state-never-left", diag::Severity::warning,
-                            "a state cannot be left though a command for another is there", kPage},
+                            "a state cannot be left though a command for another is there", kStateNeverLeftPage},
                            check_state_never_left};
 
 }  // namespace symplant::check

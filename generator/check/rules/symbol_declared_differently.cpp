@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kSymbolDeclaredDifferentlyPage =
     R"(Two rows of the plant's lists declare one name, but their addresses or types differ, or they stand in lists of different
 controllers. Names are unique across a plant, addresses within a controller. Names are compared without regard to the case of
 ASCII letters, as PLC tools do.
@@ -34,8 +34,9 @@ void check_symbol_declared_differently(const Rule& rule, const Subject& subject,
 
 }  // namespace
 
-const Rule kSymbolDeclaredDifferently{{"SP302", "symbol-declared-differently", diag::Severity::error,
-                                       "a symbol is declared twice with different addresses or types", kPage},
-                                      check_symbol_declared_differently};
+const Rule kSymbolDeclaredDifferently{
+    {"SP302", "symbol-declared-differently", diag::Severity::error,
+     "a symbol is declared twice with different addresses or types", kSymbolDeclaredDifferentlyPage},
+    check_symbol_declared_differently};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kTaskClaimedTwicePage =
     R"(Two symbols of one device have the same task and the same direction. Since names are unique, the direction of one of them
 comes from an address that overruled its name (the address wins, since it is wired).
 
@@ -39,7 +39,7 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
 }  // namespace
 
 const Rule kTaskClaimedTwice{{"SP407", "task-claimed-twice", diag::Severity::warning,
-                              "two symbols of a device claim one task and direction", kPage},
+                              "two symbols of a device claim one task and direction", kTaskClaimedTwicePage},
                              check_task_claimed_twice};
 
 }  // namespace symplant::check

@@ -10,7 +10,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kTwoWordsOneStatePage =
     R"(One task of a device has only an operation, another only an event, and they look like one: `O_CLAMP` and `I_CLAMPED`. They
 are the only tasks of the device, or two forms of one word.
 
@@ -82,7 +82,7 @@ void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kTwoWordsOneState{
-    {"SP405", "two-words-one-state", diag::Severity::warning, "two words may mean one state", kPage},
+    {"SP405", "two-words-one-state", diag::Severity::warning, "two words may mean one state", kTwoWordsOneStatePage},
     check_two_words_one_state};
 
 }  // namespace symplant::check

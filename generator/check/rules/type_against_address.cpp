@@ -7,7 +7,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kTypeAgainstAddressPage =
     R"(A symbol's type and its address have different sizes: a BOOL on `%IW5`, an INT on `X0010`.
 
 **What the model loses.** The symbol is in the model, but on no link: where it would stand there is anybody's guess, and
@@ -35,8 +35,8 @@ void check_type_against_address(const Rule& rule, const Subject& subject, diag::
 
 }  // namespace
 
-const Rule kTypeAgainstAddress{
-    {"SP306", "type-against-address", diag::Severity::warning, "a type needs another size of address", kPage},
-    check_type_against_address};
+const Rule kTypeAgainstAddress{{"SP306", "type-against-address", diag::Severity::warning,
+                                "a type needs another size of address", kTypeAgainstAddressPage},
+                               check_type_against_address};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kTypeOfNoIoPage =
     R"(A row has an address of the PLC's inputs or outputs (X, Y, `%I`, `%Q`), but its type is none that an I/O symbol may have: BOOL,
 SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL, LREAL. Most often the type is misspelt, or cells of the row have moved.
 
@@ -30,8 +30,8 @@ void check_type_of_no_io(const Rule& rule, const Subject& subject, diag::Diagnos
 
 }  // namespace
 
-const Rule kTypeOfNoIo{
-    {"SP313", "type-of-no-io", diag::Severity::warning, "an input or output has a type that no I/O symbol has", kPage},
-    check_type_of_no_io};
+const Rule kTypeOfNoIo{{"SP313", "type-of-no-io", diag::Severity::warning,
+                        "an input or output has a type that no I/O symbol has", kTypeOfNoIoPage},
+                       check_type_of_no_io};
 
 }  // namespace symplant::check

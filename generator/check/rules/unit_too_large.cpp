@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kUnitTooLargePage =
     R"(A device has more than 64 operations, 64 events or 250 states. That is no device; most often the level of the name that
 should tell devices apart is the same for all of them.
 
@@ -31,7 +31,7 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kUnitTooLarge{{"SP406", "unit-too-large", diag::Severity::warning,
-                          "a device has more symbols or states than a device may have", kPage},
+                          "a device has more symbols or states than a device may have", kUnitTooLargePage},
                          check_unit_too_large};
 
 }  // namespace symplant::check

@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kUnitWithoutEventsPage =
     R"(A device has operations and no event at all: a lamp, a horn, a motor without contacts.
 
 **What the model loses.** Nothing, if the device is like that. It moves, and the PLC is never told.
@@ -27,7 +27,7 @@ void check_unit_without_events(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kUnitWithoutEvents{
-    {"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kPage},
+    {"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kUnitWithoutEventsPage},
     check_unit_without_events};
 
 }  // namespace symplant::check

@@ -4,7 +4,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kUnknownRulePage =
     R"(The section `check` of plant.json names a rule that there is not. A rule is named by its id (`SP402`) or its name
 (`event-without-operation`); `symplant rules` lists them.
 
@@ -16,6 +16,7 @@ constexpr std::string_view kPage =
 }  // namespace
 
 const Rule kUnknownRule{
-    {"SP622", "unknown-rule", diag::Severity::error, "the section `check` names a rule that is none", kPage}, nullptr};
+    {"SP622", "unknown-rule", diag::Severity::error, "the section `check` names a rule that is none", kUnknownRulePage},
+    nullptr};
 
 }  // namespace symplant::check

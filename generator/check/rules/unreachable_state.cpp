@@ -11,7 +11,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kUnreachableStatePage =
     R"(No chain of transitions leads from the initial state of a device to this one: there is no transition to it, or each of them
 begins in a state that is not reached either, waits for a condition that cannot hold, or is overtaken by an automatic
 transition without condition and time. Whatever the PLC may write counts as written, and devices that nothing in the plant
@@ -82,7 +82,8 @@ void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kUnreachableState{{"SP610", "unreachable-state", diag::Severity::warning, "nothing leads to a state", kPage},
-                             check_unreachable_state};
+const Rule kUnreachableState{
+    {"SP610", "unreachable-state", diag::Severity::warning, "nothing leads to a state", kUnreachableStatePage},
+    check_unreachable_state};
 
 }  // namespace symplant::check

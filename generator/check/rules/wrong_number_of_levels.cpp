@@ -6,7 +6,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kWrongNumberOfLevelsPage =
     R"(A symbol's name has another number of levels than the naming rule asks for. The built-in rule is
 `LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, parted by `_`.
 
@@ -37,7 +37,7 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning,
-                                 "a name has more or fewer levels than the rule", kPage},
+                                 "a name has more or fewer levels than the rule", kWrongNumberOfLevelsPage},
                                 check_wrong_number_of_levels};
 
 }  // namespace symplant::check

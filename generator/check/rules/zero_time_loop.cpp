@@ -10,7 +10,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kPage =
+constexpr std::string_view kZeroTimeLoopPage =
     R"(Automatic transitions without a condition (or with one that always holds) lead from a state back to it, and all their
 `after` and `takes` are 0.
 
@@ -78,7 +78,7 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kZeroTimeLoop{{"SP612", "zero-time-loop", diag::Severity::warning,
-                          "automatic transitions lead in a circle and take no time", kPage},
+                          "automatic transitions lead in a circle and take no time", kZeroTimeLoopPage},
                          check_zero_time_loop};
 
 }  // namespace symplant::check

@@ -20,11 +20,15 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 /// Answers requests from the images and counts them. Lives in the server's thread; the counts may be read by any.
 class ImageResponder final : public Responder {
  public:
-  /// `watched`: a change of the watchdog's register is the only sign of life.
-  ImageResponder(Images& images, const Identity& identity, bool watched) noexcept
-      : images_(images), identity_(identity), watched_(watched) {}
+  /// With a watchdog in the map a change of its register is the only sign of life.
+  ImageResponder(Images& images, const Identity& identity, const IoMap& map) noexcept
+      : images_(images),
+        identity_(identity),
+        watched_(map.watchdog.has_value()),
+        state_register_(map.status_block ? *map.status_block + kStateField : kNowhere) {}
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
+    const bool left = left_.load(std::memory_order_acquire);  // before the image is taken, which then has the end
     images_.begin_request(losses_.load(std::memory_order_relaxed));
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
     const std::uint32_t gaps = images_.written(answer);
@@ -32,6 +36,7 @@ class ImageResponder final : public Responder {
     if (watched_ ? images_.changed_watchdog(answer) : touches_map(answer)) {
       heard_.fetch_add(1, std::memory_order_release);
     }
+    if (reads_state(answer)) (left ? end_read_ : state_read_).store(true, std::memory_order_relaxed);
     if (answer.size != 0) add(requests_, 1);
     if (answer.exception != Exception::none) add(exceptions_, 1);
     if (gaps != 0) add(gaps_, gaps);
@@ -48,8 +53,13 @@ class ImageResponder final : public Responder {
   /// Any thread: how often the link was lost until now.
   void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
 
+  /// Any thread, once: the image now has that the plant stops.
+  void left() noexcept { left_.store(true, std::memory_order_release); }
+
   LinkStatus status() const noexcept {
     LinkStatus status;
+    status.end_unread = left_.load(std::memory_order_relaxed) && state_read_.load(std::memory_order_relaxed) &&
+                        !end_read_.load(std::memory_order_relaxed);
     status.losses = losses_.load(std::memory_order_relaxed);
     status.requests = requests_.load(std::memory_order_relaxed);
     status.exceptions = exceptions_.load(std::memory_order_relaxed);
@@ -66,14 +76,23 @@ class ImageResponder final : public Responder {
            (answer.read_count != 0 && images_.is_mapped(answer.read, answer.read_first, answer.read_count));
   }
 
+  bool reads_state(const Answer& answer) const noexcept {
+    return answer.read_count != 0 && answer.read == Table::input_register && answer.read_first <= state_register_ &&
+           state_register_ - answer.read_first < answer.read_count;
+  }
+
   Images& images_;
   Identity identity_;
   bool watched_;
+  std::uint32_t state_register_;
   Count requests_{0};
   Count exceptions_{0};
   Count gaps_{0};
   Count heard_{0};
   std::atomic<std::uint32_t> losses_{0};
+  std::atomic<bool> left_{false};
+  std::atomic<bool> state_read_{false};  ///< of the status block, while the plant ran
+  std::atomic<bool> end_read_{false};    ///< likewise, behind left()
 };
 
 class ServerLink final : public Link {
@@ -85,7 +104,7 @@ class ServerLink final : public Link {
         health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
         images_(tables, map, settings.word_order),
         responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
-                   {"symplant", tables.name, core::version()}, map.watchdog.has_value()),
+                   {"symplant", tables.name, core::version()}, map),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
@@ -117,6 +136,7 @@ class ServerLink final : public Link {
   void leave() noexcept override {
     status_.state = PlantState::stopping;
     images_.write_status(status_);
+    responder_.left();
   }
 
   exec::LinkState state() const noexcept override { return health_.state(); }

@@ -29,7 +29,7 @@ std::array<std::uint16_t, kStatusRegisters> registers_of(const StatusBlock& bloc
   const std::span<std::uint16_t> all(registers);
   registers[0] = kStatusLayout;
   registers[1] = static_cast<std::uint16_t>(block.cycles);
-  registers[2] = static_cast<std::uint16_t>(block.state);
+  registers[kStateField] = static_cast<std::uint16_t>(block.state);
   registers[3] = static_cast<std::uint16_t>(block.live);
   put(all.subspan(4, 2), block.lost_exchanges, order);
   put(all.subspan(6, 2), block.overruns, order);

@@ -11,7 +11,8 @@ namespace symplant::link::modbus {
 
 inline constexpr std::uint16_t kStatusLayout = 1;  ///< register 0: changes when the layout does
 
-/// Register 2.
+inline constexpr std::uint32_t kStateField = 2;  ///< the register of PlantState, counted from the block's first
+
 enum class PlantState : std::uint16_t { waiting = 0, run = 1, link_lost = 2, frozen = 3, stopping = 4 };
 
 struct StatusBlock {

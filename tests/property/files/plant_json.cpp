@@ -16,15 +16,15 @@ namespace {
 
 using nlohmann::json;
 
-void make_sayable(core::Time& time) { time = std::min(time, core::kNever - 1); }
+void clip(core::Time& time) { time = std::min(time, core::kNever - 1); }
 
-void make_sayable(std::optional<model::Duration>& duration) {
+void clip(std::optional<model::Duration>& duration) {
   if (!duration) return;
-  make_sayable(duration->a);
-  make_sayable(duration->b);
+  clip(duration->a);
+  clip(duration->b);
 }
 
-void make_sayable(std::vector<std::pair<std::string, bool>>& events) {
+void clip(std::vector<std::pair<std::string, bool>>& events) {
   const std::map<std::string, bool> by_name(events.begin(), events.end());
   events.assign(by_name.begin(), by_name.end());
 }
@@ -101,21 +101,21 @@ json defaults_of(const model::Defaults& defaults, Sayer& sayer) {
 void make_sayable(PlantText& plant, std::uint64_t seed) {
   Dice dice(seed ^ 0xF11E5);
   model::Description& description = plant.description;
-  make_sayable(description.defaults.travel);
-  make_sayable(description.defaults.dwell);
-  for (model::GivenRequirement& requirement : description.requirements) make_sayable(requirement.within);
+  clip(description.defaults.travel);
+  clip(description.defaults.dwell);
+  for (model::GivenRequirement& requirement : description.requirements) clip(requirement.within);
   if (dice.percent(15)) {
     plant.second_list = dice.below(plant.rows.size());
     if (dice.percent(50)) plant.second_controller = "PLC2";
   }
   for (model::DeviceDescription& device : description.devices) {
     for (model::GivenTransition& transition : device.transitions) {
-      make_sayable(transition.after);
-      make_sayable(transition.takes);
+      clip(transition.after);
+      clip(transition.takes);
     }
     for (model::GivenOutputs& outputs : device.outputs) {
-      make_sayable(outputs.enter);
-      make_sayable(outputs.leave);
+      clip(outputs.enter);
+      clip(outputs.leave);
     }
     if (dice.percent(4)) add_behaviour(dice, plant, device);
     std::sort(device.inputs.begin(), device.inputs.end());

@@ -16,9 +16,9 @@ namespace {
 using When = Step::When;
 using core::kMillisecond;
 
-class ScenarioWriter {
+class ScenarioDrawer {
  public:
-  ScenarioWriter(Dice& dice, std::uint64_t seed, const model::PlantModel& plant)
+  ScenarioDrawer(Dice& dice, std::uint64_t seed, const model::PlantModel& plant)
       : dice_(dice),
         plant_(plant),
         plan_(plan_of(plant)),
@@ -273,7 +273,7 @@ class ScenarioWriter {
 
 DrawnScenario random_scenario(std::uint64_t draw, std::uint64_t seed, const model::PlantModel& plant) {
   Dice dice(draw * 2 + 0x5CE4'0000'0000);
-  return ScenarioWriter(dice, seed, plant).write();
+  return ScenarioDrawer(dice, seed, plant).write();
 }
 
 }  // namespace symplant::property::files

@@ -22,7 +22,7 @@ ToolRun run_cell(std::vector<std::string> arguments, const std::string& plant) {
   return run_tool(arguments, files);
 }
 
-std::string described(const std::string& members) {
+std::string cell_with(const std::string& members) {
   return "{\n  \"symplant\": 1,\n  \"symbols\": [\"symbols.csv\"],\n  " + members + "\n}\n";
 }
 
@@ -40,7 +40,7 @@ std::string findings(const std::string& plant) {
 }
 
 TEST_CASE("Every command takes a plant.json, its lists beside it") {
-  const std::string plant = described(R"("name": "press", "devices": {"EXLINE_MB_AGV": {"actuation": "held"}})");
+  const std::string plant = cell_with(R"("name": "press", "devices": {"EXLINE_MB_AGV": {"actuation": "held"}})");
   for (const char* command : {"check", "model", "map"}) {
     const ToolRun run = run_cell({command}, plant);
     INFO(command << run.out << run.err);
@@ -55,7 +55,7 @@ TEST_CASE("Every command takes a plant.json, its lists beside it") {
 }
 
 TEST_CASE("Without a name the plant is called as its file") {
-  CHECK(json::parse(run_cell({"model", "--format", "json"}, described("\"links\": []")).out).at("plant") == "plant");
+  CHECK(json::parse(run_cell({"model", "--format", "json"}, cell_with("\"links\": []")).out).at("plant") == "plant");
 }
 
 TEST_CASE("A plant.json is known by its content, too, and read in UTF-16 as well as UTF-8") {
@@ -85,13 +85,13 @@ TEST_CASE("What is said of one list is said of it alone; options fill what is no
 
 TEST_CASE("Faults of form make check end with 2, other faults of the description with 1") {
   CHECK(run_cell({"check"}, "{").code == 2);
-  CHECK(run_cell({"check"}, described("\"device\": {}")).code == 2);
-  CHECK(run_cell({"check"}, described(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 1);
-  CHECK(run_cell({"check"}, described(R"("devices": {"*_AGW": {}})")).code == 0);
-  CHECK(run_cell({"check", "--fail-on", "warning"}, described(R"("devices": {"*_AGW": {}})")).code == 1);
+  CHECK(run_cell({"check"}, cell_with("\"device\": {}")).code == 2);
+  CHECK(run_cell({"check"}, cell_with(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 1);
+  CHECK(run_cell({"check"}, cell_with(R"("devices": {"*_AGW": {}})")).code == 0);
+  CHECK(run_cell({"check", "--fail-on", "warning"}, cell_with(R"("devices": {"*_AGW": {}})")).code == 1);
   for (const char* command : {"model", "map", "run"}) {
-    CHECK(run_cell({command}, described(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 2);
-    CHECK(run_cell({command}, described(R"("devices": {"*_AGW": {}})")).code == 0);
+    CHECK(run_cell({command}, cell_with(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 2);
+    CHECK(run_cell({command}, cell_with(R"("devices": {"*_AGW": {}})")).code == 0);
   }
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("A list that cannot be read is told, and so are the faults of form") {
 }
 
 TEST_CASE("Faults stand at their line and column, in conditions at the name at fault") {
-  CHECK(findings(described(R"("devices": {
+  CHECK(findings(cell_with(R"("devices": {
     "EXLINE_MB_AGV": { "initial": "P9", "transitions": [ { "from": "P1", "to": "P2",
       "when": "EXLINE_MB_MC.RUN2 and not EXLINE_MB_MD.IDLE1" } ] } })")) ==
         "SP602 5:35 there is no state `P9` of `EXLINE_MB_AGV`, the nearest is `P1`\n"
@@ -114,14 +114,14 @@ TEST_CASE("Faults stand at their line and column, in conditions at the name at f
 }
 
 TEST_CASE("A column counts characters, and escapes in a condition are counted as they stand") {
-  CHECK(findings(described(
+  CHECK(findings(cell_with(
             "\"requirements\": [ { \"name\": \"\u00e4\u00f6\", \"never\": \"'EXLINE\\u005fMB_MC'.RUN2 and X\" } ]")) ==
         "SP606 4:76 there is no symbol `X`\n");
 }
 
 TEST_CASE("Faults of form and of names are told in one run, but nothing that only follows") {
   // AGV's `state` is unknown, so that its DOCK is missing is not told; MC's fault is.
-  CHECK(findings(described(R"("devices": {
+  CHECK(findings(cell_with(R"("devices": {
     "EXLINE_MB_AGV": { "state": ["DOCK"], "initial": "DOCK" },
     "EXLINE_MB_MC": { "initial": "RUN1" } })")) ==
         "SP601 5:24 the key `state` is unknown here, the nearest is `states`\n"
@@ -129,7 +129,7 @@ TEST_CASE("Faults of form and of names are told in one run, but nothing that onl
 }
 
 TEST_CASE("A key twice is told with both places, and nothing is made") {
-  const ToolRun run = run_cell({"check"}, described(R"("name": "a",
+  const ToolRun run = run_cell({"check"}, cell_with(R"("name": "a",
   "name": "b")"));
   CHECK(run.code == 2);
   CHECK(contains(run.out, "cell/plant.json:5:3: error: the key `name` stands here for the second time"));
@@ -137,13 +137,13 @@ TEST_CASE("A key twice is told with both places, and nothing is made") {
 }
 
 TEST_CASE("With --verbose it tells the plant's name and which pattern speaks of how many devices") {
-  const ToolRun run = run_cell({"check", "--verbose"}, described(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
+  const ToolRun run = run_cell({"check", "--verbose"}, cell_with(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
   CHECK(contains(run.err, "decided: the plant is called plant\n"));
   CHECK(contains(run.err, "decided: `EXLINE_*` speaks of 2 devices\n"));
 }
 
 TEST_CASE("No output may take the place of a plant's own files") {
-  MemoryFileSystem files = cell(described("\"name\": \"x\""));
+  MemoryFileSystem files = cell(cell_with("\"name\": \"x\""));
   const std::string folder = std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/excell.csv";
   files.files["cell/plant.json"] = "{\"symplant\": 1, \"symbols\": [\"" + folder + "\"]}";
   files.files[folder] = excell();
@@ -189,7 +189,7 @@ TEST_CASE("Hostile files end with 2 and words") {
     CHECK(contains(run.out, "error: "));
   }
   const ToolRun run =
-      run_cell({"check"}, described("\"devices\": {\"" + name + "\": {\"initial\": \"" + name + "\"}}"));
+      run_cell({"check"}, cell_with("\"devices\": {\"" + name + "\": {\"initial\": \"" + name + "\"}}"));
   CHECK(run.code == 1);
 }
 
@@ -211,7 +211,7 @@ TEST_CASE("Every key of the schema is read, and every key that is read stands in
 
 TEST_CASE("The order of keys does not matter") {
   const ToolRun one =
-      run_cell({"model", "--format", "json"}, described(R"("name": "n", "defaults": {"travel": "2s"})"));
+      run_cell({"model", "--format", "json"}, cell_with(R"("name": "n", "defaults": {"travel": "2s"})"));
   const ToolRun other =
       run_cell({"model", "--format", "json"},
                R"({"defaults": {"travel": "2s"}, "name": "n", "symbols": ["symbols.csv"], "symplant": 1})");

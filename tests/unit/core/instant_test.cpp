@@ -9,7 +9,7 @@ namespace {
 
 using core::kSecond;
 
-HandUnit double_solenoid() { return {2, {0, 1}, {{1, 0, 0, 0, kSecond}, {0, 1, 1, 0, kSecond}}}; }
+HandUnit instant_unit() { return {2, {0, 1}, {{1, 0, 0, 0, kSecond}, {0, 1, 1, 0, kSecond}}}; }
 
 struct Seen {
   core::Time time;
@@ -30,7 +30,7 @@ class Log final : public core::Observer {
 };
 
 TEST_CASE("what was written belongs to the instant of the call, together with what is due then") {
-  HandPlant plant({double_solenoid()});
+  HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
   plant.set(0, 1, true);
@@ -47,7 +47,7 @@ TEST_CASE("what was written belongs to the instant of the call, together with wh
 }
 
 TEST_CASE("what is due before the call is run on the operations as they were") {
-  HandPlant plant({double_solenoid(), double_solenoid()});
+  HandPlant plant({instant_unit(), instant_unit()});
   Log log;
   plant.to(0);
   plant.set(0, 1, true);
@@ -63,7 +63,7 @@ TEST_CASE("what is due before the call is run on the operations as they were") {
 }
 
 TEST_CASE("the same time again runs a further instant only if something was written") {
-  HandPlant plant({double_solenoid()});
+  HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
   plant.to(5, &log);
@@ -76,7 +76,7 @@ TEST_CASE("the same time again runs a further instant only if something was writ
 }
 
 TEST_CASE("a time that lies back is taken as now") {
-  HandPlant plant({double_solenoid()});
+  HandPlant plant({instant_unit()});
   plant.to(5);
   plant.set(0, 1, true);
   plant.to(3);
@@ -85,7 +85,7 @@ TEST_CASE("a time that lies back is taken as now") {
 }
 
 TEST_CASE("an operation that ends as it was is no change") {
-  HandPlant plant({double_solenoid()});
+  HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
   plant.set(0, 1, true);
@@ -95,7 +95,7 @@ TEST_CASE("an operation that ends as it was is no change") {
 }
 
 TEST_CASE("the first instant tells which events are on") {
-  HandPlant plant({double_solenoid()});
+  HandPlant plant({instant_unit()});
   Log log;
   plant.to(0, &log);
   REQUIRE(log.seen.size() == 1);
@@ -114,7 +114,7 @@ TEST_CASE("the first instant is run at 0 even when the first call is for later")
 }
 
 TEST_CASE("a link is told each changed event word once") {
-  HandPlant plant({double_solenoid(), double_solenoid()});
+  HandPlant plant({instant_unit(), instant_unit()});
   plant.to(0);
   plant.plant->forget_changed_events();
   plant.set(1, 1, true);
@@ -128,7 +128,7 @@ TEST_CASE("a link is told each changed event word once") {
 }
 
 TEST_CASE("next_due tells the earliest time at which something happens by itself") {
-  HandPlant plant({double_solenoid(), double_solenoid()});
+  HandPlant plant({instant_unit(), instant_unit()});
   CHECK(plant.plant->next_due() == 0);
   plant.to(0);
   CHECK(plant.plant->next_due() == core::kNever);

@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr diag::RuleInfo kRule{"SP201", "wrong-number-of-levels", diag::Severity::warning, "", ""};
+constexpr diag::RuleInfo kJsonRule{"SP201", "wrong-number-of-levels", diag::Severity::warning, "", ""};
 
 }  // namespace
 
@@ -20,7 +20,7 @@ TEST_CASE("JSON has the rule, the place and the related places of each finding")
   std::vector<diag::Related> related(1);
   related[0].place = {source, {0, 2}};
   related[0].message = "first";
-  found.add(kRule, "say `A` \"once\"", {source, {6, 7}}, related);
+  found.add(kJsonRule, "say `A` \"once\"", {source, {6, 7}}, related);
   const json document = json::parse(diag::render_json(found.all()));
   CHECK(document == json::parse(R"({
     "symplant-diagnostics": 1,
@@ -43,7 +43,7 @@ TEST_CASE("JSON of no findings is whole") {
 
 TEST_CASE("Bytes that are no UTF-8 do not break the report") {
   diag::Diagnostics found;
-  found.add(kRule, "bad \xFF", {std::make_shared<base::SourceFile>("\xFE.csv", ""), {}});
+  found.add(kJsonRule, "bad \xFF", {std::make_shared<base::SourceFile>("\xFE.csv", ""), {}});
   const json document = json::parse(diag::render_json(found.all()));
   CHECK(document["findings"][0]["message"] == "bad \xEF\xBF\xBD");
   CHECK_FALSE(document["findings"][0].contains("line"));

@@ -5,7 +5,7 @@
 namespace symplant::test {
 namespace {
 
-constexpr diag::RuleInfo kRule{"SP999", "some-rule", diag::Severity::warning, "summary", "page"};
+constexpr diag::RuleInfo kSomeRule{"SP999", "some-rule", diag::Severity::warning, "summary", "page"};
 
 diag::Place at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
 
@@ -13,10 +13,10 @@ TEST_CASE("Pointers of all places are listed once, sorted, and each place gets i
   const auto list = std::make_shared<const base::SourceFile>("symbols.csv", "A\n");
   const auto file = std::make_shared<const base::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
   diag::Diagnostics found;
-  found.add(kRule, "first", at("/b"), {{at("/a"), "other"}});
-  found.add(kRule, "second", at("/b"));
-  found.add(kRule, "third", {list, {0, 1}});
-  found.add(kRule, "fourth", {list, {0, 1}, "/c"});
+  found.add(kSomeRule, "first", at("/b"), {{at("/a"), "other"}});
+  found.add(kSomeRule, "second", at("/b"));
+  found.add(kSomeRule, "third", {list, {0, 1}});
+  found.add(kSomeRule, "fourth", {list, {0, 1}, "/c"});
   CHECK(found.pointers() == std::vector<std::string>{"/a", "/b", "/c"});
 
   const std::vector<std::optional<base::Span>> spans{base::Span{2, 5}, base::Span{10, 13}, std::nullopt};
@@ -33,11 +33,11 @@ TEST_CASE("Pointers of all places are listed once, sorted, and each place gets i
 
 TEST_CASE("A finding has its rule's severity unless it is given another, and counts by it") {
   diag::Diagnostics found;
-  found.add(kRule, "as it is", {});
-  found.add({&kRule, diag::Severity::error, "raised", {}, {}, {}});
+  found.add(kSomeRule, "as it is", {});
+  found.add({&kSomeRule, diag::Severity::error, "raised", {}, {}, {}});
   CHECK(found.count(diag::Severity::warning) == 1);
   CHECK(found.has_errors());
-  found.ignore({&kRule, diag::Severity::error, "ignored", {}, {}, {}}, "meant to be");
+  found.ignore({&kSomeRule, diag::Severity::error, "ignored", {}, {}, {}}, "meant to be");
   CHECK(found.count(diag::Severity::error) == 1);
   CHECK(found.all().size() == 2);
   CHECK(found.ignored().size() == 1);

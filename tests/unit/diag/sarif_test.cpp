@@ -13,10 +13,10 @@ using nlohmann::json;
 
 namespace {
 
-constexpr diag::RuleInfo kNames{"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has levels",
-                                "It has\nothers.\n\nMore of it.\n"};
-constexpr diag::RuleInfo kRest{"SP501", "inferred-rest-state", diag::Severity::note, "a rest", "Given.\n"};
-constexpr diag::RuleInfo kTwice{"SP302", "symbol-declared-differently", diag::Severity::error, "twice", "Two.\n"};
+constexpr diag::RuleInfo kSarifNames{"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has levels",
+                                     "It has\nothers.\n\nMore of it.\n"};
+constexpr diag::RuleInfo kSarifRest{"SP501", "inferred-rest-state", diag::Severity::note, "a rest", "Given.\n"};
+constexpr diag::RuleInfo kSarifTwice{"SP302", "symbol-declared-differently", diag::Severity::error, "twice", "Two.\n"};
 
 std::shared_ptr<const base::SourceFile> list(std::string text, std::string path = "line 1/list.csv") {
   return std::make_shared<const base::SourceFile>(std::move(path), std::move(text));
@@ -61,7 +61,8 @@ std::vector<diag::Report> about_rows(const std::vector<std::string>& rows) {
   diag::Diagnostics findings;
   std::size_t begin = 0;
   for (const std::string& row : rows) {
-    findings.add(kNames, {row}, "`" + row + "` in row " + std::to_string(begin), {source, {begin, begin + row.size()}});
+    findings.add(kSarifNames, {row}, "`" + row + "` in row " + std::to_string(begin),
+                 {source, {begin, begin + row.size()}});
     begin += row.size() + 1;
   }
   return report_of(std::move(findings));
@@ -72,7 +73,7 @@ std::vector<diag::Report> about_rows(const std::vector<std::string>& rows) {
 TEST_CASE("SARIF has rule, level, place and related places of each finding, columns in characters") {
   const auto source = list("\xC3\x84\xC3\x96,X1\nAB,X2\n");
   diag::Diagnostics findings;
-  findings.add(kNames, {"AB"}, "say `AB`", at(source, "AB"), {{at(source, "X1"), "first"}});
+  findings.add(kSarifNames, {"AB"}, "say `AB`", at(source, "AB"), {{at(source, "X1"), "first"}});
   const json run = run_of(report_of(std::move(findings)));
   const json& result = run["results"][0];
   CHECK(result["ruleId"] == "SP201");
@@ -91,8 +92,8 @@ TEST_CASE("SARIF has rule, level, place and related places of each finding, colu
 
 TEST_CASE("SARIF describes the rules that have results, by their manual pages") {
   diag::Diagnostics findings;
-  findings.add(kRest, "given", {});
-  findings.add(kNames, "named", {});
+  findings.add(kSarifRest, "given", {});
+  findings.add(kSarifNames, "named", {});
   const json run = run_of(report_of(std::move(findings)));
   const json& rules = run["tool"]["driver"]["rules"];
   REQUIRE(rules.size() == 2);
@@ -108,9 +109,9 @@ TEST_CASE("SARIF describes the rules that have results, by their manual pages") 
 TEST_CASE("SARIF tells errors first, and what plant.json ignores last, with its reason") {
   const auto source = list("A\n");
   diag::Diagnostics findings;
-  findings.add(kRest, {"A"}, "note", at(source, "A"));
-  findings.add(kTwice, {"A"}, "error", at(source, "A"));
-  findings.ignore({&kTwice, diag::Severity::error, "hidden", at(source, "A"), {}, {"A"}}, "wired next year");
+  findings.add(kSarifRest, {"A"}, "note", at(source, "A"));
+  findings.add(kSarifTwice, {"A"}, "error", at(source, "A"));
+  findings.ignore({&kSarifTwice, diag::Severity::error, "hidden", at(source, "A"), {}, {"A"}}, "wired next year");
   const json run = run_of(report_of(std::move(findings)));
   const json& results = run["results"];
   REQUIRE(results.size() == 3);
@@ -122,9 +123,9 @@ TEST_CASE("SARIF tells errors first, and what plant.json ignores last, with its 
 
 TEST_CASE("SARIF gives a finding without a place its plant's first line, since build servers want one") {
   diag::Diagnostics findings;
-  findings.add(kTwice, "nowhere", {});
-  findings.add(kTwice, "empty", {list("", "/home/ci/sub/empty.csv"), {}});
-  findings.add(kTwice, "elsewhere", {list("", "/srv/empty.csv"), {}});
+  findings.add(kSarifTwice, "nowhere", {});
+  findings.add(kSarifTwice, "empty", {list("", "/home/ci/sub/empty.csv"), {}});
+  findings.add(kSarifTwice, "elsewhere", {list("", "/srv/empty.csv"), {}});
   const json run = run_of(report_of(std::move(findings)), {"0.1.0", "/home/ci", 2});
   const auto location = [&](std::size_t i) { return run["results"][i]["locations"][0]["physicalLocation"]; };
   CHECK(location(0)["artifactLocation"]["uri"] == "plant.json");
@@ -146,17 +147,17 @@ TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and
   const auto source = list("A,B\n");
   const auto other = list("A,B\n", "other.csv");
   diag::Diagnostics findings;
-  findings.add(kNames, {"A"}, "x", at(source, "A"));
-  findings.add(kNames, {"A"}, "x", at(source, "A"));
-  findings.add(kNames, {"B"}, "x", at(source, "A"));
-  findings.add(kNames, {"A", "B"}, "x", at(source, "A"));
-  findings.add(kNames, {"AB"}, "x", at(source, "A"));
-  findings.add(kRest, {"A"}, "x", at(source, "A"));
-  findings.add(kNames, {"A"}, "x", at(other, "A"));
-  findings.add(kNames, "x", at(source, "A"));
-  findings.add(kNames, "x", at(source, "B"));
-  findings.add(kNames, "x `1`", at(source, "A"));
-  findings.add(kNames, "x `2`", at(source, "A"));
+  findings.add(kSarifNames, {"A"}, "x", at(source, "A"));
+  findings.add(kSarifNames, {"A"}, "x", at(source, "A"));
+  findings.add(kSarifNames, {"B"}, "x", at(source, "A"));
+  findings.add(kSarifNames, {"A", "B"}, "x", at(source, "A"));
+  findings.add(kSarifNames, {"AB"}, "x", at(source, "A"));
+  findings.add(kSarifRest, {"A"}, "x", at(source, "A"));
+  findings.add(kSarifNames, {"A"}, "x", at(other, "A"));
+  findings.add(kSarifNames, "x", at(source, "A"));
+  findings.add(kSarifNames, "x", at(source, "B"));
+  findings.add(kSarifNames, "x `1`", at(source, "A"));
+  findings.add(kSarifNames, "x `2`", at(source, "A"));
   auto all = fingerprints(report_of(std::move(findings)));
   CHECK(std::unique(all.begin(), all.end()) == all.end());
 }
@@ -164,7 +165,7 @@ TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and
 TEST_CASE("The fingerprint of a finding about no symbol does not count numbers in its words") {
   const auto one = [](const std::string& words) {
     diag::Diagnostics findings;
-    findings.add(kNames, words, at(list("A\n"), "A"));
+    findings.add(kSarifNames, words, at(list("A\n"), "A"));
     return fingerprints(report_of(std::move(findings)));
   };
   CHECK(one("row 12 of `X1`") == one("row 7 of `X1`"));
@@ -174,7 +175,7 @@ TEST_CASE("The fingerprint of a finding about no symbol does not count numbers i
 TEST_CASE("Several plants make one run, each result says whose it is") {
   std::vector<diag::Report> reports = about_rows({"A"});
   diag::Diagnostics findings;
-  findings.add(kTwice, {"B"}, "x", {});
+  findings.add(kSarifTwice, {"B"}, "x", {});
   reports.push_back({"line2.json", std::move(findings)});
   const json run = run_of(reports);
   CHECK(run["results"][0]["properties"]["plant"] == "line2.json");
@@ -183,8 +184,8 @@ TEST_CASE("Several plants make one run, each result says whose it is") {
 
 TEST_CASE("What goes beyond the most results of a run is counted, the weightiest stay") {
   diag::Diagnostics findings;
-  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kRest, {std::to_string(i)}, "x", {});
-  findings.add(kTwice, {"A"}, "x", {});
+  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kSarifRest, {std::to_string(i)}, "x", {});
+  findings.add(kSarifTwice, {"A"}, "x", {});
   const json run = run_of(report_of(std::move(findings)));
   CHECK(run["results"].size() == diag::kMostSarifResults);
   CHECK(run["results"][0]["ruleId"] == "SP302");
@@ -195,7 +196,7 @@ TEST_CASE("What goes beyond the most results of a run is counted, the weightiest
 TEST_CASE("A text of a user's is no link, no argument and no control character in SARIF") {
   CHECK(diag::sarif_text("A](1) B{0} C[0] {x}\n") == "A<U+005D>(1) B<U+007B>0} C[0] {x}<U+000A>");
   diag::Diagnostics findings;
-  findings.add(kNames, {"\xFF"}, "bad \xFF \xE2\x80\xAE", at(list("\xE2\x80\xAE\n"), "\xE2\x80\xAE"));
+  findings.add(kSarifNames, {"\xFF"}, "bad \xFF \xE2\x80\xAE", at(list("\xE2\x80\xAE\n"), "\xE2\x80\xAE"));
   const json run = run_of(report_of(std::move(findings)));
   CHECK(run["results"][0]["message"]["text"] == "bad \xEF\xBF\xBD <U+202E>");
   CHECK_FALSE(run["results"][0]["locations"][0]["physicalLocation"]["region"].contains("snippet"));

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/raw_client.hpp"
 
 using namespace symplant::link::modbus;
-using Bytes = std::vector<std::uint8_t>;
+using symplant::test::Bytes;
 using State = Connection::State;
 
 namespace {
 
 /// Answers every request by its own bytes.
-class Echo final : public Responder {
+class FixedEcho final : public Responder {
  public:
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     std::copy(request.begin(), request.end(), reply.begin());
@@ -40,9 +41,9 @@ class Peer final : public Sink {
   bool gone = false;
 };
 
-struct Bench {
+struct ConnectionBench {
   Connection connection;
-  Echo echo;
+  FixedEcho echo;
   Peer peer;
 
   /// Bytes that the connection had room for.
@@ -76,13 +77,13 @@ Bytes join(const std::vector<Bytes>& parts) {
 }  // namespace
 
 TEST_CASE("a request's answer has its transaction and unit") {
-  Bench bench;
+  ConnectionBench bench;
   bench.feed(frame(0x1234, {3, 1, 2}));
   CHECK(bench.peer.taken == frame(0x1234, {3, 1, 2}));
 }
 
 TEST_CASE("bytes that come one at a time are answered alike") {
-  Bench bench;
+  ConnectionBench bench;
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4}), frame(3, {5, 6})});
   for (const std::uint8_t byte : all) CHECK(bench.feed({byte}) == 1);
   CHECK(bench.peer.taken == all);
@@ -91,7 +92,7 @@ TEST_CASE("bytes that come one at a time are answered alike") {
 TEST_CASE("frames split at every offset are answered alike") {
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4}), frame(3, Bytes(kMaxPdu, 7))});
   for (std::size_t split = 1; split < all.size(); ++split) {
-    Bench bench;
+    ConnectionBench bench;
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(split);
     bench.feed(Bytes(all.begin(), middle));
     bench.feed(Bytes(middle, all.end()));
@@ -100,7 +101,7 @@ TEST_CASE("frames split at every offset are answered alike") {
 }
 
 TEST_CASE("many frames in one segment are all answered, in their order, by one who reads") {
-  Bench bench;
+  ConnectionBench bench;
   std::vector<Bytes> frames;
   for (int i = 0; i < 64; ++i) frames.push_back(frame(i, {3, static_cast<std::uint8_t>(i)}));
   CHECK(bench.feed(join(frames)) == join(frames).size());
@@ -109,7 +110,7 @@ TEST_CASE("many frames in one segment are all answered, in their order, by one w
 }
 
 TEST_CASE("a frame of another protocol is dropped in silence, and the next one is served") {
-  Bench bench;
+  ConnectionBench bench;
   const auto protocol = GENERATE(1, 0x0100, 0xFFFF);
   bench.feed(join({frame(1, {3}, protocol), frame(2, {4})}));
   CHECK(bench.peer.taken == frame(2, {4}));
@@ -118,7 +119,7 @@ TEST_CASE("a frame of another protocol is dropped in silence, and the next one i
 
 TEST_CASE("a length that no frame has closes the connection, after the answers before it") {
   const auto length = GENERATE(0, 1, 255, 0xFFFF);
-  Bench bench;
+  ConnectionBench bench;
   bench.feed(join(
       {frame(1, {3}), {0, 2, 0, 0, static_cast<std::uint8_t>(length >> 8), static_cast<std::uint8_t>(length & 0xFF)}}));
   CHECK(bench.peer.taken == frame(1, {3}));
@@ -126,14 +127,14 @@ TEST_CASE("a length that no frame has closes the connection, after the answers b
 }
 
 TEST_CASE("a peer that is gone closes the connection") {
-  Bench bench;
+  ConnectionBench bench;
   bench.peer.gone = true;
   bench.feed(frame(1, {3}));
   CHECK(bench.state == State::closed);
 }
 
 TEST_CASE("an answer that the peer takes in parts arrives whole") {
-  Bench bench;
+  ConnectionBench bench;
   bench.peer.window = 0;
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4, 4})});
   bench.feed(all);
@@ -146,7 +147,7 @@ TEST_CASE("an answer that the peer takes in parts arrives whole") {
 }
 
 TEST_CASE("beyond 16 answers not taken requests are refused as busy, and none is lost") {
-  Bench bench;
+  ConnectionBench bench;
   bench.peer.window = 0;
   for (int i = 0; i < 20; ++i) bench.feed(frame(i, {3}));
   bench.peer.window = SIZE_MAX;
@@ -161,7 +162,7 @@ TEST_CASE("beyond 16 answers not taken requests are refused as busy, and none is
 }
 
 TEST_CASE("one who sends and never reads is not listened to for ever, and is served again when he reads") {
-  Bench bench;
+  ConnectionBench bench;
   bench.peer.window = 0;
   std::vector<Bytes> sent;
   while (!bench.connection.room().empty()) {
@@ -177,7 +178,7 @@ TEST_CASE("one who sends and never reads is not listened to for ever, and is ser
 }
 
 TEST_CASE("answers taken in odd parts, over and over, are never counted as waiting when they are gone") {
-  Bench bench;
+  ConnectionBench bench;
   std::vector<Bytes> sent;
   for (int round = 0; round < 100; ++round) {
     bench.peer.window = 5;

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/raw_client.hpp"
 
 using namespace symplant::link::modbus;
-using Bytes = std::vector<std::uint8_t>;
+using symplant::test::Bytes;
 using Kind = Frame::Kind;
 
 TEST_CASE("a whole frame is taken, with what is to be echoed") {

@@ -16,7 +16,7 @@ namespace {
 constexpr core::Time kCycle = 10 * kMillisecond;
 
 /// A link that is looked at every 10 ms.
-struct Bench {
+struct HealthBench {
   LinkHealth health{kSecond, kSecond};
   core::Time now = 1234;
   std::vector<core::Time> lost_at;
@@ -38,7 +38,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("a link waits, however long, until its PLC is heard for the first time, and is never lost before") {
-  Bench bench;
+  HealthBench bench;
   CHECK(bench.health.state() == LinkState::waiting);
   CHECK(bench.silent(10 * kSecond) == Verdict::hold);
   CHECK(bench.health.state() == LinkState::waiting);
@@ -48,12 +48,12 @@ TEST_CASE("a link waits, however long, until its PLC is heard for the first time
 }
 
 TEST_CASE("what a PLC wrote first acts at once, without waiting for a complete image") {
-  Bench bench;
+  HealthBench bench;
   CHECK(bench.look(true, false) == Verdict::apply);
 }
 
 TEST_CASE("a link is lost when nothing has come for its time, and not a cycle earlier") {
-  Bench bench;
+  HealthBench bench;
   bench.look(true);
   const core::Time heard = bench.now;
   CHECK(bench.silent(kSecond - kCycle) == Verdict::apply);
@@ -65,14 +65,14 @@ TEST_CASE("a link is lost when nothing has come for its time, and not a cycle ea
 }
 
 TEST_CASE("a link that is lost stays so, and is lost once") {
-  Bench bench;
+  HealthBench bench;
   bench.look(true);
   CHECK(bench.silent(60 * kSecond) == Verdict::hold);
   CHECK(bench.lost_at.size() == 1);
 }
 
 TEST_CASE("a request in time keeps a link alive for ever") {
-  Bench bench;
+  HealthBench bench;
   for (int i = 0; i < 100; ++i) {
     CHECK(bench.look(true) == Verdict::apply);
     CHECK(bench.silent(kSecond - kCycle) == Verdict::apply);
@@ -81,7 +81,7 @@ TEST_CASE("a request in time keeps a link alive for ever") {
 }
 
 TEST_CASE("after a loss what is written acts together, when all has been written again") {
-  Bench bench;
+  HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
   CHECK(bench.look(true, false) == Verdict::hold);
@@ -92,7 +92,7 @@ TEST_CASE("after a loss what is written acts together, when all has been written
 }
 
 TEST_CASE("after a loss an image that stays incomplete acts when the time for it is over") {
-  Bench bench;
+  HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
   CHECK(bench.look(true, false) == Verdict::hold);
@@ -105,7 +105,7 @@ TEST_CASE("after a loss an image that stays incomplete acts when the time for it
 }
 
 TEST_CASE("a complete image counts only when its PLC has been heard again") {
-  Bench bench;
+  HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
   CHECK(bench.look(false, true) == Verdict::hold);
@@ -113,7 +113,7 @@ TEST_CASE("a complete image counts only when its PLC has been heard again") {
 }
 
 TEST_CASE("a PLC that comes back and goes before its image is complete is lost anew") {
-  Bench bench;
+  HealthBench bench;
   bench.health = LinkHealth(kSecond, 5 * kSecond);
   bench.look(true);
   bench.silent(2 * kSecond);

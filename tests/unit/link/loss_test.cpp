@@ -15,8 +15,8 @@ using test::Bytes;
 namespace {
 
 /// Two coils, a holding register and a discrete input; a cycle of 10 ms is what a test makes it.
-struct Bench {
-  explicit Bench(const LinkSettings& settings = {}) : tables(made()), plant(tables) {
+struct LossBench {
+  explicit LossBench(const LinkSettings& settings = {}) : tables(made()), plant(tables) {
     auto opened = link::open_link({"modbus-tcp-server://127.0.0.1:0", 0, settings}, tables);
     REQUIRE(std::holds_alternative<std::unique_ptr<link::Link>>(opened));
     link = std::move(std::get<std::unique_ptr<link::Link>>(opened));
@@ -74,7 +74,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("before the first request that touches the map the link waits, and others do not count") {
-  Bench bench;
+  LossBench bench;
   bench.silence(5 * kSecond);
   CHECK(bench.link->state() == LinkState::waiting);
   CHECK(bench.status(2) == 0);                            // the status block is not the map
@@ -89,7 +89,7 @@ TEST_CASE("before the first request that touches the map the link waits, and oth
 }
 
 TEST_CASE("a write counts from the first, and acts in the next cycle") {
-  Bench bench;
+  LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();
   CHECK(bench.link->state() == LinkState::live);
@@ -97,7 +97,7 @@ TEST_CASE("a write counts from the first, and acts in the next cycle") {
 }
 
 TEST_CASE("what a silent PLC wrote is held, and the link is lost after its time") {
-  Bench bench;
+  LossBench bench;
   bench.write_coil(0, true);
   bench.write_register(2, 7);
   bench.cycle();
@@ -116,7 +116,7 @@ TEST_CASE("operations whose policy is zero go to zero when the link is lost, oth
   LinkSettings settings;
   settings.places = places;
   settings.on_loss = OnLoss::zero;
-  Bench bench(settings);
+  LossBench bench(settings);
   bench.write_coil(0, true);
   bench.write_coil(1, true);
   bench.write_register(2, 7);
@@ -133,7 +133,7 @@ TEST_CASE("operations whose policy is zero go to zero when the link is lost, oth
 TEST_CASE("on return writes are collected, and act together when all that was written before is written again") {
   LinkSettings settings;
   settings.on_loss = OnLoss::zero;
-  Bench bench(settings);
+  LossBench bench(settings);
   bench.write_coil(0, true);
   bench.write_register(2, 7);
   bench.cycle();
@@ -158,7 +158,7 @@ TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live
   LinkSettings settings;
   settings.places = places;
   settings.resync = 500 * kMillisecond;
-  Bench bench(settings);
+  LossBench bench(settings);
   bench.write_coil(0, true);
   bench.write_coil(1, true);
   bench.cycle();
@@ -176,7 +176,7 @@ TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live
 }
 
 TEST_CASE("a PLC that never wrote is back with its first read") {
-  Bench bench;
+  LossBench bench;
   bench.client->ask({2, 0, 0, 0, 1});
   bench.cycle();
   bench.silence(kSecond);
@@ -189,7 +189,7 @@ TEST_CASE("a PLC that never wrote is back with its first read") {
 TEST_CASE("a plant whose link says so stands still while the link is lost, not while it waits") {
   LinkSettings settings;
   settings.plant_on_loss = link::PlantOnLoss::freeze;
-  Bench bench(settings);
+  LossBench bench(settings);
   bench.silence(2 * kSecond);
   CHECK_FALSE(bench.link->freezes_plant());
   bench.write_coil(0, true);
@@ -203,7 +203,7 @@ TEST_CASE("the watchdog's register keeps the link alive, requests alone do not")
   LinkSettings settings;
   settings.watchdog = 5;
   settings.watchdog_within = 200 * kMillisecond;
-  Bench bench(settings);
+  LossBench bench(settings);
   bench.write_coil(0, true);
   bench.cycle();
   CHECK(bench.link->state() == LinkState::waiting);
@@ -225,7 +225,7 @@ TEST_CASE("the watchdog's register keeps the link alive, requests alone do not")
 TEST_CASE("a watchdog that is changed and changed back within a cycle has changed") {
   LinkSettings settings;
   settings.watchdog = 5;
-  Bench bench(settings);
+  LossBench bench(settings);
   for (int i = 0; i < 200; ++i) {
     bench.write_register(5, 1);
     bench.write_register(5, 0);
@@ -235,7 +235,7 @@ TEST_CASE("a watchdog that is changed and changed back within a cycle has change
 }
 
 TEST_CASE("the status block counts cycles, tells the state and what was lost, and at the end that it is over") {
-  Bench bench;
+  LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();
   CHECK(bench.status(0) == 1);
@@ -254,15 +254,31 @@ TEST_CASE("the status block counts cycles, tells the state and what was lost, an
   const Bytes hash = bench.client->ask({4, 0, 108, 0, 4});
   CHECK(hash.size() == 10);
   CHECK(Bytes(hash.begin() + 2, hash.end()) != Bytes(8, 0));
+  CHECK_FALSE(bench.link->status().end_unread);
   bench.link->leave();
+  CHECK(bench.link->status().end_unread);
+  CHECK(bench.client->ask({4, 0, 100, 0, 2}).size() == 6);  // not that register
+  CHECK(bench.link->status().end_unread);
   CHECK(bench.status(2) == 4);
+  CHECK_FALSE(bench.link->status().end_unread);
   // Leaving writes nothing else.
   CHECK(bench.client->ask({1, 0, 0, 0, 1}) == Bytes{1, 1, 1});
+}
+
+TEST_CASE("a PLC that never reads the plant's state is not expected to read its end") {
+  LossBench bench;
+  bench.write_coil(0, true);
+  bench.cycle();
+  CHECK(bench.status(1) == 1);  // the heartbeat alone
+  bench.link->leave();
+  CHECK_FALSE(bench.link->status().end_unread);
 }
 
 TEST_CASE("a link without a status block has none") {
   LinkSettings settings;
   settings.status_block = link::kNowhere;
-  Bench bench(settings);
+  LossBench bench(settings);
+  bench.link->leave();
+  CHECK_FALSE(bench.link->status().end_unread);
   CHECK(bench.client->ask({4, 0, 100, 0, 1}) == Bytes{0x84, 2});
 }

@@ -15,8 +15,8 @@ using test::SymbolList;
 
 namespace {
 
-constexpr auto kIn = SymbolList::kIn;
-constexpr auto kOut = SymbolList::kOut;
+constexpr auto kEvent = SymbolList::kIn;
+constexpr auto kOperation = SymbolList::kOut;
 constexpr auto kCoils = static_cast<std::size_t>(Table::coil);
 constexpr auto kHolding = static_cast<std::size_t>(Table::holding_register);
 constexpr auto kInput = static_cast<std::size_t>(Table::input_register);
@@ -43,7 +43,7 @@ TEST_CASE("the status block stands on the first multiple of 100 above the highes
   const auto [highest, first] = GENERATE(
       table<std::uint32_t, std::uint16_t>({{0, 100}, {98, 100}, {99, 100}, {100, 200}, {199, 200}, {65'400, 65'500}}));
   SymbolList list;
-  list.add("A", kOut, highest);
+  list.add("A", kOperation, highest);
   const auto map = link::make_io_map(list.tables(), 0, {});
   REQUIRE(map.status_block);
   CHECK(*map.status_block == first);
@@ -53,7 +53,7 @@ TEST_CASE("the status block stands on the first multiple of 100 above the highes
 
 TEST_CASE("of a number of several registers the last one counts for the status block's place") {
   SymbolList list;
-  list.add("A", kOut, 25, DataType::lint);  // 100 to 103
+  list.add("A", kOperation, 25, DataType::lint);  // 100 to 103
   CHECK(link::make_io_map(list.tables(), 0, {}).status_block == 200);
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("the status block of a map without symbols stands on 100") {
 
 TEST_CASE("where there is no room above the map there is no status block, and the map says so") {
   SymbolList list;
-  list.add("A", kOut, 65'500);
+  list.add("A", kOperation, 65'500);
   const auto map = link::make_io_map(list.tables(), 0, {});
   CHECK_FALSE(map.status_block);
   CHECK(map.no_room_for_status);
@@ -78,7 +78,7 @@ TEST_CASE("where there is no room above the map there is no status block, and th
 
 TEST_CASE("status block and watchdog stand where they are put, or nowhere") {
   SymbolList list;
-  list.add("A", kIn, 3, DataType::int_);
+  list.add("A", kEvent, 3, DataType::int_);
   LinkSettings settings;
   settings.status_block = 4;
   settings.watchdog = 9;
@@ -99,8 +99,8 @@ TEST_CASE("status block and watchdog stand where they are put, or nowhere") {
 
 TEST_CASE("a status block or watchdog that meets a symbol is a fault") {
   SymbolList list;
-  list.add("SPEED", kIn, 5, DataType::dint);  // 10 and 11
-  list.add("MODE", kOut, 3, DataType::int_);
+  list.add("SPEED", kEvent, 5, DataType::dint);  // 10 and 11
+  list.add("MODE", kOperation, 3, DataType::int_);
   LinkSettings settings;
   settings.status_block = 0;
   CHECK(faults(list, settings) == Texts{"the status block begins on input register 0 and meets `SPEED` on input "
@@ -127,9 +127,9 @@ TEST_CASE("a status block or watchdog beyond its table is a fault") {
 
 TEST_CASE("two symbols that overlap are a fault that names both") {
   SymbolList list;
-  list.add("SPEED", kOut, 5, DataType::dint);  // 10 and 11
-  list.add("MODE", kOut, 11, DataType::int_);
-  list.add("OTHER", kIn, 11, DataType::int_);  // in another table
+  list.add("SPEED", kOperation, 5, DataType::dint);  // 10 and 11
+  list.add("MODE", kOperation, 11, DataType::int_);
+  list.add("OTHER", kEvent, 11, DataType::int_);  // in another table
   CHECK(faults(list) ==
         Texts{"`SPEED` stands on holding registers 10 to 11, and so does `MODE` on holding register 11: "
               "give one of them another number, in the list or in `links`"});
@@ -137,10 +137,10 @@ TEST_CASE("two symbols that overlap are a fault that names both") {
 
 TEST_CASE("one address read as two types of one size is one place, but not two addresses that are given one number") {
   SymbolList list;
-  list.add("A", kOut, 5, DataType::int_);
-  list.add("B", kOut, 5, DataType::word);
+  list.add("A", kOperation, 5, DataType::int_);
+  list.add("B", kOperation, 5, DataType::word);
   CHECK(faults(list).empty());
-  list.add("C", kOut, 6, DataType::word);
+  list.add("C", kOperation, 6, DataType::word);
   const std::array<PlaceRow, 1> places{{{2, 5}}};
   LinkSettings settings;
   settings.places = places;
@@ -150,14 +150,14 @@ TEST_CASE("one address read as two types of one size is one place, but not two a
 
 TEST_CASE("a symbol that ends behind the last place, or beyond the size that its table was given, is a fault") {
   SymbolList list;
-  list.add("A", kOut, AddressForm::none, 0, DataType::dint);
+  list.add("A", kOperation, AddressForm::none, 0, DataType::dint);
   const std::array<PlaceRow, 1> places{{{0, 65'535}}};
   LinkSettings settings;
   settings.places = places;
   CHECK(faults(list, settings) ==
         Texts{"`A` would end behind place 65535, the last that Modbus has: give it a lower number"});
   SymbolList sized;
-  sized.add("B", kOut, 20);
+  sized.add("B", kOperation, 20);
   LinkSettings small;
   small.sizes[kCoils] = 20;
   CHECK(faults(sized, small) == Texts{"`B` stands on coil 20, but the coils have the size 20: give them a larger "
@@ -169,10 +169,10 @@ TEST_CASE("a symbol that ends behind the last place, or beyond the size that its
 
 TEST_CASE("symbols with numbers of their own stand there, and a packed table fills the places between them") {
   SymbolList list;
-  list.add("A", kOut, AddressForm::other, 0, DataType::int_);
-  list.add("B", kOut, AddressForm::other, 0, DataType::dint);
-  list.add("C", kOut, 7, DataType::int_);
-  list.add("D", kOut, AddressForm::none, 0, DataType::int_);
+  list.add("A", kOperation, AddressForm::other, 0, DataType::int_);
+  list.add("B", kOperation, AddressForm::other, 0, DataType::dint);
+  list.add("C", kOperation, 7, DataType::int_);
+  list.add("D", kOperation, AddressForm::none, 0, DataType::int_);
   const std::array<PlaceRow, 1> places{{{3, 2}}};
   LinkSettings settings;
   settings.places = places;
@@ -185,8 +185,8 @@ TEST_CASE("symbols with numbers of their own stand there, and a packed table fil
 
 TEST_CASE("a number that is given to the only symbol without one keeps its table from being packed") {
   SymbolList list;
-  list.add("A", kOut, AddressForm::other);
-  list.add("B", kOut, 7);
+  list.add("A", kOperation, AddressForm::other);
+  list.add("B", kOperation, 7);
   const std::array<PlaceRow, 1> places{{{0, 3}}};
   LinkSettings settings;
   settings.places = places;
@@ -195,8 +195,8 @@ TEST_CASE("a number that is given to the only symbol without one keeps its table
 
 TEST_CASE("word order and on-loss are the link's, or the symbol's own") {
   SymbolList list;
-  list.add("A", kOut, 5, DataType::dint);
-  list.add("B", kOut, 6, DataType::dint);
+  list.add("A", kOperation, 5, DataType::dint);
+  list.add("B", kOperation, 6, DataType::dint);
   const std::array<PlaceRow, 1> places{{{1, PlaceRow::kDefault, WordOrder::low_first, link::OnLoss::zero}}};
   LinkSettings settings;
   settings.places = places;
@@ -214,14 +214,14 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
     std::string_view name = "SPEED";
     std::uint32_t number = 5;
     DataType type = DataType::dint;
-    core::Direction direction = kOut;
+    core::Direction direction = kOperation;
     LinkSettings settings = {};
   };
   const auto hash = [](const Wanted& wanted, bool other_way_round = false) {
     SymbolList list;
-    if (other_way_round) list.add("LAMP", kOut, 1);
+    if (other_way_round) list.add("LAMP", kOperation, 1);
     list.add(wanted.name, wanted.direction, wanted.number, wanted.type);
-    if (!other_way_round) list.add("LAMP", kOut, 1);
+    if (!other_way_round) list.add("LAMP", kOperation, 1);
     return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, wanted.settings));
   };
   const std::uint64_t before = hash({});
@@ -231,7 +231,7 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
   CHECK(before != hash({.name = "SPEED2"}));
   CHECK(before != hash({.number = 6}));
   CHECK(before != hash({.type = DataType::udint}));
-  CHECK(before != hash({.direction = kIn}));
+  CHECK(before != hash({.direction = kEvent}));
   CHECK(before != hash({.settings = {.word_order = WordOrder::low_first}}));
   CHECK(before != hash({.settings = {.sizes = {32, 0, 0, 0}}}));
   CHECK(before != hash({.settings = {.status_block = 300}}));
@@ -247,8 +247,8 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
 TEST_CASE("the digest of a map takes several names on one place in an order that is not of their case") {
   const auto hash = [](std::string_view one, std::string_view other) {
     SymbolList list;
-    const std::uint32_t leader = list.add(one, kOut, 1);
-    list.share(list.add(other, kOut, 1), leader);
+    const std::uint32_t leader = list.add(one, kOperation, 1);
+    list.share(list.add(other, kOperation, 1), leader);
     return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {}));
   };
   CHECK(hash("A", "B") == hash("a", "B"));
@@ -258,8 +258,8 @@ TEST_CASE("the digest of a map takes several names on one place in an order that
 
 TEST_CASE("the digest of the maps that this test knows stays the same from version to version") {
   SymbolList list;
-  list.add("A", kOut, 0);
-  list.add("B", kIn, 2, DataType::real);
+  list.add("A", kOperation, 0);
+  list.add("B", kEvent, 2, DataType::real);
   CHECK(link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, {})) == 0xB5CB'2135'57CB'D1C2);
 }
 

@@ -3,7 +3,7 @@
 #include "unit/link/plant_server.hpp"
 
 using namespace symplant;
-using Kind = link::LinkError::Kind;
+using ErrorKind = link::LinkError::Kind;
 
 namespace {
 
@@ -17,7 +17,7 @@ link::LinkError fault(const std::string& url) {
 void check_usage(const std::string& url, const std::string& words) {
   CAPTURE(url);
   const auto error = fault(url);
-  CHECK(error.kind == Kind::usage);
+  CHECK(error.kind == ErrorKind::usage);
   CHECK_THAT(error.message, Catch::Contains(words));
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("a port in use is a fault of the environment that says what to do") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   const auto error = fault(link->url());
-  CHECK(error.kind == Kind::environment);
+  CHECK(error.kind == ErrorKind::environment);
   CHECK_THAT(error.message, Catch::Contains("port " + std::to_string(test::port_of(*link)) + " is in use"));
   CHECK_THAT(error.message, Catch::Contains("by this program itself") && Catch::Contains("a port of its own"));
   CHECK_THAT(error.message, Catch::Contains(std::to_string(::getpid())));

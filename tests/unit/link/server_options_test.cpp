@@ -2,8 +2,6 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 
-#include <filesystem>
-
 #include "support/catch.hpp"
 #include "support/raw_client.hpp"
 #include "symplant/link/modbus/descriptors.hpp"
@@ -13,6 +11,7 @@
 using namespace symplant;
 using namespace symplant::link::modbus;
 using test::Bytes;
+using test::open_descriptors;
 using test::RawClient;
 
 namespace {
@@ -42,12 +41,6 @@ struct EchoServer {
     REQUIRE(server.connections() == count);
   }
 };
-
-std::size_t open_descriptors() {
-  std::size_t count = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
-  return count;
-}
 
 /// The server's end of a client's connection, which is in this process.
 int server_end(const RawClient& client) {

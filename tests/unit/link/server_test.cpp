@@ -5,7 +5,6 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <filesystem>
 
 #include "support/catch.hpp"
 #include "unit/link/plant_server.hpp"
@@ -14,17 +13,12 @@
 using namespace symplant;
 using test::Bytes;
 using test::CellServer;
+using test::open_descriptors;
 using test::RawClient;
 
 namespace {
 
 const Bytes kReadInputs = {2, 0, 1, 0, 4};
-
-std::size_t open_descriptors() {
-  std::size_t count = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
-  return count;
-}
 
 }  // namespace
 

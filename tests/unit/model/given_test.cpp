@@ -8,9 +8,9 @@ using core::Actuation;
 using core::kSecond;
 using model::Origin;
 
-const std::vector<std::string> kTable = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2",
-                                         "L_P_D_I_P2", "L_P_D_O_P3", "L_P_D_I_P3"};
-const std::vector<std::string> kCylinder = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
+const std::vector<std::string> kThreePlaces = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2",
+                                               "L_P_D_I_P2", "L_P_D_O_P3", "L_P_D_I_P3"};
+const std::vector<std::string> kPiston = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
 
 DeviceDescription with(std::vector<GivenTransition> transitions) {
   DeviceDescription d = device();
@@ -36,7 +36,7 @@ TEST_CASE("A commanded transition takes the default travel time, an automatic on
   GivenTransition timed = way("P2", "P1");
   timed.after = Duration::fixed(7);
   timed.takes = Duration{Duration::Kind::uniform, 1, 2};
-  const Analysed list = described(kTable, {with({way("P1", "P2"), automatic("P3", "P1"), timed})});
+  const Analysed list = described(kThreePlaces, {with({way("P1", "P2"), automatic("P3", "P1"), timed})});
   CHECK(faults(list) == "");
   const auto& transitions = unit_of(list).transitions;
   CHECK(transitions[0].after.is_zero());
@@ -49,7 +49,7 @@ TEST_CASE("A commanded transition takes the default travel time, an automatic on
 }
 
 TEST_CASE("A commanded transition replaces every derived one with its source and operation") {
-  const Analysed list = described(kTable, {with({way("P1", "P3", "P2")})});
+  const Analysed list = described(kThreePlaces, {with({way("P1", "P3", "P2")})});
   CHECK(transitions_text(list, unit_of(list)) == "P1-O_P2>P3 P2-O_P1>P1 P3-O_P1>P1 P3-O_P2>P2 P1-O_P3>P3 P2-O_P3>P3");
   CHECK(origins(unit_of(list)) == "gddddd");
 }
@@ -92,7 +92,7 @@ TEST_CASE("A sequence is inferred in `latched` devices only") {
 }
 
 TEST_CASE("`*` stands for every state other than the target, in the order of S, behind what stands before it") {
-  const Analysed list = described(kTable, {with({way("P3", "P1"), way("*", "P2", "P1"), automatic("*", "P3")})});
+  const Analysed list = described(kThreePlaces, {with({way("P3", "P1"), way("*", "P2", "P1"), automatic("*", "P3")})});
   CHECK(faults(list) == "");
   CHECK(transitions_text(list, unit_of(list)) ==
         "P3-O_P1>P1 P1-O_P1>P2 P3-O_P1>P2 P1>P3 P2>P3 P2-O_P1>P1 P1-O_P2>P2 P3-O_P2>P2 P1-O_P3>P3 P2-O_P3>P3");
@@ -102,7 +102,7 @@ TEST_CASE("`*` stands for every state other than the target, in the order of S, 
 TEST_CASE("`only` derives and infers no transitions, but states, rest and actuation") {
   DeviceDescription d = with({automatic("RET", "ADV")});
   d.only = true;
-  const Analysed list = described(kCylinder, {d});
+  const Analysed list = described(kPiston, {d});
   CHECK(transitions_text(list, unit_of(list)) == "RET>ADV");
   CHECK(springs(unit_of(list)));
   CHECK(rest_text(unit_of(list)) == "RET");
@@ -115,7 +115,7 @@ TEST_CASE("`only` derives and infers no transitions, but states, rest and actuat
 }
 
 TEST_CASE("In a spring a transition to rest without operation says what the spring's own way takes") {
-  const Analysed list = described(kCylinder, {with({taking(way("ADV", "RET"), 800)})});
+  const Analysed list = described(kPiston, {with({taking(way("ADV", "RET"), 800)})});
   CHECK(faults(list) == "");
   const model::Transition& own = unit_of(list).transitions.front();
   CHECK(own.spring_way);
@@ -126,7 +126,7 @@ TEST_CASE("In a spring a transition to rest without operation says what the spri
   d.states = {"MID"};
   d.actuation = Actuation::spring;
   d.rest = "RET";
-  const Analysed all = described(kCylinder, {d});
+  const Analysed all = described(kPiston, {d});
   CHECK(transitions_text(all, unit_of(all)) == "ADV>RET MID>RET RET-O_ADV>ADV MID-O_ADV>ADV");
   CHECK(unit_of(all).transitions[1].spring_way);
 }
@@ -134,7 +134,7 @@ TEST_CASE("In a spring a transition to rest without operation says what the spri
 TEST_CASE("A rest state with an operation is commanded by it, and may be reached by another operation or by itself") {
   DeviceDescription d = with({way("P2", "P1")});
   d.actuation = Actuation::spring;
-  CHECK_FALSE(unit_of(described(kTable, {d})).transitions.front().spring_way);
+  CHECK_FALSE(unit_of(described(kThreePlaces, {d})).transitions.front().spring_way);
   const Analysed list = described({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"},
                                   {with({way("ADV", "RET", "ADV"), automatic("ADV", "RET")})});
   CHECK(faults(list) == "");
@@ -149,15 +149,15 @@ TEST_CASE("In what the spring's own way takes only `takes` may stand") {
   const std::string end =
       "stands in what a spring's own way to its rest state takes, where only `takes` may, or say with `on` which "
       "operation commands it";
-  CHECK(faults(described(kCylinder, {with({given})})) == "/devices/L_P_D/transitions/0/when: `when` " + end +
-                                                             "\n/devices/L_P_D/transitions/0/after: `after` " + end +
-                                                             "\n/devices/L_P_D/transitions/0/once: `once` " + end);
+  CHECK(faults(described(kPiston, {with({given})})) == "/devices/L_P_D/transitions/0/when: `when` " + end +
+                                                           "\n/devices/L_P_D/transitions/0/after: `after` " + end +
+                                                           "\n/devices/L_P_D/transitions/0/once: `once` " + end);
 }
 
 TEST_CASE("In other devices a transition to a state without operation says what is missing") {
   DeviceDescription d = with({way("ADV", "RET")});
   d.actuation = Actuation::latched;
-  CHECK(faults(described(kCylinder, {d})) ==
+  CHECK(faults(described(kPiston, {d})) ==
         "/devices/L_P_D/transitions/0/to: `RET` has no operation of its name, say with `on` which one commands the "
         "transition, or `automatic` where it comes by itself");
 }
@@ -165,20 +165,20 @@ TEST_CASE("In other devices a transition to a state without operation says what 
 TEST_CASE("`once` is kept in commanded transitions of latched devices") {
   GivenTransition once = way("P1", "P2");
   once.once = true;
-  CHECK(unit_of(described(kTable, {with({once})})).transitions.front().once);
+  CHECK(unit_of(described(kThreePlaces, {with({once})})).transitions.front().once);
   DeviceDescription held = with({once});
   held.actuation = Actuation::held;
-  CHECK(faults(described(kTable, {held})) ==
+  CHECK(faults(described(kThreePlaces, {held})) ==
         "/devices/L_P_D/transitions/0/once: `once` stands in a device that is `held`, leave it out or make the device "
         "`latched`");
   GivenTransition by_itself = automatic("P1", "P2");
   by_itself.once = true;
-  CHECK(faults(described(kTable, {with({by_itself})})) ==
+  CHECK(faults(described(kThreePlaces, {with({by_itself})})) ==
         "/devices/L_P_D/transitions/0/once: `once` stands in an automatic transition, leave it out");
 }
 
 TEST_CASE("States and operations that are not there are told with the nearest that are, all in one run") {
-  CHECK(faults(described(kTable, {with({way("P9", "Q2", "P4"), way("*", "*")})})) ==
+  CHECK(faults(described(kThreePlaces, {with({way("P9", "Q2", "P4"), way("*", "*")})})) ==
         "/devices/L_P_D/transitions/0/to: there is no state `Q2` of `L_P_D`, the nearest is `P2`\n"
         "/devices/L_P_D/transitions/0/from: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"
         "/devices/L_P_D/transitions/0/on: there is no operation `P4` of `L_P_D`, the nearest is `P1`\n"
@@ -188,22 +188,22 @@ TEST_CASE("States and operations that are not there are told with the nearest th
 TEST_CASE("A transition to itself, and an automatic one with an operation, are faults") {
   GivenTransition both = automatic("P1", "P2");
   both.on = "P2";
-  CHECK(faults(described(kTable, {with({way("P1", "p1"), both})})) ==
+  CHECK(faults(described(kThreePlaces, {with({way("P1", "p1"), both})})) ==
         "/devices/L_P_D/transitions/0: `p1` to itself is no transition, name two states\n"
         "/devices/L_P_D/transitions/1/on: an automatic transition has an operation, leave `on` or `automatic` out");
 }
 
 TEST_CASE("The same source, target, operation and text of `when` twice is a fault, after `*` is expanded") {
   const std::string when = "L_P_D_I_P3";
-  CHECK(faults(described(kTable, {with({way("P1", "P2"), way("P1", "P2", "P2")})})) ==
+  CHECK(faults(described(kThreePlaces, {with({way("P1", "P2"), way("P1", "P2", "P2")})})) ==
         "/devices/L_P_D/transitions/1: the transition from `P1` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
         "with the same `on` and `when`, leave one out");
-  CHECK(faults(described(kTable, {with({way("P3", "P2", "", when), way("*", "P2", "", when)})})) ==
+  CHECK(faults(described(kThreePlaces, {with({way("P3", "P2", "", when), way("*", "P2", "", when)})})) ==
         "/devices/L_P_D/transitions/1: the transition from `P3` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
         "with the same `on` and `when`, leave one out");
   // Another operation, another condition, another cause: other transitions.
-  CHECK(faults(described(kTable, {with({way("P1", "P2"), way("P1", "P2", "P3"), way("P1", "P2", "", when),
-                                        automatic("P1", "P2"), way("*", "P3")})})) == "");
+  CHECK(faults(described(kThreePlaces, {with({way("P1", "P2"), way("P1", "P2", "P3"), way("P1", "P2", "", when),
+                                              automatic("P1", "P2"), way("*", "P3")})})) == "");
 }
 
 TEST_CASE("A device may have 65534 transitions") {
@@ -225,7 +225,7 @@ TEST_CASE("A device may have 65534 transitions") {
 // Outputs.
 
 TEST_CASE("Outputs are further events on entering and leaving, in their order") {
-  std::vector<std::string> names = kTable;
+  std::vector<std::string> names = kThreePlaces;
   names.push_back("L_P_D_I_BUSY");
   names.push_back("L_P_D_I_FAULT");
   DeviceDescription d = device();
@@ -245,7 +245,7 @@ TEST_CASE("An event that outputs of a state switch is moved where the device com
   DeviceDescription d = device();
   d.states = {"NEVER"};
   d.outputs = {{"NEVER", {{"BUSY", true}}, {}}};
-  std::vector<std::string> names = kTable;
+  std::vector<std::string> names = kThreePlaces;
   names.push_back("L_P_D_I_BUSY");
   CHECK_FALSE(unit_of(described(names, {d})).moves_event(3));
   d.transitions = {automatic("P1", "NEVER")};

@@ -7,7 +7,7 @@ namespace {
 using address::Radix;
 using model::RadixChoice;
 
-const std::vector<Row> kCylinder{{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_B", "Y2"}, {"L_P_D_I_B", "X2"}};
+const std::vector<Row> kFirst{{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_B", "Y2"}, {"L_P_D_I_B", "X2"}};
 const std::vector<Row> kOther{{"L_P_E_O_A", "Y1"}, {"L_P_E_I_A", "X1"}, {"L_P_E_O_B", "Y2"}, {"L_P_E_I_B", "X2"}};
 
 Analysed two(const std::vector<Row>& first, const std::vector<Row>& second, const std::string& controller = "",
@@ -43,13 +43,13 @@ TEST_CASE("Controllers stand in the order of their first list, and compare witho
 }
 
 TEST_CASE("One address in lists of two controllers is two places") {
-  const Analysed plant = two(kCylinder, kOther, "PLC1", "PLC2");
+  const Analysed plant = two(kFirst, kOther, "PLC1", "PLC2");
   CHECK(plant.fired(diag::Severity::warning) == "");
   for (const model::Symbol& symbol : plant.model().symbols) CHECK(symbol.leader == model::kNone);
 }
 
 TEST_CASE("One address in two lists of one controller is one place") {
-  const Analysed plant = two(kCylinder, kOther, "PLC1", "plc1");
+  const Analysed plant = two(kFirst, kOther, "PLC1", "plc1");
   CHECK(plant.count("address-used-twice") == 2);
   CHECK(plant.count("event-moved-twice") == 2);
   for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
@@ -60,16 +60,16 @@ TEST_CASE("One address in two lists of one controller is one place") {
 }
 
 TEST_CASE("A name in two lists is declared twice, and both places are told in their files") {
-  const Analysed plant = two(kCylinder, {{"L_P_D_O_A", "Y1"}});
+  const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}});
   const diag::Diagnostic& finding = finding_of(plant, "duplicate-symbol");
   CHECK(file_of(finding.place) == "second.csv");
   CHECK(file_of(finding.related.front().place) == "first.csv");
   CHECK(plant.model().symbols.size() == 4);
-  CHECK(two(kCylinder, {{"L_P_D_O_A", "Y7"}}).count("symbol-declared-differently") == 1);
+  CHECK(two(kFirst, {{"L_P_D_O_A", "Y7"}}).count("symbol-declared-differently") == 1);
 }
 
 TEST_CASE("A name in lists of two controllers is an error, whatever the address") {
-  const Analysed plant = two(kCylinder, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
+  const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
   CHECK(finding_of(plant, "symbol-declared-differently").message ==
         "`L_P_D_O_A` is declared again for another controller, and names are unique across a plant: rename it, or "
         "delete the row that is wrong");
@@ -135,7 +135,7 @@ TEST_CASE("Of the options of one controller's lists the first counts, and anothe
 }
 
 TEST_CASE("A list without a symbol is a list all the same") {
-  const Analysed plant = two({{"M1", "M1"}}, kCylinder, "PLC1", "PLC2");
+  const Analysed plant = two({{"M1", "M1"}}, kFirst, "PLC1", "PLC2");
   CHECK(plant.model().lists.size() == 2);
   CHECK(plant.model().controllers.size() == 2);
   CHECK(plant.model().symbols.front().list == 1);

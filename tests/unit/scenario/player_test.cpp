@@ -4,8 +4,6 @@
 namespace symplant::test {
 namespace {
 
-constexpr core::Time kSecond = core::kSecond;
-
 TEST_CASE("what a step sets at a time belongs to that instant, the first one included") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"0s","set":{"L_P_AGV_O_P2":true}},{"at":"1.5s"})");

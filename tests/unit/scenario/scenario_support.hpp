@@ -15,6 +15,8 @@
 
 namespace symplant::test {
 
+using core::kSecond;
+
 /// `steps` between the brackets of a scenario, begun at line 1.
 inline std::string scenario_text(const std::string& steps) {
   return R"({"symplant-scenario":1,"steps":[)" + steps + "]}";

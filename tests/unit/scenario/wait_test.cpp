@@ -4,8 +4,6 @@
 namespace symplant::test {
 namespace {
 
-constexpr core::Time kSecond = core::kSecond;
-
 TEST_CASE("a wait is met at the end of the first instant at which its condition holds, the present one included") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"wait":"L_P_AGV.P1"},{"plus":"500ms","set":{"L_P_AGV_O_P2":true}},
