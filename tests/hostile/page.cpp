@@ -29,13 +29,14 @@ What is promised, and tried on every input below:
 
 ## How it is tried
 
-Four ways, all of them in `.ci/run`:
+Five ways, all of them in `.ci/run`:
 
 | what | how to repeat it |
 |---|---|
 | the tables of this page | `ctest --test-dir build/release -R hostile` |
 | the fuzz targets: symbol lists, plant.json, conditions, names; each checks its answers as well | `scripts/fuzz --seconds 120` |
 | the tests under the address and the undefined-behaviour sanitizer, with the assertions of the library | `scripts/test --sanitize` |
+| links, cycle and the running program, all threads at once, under the thread sanitizer | `scripts/test --threads` |
 | inputs that once broke something, and a small list cut at every byte | `ctest --test-dir build/release -R 'fuzz:\|cut'` |
 
 An input that breaks something becomes a file in `tests/fuzz/crashes`, which every build tries.
