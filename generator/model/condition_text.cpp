@@ -20,34 +20,6 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-std::string_view comparison_text(core::Comparison comparison) {
-  switch (comparison) {
-    case core::Comparison::less:
-      return "<";
-    case core::Comparison::less_equal:
-      return "<=";
-    case core::Comparison::equal:
-      return "=";
-    case core::Comparison::greater_equal:
-      return ">=";
-    case core::Comparison::greater:
-      return ">";
-  }
-  return "?";
-}
-
-std::string operand_text(const Atom& atom) {
-  switch (atom.number) {
-    case core::NumberKind::signed_integer:
-      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
-    case core::NumberKind::unsigned_integer:
-      return fmt::format("{}", atom.operand);
-    case core::NumberKind::real:
-      return fmt::format("{}", std::bit_cast<double>(atom.operand));
-  }
-  return "?";
-}
-
 /// The least value that an integer of a type has.
 std::string least_of(core::DataType type) {
   using core::DataType;
@@ -167,6 +139,34 @@ class ConditionWriter {
 };
 
 }  // namespace
+
+std::string_view comparison_text(core::Comparison comparison) {
+  switch (comparison) {
+    case core::Comparison::less:
+      return "<";
+    case core::Comparison::less_equal:
+      return "<=";
+    case core::Comparison::equal:
+      return "=";
+    case core::Comparison::greater_equal:
+      return ">=";
+    case core::Comparison::greater:
+      return ">";
+  }
+  return "?";
+}
+
+std::string operand_text(const Atom& atom) {
+  switch (atom.number) {
+    case core::NumberKind::signed_integer:
+      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
+    case core::NumberKind::unsigned_integer:
+      return fmt::format("{}", atom.operand);
+    case core::NumberKind::real:
+      return fmt::format("{}", std::bit_cast<double>(atom.operand));
+  }
+  return "?";
+}
 
 std::string condition_text(const Tree& tree, const PlantModel& plant, std::size_t longest) {
   return ConditionWriter(plant, longest).write(tree);

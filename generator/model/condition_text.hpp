@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "model/plant_model.hpp"
 #include "symplant/condition/tree.hpp"
@@ -16,5 +17,11 @@ namespace symplant::model {
 /// no text is `always` or `never`. O(text).
 std::string condition_text(const condition::Tree& tree, const PlantModel& plant,
                            std::size_t longest = std::string::npos);
+
+/// `<`, `<=`, `=`, `>=`, `>`.
+std::string_view comparison_text(core::Comparison comparison);
+
+/// The number that an atom compares with.
+std::string operand_text(const condition::Atom& atom);
 
 }  // namespace symplant::model

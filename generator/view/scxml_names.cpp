@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <bit>
-
 #include "base/identifier.hpp"
+#include "model/condition_text.hpp"
 
 namespace symplant::view {
 namespace {
@@ -13,32 +12,8 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-std::string comparison_text(core::Comparison comparison) {
-  switch (comparison) {
-    case core::Comparison::less:
-      return "<";
-    case core::Comparison::less_equal:
-      return "<=";
-    case core::Comparison::equal:
-      return "==";
-    case core::Comparison::greater_equal:
-      return ">=";
-    case core::Comparison::greater:
-      return ">";
-  }
-  return "";
-}
-
-std::string operand_text(const Atom& atom) {
-  switch (atom.number) {
-    case core::NumberKind::signed_integer:
-      return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
-    case core::NumberKind::unsigned_integer:
-      return fmt::format("{}", atom.operand);
-    case core::NumberKind::real:
-      return fmt::format("{}", std::bit_cast<double>(atom.operand));
-  }
-  return "";
+std::string_view operator_text(core::Comparison comparison) {
+  return comparison == core::Comparison::equal ? "==" : model::comparison_text(comparison);
 }
 
 }  // namespace
@@ -88,7 +63,8 @@ std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& v
       return variables.back();
     case Atom::Kind::number:
       variables.push_back(variable(tree.atom.of));
-      return variables.back() + " " + comparison_text(tree.atom.comparison) + " " + operand_text(tree.atom);
+      return fmt::format("{} {} {}", variables.back(), operator_text(tree.atom.comparison),
+                         model::operand_text(tree.atom));
   }
   return "";
 }

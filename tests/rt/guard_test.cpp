@@ -99,6 +99,7 @@ TEST_CASE("a lock is seen also when nobody else wants it") {
   std::mutex mutex;
   std::timed_mutex timed;
   std::shared_mutex shared;
+  std::shared_timed_mutex both;
   CHECK(first_of([&] { const std::lock_guard lock(mutex); }) == "lock: pthread_mutex_lock");
   CHECK(first_of([&] {
           if (mutex.try_lock()) mutex.unlock();
@@ -108,6 +109,19 @@ TEST_CASE("a lock is seen also when nobody else wants it") {
         }) == "lock: pthread_mutex_clocklock");
   CHECK(first_of([&] { const std::lock_guard lock(shared); }) == "lock: pthread_rwlock_wrlock");
   CHECK(first_of([&] { const std::shared_lock lock(shared); }) == "lock: pthread_rwlock_rdlock");
+  CHECK(first_of([&] {
+          if (both.try_lock_for(std::chrono::milliseconds(1))) both.unlock();
+        }) == "lock: pthread_rwlock_clockwrlock");
+  CHECK(first_of([&] {
+          if (both.try_lock_shared_for(std::chrono::milliseconds(1))) both.unlock_shared();
+        }) == "lock: pthread_rwlock_clockrdlock");
+  const auto then = std::chrono::system_clock::now();
+  CHECK(first_of([&] {
+          if (both.try_lock_until(then)) both.unlock();
+        }) == "lock: pthread_rwlock_timedwrlock");
+  CHECK(first_of([&] {
+          if (both.try_lock_shared_until(then)) both.unlock_shared();
+        }) == "lock: pthread_rwlock_timedrdlock");
 }
 
 TEST_CASE("spinning on a lock and waiting for a signal are seen") {
@@ -121,12 +135,20 @@ TEST_CASE("spinning on a lock and waiting for a signal are seen") {
   sem_t semaphore{};
   sem_init(&semaphore, 0, 1);
   CHECK(first_of([&] { sem_wait(&semaphore); }) == "lock: sem_wait");
+  const timespec past{};
+  CHECK(first_of([&] { sem_timedwait(&semaphore, &past); }) == "lock: sem_timedwait");
+  CHECK(first_of([&] { sem_clockwait(&semaphore, CLOCK_MONOTONIC, &past); }) == "lock: sem_clockwait");
   sem_destroy(&semaphore);
   pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
   pthread_cond_t condition = PTHREAD_COND_INITIALIZER;
   pthread_mutex_lock(&mutex);
-  const timespec past{};
   CHECK(first_of([&] { pthread_cond_timedwait(&condition, &mutex, &past); }) == "lock: pthread_cond_timedwait");
+  CHECK(first_of([&] { pthread_cond_clockwait(&condition, &mutex, CLOCK_MONOTONIC, &past); }) ==
+        "lock: pthread_cond_clockwait");
+  pthread_barrier_t barrier{};
+  pthread_barrier_init(&barrier, nullptr, 1);
+  CHECK(first_of([&] { pthread_barrier_wait(&barrier); }) == "lock: pthread_barrier_wait");
+  pthread_barrier_destroy(&barrier);
 }
 
 TEST_CASE("a write is seen, and still written") {

@@ -87,6 +87,14 @@ const std::array kRows = {
     hook<Locks<34, void*, const void*>>("pthread_cond_timedwait", "pthread_cond_timedwait", Kind::lock),
     hook<Locks<35>>("sem_wait", "sem_wait", Kind::lock),
     hook<Locks<36>>("sem_trywait", "sem_trywait", Kind::lock),
+    hook<Locks<37, void*, int, const void*>>("pthread_cond_clockwait", "pthread_cond_clockwait", Kind::lock),
+    hook<Locks<38, const void*>>("pthread_rwlock_timedrdlock", "pthread_rwlock_timedrdlock", Kind::lock),
+    hook<Locks<39, const void*>>("pthread_rwlock_timedwrlock", "pthread_rwlock_timedwrlock", Kind::lock),
+    hook<Locks<40, int, const void*>>("pthread_rwlock_clockrdlock", "pthread_rwlock_clockrdlock", Kind::lock),
+    hook<Locks<41, int, const void*>>("pthread_rwlock_clockwrlock", "pthread_rwlock_clockwrlock", Kind::lock),
+    hook<Locks<42, const void*>>("sem_timedwait", "sem_timedwait", Kind::lock),
+    hook<Locks<43, int, const void*>>("sem_clockwait", "sem_clockwait", Kind::lock),
+    hook<Locks<44>>("pthread_barrier_wait", "pthread_barrier_wait", Kind::lock),
 };
 
 template <std::size_t Row, bool Frees, class Result, class... Arguments>
