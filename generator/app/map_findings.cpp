@@ -1,13 +1,18 @@
 // What is wrong with the maps of a plant's links.
 #include "app/map_findings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "app/map_notes.hpp"
 #include "base/ascii.hpp"
 #include "check/rules.hpp"
 #include "lower/lower.hpp"
 #include "model/description_rules.hpp"
+#include "symplant/core/names.hpp"
 #include "symplant/link/io_map.hpp"
 
 namespace symplant::app {
@@ -27,11 +32,12 @@ model::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t contro
   return model::Pointer("/links") / static_cast<std::size_t>(found - links.begin());
 }
 
+constexpr std::array<std::string_view, link::kTables> kSizeKeys{"coils", "discrete-inputs", "holding-registers",
+                                                                "input-registers"};
+
 /// The key that is to be changed.
 model::Pointer key_of(Kind kind, const model::Pointer& link) {
   switch (kind) {
-    case Kind::beyond_size:
-      return link / "size";
     case Kind::status_overlap:
     case Kind::status_beyond:
       return link / "status";
@@ -39,10 +45,37 @@ model::Pointer key_of(Kind kind, const model::Pointer& link) {
     case Kind::watchdog_beyond:
       return link / "watchdog";
     case Kind::overlap:
+    case Kind::beyond_size:
     case Kind::beyond_end:
       break;
   }
-  return link / "map";
+  return link;
+}
+
+/// One fault for each table whose size is too small, however many symbols stand beyond it.
+void add_size_faults(const core::PlantTables& tables, const link::IoMap& map, const model::Pointer& link,
+                     std::vector<model::DescriptionFault>& faults) {
+  std::array<const link::IoPoint*, link::kTables> last{};
+  std::array<std::size_t, link::kTables> count{};
+  for (const link::MapFault& fault : map.faults) {
+    if (fault.kind != Kind::beyond_size) continue;
+    const auto point = std::find_if(map.points.begin(), map.points.end(),
+                                    [&](const link::IoPoint& p) { return p.symbol == fault.symbol; });
+    if (point == map.points.end()) continue;
+    const auto table = static_cast<std::size_t>(point->table);
+    ++count[table];
+    if (last[table] == nullptr || last[table]->last() < point->last()) last[table] = &*point;
+  }
+  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+  for (std::size_t t = 0; t < link::kTables; ++t) {
+    if (last[t] == nullptr) continue;
+    faults.push_back(
+        {(link / "size" / kSizeKeys[t]).text(),
+         fmt::format("{} {} beyond the size of {}, `{}` the furthest on {}: give a size of {} or more, or leave it out",
+                     count[t], count[t] == 1 ? "symbol stands" : "symbols stand", map.sizes[t],
+                     texts[std::size_t{last[t]->symbol} * 2], place_text(*last[t]), last[t]->last() + 1),
+         0, model::FaultKind::contradiction});
+  }
 }
 
 }  // namespace
@@ -60,7 +93,9 @@ void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
   std::vector<model::DescriptionFault> faults;
   for (std::uint32_t controller = 0; controller < plant.links.size(); ++controller) {
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
+    add_size_faults(tables, map, link_pointer(plant, controller), faults);
     for (const link::MapFault& fault : map.faults) {
+      if (fault.kind == Kind::beyond_size || fault.kind == Kind::beyond_end) continue;  // told above, and by its entry
       std::string message = link::fault_text(tables, map, fault);
       if (fault.kind != Kind::overlap) {
         faults.push_back({key_of(fault.kind, link_pointer(plant, controller)).text(), std::move(message), 0,

@@ -83,10 +83,12 @@ std::string place_text(const link::IoPoint& point) {
 }
 
 std::string modicon_text(const link::IoPoint& point) {
-  std::string first = fmt::format("{:05}", link::modicon_number(point.table, point.number));
-  if (point.places == 1) return first;
-  const auto last = static_cast<std::uint16_t>(point.last());
-  return fmt::format("{}-{:05}", first, link::modicon_number(point.table, last));
+  const auto one = [&](std::uint16_t number) {
+    constexpr std::uint16_t kLastOfFiveDigits = 9998;  // a coil's leading 0 tells 010000 from discrete input 10000
+    return fmt::format("{:0{}}", link::modicon_number(point.table, number), number > kLastOfFiveDigits ? 6 : 5);
+  };
+  if (point.places == 1) return one(point.number);
+  return one(point.number) + "-" + one(static_cast<std::uint16_t>(point.last()));
 }
 
 std::string word_order_text(core::WordOrder order) {

@@ -32,6 +32,7 @@ extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kAddressesContradict;        // SP315
 extern const Rule kPlacesOverlap;              // SP316
+extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -66,7 +67,7 @@ extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 51> kRules{
+inline constexpr std::array<const Rule*, 52> kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -88,6 +89,7 @@ inline constexpr std::array<const Rule*, 51> kRules{
     &kRadixDisagrees,
     &kAddressesContradict,
     &kPlacesOverlap,
+    &kAddressWithoutNumber,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

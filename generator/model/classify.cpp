@@ -95,6 +95,7 @@ struct RadixProof {
 struct RadixVotes {
   RadixProof hexadecimal;
   RadixProof octal;
+  const read::ListRow* not_octal = nullptr;  ///< the first row with a digit of 8 to F, without an IEC address
 
   void take(const read::ListRow& row, RadixChoice& choice) {
     const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
@@ -104,6 +105,7 @@ struct RadixVotes {
     const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
     const auto iec = address::parse_iec(row.iec_address);
     if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
+    if (!iec && !as_octal && not_octal == nullptr) not_octal = &row;
     if (!iec || (iec != as_hexadecimal && iec != as_octal)) return;
     RadixProof& vote = iec == as_hexadecimal ? hexadecimal : octal;
     ++vote.count;
@@ -225,6 +227,9 @@ RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::
   } else if (forced) {
     choice.radix = *forced;
     choice.by = RadixChoice::By::option;
+  } else if (votes.not_octal != nullptr) {
+    choice.by = RadixChoice::By::rows;
+    choice.proof = votes.not_octal;
   }
   return choice;
 }

@@ -1,6 +1,7 @@
 // One entry of `links`, as plant.json has it.
 #include <nlohmann/json.hpp>
 
+#include "model/ip_address.hpp"
 #include "model/json_entry.hpp"
 
 namespace symplant::model {
@@ -91,8 +92,14 @@ class LinkReader {
     if (keep == nullptr || !keep->is_array()) return;
     for (std::size_t i = 0; i < keep->size(); ++i) {
       if (!(*keep)[i].is_string()) continue;
-      link_.keep.push_back((*keep)[i].get<std::string>());
-      check_text(link_.keep.back(), here_ / "keep" / i, faults_);
+      const std::string text = (*keep)[i].get<std::string>();
+      const auto address = canonical_ip_address(text);
+      if (!address) {
+        faults_.add(
+            here_ / "keep" / i,
+            ticked(text) + " is no numeric address of one host, write one such as `192.168.1.10` or `fd00::10`");
+      }
+      link_.keep.push_back(address.value_or(text));
     }
   }
 

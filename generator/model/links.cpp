@@ -54,6 +54,11 @@ std::vector<const LinkDescription*> check_links(const PlantModel& plant, Faults&
       if (link.has_settings) settings[*controller] = &link;
     } else if (link.controller.empty()) {
       faults.add(place, "the plant has several controllers, and this link does not say which: give it a `controller`");
+    } else if (plant.controllers.size() == 1 && plant.controllers[0].empty()) {
+      faults.add(place / "controller",
+                 "this plant's one controller has no name, so that " + ticked(link.controller) +
+                     " is none: leave `controller` out here, or name it beside its list in `symbols`",
+                 FaultKind::unknown_name);
     } else {
       const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
                                           [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });

@@ -45,6 +45,8 @@ struct Meant {
   std::uint64_t last = 0;        ///< of a range
   std::size_t rank = 0;          ///< what is more specific has a higher one
   std::size_t matched = 0;
+  bool loss_acts = false;   ///< some symbol of it is an operation
+  bool order_acts = false;  ///< some symbol of it is of several registers
 };
 
 /// A value for a symbol, and the entry it is of.
@@ -73,13 +75,27 @@ class LinkResolver {
       const bool differs = row.word_order != result.link.word_order || row.on_loss != core::OnLoss::as_link;
       if (differs || row.number != core::PlaceRow::kDefault) result.places.push_back(row);
     }
-    for (const Meant& meant : meant_) {
-      if (meant.matched != 0) continue;
-      faults_.warn(meant.place, "no symbol of this controller " + words_of(*meant.entry), FaultKind::matches_nothing);
-    }
+    for (const Meant& meant : meant_) warn_of(meant);
   }
 
  private:
+  void warn_of(const Meant& meant) {
+    const MapEntry& entry = *meant.entry;
+    const auto warn = [&](const Pointer& at, const std::string& what) {
+      faults_.warn(at, what + words_of(entry), FaultKind::matches_nothing);
+    };
+    if (meant.matched == 0) {
+      warn(meant.place, "no symbol of this controller ");
+      return;
+    }
+    if (entry.on_loss && !meant.loss_acts) {
+      warn(meant.place / "on-loss", "this says what operations do without their PLC, and no operation ");
+    }
+    if (entry.word_order && !meant.order_acts) {
+      warn(meant.place / "word-order", "this is the order of several registers, and no number of 32 or 64 bits ");
+    }
+  }
+
   static std::string words_of(const MapEntry& entry) {
     if (entry.by == MapEntry::By::area) return "stands in the area " + ticked(entry.text);
     if (entry.by == MapEntry::By::range) return "stands between " + ticked(entry.text) + " and " + ticked(entry.last);
@@ -92,6 +108,16 @@ class LinkResolver {
       by_name_.try_emplace(plant_.symbols[i].name(), i);
       symbols_.push_back(i);
     }
+  }
+
+  /// A row that made no symbol of this controller. O(rows).
+  const read::ListRow* row_of_list(std::string_view name) const {
+    for (const PlantList& list : plant_.lists) {
+      for (const read::ListRow& row : list.table->rows) {
+        if (base::equal_ignoring_case(row.name, name)) return &row;
+      }
+    }
+    return nullptr;
   }
 
   address::Radix radix() const {
@@ -156,6 +182,14 @@ class LinkResolver {
     }
     meant.rank = kExact;
     if (by_name_.count(text) != 0) return true;
+    if (const read::ListRow* row = row_of_list(text); row != nullptr) {
+      const std::string_view address = row->vendor_address.empty() ? row->iec_address : row->vendor_address;
+      faults_.add(meant.place / "symbol",
+                  ticked(text) + " is in the list, but no input or output of this controller" +
+                      (address.empty() ? "" : ", its address is " + ticked(address)) + ": leave this entry away",
+                  FaultKind::unknown_name);
+      return false;
+    }
     const auto nearest =
         faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
     faults_.add(meant.place / "symbol", missing("symbol " + ticked(text), nearest), FaultKind::unknown_name);
@@ -188,9 +222,12 @@ class LinkResolver {
     if (chosen.by == nullptr || chosen.by->rank < meant.rank) {
       chosen = {*value, &meant};
     } else if (chosen.value != *value && told_.try_emplace(meant.place.text() + std::string(key), true).second) {
-      DescriptionFault fault{(meant.place / key).text(), "two entries that are equally specific give " +
-                                                             ticked(symbol.name()) + " different values of " +
-                                                             ticked(key) + ": leave one away, or name the symbol"};
+      const bool named = meant.entry->by == MapEntry::By::symbol && meant.entry->text == chosen.by->entry->text;
+      DescriptionFault fault{
+          (meant.place / key).text(),
+          "two entries that are equally specific give " + ticked(symbol.name()) + " different values of " +
+              ticked(key) + ": leave one away" +
+              (named || base::equal_ignoring_case(meant.entry->text, symbol.name()) ? "" : ", or name the symbol")};
       fault.related = (chosen.by->place / key).text();
       fault.related_message = "the other entry";
       faults_.add(std::move(fault));
@@ -205,12 +242,25 @@ class LinkResolver {
     for (Meant& meant : meant_) {
       if (!matches(meant, symbol)) continue;
       ++meant.matched;
+      meant.loss_acts = meant.loss_acts || symbol.direction == core::Direction::operation;
+      meant.order_acts = meant.order_acts || data_type_bits(symbol.type) > 16;
       choose(number, number_for(meant, symbol), meant, "number", symbol);
       choose(word_order, meant.entry->word_order, meant, "word-order", symbol);
       choose(on_loss, meant.entry->on_loss, meant, "on-loss", symbol);
     }
+    if (number.by != nullptr) check_end(number, symbol);
     if (number.by != nullptr && number.by->entry->by == MapEntry::By::symbol) own_.emplace(index, number.by);
     return {index, number.value, word_order.value, on_loss.value};
+  }
+
+  void check_end(const Chosen<std::uint32_t>& number, const Symbol& symbol) {
+    constexpr std::uint64_t kPlaces = 65'536;
+    const auto places = static_cast<std::uint64_t>(std::max(1, data_type_bits(symbol.type) / 16));
+    if (number.value + places <= kPlaces) return;
+    const Pointer at = number.by->place / "number";
+    if (!told_.try_emplace(at.text() + " end", true).second) return;
+    faults_.add(at,
+                ticked(symbol.name()) + " would end behind place 65535, the last that Modbus has: give a lower number");
   }
 
   /// Symbols of one address are one place: where one is given its number, so are all.

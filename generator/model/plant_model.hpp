@@ -170,7 +170,7 @@ struct TooLarge {
 struct RadixChoice {
   address::Radix radix = address::Radix::hexadecimal;
   enum class By : std::uint8_t { nothing, option, rows } by = By::nothing;
-  const read::ListRow* proof = nullptr;       ///< a row whose two addresses prove it
+  const read::ListRow* proof = nullptr;       ///< a row whose two addresses, or a digit that octal has not, prove it
   const read::ListRow* matters_in = nullptr;  ///< the first row in which it makes a difference; null where in none
 };
 

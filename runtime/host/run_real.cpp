@@ -33,6 +33,20 @@ std::string policy_words(const OpenLink& open) {
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
 }
 
+/// What cannot work with the cycle that the run has.
+void warn_of_times(const RunOptions& options, const Links& links, std::ostream& err) {
+  for (const OpenLink& open : links) {
+    const link::LinkSettings& settings = open.settings;
+    if (open.link->state() != exec::LinkState::waiting) continue;
+    const bool watchdog = settings.watchdog != link::kNowhere;
+    const core::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
+    if (silence > 2 * options.cycle) continue;
+    err << fmt::format(
+        "warning: link {}: `{}` of {} is not above two cycles of {}: the link will be lost again and again\n",
+        open.text(), watchdog ? "within" : "loss-after", seconds(silence), seconds(options.cycle));
+  }
+}
+
 void tell_begin(const RunOptions& options, bool scenario, const Links& links, std::ostream& out) {
   for (const OpenLink& open : links) out << fmt::format("link {}{}\n", open.text(), policy_words(open));
   const std::string cycle = fmt::format("a cycle of {} ms", static_cast<double>(options.cycle) / 1e6);
@@ -67,8 +81,12 @@ void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::o
   }
   for (const OpenLink& open : links) {
     const link::LinkStatus status = open.link->status();
-    out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps, lost {}\n", open.text(),
-                       status.requests, status.exceptions, status.writes_to_gaps, plural(status.losses, "time"));
+    out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps, lost {}{}\n", open.text(),
+                       status.requests, status.exceptions, status.writes_to_gaps, plural(status.losses, "time"),
+                       status.crowded_out == 0
+                           ? ""
+                           : fmt::format(", {} closed for want of room: more `connections`, or `keep`, in plant.json",
+                                         plural(status.crowded_out, "client")));
   }
 }
 
@@ -93,6 +111,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
 
   tell_begin(options, stage.player.has_value(), links, out);
+  warn_of_times(options, links, err);
   exec::MonotonicClock clock;
   exec::CycleMeter meter;
   const auto cycles = [&] {

@@ -24,6 +24,7 @@ struct LinkStatus {
   std::uint64_t exceptions = 0;
   std::uint64_t writes_to_gaps = 0;  ///< places written that no symbol stands on
   std::uint32_t connections = 0;     ///< open now
+  std::uint64_t crowded_out = 0;     ///< clients closed, since there was no room for all
   std::uint32_t losses = 0;          ///< how often its PLC fell silent
   bool end_unread = false;           ///< the link was left, and a PLC that reads the status block has not seen it yet
 };

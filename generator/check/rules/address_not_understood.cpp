@@ -1,6 +1,8 @@
 // SP307 address-not-understood: an address cell holds no address.
 #include <fmt/format.h>
 
+#include "address/address.hpp"
+#include "base/ascii.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -16,13 +18,21 @@ of its name, and it is on no link.
 **How to mend it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
 )";
 
+/// An address of X or Y whose digits are hexadecimal, in a list that is read in octal.
+bool is_hexadecimal(std::string_view cell) {
+  const char first = cell.empty() ? ' ' : base::upper(cell.front());
+  return (first == 'X' || first == 'Y') && address::parse_melsec(cell, address::Radix::hexadecimal).has_value();
+}
+
 void check_address_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::BadAddress& bad : plant.bad_addresses) {
     diagnostics.add(
         rule.info, about(*bad.row),
-        fmt::format("`{}` is no address: `{}` gets none from it; write it like `%IX1`, `%QW5`, `X1F` or `Y0001`",
-                    bad.cell, bad.row->name),
+        fmt::format("`{}` is no address{}: `{}` gets none from it; {}", bad.cell,
+                    is_hexadecimal(bad.cell) ? ", since X and Y count in octal here" : "", bad.row->name,
+                    is_hexadecimal(bad.cell) ? "correct its digits, or say `--xy hex` if the list counts in hexadecimal"
+                                             : "write it like `%IX1`, `%QW5`, `X1F` or `Y0001`"),
         place_of(plant, *bad.row, bad.cell));
   }
 }

@@ -171,7 +171,10 @@ void Server::accept_clients() {
 }
 
 void Server::add_client(Descriptor socket) {
-  if (clients_.size() >= options_.connections && !make_room(0)) return;
+  if (clients_.size() >= options_.connections && !make_room(0)) {
+    crowded_out_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
   prepare_peer(socket.get());
   const int fd = socket.get();
   epoll_event event{};
@@ -252,6 +255,7 @@ bool Server::make_room(core::Time quiet) {
   }
   if (victim == nullptr) return false;
   close_client(victim->socket.get());
+  crowded_out_.fetch_add(1, std::memory_order_relaxed);
   return true;
 }
 

@@ -43,6 +43,8 @@ class Server {
 
   /// Open now. Any thread.
   std::uint32_t connections() const noexcept { return open_.load(std::memory_order_relaxed); }
+  /// Clients that were closed since there was no room for all, new ones and such as gave way. Any thread.
+  std::uint64_t crowded_out() const noexcept { return crowded_out_.load(std::memory_order_relaxed); }
 
  private:
   struct Client;
@@ -73,6 +75,7 @@ class Server {
   bool listening_ = true;
   bool gave_way_ = false;  ///< a client was closed for want of descriptors, and no other was accepted since
   std::atomic<std::uint32_t> open_{0};
+  std::atomic<std::uint64_t> crowded_out_{0};
   std::thread thread_;
 };
 

@@ -145,6 +145,7 @@ class ServerLink final : public Link {
   LinkStatus status() const noexcept override {
     LinkStatus status = responder_.status();
     status.connections = server_.connections();
+    status.crowded_out = server_.crowded_out();
     return status;
   }
 

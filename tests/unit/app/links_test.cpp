@@ -94,6 +94,22 @@ TEST_CASE(
   CHECK(contains(wrong.err, "`keep` says nothing of operations: write hold or zero"));
 }
 
+TEST_CASE("run: a time of silence that the cycle cannot keep is warned of, by the key that counts") {
+  const auto warned = [](const std::string& members, const std::string& cycle) {
+    MemoryFileSystem files = plant(members);
+    return run_tool(
+               {"run", "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0", "--until", "5ms", "--cycle", cycle},
+               files)
+        .err;
+  };
+  CHECK(
+      contains(warned(R"("loss-after": "4ms")", "2ms"), "`loss-after` of 0.004 s is not above two cycles of 0.002 s"));
+  CHECK_FALSE(contains(warned(R"("loss-after": "5ms")", "2ms"), "two cycles"));
+  const std::string watchdog = R"("loss-after": "1ms", "watchdog": {"register": 20, "within": )";
+  CHECK(contains(warned(watchdog + "\"3ms\"}", "2ms"), "`within` of 0.003 s is not above"));
+  CHECK_FALSE(contains(warned(watchdog + "\"1s\"}", "2ms"), "two cycles"));
+}
+
 TEST_CASE("generate: the settings of the links stand in the tables") {
   MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "number": 7}], "status": "off", "keep": ["::1"])");
   CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);

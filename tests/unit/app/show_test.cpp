@@ -110,6 +110,19 @@ TEST_CASE("map: a row a symbol with list row, addresses, place, Modicon number a
         "9 EXLINE_MB_MC_O_RUN2 Y0004 %QX0004 coil 4 00005 the PLC, moves EXLINE_MB_MC");
 }
 
+TEST_CASE("map: a coil's Modicon number has six digits where the others of its table's place have") {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text({{"A", "", "BOOL", "", "%QX9998"},
+                                       {"B", "", "BOOL", "", "%QX9999"},
+                                       {"C", "", "BOOL", "", "%IX10000"},
+                                       {"D", "", "DINT", "", "%QD4999"}});
+  const ToolRun run = run_tool({"map", "list.csv"}, files);
+  CHECK(contains(row_of(run.out, "A"), "coil 9998 09999"));
+  CHECK(contains(row_of(run.out, "B"), "coil 9999 010000"));
+  CHECK(contains(row_of(run.out, "C"), "discrete input 10000 110001"));
+  CHECK(contains(row_of(run.out, "D"), "holding registers 9998-9999 49999-410000"));
+}
+
 TEST_CASE("map: who moves nothing and what nobody moves is said") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text({{"START", "X1"},

@@ -137,6 +137,24 @@ TEST_CASE("who never sent a request gives way before one who did, however long a
   CHECK(steady.ask(kAsked) == kAsked);
 }
 
+TEST_CASE("clients that are closed for want of room are counted, those that go by themselves are not") {
+  const EchoServer bench({.connections = 2});
+  RawClient first(bench.port);
+  REQUIRE(first.ask(kAsked) == kAsked);
+  {
+    RawClient passing(bench.port);
+    REQUIRE(passing.ask(kAsked) == kAsked);
+  }
+  bench.wait_for_connections(1);
+  CHECK(bench.server.crowded_out() == 0);
+  RawClient second(bench.port);
+  REQUIRE(second.ask(kAsked) == kAsked);
+  RawClient third(bench.port);
+  REQUIRE(third.ask(kAsked) == kAsked);
+  CHECK(first.is_closed());
+  CHECK(bench.server.crowded_out() == 1);
+}
+
 TEST_CASE("a client on the list of those to keep never gives way, and where all are kept the new one is closed") {
   const EchoServer bench({.connections = 2, .keep = {"10.1.2.3", "127.0.0.1"}});
   RawClient first(bench.port);
@@ -145,6 +163,7 @@ TEST_CASE("a client on the list of those to keep never gives way, and where all 
   REQUIRE(second.ask(kAsked) == kAsked);
   RawClient third(bench.port);
   CHECK(third.is_closed());
+  CHECK(bench.server.crowded_out() == 1);
   CHECK(first.ask(kAsked) == kAsked);
   CHECK(second.ask(kAsked) == kAsked);
   CHECK(bench.server.connections() == 2);

@@ -66,9 +66,19 @@ TEST_CASE("Without proof and option it is hexadecimal, with a note where a numbe
   CHECK(analyse_rows({{"L_P_D_I_A", "X7", "BOOL", "", "%IX7"}, {"L_P_D_O_A", "Y10"}}).count("radix-assumed") == 1);
 }
 
-TEST_CASE("A digit that octal has not leaves nothing to assume") {
-  CHECK(analyse_rows({{"L_P_D_I_A", "X001F"}, {"L_P_D_O_A", "Y0010"}}).model().lists.front().radix.radix ==
-        Radix::hexadecimal);
+TEST_CASE("A digit that octal has not proves hexadecimal, but for an option that says octal, and for rows with both") {
+  const std::vector<Row> rows{{"L_P_D_O_A", "Y8"}, {"L_P_D_O_B", "YA"}, {"L_P_D_I_A", "X10"}};
+  const Analysed list = analyse_rows(rows);
+  CHECK(list.model().lists.front().radix.by == RadixChoice::By::rows);
+  CHECK(list.count("radix-assumed") == 0);
+  const Analysed octal = analyse_rows(rows, Radix::octal);
+  CHECK(octal.model().lists.front().radix.by == RadixChoice::By::option);
+  CHECK(octal.count("address-not-understood") == 2);
+  CHECK(finding_of(analyse_rows({rows[0], rows[2]}, Radix::octal), "address-not-understood").message ==
+        "`Y8` is no address, since X and Y count in octal here: `L_P_D_O_A` gets none from it; correct its digits, or "
+        "say `--xy hex` if the list counts in hexadecimal");
+  const Analysed proved = analyse_rows({{"L_P_D_O_A", "Y8"}, {"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}});
+  CHECK(proved.model().lists.front().radix.radix == Radix::octal);
 }
 
 TEST_CASE("Two operations on one address are kept equal, with a warning") {

@@ -100,6 +100,18 @@ TEST_CASE("every key of a link arrives in its settings") {
   const Analysed kept = linked(R"("keep": ["127.0.0.1", "::1"])");
   CHECK(kept.model().links.at(0).settings().keep.size() == 2);
   CHECK(kept.model().links.at(0).settings().keep[1] == "::1");
+  // However they are written, they are compared as the system tells them.
+  const Analysed forms = linked(R"("keep": ["0:0:0:0:0:0:0:1", "::ffff:10.0.0.7", "FD00::00A1"])");
+  CHECK(told(forms).empty());
+  const auto keep = forms.model().links.at(0).settings().keep;
+  CHECK(std::vector<std::string>(keep.begin(), keep.end()) == std::vector<std::string>{"::1", "10.0.0.7", "fd00::a1"});
+}
+
+TEST_CASE("a client to be kept is one numeric address") {
+  for (const std::string text : {"127.0.0.01", "foo", "10.0.0.0/24", "1.2.3", "::g"}) {
+    CHECK(
+        told("\"keep\": [\"::1\", \"" + text + "\"]").starts_with("`" + text + "` is no numeric address of one host"));
+  }
 }
 
 TEST_CASE("the low word comes first where a list has a MELSEC address, else the high one, unless the link says") {
@@ -164,6 +176,21 @@ TEST_CASE("what an entry names and is not there is told with the nearest") {
   CHECK(told(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") == "no symbol of this controller is matched by `Q*`");
 }
 
+TEST_CASE("a row that is no input or output is told as what it is") {
+  const std::string list = kList + "VAR_GLOBAL,STEP,M100,,BOOL,FALSE\n";
+  CHECK(
+      told(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
+      "`Step` is in the list, but no input or output of this controller, its address is `M100`: leave this entry away");
+}
+
+TEST_CASE("a setting without effect on any symbol of its entry is told") {
+  CHECK(told(R"("map": [{"symbol": "LEVEL", "on-loss": "zero"}])") ==
+        "this says what operations do without their PLC, and no operation is matched by `LEVEL`");
+  CHECK(told(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])") ==
+        "this is the order of several registers, and no number of 32 or 64 bits is matched by `MODE`");
+  CHECK(told(R"("map": [{"symbol": "*", "word-order": "low-first", "on-loss": "zero"}])").empty());
+}
+
 TEST_CASE("entries that cannot be are told") {
   CHECK(told(R"("map": [{"symbol": "S*", "number": 1}])") ==
         "`S*` is a pattern, and its symbols cannot all stand on one `number`: name each");
@@ -177,6 +204,8 @@ TEST_CASE("entries that cannot be are told") {
   CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}])") ==
         "two entries that are equally specific give `MODE` different values of `number`: leave one away, or name the "
         "symbol");
+  CHECK(told(R"("map": [{"symbol": "MODE", "number": 1}, {"symbol": "mode", "number": 2}])") ==
+        "two entries that are equally specific give `MODE` different values of `number`: leave one away");
   CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
   CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}, {"symbol": "MODE", "number": 3}])")
             .empty());
@@ -217,9 +246,11 @@ TEST_CASE("symbols that meet, and settings that do not fit the map, are told by 
   CHECK(told(R"("watchdog": {"register": 30})")
             .starts_with("the watchdog stands on holding register 30, and so does `MODE`"));
   CHECK(told(R"("size": {"holding-registers": 30})")
-            .starts_with("`MODE` stands on holding register 30, but the holding"));
+            .starts_with("1 symbol stands beyond the size of 30, `MODE` the furthest on holding register 30: give a "
+                         "size of 31 or more"));
+  CHECK(told(R"("size": {"holding-registers": 3})").starts_with("2 symbols stand beyond the size of 3, `MODE` the"));
   CHECK(told(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
-        "`SPEED` would end behind place 65535, the last that Modbus has: give it a lower number");
+        "`SPEED` would end behind place 65535, the last that Modbus has: give a lower number");
 }
 
 TEST_CASE("settings are a controller's: of one link, and of `loop:` only where that names it") {
@@ -241,6 +272,10 @@ TEST_CASE("settings are a controller's: of one link, and of `loop:` only where t
   CHECK(told(sound).empty());
   CHECK(sound.model().links.at(0).link.resync == 2 * core::kSecond);
   CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
+  CHECK(
+      told(R"("controller": "PLC9")") ==
+      "this plant's one controller has no name, so that `PLC9` is none: leave `controller` out here, or name it beside "
+      "its list in `symbols`");
   CHECK(told(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
         "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
   CHECK(told(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
