@@ -28,6 +28,16 @@ core::Time duration(const std::string& text, const char* option) {
   return *time;
 }
 
+/// The whole of the text as a number from `least` on, without a sign.
+std::uint64_t whole_number(const std::string& text, std::uint64_t least, const char* option) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [read, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && read == end && number >= least) return number;
+  throw CLI::ValidationError(
+      option, "`" + text + "` is no whole number from " + std::to_string(least) + " to 18446744073709551615");
+}
+
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario, and judge what it expects")->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
@@ -150,21 +160,11 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
   app.add_option_function<std::string>(
-         "--seed",
-         [&options](const std::string& text) {
-           const char* end = text.data() + text.size();
-           const auto [read, error] = std::from_chars(text.data(), end, options.seed);
-           if (error == std::errc{} && read == end) return;
-           throw CLI::ValidationError("--seed", "`" + text + "` is no whole number from 0 to 18446744073709551615");
-         },
+         "--seed", [&options](const std::string& text) { options.seed = whole_number(text, 0, "--seed"); },
          "seed of random times (default: 0)")
       ->type_name("N");
-  app.add_option_function<std::uint64_t>(
-         "--rt-check",
-         [&options](std::uint64_t count) {
-           if (count == 0) throw CLI::ValidationError("--rt-check", "0 cycles show nothing: write how many to look at");
-           options.rt_check = count;
-         },
+  app.add_option_function<std::string>(
+         "--rt-check", [&options](const std::string& text) { options.rt_check = whole_number(text, 1, "--rt-check"); },
          "run so many cycles under a guard that finds heap, locks, system calls and page faults in them, and end; exit "
          "code 1 if any")
       ->type_name("N");

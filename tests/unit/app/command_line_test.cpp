@@ -71,6 +71,21 @@ TEST_CASE("What is no command line is 2, with a message") {
   }
 }
 
+TEST_CASE("Whole numbers are taken whole: no sign, no rest, none that is too large") {
+  for (const char* wrong : {"-5", "-1", "+1", "1.5", "1e3", "5x", "0x10", " 1", "", "18446744073709551616"}) {
+    for (const std::string option : {"--seed", "--rt-check"}) {
+      INFO(option << " `" << wrong << "`");
+      const ToolRun run = run_lists({"run", "clean.csv", option, wrong});
+      CHECK(run.code == 2);
+      CHECK(run.out.empty());
+      CHECK(contains(run.err, option + ": "));
+    }
+  }
+  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "0"}).err, "`0` is no whole number from 1 to "));
+  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "-5"}).err, "`-5` is no whole number from 1 to "));
+  CHECK(run_lists({"run", "clean.csv", "--seed", "18446744073709551615", "--until", "1s"}).code == 0);
+}
+
 TEST_CASE("Encodings are named in any case") {
   CHECK(run_lists({"check", "clean.csv", "--encoding", "UTF-8"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "--encoding", "utf-8"}).code == 0);
