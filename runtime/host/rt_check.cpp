@@ -54,7 +54,15 @@ class DrainingStage final : public exec::Stepper {
 core::Time end_of_rt_check(core::Time begin, const RunOptions& options) {
   const auto most = static_cast<std::uint64_t>((core::kNever - begin) / options.cycle);
   const auto count = static_cast<core::Time>(std::min(*options.rt_check, most - 1));
-  return std::min(begin + count * options.cycle, options.until.value_or(core::kNever));
+  return begin + count * options.cycle;
+}
+
+bool tell_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out) {
+  const std::uint64_t asked = options.rt_check.value_or(0);
+  if (cycles >= asked) return false;
+  out << fmt::format("rt-check: {} of {} cycles were not looked at, since a signal ended the run\n", asked - cycles,
+                     asked);
+  return true;
 }
 
 bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
@@ -90,7 +98,9 @@ bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, s
     exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, *meter, stop_requested(), nullptr, &draining);
     faults = exec::thread_faults() - before - draining.drained();
   });
-  return tell_rt_check(report, faults, meter->cycles.value(), stage, out);
+  const std::uint64_t cycles = meter->cycles.value();
+  const bool clean = tell_rt_check(report, faults, cycles, stage, out);
+  return !tell_missing_cycles(cycles, options, out) && clean;
 }
 
 }  // namespace symplant::host

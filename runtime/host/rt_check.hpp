@@ -12,7 +12,7 @@
 
 namespace symplant::host {
 
-/// Plant time at which `options.rt_check` cycles are over, or `--until` where that comes first.
+/// Plant time at which `options.rt_check` cycles are over.
 core::Time end_of_rt_check(core::Time begin, const RunOptions& options);
 
 /// Tells on `out` what a guarded run of `cycles` cycles was found to do; gives whether it was nothing, as far as could
@@ -20,9 +20,12 @@ core::Time end_of_rt_check(core::Time begin, const RunOptions& options);
 bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
                    const Stage& stage, std::ostream& out);
 
+/// Tells on `out` how many of `options.rt_check` cycles are missing in a run of so many, and why; whether any are.
+bool tell_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out);
+
 /// Runs `options.rt_check` cycles on a thread of their own as fast as it goes, and looks at what links, plant,
-/// behaviours and scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Gives what tell_rt_check()
-/// does.
+/// behaviours and scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Gives
+/// whether nothing was found and no cycle is missing, and tells of both.
 bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out);
 
 }  // namespace symplant::host

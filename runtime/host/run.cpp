@@ -79,8 +79,13 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
   return expected && required && !found ? kGood : kFindings;
 }
 
-/// False where the options of real time contradict each other; tells of those that have no effect.
+/// False where the options of time contradict each other; tells of those that have no effect.
 bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
+  if (options.rt_check && options.until) {
+    err << "error: `--rt-check` says already how long the run is, as many cycles as it is given: leave `--until` "
+           "away\n";
+    return false;
+  }
   if (options.spin >= options.cycle) {
     err << "error: `--spin` of " << trace::seconds(options.spin) << " is not shorter than the cycle of "
         << trace::seconds(options.cycle) << ": give less, 100us say\n";
@@ -121,7 +126,7 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   bool clean = true;
   if (real) {
     real_run = run_real(stage, options, links, console, tell, err);
-    clean = real_run->clean;
+    clean = !tell_missing_cycles(real_run->cycles.cycles, options, tell) && real_run->clean;
   } else if (options.rt_check) {
     clean = run_rt_check(stage, options, links, tell);
   } else {

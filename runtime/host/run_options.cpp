@@ -141,7 +141,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
              throw CLI::ValidationError("--until", "`" + text + "` is too late: 100 years (876000h) are the most");
            }
          },
-         "end at this plant time, what happens at it included")
+         "end at this plant time, what happens at it included; not with --rt-check")
       ->type_name("T");
   app.add_option_function<std::string>(
          "--cycle",

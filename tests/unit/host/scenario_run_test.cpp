@@ -1,6 +1,8 @@
 // Runs with scenarios and files: exit codes, what is told, what is refused before anything is written.
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "support/golden.hpp"
 #include "support/plant_bench.hpp"
@@ -282,6 +284,46 @@ TEST_CASE("statistics of a run with links tell how each stands") {
   CHECK(links[0]["requests"] == 0);
   CHECK(links[1]["link"] == "loop:");
   CHECK(links[1]["state"] == "live");
+}
+
+TEST_CASE("a guarded run is as long as it was asked to be, whatever its scenario") {
+  Cell cell;
+  cell.options.rt_check = 100;
+  cell.options.until = 100 * kMs;
+  const Outcome refused = cell.run();
+  CHECK(refused.code == host::kBadInput);
+  CHECK(contains(refused.err, "error: `--rt-check` says already how long the run is"));
+  CHECK(refused.out.empty());
+  cell.options.until.reset();
+  const std::string steps = R"({"at":"15ms","state":{"L_P_AGV":"P2"}},{"plus":"5ms","expect":"L_P_AGV.P2"})";
+  for (const auto clock : {host::RunOptions::Clock::virtual_time, host::RunOptions::Clock::real_time}) {
+    cell.options.clock = clock;
+    const Outcome whole = cell.run(steps);
+    CHECK(contains(whole.out, "rt-check: 100 cycles, "));
+    CHECK_FALSE(contains(whole.out, "not looked at, since"));
+  }
+}
+
+/// The first time that it is flushed, which is before the first cycle, somebody ends the run.
+class EndedEarly final : public std::stringbuf {
+  int sync() override {
+    if (!std::exchange(done_, true)) std::raise(SIGTERM);
+    return std::stringbuf::sync();
+  }
+  bool done_ = false;
+};
+
+TEST_CASE("a guarded run that a signal ends says how many cycles are missing, and is 1") {
+  Cell cell;
+  cell.options.rt_check = 100;
+  for (const auto clock : {host::RunOptions::Clock::virtual_time, host::RunOptions::Clock::real_time}) {
+    cell.options.clock = clock;
+    EndedEarly told;
+    std::ostream out(&told);
+    std::ostringstream err;
+    CHECK(host::run({.tables = cell.tables.rows}, cell.options, out, err) == host::kFindings);
+    CHECK(contains(told.str(), "rt-check: 100 of 100 cycles were not looked at, since a signal ended the run\n"));
+  }
 }
 
 TEST_CASE("sizes are bytes with a unit or without") {
