@@ -3,6 +3,8 @@
 
 #include <chrono>
 #include <ostream>
+#include <string>
+#include <utility>
 
 #include "symplant/exec/rt_check.hpp"
 #include "symplant/host/console.hpp"
@@ -79,8 +81,35 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
   return expected && required && !found ? kGood : kFindings;
 }
 
-/// False where the options of time contradict each other; tells of those that have no effect.
-bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
+/// Tells of options that were given and do nothing in this run.
+void tell_without_effect(const RunOptions& options, bool real, bool linked, std::ostream& err) {
+  const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
+                                                       {"--on-loss", options.on_loss.has_value()},
+                                                       {"--late", options.late_given},
+                                                       {"--priority", options.real_time.priority.has_value()},
+                                                       {"--cpu", options.real_time.cpu.has_value()},
+                                                       {"--lock-memory", options.real_time.lock_memory},
+                                                       {"--spin", options.spin != 0}};
+  std::string names;
+  std::size_t count = 0;
+  for (const auto& [name, given] : of_real_time) {
+    if (real || !given) continue;
+    names += (count++ == 0 ? "`" : ", `") + std::string(name) + "`";
+  }
+  if (count != 0) {
+    err << "warning: in virtual time " << names << (count == 1 ? " has" : " have")
+        << " no effect: `--clock real` runs in real time\n";
+  }
+  if (real && !linked && options.on_loss) {
+    err << "warning: `--on-loss` has no effect without a link that can be lost: `--link` gives one\n";
+  }
+  if (options.trace_limit != trace::kNoLimit && options.trace.empty() && options.vcd.empty()) {
+    err << "warning: `--trace-limit` has no effect without `--trace` or `--vcd`: they say what to write\n";
+  }
+}
+
+/// False where the options of time contradict each other, which is told.
+bool times_fit(const RunOptions& options, std::ostream& err) {
   if (options.rt_check && options.until) {
     err << "error: `--rt-check` says already how long the run is, as many cycles as it is given: leave `--until` "
            "away\n";
@@ -90,11 +119,6 @@ bool real_time_fits(const RunOptions& options, bool real, std::ostream& err) {
     err << "error: `--spin` of " << trace::seconds(options.spin) << " is not shorter than the cycle of "
         << trace::seconds(options.cycle) << ": give less, 100us say\n";
     return false;
-  }
-  if (!real && (options.real_time.any() || options.spin != 0)) {
-    err << "warning: in virtual time `--priority`, `--cpu`, `--lock-memory` and `--spin` have no effect: `--clock "
-           "real` "
-           "runs in real time\n";
   }
   return true;
 }
@@ -176,7 +200,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   LastResort resort;
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
-  if (!real_time_fits(options, real, err)) return kBadInput;
+  if (!times_fit(options, err)) return kBadInput;
+  tell_without_effect(options, real, linked, err);
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();

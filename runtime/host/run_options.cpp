@@ -84,6 +84,7 @@ void add_real_time(CLI::App& app, RunOptions& options) {
                  "--late", "`" + text + "` is no way to be late: write catch-up, catch-up:N (N up to 1000000) or slip");
            }
            options.max_catch_up = *most;
+           options.late_given = true;
          },
          "in real time, when cycles are missed: run up to N of them at once, one after the other, or let plant time "
          "slip "
@@ -147,6 +148,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "--cycle",
          [&options](const std::string& text) {
            options.cycle = duration(text, "--cycle");
+           options.cycle_given = true;
            if (options.cycle == 0 || options.cycle > kLongestCycle) {
              throw CLI::ValidationError("--cycle", "`" + text + "` is no cycle: it is longer than 0 and at most 1h");
            }

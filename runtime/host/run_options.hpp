@@ -24,7 +24,9 @@ struct RunOptions {
   Clock clock = Clock::automatic;  ///< real time where there is a link, else virtual time
   std::optional<core::Time> until;
   core::Time cycle = 10 * core::kMillisecond;
+  bool cycle_given = false;        ///< by the user
   std::int64_t max_catch_up = 10;  ///< cycles run at once after a delay
+  bool late_given = false;         ///< max_catch_up, by the user
   core::Time spin = 0;             ///< awake before each deadline for so long
   exec::RealTimeOptions real_time;
   std::optional<core::OnLoss> on_loss;  ///< of every link; nothing: what its settings say

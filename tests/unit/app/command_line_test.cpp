@@ -86,6 +86,13 @@ TEST_CASE("Whole numbers are taken whole: no sign, no rest, none that is too lar
   CHECK(run_lists({"run", "clean.csv", "--seed", "18446744073709551615", "--until", "1s"}).code == 0);
 }
 
+TEST_CASE("Options without effect are told as they were given") {
+  const ToolRun run =
+      run_lists({"run", "clean.csv", "--until", "1s", "--late", "catch-up", "--cycle", "10ms", "--on-loss", "hold"});
+  CHECK(run.code == 0);
+  CHECK(contains(run.err, "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: "));
+}
+
 TEST_CASE("Encodings are named in any case") {
   CHECK(run_lists({"check", "clean.csv", "--encoding", "UTF-8"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "--encoding", "utf-8"}).code == 0);

@@ -111,7 +111,7 @@ TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
   CHECK(run(plant.tables, options).code == host::kGood);
 }
 
-TEST_CASE("options of real time are said to have no effect in virtual time") {
+TEST_CASE("options of real time are said to have no effect in virtual time, each that was given") {
   const Clockwork plant;
   host::RunOptions options;
   options.until = core::kSecond;
@@ -119,7 +119,43 @@ TEST_CASE("options of real time are said to have no effect in virtual time") {
   options.real_time.priority = 50;
   const Outcome outcome = run(plant.tables, options);
   CHECK(outcome.code == host::kGood);
-  CHECK(contains(outcome.err, "warning: in virtual time `--priority`"));
+  CHECK(outcome.err == "warning: in virtual time `--priority` has no effect: `--clock real` runs in real time\n");
+  options.real_time = {};
+  options.on_loss = core::OnLoss::zero;
+  options.cycle_given = true;
+  options.late_given = true;
+  CHECK(run(plant.tables, options).err ==
+        "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: `--clock real` runs in real time\n");
+}
+
+TEST_CASE("a guarded run in virtual time has a cycle") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.rt_check = 3;
+  options.cycle_given = true;
+  CHECK(run(plant.tables, options).err.empty());
+}
+
+TEST_CASE("what to do on loss is said to have no effect where no link can be lost") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.clock = host::RunOptions::Clock::real_time;
+  options.until = 20 * core::kMillisecond;
+  options.on_loss = core::OnLoss::zero;
+  options.cycle_given = true;
+  CHECK(contains(run(plant.tables, options).err, "warning: `--on-loss` has no effect without a link"));
+  options.links = {"modbus-tcp-server://127.0.0.1:0"};
+  CHECK(run(plant.tables, options).err.empty());
+}
+
+TEST_CASE("a limit of files is said to have no effect where none is written") {
+  const Clockwork plant;
+  host::RunOptions options;
+  options.until = core::kSecond;
+  options.trace_limit = 4096;
+  CHECK(contains(run(plant.tables, options).err, "warning: `--trace-limit` has no effect without `--trace`"));
+  options.trace = "/dev/null";
+  CHECK(run(plant.tables, options).err.empty());
 }
 
 TEST_CASE("what to do when late is caught up to a number, ten by default, or slipped") {
