@@ -17,6 +17,7 @@ namespace {
 constexpr core::Time kLongestCycle = 3600 * core::kSecond;
 constexpr int kHighestPriority = 99;
 constexpr std::int64_t kMostCatchUp = 1'000'000;
+constexpr std::uint64_t kSmallestLimit = 1024;
 constexpr core::Time kLatestEnd = 876'000 * (3600 * core::kSecond);
 
 core::Time duration(const std::string& text, const char* option) {
@@ -51,9 +52,15 @@ void add_files(CLI::App& app, RunOptions& options) {
            if (!size) {
              throw CLI::ValidationError("--trace-limit", "`" + text + "` is no size: write bytes, or 500k, 10M, 1G");
            }
+           if (*size < kSmallestLimit) {
+             throw CLI::ValidationError(
+                 "--trace-limit",
+                 "`" + text + "` is too small, since each file begins with a header: write 1k or more");
+           }
            options.trace_limit = *size;
          },
-         "a trace or VCD file of this size becomes FILE.1, and a new one is begun (default: no limit)")
+         "a trace or VCD file of this size becomes FILE.1, and a new one is begun; 1k or more (default: no "
+         "limit)")
       ->type_name("SIZE");
   app.add_option("--findings", options.findings, "write what goes wrong in the plant to this file, as JSON lines")
       ->type_name("FILE");

@@ -93,6 +93,16 @@ TEST_CASE("Options without effect are told as they were given") {
   CHECK(contains(run.err, "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: "));
 }
 
+TEST_CASE("A limit of files that no header fits in is refused") {
+  for (const char* small : {"1", "100", "1023"}) {
+    const ToolRun run =
+        run_lists({"run", "clean.csv", "--until", "1s", "--trace", "/dev/null", "--trace-limit", small});
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "is too small, since each file begins with a header: write 1k or more"));
+  }
+  CHECK(run_lists({"run", "clean.csv", "--until", "1s", "--trace", "/dev/null", "--trace-limit", "1k"}).code == 0);
+}
+
 TEST_CASE("Encodings are named in any case") {
   CHECK(run_lists({"check", "clean.csv", "--encoding", "UTF-8"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "--encoding", "utf-8"}).code == 0);
