@@ -2,6 +2,7 @@
 #include "symplant/json/explain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -119,7 +120,11 @@ class Explainer {
         types += (types.empty() ? "" : " or ") + std::string(type_words(one.get_ref<const std::string&>()));
       }
     }
-    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types));
+    // Not of what is a fraction only because no whole number is so large.
+    const bool spelt = type == "integer" && schema.contains("minimum") && value.is_number_float() &&
+                       std::abs(value.get<double>()) < 1e15;
+    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types) +
+                     (spelt ? ", a whole one, written without a point or exponent" : ""));
   }
 
   void not_one_of(const Json& schema, const Json& value, const std::string& pointer) {
@@ -199,11 +204,8 @@ class Explainer {
     const auto below = [&](const char* key) { return schema.contains(key) && size() < schema[key].get<std::size_t>(); };
     const bool short_text = value.is_string() && below("minLength");
     const bool short_array = value.is_array() && below("minItems");
-    const bool short_object = value.is_object() && below("minProperties");
-    if (short_text || short_array || short_object) {
-      add(pointer, std::string(value.is_string()  ? "an empty text"
-                               : value.is_array() ? "an array of too few items"
-                                                  : "an object of too few keys") +
+    if (short_text || short_array) {
+      add(pointer, std::string(short_text ? "an empty text" : "an array of too few items") +
                        " stands here, wanted is " + wanted(schema, "more"));
     }
     if (value.is_array() && schema.contains("maxItems") && size() > schema["maxItems"].get<std::size_t>()) {

@@ -70,11 +70,19 @@ TEST_CASE("A missing key is told with what it holds") {
   CHECK(told("{}") == " (key): the key `version` is missing here, it holds the version of the format, 1\n");
 }
 
+TEST_CASE("A number with a point or an exponent is told that it is to be a whole one") {
+  CHECK(told(R"({"version": 1, "count": 1e3})") ==
+        "/count: the number `1000.0` stands here, wanted is a count from 1 on, a whole one, written without a point or "
+        "exponent\n");
+  CHECK(told(R"({"version": 1, "count": 1.5})") ==
+        "/count: the number `1.5` stands here, wanted is a count from 1 on, a whole one, written without a point or "
+        "exponent\n");
+  CHECK(told(R"({"version": 1, "count": 0})") == "/count: the number `0` stands here, wanted is a count from 1 on\n");
+}
+
 TEST_CASE("A wrong type is told with what is there and what is wanted") {
   CHECK(told(R"({"version": 1, "count": "2"})") == "/count: the text `2` stands here, wanted is a count from 1 on\n");
   CHECK(told(R"({"version": 1, "devices": [1]})") == "/devices: an array stands here, wanted is an object\n");
-  CHECK(told(R"({"version": 1, "count": 1.5})") ==
-        "/count: the number `1.5` stands here, wanted is a count from 1 on\n");
 }
 
 TEST_CASE("Bounds, empty texts and other versions are told") {

@@ -219,7 +219,10 @@ TEST_CASE("entries that cannot be are told") {
 
 TEST_CASE("an entry that says nothing of its symbols is told") {
   CHECK(told(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
-  CHECK(told(R"("map": [{"symbol": "MODE"}])") != "");
+  CHECK(told(R"("map": [{"symbol": "MODE"}])") ==
+        "this entry says nothing of its symbols: give it a `number`, a `word-order` or `on-loss`");
+  CHECK(told(R"("map": [{}])") ==
+        "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
 }
 
 TEST_CASE("values that do not fit are told in the schema's words") {
