@@ -88,9 +88,10 @@ void tell_decisions(Context& context, const model::PlantModel& plant) {
   }
 }
 
-std::string count_text(const diag::Diagnostics& diagnostics) {
+std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity least) {
   std::string text;
   for (const diag::Severity severity : {diag::Severity::error, diag::Severity::warning, diag::Severity::note}) {
+    if (severity < least) continue;
     const std::size_t count = diagnostics.count(severity);
     if (count == 0) continue;
     text +=
@@ -120,7 +121,12 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
   if (options.verbose) tell_ignored(context, diagnostics);
   if (compiled && options.verbose) tell_decisions(context, compiled->plant);
-  if (!compiled) context.exit_code = host::kBadInput;
+  if (!compiled) {
+    const std::string counts =
+        count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
+    context.err << diag::visible(plant) << ": " << counts << "; nothing is made of it while there are errors\n";
+    context.exit_code = host::kBadInput;
+  }
   return compiled;
 }
 

@@ -36,7 +36,7 @@ bool overwrites(Context& context, const std::string& output, const std::vector<s
 bool write_result(Context& context, const std::string& file, const std::string& text,
                   const std::vector<std::string>& inputs);
 
-/// "3 warnings, 1 note, 2 ignored by plant.json".
-std::string count_text(const diag::Diagnostics& diagnostics);
+/// "3 warnings, 1 note, 2 ignored by plant.json"; of those alone that weigh `least` or more.
+std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity least = diag::Severity::note);
 
 }  // namespace symplant::app

@@ -86,6 +86,19 @@ TEST_CASE("Whole numbers are taken whole: no sign, no rest, none that is too lar
   CHECK(run_lists({"run", "clean.csv", "--seed", "18446744073709551615", "--until", "1s"}).code == 0);
 }
 
+TEST_CASE("Where an error keeps anything from being made, the last line counts what was found") {
+  for (const std::string command : {"map", "model", "init", "run"}) {
+    INFO(command);
+    const ToolRun run = run_lists({command, "error.csv"});
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(contains(run.err, "\nerror.csv: 1 error; nothing is made of it while there are errors\n"));
+    CHECK_FALSE(contains(run_lists({command, "warning.csv"}).err, "nothing is made"));
+  }
+  MemoryFileSystem files = lists();
+  CHECK(contains(run_tool({"generate", "error.csv", "-o", "made"}, files).err, "error.csv: 1 error; nothing is made"));
+}
+
 TEST_CASE("Options without effect are told as they were given") {
   const ToolRun run =
       run_lists({"run", "clean.csv", "--until", "1s", "--late", "catch-up", "--cycle", "10ms", "--on-loss", "hold"});
