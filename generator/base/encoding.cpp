@@ -38,6 +38,7 @@ struct Fault {
   std::string what;
   std::string remedy = std::string(kExportAsText);
   std::vector<EncodingGuess> guesses = {};
+  std::vector<UsualEncoding> possible = {};
 };
 
 std::string hex(unsigned value, int digits) {
@@ -71,6 +72,7 @@ DecodeError as_error(Fault fault) {
   error.what = std::move(fault.what);
   error.remedy = std::move(fault.remedy);
   error.guesses = std::move(fault.guesses);
+  error.possible = std::move(fault.possible);
   error.shown_offset = fault.before.size();
   error.shown = std::move(fault.before);
   error.shown.append(fault.after, 0, fault.after.find_first_of("\r\n"));
@@ -152,6 +154,7 @@ Result<std::string, Fault> decode_utf8(std::string text) {
       fault_at(valid, bytes_are(bytes.substr(valid, high)) + " no UTF-8 here, so the file is in another code page");
   fault.remedy = "give its `--encoding`, or save it as UTF-8 or UTF-16";
   fault.guesses = guess_encoding(bytes, valid, Encoding::utf8);
+  if (fault.guesses.empty()) fault.possible = possible_encodings(bytes);
   return fault;
 }
 

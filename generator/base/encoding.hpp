@@ -53,6 +53,12 @@ struct EncodingGuess {
   std::string sample;  ///< UTF-8, short
 };
 
+/// One of the code pages that most lists in none of Unicode's encodings are in.
+struct UsualEncoding {
+  Encoding encoding;
+  std::string_view where;  ///< "Western Europe"
+};
+
 struct DecodeError {
   std::size_t line;    ///< counted from 1
   std::size_t column;  ///< counted from 1, in characters
@@ -65,6 +71,8 @@ struct DecodeError {
   /// At most two, the likeliest first; each of them can read the whole file. A proposal only: what was guessed wrong
   /// would spoil names, and nobody would notice.
   std::vector<EncodingGuess> guesses = {};
+  /// Where nothing can be guessed: those of the usual ones that can read the whole file, whatever that comes to.
+  std::vector<UsualEncoding> possible = {};
 };
 
 struct Decoded {

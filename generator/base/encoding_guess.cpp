@@ -24,6 +24,10 @@ constexpr std::array kCandidates{Encoding::cp949,  Encoding::cp932,  Encoding::g
                                  Encoding::cp950,  Encoding::cp1252, Encoding::cp1250,
                                  Encoding::cp1251, Encoding::cp1254, Encoding::cp1253};
 
+constexpr std::array kUsualEncodings{UsualEncoding{Encoding::cp1252, "Western Europe"},
+                                     UsualEncoding{Encoding::cp932, "Japan"}, UsualEncoding{Encoding::cp949, "Korea"},
+                                     UsualEncoding{Encoding::gb18030, "China"}};
+
 bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
 /// What stands between cells. None of these bytes is part of a character in any of the code pages.
@@ -117,6 +121,14 @@ std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t of
     guesses.push_back({candidate.encoding, std::move(text)});
   }
   return guesses;
+}
+
+std::vector<UsualEncoding> possible_encodings(std::string_view bytes) {
+  std::vector<UsualEncoding> possible;
+  for (const UsualEncoding& usual : kUsualEncodings) {
+    if (decode_code_page(bytes, usual.encoding)) possible.push_back(usual);
+  }
+  return possible;
 }
 
 }  // namespace symplant::base

@@ -19,4 +19,7 @@ std::string as_sample(std::string_view utf8);
 /// once for each proposal.
 std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t offset, Encoding tried);
 
+/// Those of the usual code pages that can read all of `bytes`. Reads all bytes once for each.
+std::vector<UsualEncoding> possible_encodings(std::string_view bytes);
+
 }  // namespace symplant::base

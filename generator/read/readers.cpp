@@ -74,11 +74,21 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
 /// What to do about bytes that cannot be decoded: what the likely encodings would read, where there are any.
 std::string remedy_of(const base::DecodeError& fault, bool described) {
   std::string text;
-  for (const base::EncodingGuess& guess : fault.guesses) {
-    const std::string name(base::encoding_name(guess.encoding));
+  const auto add = [&](base::Encoding encoding) {
+    const std::string name(base::encoding_name(encoding));
     text += text.empty() ? "" : ", ";
     text += described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
+  };
+  for (const base::EncodingGuess& guess : fault.guesses) {
+    add(guess.encoding);
     text += " would read `" + guess.sample + "`";
+  }
+  if (fault.guesses.empty() && !fault.possible.empty()) {
+    for (const base::UsualEncoding& usual : fault.possible) {
+      add(usual.encoding);
+      text += " (" + std::string(usual.where) + ")";
+    }
+    return "give the encoding that the list was saved in, such as " + text + ", or save it as UTF-8";
   }
   if (text.empty()) return fault.remedy;
   return text + (fault.guesses.size() == 1 ? "; if that is not right" : "; if neither is right") +

@@ -173,6 +173,19 @@ TEST_CASE("Where a code page is asked for that does not fit, UTF-8 or another on
   CHECK(korean.guesses[0].encoding == Encoding::cp949);
 }
 
+TEST_CASE("Where nothing can be guessed, the usual code pages that can read the file are named") {
+  const auto possible = [](const std::string& text) {
+    std::string names;
+    for (const UsualEncoding& usual : fault(text, Encoding::utf8).possible) {
+      names += std::string(encoding_name(usual.encoding)) + " " + std::string(usual.where) + "\n";
+    }
+    return names;
+  };
+  CHECK(possible("VENTILUEBER,\xFC\nVENTIL,\xFC\n") == "cp1252 Western Europe\n");
+  CHECK(possible("A,\x81\n").empty());
+  CHECK(possible("A," + encoded("클램프_전진", "CP949") + "\n").empty());  // guessed
+}
+
 TEST_CASE("The proposal shows the word at fault as the code page reads it") {
   const auto result = decode("VAR_GLOBAL,S331_X_" + encoded("클램프_전진", "CP949") + ",X0\n");
   REQUIRE_FALSE(result);
