@@ -174,7 +174,9 @@ Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {
     return Fault{{},
                  {},
                  "the file begins with the byte order mark of " + std::string(encoding_name(mark.encoding)),
-                 "leave `--encoding " + name + "` out"};
+                 "leave `--encoding " + name +
+                     "`, or its `encoding` in plant.json, out; where other lists need it, say `" + R"("encoding": ")" +
+                     name + "\"` beside each of those in the `symbols` of a plant.json"};
   }
   if (auto why = why_no_text(bytes)) {
     const auto before = decode_code_page(std::string_view(bytes).substr(0, why->first), encoding);

@@ -76,6 +76,25 @@ TEST_CASE("check: a list in a code page is read where it is named, on the comman
   CHECK(contains(unknown.err, "`cp94` is no encoding"));
 }
 
+TEST_CASE("check: lists in several encodings: each message names the way out, and that is one") {
+  const std::string header = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial,Comment\n";
+  const std::string row = "VAR_GLOBAL,L_P_D_O_A,Y1,,BOOL,FALSE,\n";
+  MemoryFileSystem files;
+  files.files["wide.csv"] = "\xFF\xFE";
+  for (const char c : header + row) files.files["wide.csv"] += std::string{c, '\0'};
+  files.files["west.csv"] = header + "VAR_GLOBAL,L_P_D_I_A,X1,,BOOL,FALSE,\xFC\n";
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["wide.csv", "west.csv"]})";
+  CHECK(contains(run_tool({"check", "plant.json"}, files).out,
+                 "west.csv:2:37: error: the byte FC is no UTF-8 here, so the file is in another code page; give the "
+                 "encoding that the list was saved in, such as `\"encoding\": \"cp1252\"` (Western Europe), or save it "
+                 "as UTF-8 [SP102"));
+  CHECK(contains(run_tool({"check", "west.csv"}, files).out, "such as `--encoding cp1252` (Western Europe), or "));
+  CHECK(contains(run_tool({"check", "--encoding", "cp1252", "plant.json"}, files).out,
+                 "say `\"encoding\": \"cp1252\"` beside each of those in the `symbols` of a plant.json [SP102"));
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["wide.csv", {"file": "west.csv", "encoding": "cp1252"}]})";
+  CHECK(run_tool({"check", "plant.json"}, files).code == 0);
+}
+
 TEST_CASE("check: SARIF is one run for all plants and ends as the command does") {
   const ToolRun run = run_lists({"check", "--format", "sarif", "warning.csv", "error.csv", "missing.csv"});
   CHECK(run.code == 2);

@@ -153,7 +153,9 @@ TEST_CASE("In a code page, too, binaries, NUL and zip archives are refused, and 
 TEST_CASE("A byte order mark beats a code page that is asked for: refused, with what to do") {
   const DecodeError found = fault("\xEF\xBB\xBF클", Encoding::cp932);
   CHECK(found.what == "the file begins with the byte order mark of utf-8");
-  CHECK(found.remedy == "leave `--encoding cp932` out");
+  CHECK(found.remedy ==
+        "leave `--encoding cp932`, or its `encoding` in plant.json, out; where other lists need it, say `\"encoding\": "
+        "\"cp932\"` beside each of those in the `symbols` of a plant.json");
   CHECK(fault("\xFF\xFE"
               "a\0"s,
               Encoding::cp949)
