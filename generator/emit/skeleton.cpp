@@ -153,17 +153,13 @@ class Skeleton {
          std::string(low ? "low-first" : "high-first") + "\", \"on-loss\": \"hold\", \"loss-after\": \"1s\"}],");
   }
 
-  const model::Unit* left_alone() const {
-    const auto found = std::find_if(plant_.units.begin(), plant_.units.end(),
-                                    [](const model::Unit& unit) { return unit.operations.empty(); });
-    return found == plant_.units.end() ? nullptr : &*found;
-  }
-
+  /// Levels, not an entry of `ignore`: that is told of as idle where the transitions proposed below move the device.
   void check_section() {
-    const model::Unit* unit = left_alone();
-    if (unit == nullptr) return;
-    const Json check{{"ignore", {{{"rule", "nobody-moves"}, {"symbols", unit->path}, {"why", "a scenario sets it"}}}}};
-    line("  // Findings of `symplant check` that are meant to be:");
+    const bool idle = std::any_of(plant_.units.begin(), plant_.units.end(),
+                                  [](const model::Unit& unit) { return unit.operations.empty(); });
+    if (!idle) return;
+    const Json check{{"severity", {{"nobody-moves", "warning"}}}};
+    line("  // How much findings of `symplant check` weigh; `ignore` in it leaves out those that are meant to be:");
     line("  // \"check\": " + one_line(check) + ",");
   }
 

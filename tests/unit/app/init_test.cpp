@@ -115,12 +115,14 @@ TEST_CASE("init: as it stands it is the plant of the bare list, and each key unc
     INFO(all.out);
     CHECK(all.code == 0);
     CHECK_FALSE(all.model_hash.empty());
+    CHECK_FALSE(contains(all.out, "[SP6"));  // faults of the description's own
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!is_key(lines[i])) continue;
       const Tried one = tried(list, without_comments(lines, [&](std::size_t line) { return line == i; }));
       INFO(lines[i] << "\n" << one.out);
       CHECK(one.code == 0);
       CHECK_FALSE(one.model_hash.empty());
+      CHECK_FALSE(contains(one.out, "[SP6"));
     }
   }
 }
