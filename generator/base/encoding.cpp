@@ -171,12 +171,12 @@ Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {
   const std::string name(encoding_name(encoding));
   for (const Mark& mark : kMarks) {
     if (!bytes.starts_with(mark.bytes)) continue;
-    return Fault{{},
-                 {},
-                 "the file begins with the byte order mark of " + std::string(encoding_name(mark.encoding)),
-                 "leave `--encoding " + name +
-                     "`, or its `encoding` in plant.json, out; where other lists need it, say `" + R"("encoding": ")" +
-                     name + "\"` beside each of those in the `symbols` of a plant.json"};
+    std::string remedy = "leave `--encoding ";
+    remedy.append(name).append(
+        "`, or its `encoding` in plant.json, out; where other lists need it, say `\"encoding\": \"");
+    remedy.append(name).append("\"` beside each of those in the `symbols` of a plant.json");
+    return Fault{
+        {}, {}, "the file begins with the byte order mark of " + std::string(encoding_name(mark.encoding)), remedy};
   }
   if (auto why = why_no_text(bytes)) {
     const auto before = decode_code_page(std::string_view(bytes).substr(0, why->first), encoding);

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "symplant/exec/guard/hooks.hpp"
+#include "symplant/exec/guard/thread_sanitizer.hpp"
 
 // The loader's tables hold addresses as numbers.
 // NOLINTBEGIN(performance-no-int-to-ptr)
@@ -138,6 +139,7 @@ int look_at(dl_phdr_info* file, std::size_t, void* raw) noexcept {
 }  // namespace
 
 std::string interpose() {
+  if (kBesideThreadSanitizer) return "the thread sanitizer has taken the functions' places";
   for (const Hook& hook : hooks()) {
     if (*hook.next == nullptr) *hook.next = dlsym(RTLD_DEFAULT, hook.symbol);
   }

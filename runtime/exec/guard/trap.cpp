@@ -7,6 +7,7 @@
 #include <string>
 
 #include "symplant/exec/guard/record.hpp"
+#include "symplant/exec/guard/thread_sanitizer.hpp"
 
 #if defined(__linux__) && defined(__x86_64__)
 
@@ -157,6 +158,7 @@ std::string try_trap() {
 }  // namespace
 
 std::string trap_system_calls() {
+  if (guard::kBesideThreadSanitizer) return "the thread sanitizer hands signals on later";
   std::string fault = handle_traps();
   if (fault.empty()) fault = set_filter();
   return fault.empty() ? try_trap() : fault;
