@@ -6,10 +6,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 #include "symplant/link/modbus/port_owner.hpp"
 
@@ -89,6 +91,18 @@ Descriptor listen_at(const addrinfo& address) {
   return socket;
 }
 
+/// Most masters know IPv4 alone; `localhost` gives the other one first on many systems.
+std::vector<const addrinfo*> ipv4_first(const addrinfo* list) {
+  std::vector<const addrinfo*> all;
+  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) all.push_back(one);
+  std::stable_partition(all.begin(), all.end(), [](const addrinfo* one) { return one->ai_family == AF_INET; });
+  return all;
+}
+
+/// Whether the machine does not have the address. Only then is the next one tried: where a port is in use at one
+/// address and free at another, masters would ask whoever has it at the first.
+bool is_absent(int error) { return error == EADDRNOTAVAIL || error == EAFNOSUPPORT; }
+
 }  // namespace
 
 std::variant<HostPort, LinkError> parse_host_port(std::string_view text) {
@@ -121,10 +135,9 @@ std::string format_host_port(const HostPort& address) {
 std::variant<Listener, LinkError> listen_on(const HostPort& address) {
   auto resolved = resolve(address);
   if (auto* error = std::get_if<LinkError>(&resolved)) return std::move(*error);
+  const addrinfo* failed = nullptr;
   int error = EADDRNOTAVAIL;
-  const addrinfo* const first = std::get<Addresses>(resolved).get();
-  const addrinfo* failed = first;
-  for (const addrinfo* one = first; one != nullptr; one = one->ai_next) {
+  for (const addrinfo* one : ipv4_first(std::get<Addresses>(resolved).get())) {
     Descriptor socket = listen_at(*one);
     if (socket) {
       const std::uint16_t port = port_of(socket.get());
@@ -132,6 +145,7 @@ std::variant<Listener, LinkError> listen_on(const HostPort& address) {
     }
     error = errno;
     failed = one;
+    if (!is_absent(error)) break;
   }
   return bind_error(address, *failed->ai_addr, error);
 }

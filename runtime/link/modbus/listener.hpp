@@ -27,8 +27,8 @@ struct Listener {
   HostPort bound;     ///< with the real port
 };
 
-/// Binds to the first of the host's addresses that can be had and listens. An unknown host is a fault of kind usage, a
-/// port that cannot be had one of kind environment.
+/// Binds to the first of the host's addresses that this machine has, those of IPv4 before others, and listens. An
+/// unknown host is a fault of kind usage, a port that cannot be had at that address one of kind environment.
 std::variant<Listener, LinkError> listen_on(const HostPort& address);
 
 }  // namespace symplant::link::modbus

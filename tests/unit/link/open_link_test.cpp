@@ -44,7 +44,9 @@ TEST_CASE("without a host a server is on the loopback") {
 
 TEST_CASE("a server is found by the name localhost and by IPv6 in brackets") {
   const auto tables = test::cell_tables();
-  CHECK_THAT(test::open_or_throw("modbus-tcp-server://localhost:0", tables)->url(), Catch::Contains("localhost:"));
+  const auto named = test::open_or_throw("modbus-tcp-server://localhost:0", tables);
+  CHECK_THAT(named->url(), Catch::Contains("localhost:"));
+  CHECK(test::RawClient(test::port_of(*named)).connected());  // over IPv4, whatever else the name stands for
   auto result = link::open_link({"modbus-tcp-server://[::1]:0"}, tables);
   if (!std::holds_alternative<std::unique_ptr<link::Link>>(result)) return;  // a machine without IPv6
   const auto& link = std::get<std::unique_ptr<link::Link>>(result);
@@ -84,4 +86,12 @@ TEST_CASE("a port in use is a fault of the environment that says what to do") {
   CHECK_THAT(error.message, Catch::Contains("port " + std::to_string(test::port_of(*link)) + " is in use"));
   CHECK_THAT(error.message, Catch::Contains("by this program itself") && Catch::Contains("a port of its own"));
   CHECK_THAT(error.message, Catch::Contains(std::to_string(::getpid())));
+}
+
+TEST_CASE("a port in use at a name's first address is not taken at its next") {
+  const auto tables = test::cell_tables();
+  const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
+  const auto error = fault("modbus-tcp-server://localhost:" + std::to_string(test::port_of(*link)));
+  CHECK(error.kind == ErrorKind::environment);
+  CHECK_THAT(error.message, Catch::Contains("is in use on `localhost`"));
 }
