@@ -49,7 +49,7 @@ class LinkReader {
     if (text_or_empty(entry_, "plant-on-loss") == "freeze") settings.plant_on_loss = core::PlantOnLoss::freeze;
     settings.loss_after = time_above_zero(entry_, "loss-after", here_, settings.loss_after);
     settings.resync = time_member(entry_, "resync", here_, faults_).value_or(settings.resync);
-    settings.idle = time_member(entry_, "idle", here_, faults_).value_or(settings.idle);
+    settings.idle = idle_member();
     settings.connections = number_member(entry_, "connections").value_or(settings.connections);
     read_sizes();
     read_status_and_watchdog();
@@ -59,6 +59,17 @@ class LinkReader {
   }
 
  private:
+  core::Time idle_member() {
+    const auto idle = time_member(entry_, "idle", here_, faults_);
+    if (idle && *idle != 0 && *idle < core::kSecond) {
+      faults_.add(
+          here_ / "idle",
+          "the time is shorter than a second, a connection would be closed between two requests: write `0s` for "
+          "never, or a longer one, such as `60s`");
+    }
+    return idle.value_or(core::LinkSettings{}.idle);
+  }
+
   core::Time time_above_zero(const Json& object, std::string_view key, const Pointer& here, core::Time otherwise) {
     const auto time = time_member(object, key, here, faults_);
     if (time && *time == 0) faults_.add(here / key, "the time is 0, write a longer one, such as `500ms`");

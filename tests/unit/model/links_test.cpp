@@ -239,6 +239,12 @@ TEST_CASE("values that do not fit are told in the schema's words") {
   CHECK(told(R"("loss-after": "0s")") == "the time is 0, write a longer one, such as `500ms`");
   CHECK(told(R"("watchdog": {"register": 1, "within": "0s"})") == "the time is 0, write a longer one, such as `500ms`");
   CHECK(told(R"("loss-after": "1 fortnight")") != "");
+  CHECK(
+      told(R"("idle": "999ms")") ==
+      "the time is shorter than a second, a connection would be closed between two requests: write `0s` for never, or "
+      "a longer one, such as `60s`");
+  CHECK(settings(R"("idle": "1s")").idle == core::kSecond);
+  CHECK(settings(R"("idle": "0s")").idle == 0);
 }
 
 TEST_CASE("symbols that meet, and settings that do not fit the map, are told by check") {
