@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/map_findings.hpp"
@@ -63,7 +64,10 @@ void locate(const std::shared_ptr<const base::SourceFile>& source, diag::Diagnos
 std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
                                          Progress& progress, diag::Diagnostics& diagnostics) {
   const auto inputs = read_inputs(options, files, progress, diagnostics);
-  if (!inputs) return std::nullopt;
+  if (!inputs) {
+    diagnostics = check::select(std::move(diagnostics), options.selection);
+    return std::nullopt;
+  }
 
   progress.stage("deriving models");
   model::PlantModel plant = model::build_plant(inputs->lists, {inputs->name, inputs->description});
@@ -78,6 +82,9 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
         !settings.severity.empty() || !settings.ignore.empty()) {
       diagnostics = check::apply_settings(diagnostics, settings, options.today);
     }
+  }
+  diagnostics = check::select(std::move(diagnostics), options.selection);
+  if (inputs->readable) {
     check::fold_consequences(plant, diagnostics);
     locate(inputs->source, diagnostics);
   }

@@ -8,6 +8,7 @@
 #include "address/address.hpp"
 #include "app/progress.hpp"
 #include "base/file_system.hpp"
+#include "check/selection.hpp"
 #include "diag/diagnostic.hpp"
 #include "lower/engine_tables.hpp"
 #include "model/plant_model.hpp"
@@ -20,6 +21,7 @@ struct CompileOptions {
   read::ReadOptions read;            ///< of lists of which plant.json says nothing else
   std::optional<address::Radix> xy;  ///< likewise
   std::string today = {};            ///< YYYY-MM-DD, for findings ignored until a day; empty: none is over
+  check::Selection selection = {};   ///< of the findings that are told
 };
 
 struct Compiled {

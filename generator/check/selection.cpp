@@ -69,12 +69,10 @@ Selection::Verdict Selection::verdict(const diag::RuleInfo& rule) const {
   return ignored != 0 && ignored >= selected ? Verdict::ignored : Verdict::told;
 }
 
-Selected select(diag::Diagnostics findings, const Selection& selection) {
-  Selected result;
-  if (selection.takes_all()) {
-    result.findings = std::move(findings);
-    return result;
-  }
+diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection) {
+  if (selection.takes_all()) return findings;
+  diag::Diagnostics result;
+  diag::LeftOutByOption left_out = findings.left_out();
   std::unordered_map<const diag::RuleInfo*, Selection::Verdict> verdicts;
   const auto verdict = [&](const diag::RuleInfo* rule) {
     const auto known = verdicts.find(rule);
@@ -83,19 +81,20 @@ Selected select(diag::Diagnostics findings, const Selection& selection) {
   for (const diag::Diagnostic& finding : findings.all()) {
     switch (verdict(finding.rule)) {
       case Selection::Verdict::told:
-        result.findings.add(finding);
+        result.add(finding);
         break;
       case Selection::Verdict::not_selected:
-        ++result.not_selected;
+        ++left_out.not_selected;
         break;
       case Selection::Verdict::ignored:
-        ++result.ignored;
+        ++left_out.ignored;
         break;
     }
   }
   for (const diag::Ignored& each : findings.ignored()) {
-    if (verdict(each.finding.rule) == Selection::Verdict::told) result.findings.ignore(each.finding, each.why);
+    if (verdict(each.finding.rule) == Selection::Verdict::told) result.ignore(each.finding, each.why);
   }
+  result.leave_out(left_out);
   return result;
 }
 

@@ -1,7 +1,6 @@
 // Which rules the user wants to hear of in one run: `--select` and `--ignore`.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,15 +34,9 @@ class Selection {
   std::vector<std::string> ignore_;
 };
 
-/// Findings of which some were left out, and how many by which option.
-struct Selected {
-  diag::Diagnostics findings;
-  std::size_t not_selected = 0;
-  std::size_t ignored = 0;
-};
-
-/// What is left of the findings, and of those that plant.json ignores: these are not counted where they go. Comes after
-/// apply_settings(), so that an entry of plant.json has hidden something whatever is chosen. O(findings).
-Selected select(diag::Diagnostics findings, const Selection& selection);
+/// What is left of the findings, and how many were left out; of those that plant.json ignores none is counted where it
+/// goes. Comes after apply_settings(), so that an entry of plant.json has hidden something whatever is chosen, and
+/// before fold_consequences(), so that nothing is hidden under a finding that is not told. O(findings).
+diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection);
 
 }  // namespace symplant::check

@@ -61,6 +61,12 @@ struct Ignored {
   std::string why;
 };
 
+/// How many findings one run's options leave out, by option.
+struct LeftOutByOption {
+  std::size_t not_selected = 0;
+  std::size_t ignored = 0;
+};
+
 /// Everything found so far.
 class Diagnostics {
  public:
@@ -81,6 +87,11 @@ class Diagnostics {
 
   std::span<const Diagnostic> all() const { return all_; }
   std::span<const Ignored> ignored() const { return ignored_; }
+  const LeftOutByOption& left_out() const { return left_out_; }
+  void leave_out(const LeftOutByOption& more) {
+    left_out_.not_selected += more.not_selected;
+    left_out_.ignored += more.ignored;
+  }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
   /// Makes findings related rows of others: `into[i]` is the place of the one that takes up the i-th, or i itself. One
   /// that takes up others is taken up by none. It becomes as severe as the most severe of them.
@@ -91,6 +102,7 @@ class Diagnostics {
  private:
   std::vector<Diagnostic> all_;
   std::vector<Ignored> ignored_;
+  LeftOutByOption left_out_;
   std::array<std::size_t, 3> counts_{};
 };
 

@@ -48,15 +48,16 @@ bool reaches(const diag::Diagnostics& diagnostics, diag::Severity least) {
 }
 
 /// "no findings, 3 left out by --ignore".
-std::string selected_text(const check::Selected& selected) {
-  std::string text = count_text(selected.findings);
-  if (selected.not_selected != 0) text += fmt::format(", {} left out by --select", selected.not_selected);
-  if (selected.ignored != 0) text += fmt::format(", {} left out by --ignore", selected.ignored);
+std::string selected_text(const diag::Diagnostics& findings) {
+  std::string text = count_text(findings);
+  const diag::LeftOutByOption& left_out = findings.left_out();
+  if (left_out.not_selected != 0) text += fmt::format(", {} left out by --select", left_out.not_selected);
+  if (left_out.ignored != 0) text += fmt::format(", {} left out by --ignore", left_out.ignored);
   return text;
 }
 
 /// How many names follow the rule, and what that makes of the plant.
-std::string result_line(const std::string& list, const model::PlantModel& plant, const check::Selected& selected) {
+std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
     return symbol.reading.fault == name::NameFault::none;
   });
@@ -65,7 +66,7 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
   return fmt::format("{}: {} of {} I/O names{} follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
                      lists, plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
                      internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
-                     selected_text(selected));
+                     selected_text(findings));
 }
 
 /// The command, plant by plant.
@@ -87,26 +88,25 @@ class Check {
   void look_at(const std::string& file) {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
-    auto plant =
-        analyse({file, options_.plant.read, options_.plant.xy, context_.today}, context_.files, progress, diagnostics);
+    auto plant = analyse({file, options_.plant.read, options_.plant.xy, context_.today, selection_}, context_.files,
+                         progress, diagnostics);
     if (plant) {
       const std::vector<std::string> read = plant->input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());
     }
     if (plant && options_.plant.verbose) tell_decisions(context_, *plant);
-    check::Selected selected = check::select(std::move(diagnostics), selection_);
-    if (options_.plant.verbose) tell_ignored(context_, selected.findings);
-    left_out_.by_description += selected.findings.ignored().size();
-    left_out_.by_options += selected.not_selected + selected.ignored;
-    int code = reaches(selected.findings, fail_on_) ? host::kFindings : host::kGood;
+    if (options_.plant.verbose) tell_ignored(context_, diagnostics);
+    left_out_.by_description += diagnostics.ignored().size();
+    left_out_.by_options += diagnostics.left_out().not_selected + diagnostics.left_out().ignored;
+    int code = reaches(diagnostics, fail_on_) ? host::kFindings : host::kGood;
     if (!plant) code = host::kBadInput;
     context_.exit_code = std::max(context_.exit_code, code);
     if (options_.format == "text") {
-      text_ += diag::render_text(selected.findings.all(), {context_.colour_out && options_.output.empty(),
-                                                           options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
-      if (plant) text_ += result_line(file, *plant, selected);
+      text_ += diag::render_text(diagnostics.all(), {context_.colour_out && options_.output.empty(),
+                                                     options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
+      if (plant) text_ += result_line(file, *plant, diagnostics);
     } else {
-      reports_.push_back({file, std::move(selected.findings), plant.has_value()});
+      reports_.push_back({file, std::move(diagnostics), plant.has_value()});
     }
     if (plant) context_.kept = std::make_shared<const model::PlantModel>(std::move(*plant));
   }

@@ -134,6 +134,29 @@ TEST_CASE("check: what --select and --ignore leave out does not fail, and is cou
   CHECK(json.at("counts").at("left_out") == 1);
 }
 
+TEST_CASE("check: what follows from a finding that is left out is told by itself, and does not fail for it") {
+  std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
+  rows[3].type = "BOL";  // so that B2 has an operation alone
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(rows);
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"check", "list.csv"});
+    return run_tool(options, files).out;
+  };
+  CHECK(contains(told({}), "[SP313 type-of-no-io]"));
+  CHECK(contains(told({}), "follows from this (operation-without-event)"));
+  CHECK(contains(told({}), "; 1 warning\n"));
+  for (const auto& options : {std::vector<std::string>{"--select", "SP401"}, {"--ignore", "SP313"}}) {
+    INFO(options[0]);
+    const std::string text = told(options);
+    CHECK(contains(text, "[SP401 operation-without-event]"));
+    CHECK(contains(text, "; 1 warning, 1 left out by " + options[0]));
+  }
+  const std::string cause = told({"--ignore", "SP401"});
+  CHECK(contains(cause, "[SP313 type-of-no-io]"));
+  CHECK_FALSE(contains(cause, "operation-without-event"));
+}
+
 TEST_CASE("check: a rule that is none, or one that cannot be ignored, is bad usage, told with what to do") {
   const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "nobody-moved"});
   CHECK(unknown.code == 2);

@@ -88,19 +88,19 @@ TEST_CASE("What is left out is counted by its option; what plant.json ignores go
   const auto chosen = [&](const Words& select, const Words& ignore) {
     return check::select(list.diagnostics, *Selection::of(select, ignore));
   };
-  const check::Selected names = chosen({"SP2"}, {});
-  CHECK(names.findings.all().size() == 2);
-  CHECK(names.findings.ignored().empty());
-  CHECK(names.not_selected == 1);
-  CHECK(names.ignored == 0);
-  const check::Selected models = chosen({}, {"SP2"});
-  CHECK(models.findings.all().size() == 1);
-  CHECK(models.findings.count(diag::Severity::warning) == 0);
-  CHECK(models.findings.ignored().size() == 1);
-  CHECK(models.ignored == 2);
-  const check::Selected all = chosen({}, {});
-  CHECK(all.findings.all().size() == 3);
-  CHECK(all.ignored + all.not_selected == 0);
+  const diag::Diagnostics names = chosen({"SP2"}, {});
+  CHECK(names.all().size() == 2);
+  CHECK(names.ignored().empty());
+  CHECK(names.left_out().not_selected == 1);
+  CHECK(names.left_out().ignored == 0);
+  const diag::Diagnostics models = chosen({}, {"SP2"});
+  CHECK(models.all().size() == 1);
+  CHECK(models.count(diag::Severity::warning) == 0);
+  CHECK(models.ignored().size() == 1);
+  CHECK(models.left_out().ignored == 2);
+  const diag::Diagnostics all = chosen({}, {});
+  CHECK(all.all().size() == 3);
+  CHECK(all.left_out().ignored + all.left_out().not_selected == 0);
 }
 
 }  // namespace
