@@ -30,18 +30,18 @@ class Folding {
     bool any_root = false;
     bool any_effect = false;
     for (const diag::Diagnostic& finding : findings_) {
-      const RuleRole role = role_of(*finding.rule);
+      const RuleRole role = role_of(finding);
       any_root = any_root || role.explains;
       any_effect = any_effect || role.follows();
     }
     if (!any_root || !any_effect) return {};
     for (std::uint32_t i = 0; i < findings_.size(); ++i) {
-      if (role_of(*findings_[i].rule).explains) add_root(i);
+      if (role_of(findings_[i]).explains) add_root(i);
     }
     std::vector<std::uint32_t> into(findings_.size());
     bool folded = false;
     for (std::uint32_t i = 0; i < findings_.size(); ++i) {
-      into[i] = role_of(*findings_[i].rule).follows() ? root_of(i) : i;
+      into[i] = role_of(findings_[i]).follows() ? root_of(i) : i;
       folded = folded || into[i] != i;
     }
     if (!folded) return {};
@@ -52,20 +52,34 @@ class Folding {
   }
 
  private:
+  /// check::role_of(), quick for findings of one rule in succession.
+  const RuleRole& role_of(const diag::Diagnostic& finding) {
+    if (finding.rule != rule_) {
+      rule_ = finding.rule;
+      role_ = check::role_of(*rule_);
+    }
+    return role_;
+  }
+
   /// `lost` is missing in the device of that path.
   void add_path(std::uint32_t finding, std::string_view path, std::optional<Lost> lost) {
     if (path.empty()) return;
     by_path_[std::string(path)].push_back(static_cast<std::uint32_t>(roots_.size()));
     const diag::Diagnostic& told = findings_[finding];
-    roots_.push_back({finding, role_of(*told.rule), told.about.front(), std::move(lost)});
+    roots_.push_back({finding, role_of(told), told.about.front(), std::move(lost)});
   }
 
   void add_root(std::uint32_t i) {
     const diag::Diagnostic& finding = findings_[i];
     const std::vector<std::string>& about = finding.about;
     if (about.empty()) return;
+    const RuleRole role = role_of(finding);
+    if (role.told_of == RuleRole::Of::one_sided) {
+      one_sided_.emplace(about.back(), i);
+      return;
+    }
     by_symbol_[about.front()].push_back(i);
-    switch (role_of(*finding.rule).told_of) {
+    switch (role.told_of) {
       case RuleRole::Of::device:
         add_path(i, about.back(), {});
         break;
@@ -87,7 +101,8 @@ class Folding {
         add_guesses(i);
         break;
       case RuleRole::Of::symbol:
-        break;  // by_symbol_ has it
+      case RuleRole::Of::one_sided:
+        break;  // by_symbol_ and one_sided_ have them
     }
   }
 
@@ -121,7 +136,7 @@ class Folding {
 
   std::uint32_t root_of(std::uint32_t i) {
     const diag::Diagnostic& finding = findings_[i];
-    const RuleRole role = role_of(*finding.rule);
+    const RuleRole role = role_of(finding);
     if (finding.about.empty()) return i;
     if (!role.follows_device) return named_root_of(i);
     const Root* best = nullptr;
@@ -138,13 +153,17 @@ class Folding {
       }
     }
     if (best != nullptr) return best->finding;
+    if (role.tells_rest_state()) {
+      const auto found = one_sided_.find(path);
+      return found == one_sided_.end() ? i : found->second;
+    }
     return named_root_of(i);
   }
 
   /// A root that tells of the same symbol, or of a name that may be meant to be the one that is missing here.
   std::uint32_t named_root_of(std::uint32_t i) {
     const diag::Diagnostic& finding = findings_[i];
-    const RuleRole role = role_of(*finding.rule);
+    const RuleRole role = role_of(finding);
     if (role.told_of == RuleRole::Of::device_and_lacks) {
       for (std::size_t lack = 1; lack < finding.about.size(); ++lack) {
         if (const auto root = guessed_root(finding.about[lack])) return *root;
@@ -159,7 +178,7 @@ class Folding {
       const auto found = by_symbol_.find(finding.about.front());
       if (found == by_symbol_.end()) return i;
       for (const std::uint32_t root : found->second) {
-        const RuleRole cause = role_of(*findings_[root].rule);
+        const RuleRole cause = role_of(findings_[root]);
         if (cause.told_of == RuleRole::Of::name) continue;  // a wrong name moves no address
         if (cause.rank < role.rank) return root;
       }
@@ -185,10 +204,13 @@ class Folding {
   std::span<const diag::Diagnostic> findings_;
   name::NameParser parser_;
   Facts facts_;
+  const diag::RuleInfo* rule_ = nullptr;  ///< whose role is role_
+  RuleRole role_;
   std::vector<Root> roots_;
-  PlacesByName by_path_;    ///< device -> places in roots_
-  PlacesByName by_name_;    ///< what a name that breaks the rule may be meant to be, with `*` -> findings
-  PlacesByName by_symbol_;  ///< symbol -> roots, places in findings_
+  PlacesByName by_path_;  ///< device -> places in roots_
+  PlacesByName by_name_;  ///< what a name that breaks the rule may be meant to be, with `*` -> findings
+  base::ByName<std::uint32_t> one_sided_;  ///< device -> finding, a place in findings_
+  PlacesByName by_symbol_;                 ///< symbol -> roots, places in findings_
 };
 
 }  // namespace

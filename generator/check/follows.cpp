@@ -16,6 +16,7 @@ constexpr int kNameSlip = 205;
 constexpr int kSymbolDeclaredDifferently = 302;
 constexpr int kTypeAgainstAddress = 306;
 constexpr int kTypeOfNoIo = 313;
+constexpr int kUnitTooLarge = 406;
 constexpr int kDirectionAgainstAddress = 305;
 constexpr int kTaskClaimedTwice = 407;
 constexpr int kInitialNotUnderstood = 310;
@@ -24,13 +25,13 @@ constexpr int kSequenceRepeated = 412;
 constexpr int kSequenceGap = 411;
 constexpr int kOneTaskAlone = 413;
 constexpr int kShapeLacksSymbol = 414;
+constexpr int kUnitWithoutEvents = 403;
+constexpr int kNobodyMoves = 404;
 // Those that only follow.
 constexpr int kAddressUsedTwice = 303;
 constexpr int kEventMovedTwice = 304;
 constexpr int kOperationWithoutEvent = 401;
 constexpr int kEventWithoutOperation = 402;
-constexpr int kUnitWithoutEvents = 403;
-constexpr int kNobodyMoves = 404;
 constexpr int kSequenceAmbiguous = 409;
 constexpr int kInitialByRowOrder = 410;
 constexpr int kOperationInitialIgnored = 311;
@@ -69,6 +70,8 @@ bool may_be(const Lost& lost, name::Direction direction, std::string_view task) 
 
 }  // namespace
 
+bool RuleRole::tells_rest_state() const { return rule == sp::kInferredRestState; }
+
 bool RuleRole::lacks_side() const { return rule == sp::kOperationWithoutEvent || rule == sp::kEventWithoutOperation; }
 
 RuleRole role_of(const diag::RuleInfo& rule) {
@@ -88,6 +91,8 @@ RuleRole role_of(const diag::RuleInfo& rule) {
     case sp::kTypeAgainstAddress:
     case sp::kTypeOfNoIo:
       return {number, Of::lost_row, 2, true, false, false};
+    case sp::kUnitTooLarge:
+      return {number, Of::device, 2, true, false, false};
     case sp::kDirectionAgainstAddress:
     case sp::kTaskClaimedTwice:
       return {number, Of::row, 3, true, false, true};
@@ -103,14 +108,15 @@ RuleRole role_of(const diag::RuleInfo& rule) {
       return {number, Of::device_and_lacks, 8, true, true, false};
     case sp::kShapeLacksSymbol:
       return {number, Of::device_and_lacks, 9, true, true, false};
+    case sp::kUnitWithoutEvents:
+    case sp::kNobodyMoves:
+      return {number, Of::one_sided, kLast, true, true, false};
     case sp::kAddressUsedTwice:
     case sp::kEventMovedTwice:
     case sp::kOperationInitialIgnored:
       return {number, Of::device, kLast, false, false, true};
     case sp::kOperationWithoutEvent:
     case sp::kEventWithoutOperation:
-    case sp::kUnitWithoutEvents:
-    case sp::kNobodyMoves:
     case sp::kSequenceAmbiguous:
     case sp::kInitialByRowOrder:
     case sp::kInferredRestState:

@@ -23,6 +23,7 @@ struct RuleRole {
     row,               ///< a symbol: anything in its device may follow
     lost_row,          ///< a symbol that its device lacks
     name,              ///< a name that breaks the rule
+    one_sided,         ///< the last is a device: its rest state may follow
     symbol,            ///< only what is told of the same symbol follows
   };
   int rule = 0;  ///< the number in its id
@@ -33,6 +34,7 @@ struct RuleRole {
   bool follows_symbol = false;  ///< it may follow from what is told of its symbol
 
   bool follows() const { return follows_device || follows_symbol; }
+  bool tells_rest_state() const;
   /// It tells that a symbol lacks the other side of its task.
   bool lacks_side() const;
 };

@@ -93,6 +93,10 @@ Excerpt cut_out(std::string_view line, base::Span place) {
   return excerpt;
 }
 
+bool same(const Place& a, const Place& b) {
+  return a.source == b.source && a.span.begin == b.span.begin && a.span.end == b.span.end;
+}
+
 class TextRenderer {
  public:
   explicit TextRenderer(const TextOptions& options) : options_(options), colours_(options.colour ? kAnsi : kPlain) {}
@@ -132,10 +136,12 @@ class TextRenderer {
     head(finding.place, finding.severity, finding.message);
     text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
     row(finding.place);
+    const Place* shown = &finding.place;
     for (const Related& related : finding.related) {
       head(related.place, Severity::note, related.message);
       text_ += '\n';
-      row(related.place);
+      if (!same(*shown, related.place)) row(related.place);
+      shown = &related.place;
     }
   }
 

@@ -84,6 +84,17 @@ TEST_CASE("A cause is as severe as the worst that follows from it") {
   CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
 }
 
+TEST_CASE("A device of one task that nobody moves, or that tells nothing, is one finding with its rest state") {
+  const Analysed button = analyse_rows(bits({"L_P_D_I_START"}));
+  CHECK(button.fired() == "nobody-moves");
+  CHECK(follows(button, "nobody-moves", "inferred-rest-state"));
+  const Analysed lamp = analyse_rows(bits({"L_P_D_O_ON"}));
+  CHECK(lamp.fired() == "unit-without-events");
+  CHECK(follows(lamp, "unit-without-events", "inferred-rest-state"));
+  const Analysed motor = analyse_rows(bits({"L_P_D_O_ON", "L_P_D_I_ON"}));
+  CHECK(motor.fired() == "inferred-rest-state");
+}
+
 TEST_CASE("Two faults of one device that have nothing to do with each other are two") {
   std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_O_C3", "L_P_D_I_C3"});
   rows[4].type = "BOL";  // I_C3 is lost, and I_B2 never was there

@@ -55,6 +55,25 @@ TEST_CASE("Related places follow as notes") {
         "      | ^\n");
 }
 
+TEST_CASE("A row is shown once for what is told of one place in succession") {
+  const auto source = source_of("A,X1\nA,X2\n");
+  Diagnostics found;
+  std::vector<diag::Related> related{
+      {{source, {0, 1}}, "follows"}, {{source, {5, 6}}, "there"}, {{source, {0, 1}}, "as before"}};
+  found.add(kRule, "odd", {source, {0, 1}}, related);
+  CHECK(render_text(found.all()) ==
+        "list.csv:1:1: warning: odd [SP201 wrong-number-of-levels]\n"
+        "    1 | A,X1\n"
+        "      | ^\n"
+        "list.csv:1:1: note: follows\n"
+        "list.csv:2:1: note: there\n"
+        "    2 | A,X2\n"
+        "      | ^\n"
+        "list.csv:1:1: note: as before\n"
+        "    1 | A,X1\n"
+        "      | ^\n");
+}
+
 TEST_CASE("The underline stands right under tabs, wide, combining and escaped characters") {
   CHECK(underline("a\tb", {2, 3}) == "      |     ^");
   CHECK(underline("\xEC\x9A\xB4\xEC\xA0\x84,b", {7, 8}) == "      |      ^");
