@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t kLeastSiblings = 3;
 
+bool by_device(const DeviceClasses::Number& a, const DeviceClasses::Number& b) { return a.device < b.device; }
+
 }  // namespace
 
 std::string class_name(std::string_view device) {
@@ -88,7 +90,14 @@ void DeviceClasses::add_numeric(const model::PlantModel& plant) {
     std::uint32_t& first = first_symbol_[found->second];
     first = std::min(first, symbol);
     add_part(found->second, symbol, plant);
+    numbers_.push_back({found->second, symbol});
   }
+  std::stable_sort(numbers_.begin(), numbers_.end(), by_device);
+}
+
+std::span<const DeviceClasses::Number> DeviceClasses::numbers_of(std::uint32_t device) const {
+  const auto [begin, end] = std::equal_range(numbers_.begin(), numbers_.end(), Number{device, 0}, by_device);
+  return {begin, end};
 }
 
 std::uint32_t DeviceClasses::class_called(const std::string& name) const {

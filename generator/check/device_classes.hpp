@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -44,6 +45,13 @@ class DeviceClasses {
   /// The class of that class_name(); kNone where there is none. O(1).
   std::uint32_t class_called(const std::string& name) const;
   std::size_t devices() const { return class_of_.size(); }
+  /// A numeric symbol, by its place, and its device.
+  struct Number {
+    std::uint32_t device;
+    std::uint32_t symbol;
+  };
+  /// Those of a device, in the order of lists. O(log numeric symbols).
+  std::span<const Number> numbers_of(std::uint32_t device) const;
   /// The first symbol of a device in the order of lists.
   std::uint32_t first_symbol(std::uint32_t device) const { return first_symbol_[device]; }
   /// The device of a symbol; kNone where its name is against the rule, or it is in no model for another reason than
@@ -74,6 +82,7 @@ class DeviceClasses {
   std::vector<std::uint32_t> class_of_;
   std::vector<std::uint32_t> first_symbol_;
   std::vector<std::uint32_t> device_of_;
+  std::vector<Number> numbers_;  ///< by device
   std::vector<Part> parts_;
   std::vector<std::uint32_t> counts_;
   std::unordered_map<Part, std::uint32_t, HashPart, SamePart> part_;

@@ -21,15 +21,6 @@ struct Common {
   const model::Symbol* symbol;  ///< of the first that has it
 };
 
-const model::Symbol* find_symbol(const model::PlantModel& plant, const model::Unit& unit, core::Direction direction,
-                                 std::string_view task) {
-  const auto& side = direction == core::Direction::operation ? unit.operations : unit.events;
-  for (const std::uint32_t s : side) {
-    if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return &plant.symbols[s];
-  }
-  return nullptr;
-}
-
 class OddSearch {
  public:
   explicit OddSearch(const Subject& subject) : plant_(subject.plant), classes_(subject.classes) {}
@@ -38,10 +29,10 @@ class OddSearch {
     for (const DeviceClasses::Class& kind : classes_.classes()) {
       if (kind.devices.size() <= kLeastOthers || !collect_common(kind)) continue;
       for (const std::uint32_t device : kind.devices) {
-        if (device < plant_.units.size()) look_at(device, kind.devices.size());  // else it has numbers only
+        look_at(device, kind.devices.size());
       }
     }
-    std::sort(odd_.begin(), odd_.end(), [](const OddDevice& a, const OddDevice& b) { return a.unit < b.unit; });
+    std::sort(odd_.begin(), odd_.end(), [](const OddDevice& a, const OddDevice& b) { return a.device < b.device; });
     return std::move(odd_);
   }
 
@@ -58,32 +49,57 @@ class OddSearch {
       const std::size_t lack = devices.size() - having;
       if (lack > 1 && lack * kMeantShare > devices.size()) continue;
       const model::Symbol* symbol = nullptr;
-      for (std::size_t i = 0; i < devices.size() && devices[i] < plant_.units.size() && symbol == nullptr; ++i) {
-        symbol = find_symbol(plant_, plant_.units[devices[i]], part.direction, part.task);
+      for (std::size_t i = 0; i < devices.size() && symbol == nullptr; ++i) {
+        symbol = find_symbol(devices[i], part.direction, part.task);
       }
-      if (symbol == nullptr) continue;  // a number, which is no part of a unit
+      if (symbol == nullptr) continue;
       common_.push_back({part.direction, part.task, having, symbol});
       lacking = lacking || lack != 0;
     }
     return lacking;
   }
 
-  void look_at(std::uint32_t place, std::size_t of) {
-    const model::Unit& unit = plant_.units[place];
-    OddDevice odd{place, static_cast<std::uint32_t>(of), {}, false};
+  const model::Unit* unit_of(std::uint32_t device) const {
+    return device < plant_.units.size() ? &plant_.units[device] : nullptr;  // else it has numbers only
+  }
+
+  const model::Symbol* find_symbol(std::uint32_t device, core::Direction direction, std::string_view task) const {
+    if (const model::Unit* unit = unit_of(device)) {
+      const auto& side = direction == core::Direction::operation ? unit->operations : unit->events;
+      for (const std::uint32_t s : side) {
+        if (base::equal_ignoring_case(plant_.symbols[s].reading.task, task)) return &plant_.symbols[s];
+      }
+    }
+    for (const DeviceClasses::Number& number : classes_.numbers_of(device)) {
+      const model::Symbol& symbol = plant_.symbols[number.symbol];
+      if (symbol.direction == direction && base::equal_ignoring_case(symbol.reading.task, task)) return &symbol;
+    }
+    return nullptr;
+  }
+
+  void look_at(std::uint32_t device, std::size_t of) {
+    const model::Unit* unit = unit_of(device);
+    const std::string_view path =
+        unit != nullptr ? unit->path : plant_.symbols[classes_.first_symbol(device)].reading.device_path;
+    OddDevice odd{device, path, static_cast<std::uint32_t>(of), {}, false};
     bool other_task = false;
     for (const Common& common : common_) {
-      if (find_symbol(plant_, unit, common.direction, common.task) != nullptr) continue;
+      if (find_symbol(device, common.direction, common.task) != nullptr) continue;
       const std::string_view level_and_task = common.symbol->name().substr(common.symbol->reading.device_path.size());
-      odd.lacks.push_back({common.symbol, std::string(unit.path) + std::string(level_and_task), common.having});
-      other_task = other_task || std::none_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
-                     return base::equal_ignoring_case(state.name, common.task);
-                   });
+      odd.lacks.push_back({common.symbol, std::string(path) + std::string(level_and_task), common.having});
+      other_task = other_task || (unit != nullptr && is_of_other_task(*unit, common));
     }
     const std::size_t has = common_.size() - odd.lacks.size();
-    odd.one_task = unit.rest_added && has != 0 && other_task;
+    odd.one_task = unit != nullptr && unit->rest_added && has != 0 && other_task;
     if (odd.lacks.empty() || (!odd.one_task && 2 * has < common_.size())) return;
     odd_.push_back(std::move(odd));
+  }
+
+  /// Whether it is a bit of a task that the device does not have.
+  static bool is_of_other_task(const model::Unit& unit, const Common& common) {
+    return common.symbol->unmodelled != model::Unmodelled::numeric &&
+           std::none_of(unit.states.begin(), unit.states.end(),
+                        [&](const model::State& state) { return base::equal_ignoring_case(state.name, common.task); });
   }
 
   const model::PlantModel& plant_;

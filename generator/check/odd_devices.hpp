@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "check/rule.hpp"
@@ -18,15 +19,16 @@ struct Lacking {
 };
 
 struct OddDevice {
-  std::uint32_t unit;          ///< a place in PlantModel::units
+  std::uint32_t device;  ///< a place in DeviceClasses: that in PlantModel::units, beyond them it has numbers only
+  std::string_view path;
   std::uint32_t of;            ///< the size of its class
   std::vector<Lacking> lacks;  ///< never empty
   bool one_task;               ///< it has one task only, and lacks every symbol of another
 };
 
-/// By place of the unit. Three quarters of a class must have a symbol, three devices at least; where more than one in
+/// By place of the device. Three quarters of a class must have a symbol, three devices at least; where more than one in
 /// eight lack it, and more than one, that counts as meant. The device must have half of what is common in its class, or
-/// the one task. O(symbols).
+/// the one task. Numeric symbols count as the others do. O(symbols).
 std::vector<OddDevice> odd_devices(const Subject& subject);
 
 }  // namespace symplant::check

@@ -23,7 +23,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
   const model::PlantModel& plant = subject.plant;
   for (const OddDevice& odd : odd_devices(subject)) {
     if (!odd.one_task) continue;
-    const model::Unit& unit = plant.units[odd.unit];
+    const model::Unit& unit = plant.units[odd.device];
     const model::Symbol& symbol = first_symbol_of(plant, unit);
     const Lacking* other = nullptr;  // of a task that it lacks altogether
     std::vector<std::string> names{std::string(unit.path)};

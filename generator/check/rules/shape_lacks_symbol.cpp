@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/ascii.hpp"
+#include "check/device_classes.hpp"
 #include "check/odd_devices.hpp"
 #include "check/rules.hpp"
 
@@ -14,29 +15,33 @@ differ in digits only (`CLAMP1`, `CLAMP2`), in whatever process. At least three 
 symbol; where several devices lack it, more than one in eight, that counts as meant.
 
 **What the model loses.** What the symbol is for: without its operation a state is never commanded, without its event never
-reported. The device becomes another type than the others, and may be taken for what it is not, a single solenoid, say.
+reported, without its number a scenario or a requirement has nothing to set or to read. The device becomes another type than the
+others, and may be taken for what it is not, a single solenoid, say.
 
 **How to mend it.** Add the row, or spell its task as the others do. If the device really is another one, leave the finding out
 in plant.json, section `check`.
 )";
 
 /// The row next to the one that is missing: of the same task, or the device's first.
-const model::Symbol& nearest_symbol(const model::PlantModel& plant, const model::Unit& unit, std::string_view task) {
-  for (const auto* side : {&unit.operations, &unit.events}) {
-    for (const std::uint32_t s : *side) {
-      if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
+const model::Symbol& nearest_symbol(const Subject& subject, std::uint32_t device, std::string_view task) {
+  const model::PlantModel& plant = subject.plant;
+  if (device < plant.units.size()) {
+    const model::Unit& unit = plant.units[device];
+    for (const auto* side : {&unit.operations, &unit.events}) {
+      for (const std::uint32_t s : *side) {
+        if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
+      }
     }
   }
-  return first_symbol_of(plant, unit);
+  return plant.symbols[subject.classes.first_symbol(device)];
 }
 
 void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const OddDevice& odd : odd_devices(subject)) {
     if (odd.one_task) continue;  // SP413 tells
-    const model::Unit& unit = plant.units[odd.unit];
     const Lacking& first = odd.lacks.front();
-    std::vector<std::string> names{std::string(unit.path)};
+    std::vector<std::string> names{std::string(odd.path)};
     std::vector<diag::Related> as_there;
     for (const Lacking& lacking : odd.lacks) {
       names.push_back(lacking.name);
@@ -48,8 +53,8 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
                     "they do",
                     first.name,
                     odd.lacks.size() == 1 ? std::string(" is") : fmt::format(" and {} more are", odd.lacks.size() - 1),
-                    first.having, odd.of, unit.path, odd.lacks.size() == 1 ? "the row" : "the rows"),
-        place_of(plant, nearest_symbol(plant, unit, first.others->reading.task)), std::move(as_there));
+                    first.having, odd.of, odd.path, odd.lacks.size() == 1 ? "the row" : "the rows"),
+        place_of(plant, nearest_symbol(subject, odd.device, first.others->reading.task)), std::move(as_there));
   }
 }
 

@@ -70,6 +70,39 @@ TEST_CASE("The finding names the symbol that is missing, and stands at the other
   CHECK(finding.place.source->line_at(finding.place.span.begin).find("L_P_CLAMP5_I_CLOSE") != std::string_view::npos);
 }
 
+TEST_CASE("A number that the others have is missing as a bit is, also where devices have numbers only") {
+  std::vector<std::string> names;
+  for (const std::string i : {"1", "2", "3", "4", "5"}) {
+    for (const char* part : {"_O_RUN", "_I_RUN", "_O_STOP", "_I_STOP*"}) names.push_back("L_P_DRIVE" + i + part);
+  }
+  std::vector<Row> rows = bits(names);
+  const auto number = [&](const std::string& name, std::size_t place) {
+    rows.push_back({name, "", "INT", "0", "%IW" + std::to_string(100 + place)});
+  };
+  for (std::size_t i = 1; i <= 5; ++i) {
+    if (i != 2) number("L_P_DRIVE" + std::to_string(i) + "_I_SPEED", 10 * i);
+    number("L_P_TANK" + std::to_string(i) + "_I_LEVEL", 10 * i + 1);
+    if (i != 4) number("L_P_TANK" + std::to_string(i) + "_I_HEAT", 10 * i + 2);
+  }
+  const Analysed list = analyse_rows(rows);
+  REQUIRE(list.fired() == "shape-lacks-symbol shape-lacks-symbol");
+  CHECK_THAT(list.diagnostics.all()[0].message, Catch::StartsWith("`L_P_DRIVE2_I_SPEED` is missing: 4 of 5 devices"));
+  CHECK_THAT(list.diagnostics.all()[1].message, Catch::StartsWith("`L_P_TANK4_I_HEAT` is missing: 4 of 5 devices"));
+  CHECK(list.diagnostics.all()[1].about == std::vector<std::string>{"L_P_TANK4", "L_P_TANK4_I_HEAT"});
+}
+
+TEST_CASE("A device too large for its bits is not told to lack them beside its numbers") {
+  std::vector<std::string> names;
+  for (int i = 1; i <= 5; ++i) names.push_back("L_P_WELDER" + std::to_string(i) + "_I_ON");
+  for (int i = 101; i <= 180; ++i) names.push_back("L_P_WELDER3_I_ON" + std::to_string(i));
+  std::vector<Row> rows = bits(names);
+  for (int i = 1; i <= 5; ++i)
+    rows.push_back({"L_P_WELDER" + std::to_string(i) + "_I_HEAT", "", "INT", "0", "%IW" + std::to_string(100 + i)});
+  const Analysed list = analyse_rows(rows);
+  CHECK(list.count("unit-too-large") == 1);
+  CHECK(list.count("shape-lacks-symbol") == 0);
+}
+
 TEST_CASE("Forms of one word are alike, other words and other numbers are not") {
   for (const auto& [a, b] : {std::pair{"CLAMP", "CLAMPED"},
                              {"CLOSE", "CLOSED"},
