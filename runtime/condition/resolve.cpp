@@ -99,7 +99,7 @@ class Resolver {
     const auto folded = fold(symbol->type, expression.comparison, expression.number);
     if (!folded) {
       return Fault{expression.number_place,
-                   "the number is beyond what a " + std::string(type_name(symbol->type)) + " holds"};
+                   "the number is beyond what " + std::string(type_name(symbol->type)) + " holds"};
     }
     if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always, symbol->index);
     const auto& found = std::get<FoldedComparison>(*folded);

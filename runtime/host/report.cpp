@@ -59,7 +59,7 @@ std::string Report::found(const trace::FoundThing& found) {
 }
 
 void Report::failed(std::uint32_t step, core::Time time) {
-  const std::vector<std::string> parts = scenario::failure_parts(scenario_->steps[step], time, names_, history_);
+  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, time, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
   tell(place(step) + ": error: ", parts);
 }

@@ -44,16 +44,15 @@ std::string shown(const nlohmann::json& value) { return "`" + value.dump() + "`"
 
 std::variant<std::uint64_t, std::string> read_integer(DataType type, const nlohmann::json& value) {
   const auto number = number_of(value);
-  if (!number) return shown(value) + " is no number, a " + type_text(type) + " is " + range_text(type);
-  if (!number->is_whole())
-    return shown(value) + " is no whole number, a " + type_text(type) + " is " + range_text(type);
+  if (!number) return shown(value) + " is no number, " + type_text(type) + " is " + range_text(type);
+  if (!number->is_whole()) return shown(value) + " is no whole number, " + type_text(type) + " is " + range_text(type);
   const condition::WholeNumber whole = number->floor();
   const int bits = trace::width(type);
   const bool is_signed = trace::is_signed(type);
   const std::uint64_t most = ~std::uint64_t{0} >> (64 - bits + (is_signed ? 1 : 0));
   const std::uint64_t limit = !whole.negative ? most : is_signed ? most + 1 : 0;
   if (whole.huge || whole.magnitude > limit) {
-    return shown(value) + " is beyond what a " + type_text(type) + " holds, " + range_text(type);
+    return shown(value) + " is beyond what " + type_text(type) + " holds, " + range_text(type);
   }
   return whole.negative ? ~whole.magnitude + 1 : whole.magnitude;
 }
@@ -66,10 +65,10 @@ std::variant<std::uint64_t, std::string> read_real(DataType type, const nlohmann
     real = value == "inf" ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   } else {
     const auto number = number_of(value);
-    if (!number) return shown(value) + " is no number, a " + type_text(type) + " is one, or `nan`, `inf`, `-inf`";
+    if (!number) return shown(value) + " is no number, " + type_text(type) + " is one, or `nan`, `inf`, `-inf`";
     const auto nearest = number->real();
     const bool too_large = nearest && type == DataType::real && std::isinf(static_cast<float>(*nearest));
-    if (!nearest || too_large) return shown(value) + " is beyond what a " + type_text(type) + " holds";
+    if (!nearest || too_large) return shown(value) + " is beyond what " + type_text(type) + " holds";
     real = *nearest;
     if (real == 0 && is_negative(value)) real = -0.0;
   }
@@ -83,7 +82,7 @@ std::variant<std::uint64_t, std::string> read_value(DataType type, const nlohman
     if (value.is_boolean()) return value.get<bool>() ? 1U : 0U;
     return shown(value) + " stands here, a BOOL is true or false";
   }
-  if (value.is_boolean()) return shown(value) + " stands here, a " + type_text(type) + " is a number";
+  if (value.is_boolean()) return shown(value) + " stands here, " + type_text(type) + " is a number";
   return trace::is_real(type) ? read_real(type, value) : read_integer(type, value);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "symplant/scenario/evaluate.hpp"
@@ -54,6 +55,24 @@ std::vector<SymbolValue> missing(const Expectation& expectation, const trace::Pl
   return found;
 }
 
+/// The step that forces a symbol.
+struct Force {
+  std::uint64_t value;
+  std::size_t line;
+};
+using Forces = std::map<std::uint32_t, Force>;
+
+/// What is forced when the steps up to that one have acted.
+Forces forces_at(const Scenario& scenario, std::size_t step) {
+  Forces forces;
+  for (std::size_t i = 0; i <= step; ++i) {
+    const Step& done = scenario.steps[i];
+    for (const SymbolValue& value : done.force) forces[value.symbol] = {value.value, done.line};
+    for (const std::uint32_t symbol : done.release) forces.erase(symbol);
+  }
+  return forces;
+}
+
 }  // namespace
 
 Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes) {
@@ -72,8 +91,10 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names) 
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
-std::vector<std::string> failure_parts(const Step& step, core::Time time, const trace::PlantNames& names,
-                                       const trace::History& history) {
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, core::Time time,
+                                       const trace::PlantNames& names, const trace::History& history) {
+  const Step& step = scenario.steps[at];
+  const Forces forces = forces_at(scenario, at);
   const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
   std::vector<std::string> parts;
   if (step.when == Step::When::wait) {
@@ -89,12 +110,24 @@ std::vector<std::string> failure_parts(const Step& step, core::Time time, const 
   if (step.expect->condition) collect(*step.expect->condition, history, things);
   for (const std::uint32_t symbol : things.symbols) {
     const core::SymbolRow& row = names.tables().symbols[symbol];
-    parts.push_back(fmt::format("{} is {} {}, {}", names.symbol(symbol),
+    const auto force = forces.find(symbol);
+    parts.push_back(fmt::format("{} is {} {}{}, {}", names.symbol(symbol),
                                 trace::value_text(row.type(), history.value(symbol)),
-                                trace::since_words(history.since(symbol)), trace::symbol_words(symbol, names)));
+                                trace::since_words(history.since(symbol)),
+                                force == forces.end() ? "" : fmt::format(", forced in line {}", force->second.line),
+                                trace::symbol_words(symbol, names)));
     if (row.unit != core::kNoUnit) things.units.insert(row.unit);
   }
-  for (const std::uint32_t unit : things.units) parts.push_back(trace::unit_words(unit, names, history));
+  for (const std::uint32_t unit : things.units) {
+    parts.push_back(trace::unit_words(unit, names, history));
+    for (const std::uint32_t symbol : names.symbols_of(unit)) {
+      const auto force = forces.find(symbol);
+      if (force == forces.end() || things.symbols.contains(symbol)) continue;
+      parts.push_back(fmt::format("{} is forced to {} in line {}", names.symbol(symbol),
+                                  trace::value_text(names.tables().symbols[symbol].type(), force->second.value),
+                                  force->second.line));
+    }
+  }
   return parts;
 }
 

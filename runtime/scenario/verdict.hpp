@@ -24,9 +24,10 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes);
 std::string expectation_words(const Step& step, const trace::PlantNames& names);
 
 /// Why a step's expectation failed at `time`: what was expected, then a part for each symbol and each unit that it
-/// names, with what is there, since when, and which operation led to it. Of a conjunction only what does not hold is
-/// told. `history` is as of that time. Never empty; joined by `; ` they are one sentence.
-std::vector<std::string> failure_parts(const Step& step, core::Time time, const trace::PlantNames& names,
-                                       const trace::History& history);
+/// names, with what is there, since when, which operation led to it, and which step forces it. Of a conjunction only
+/// what does not hold is told. `at` is the step's place, `history` as of that time. Never empty; joined by `; ` they
+/// are one sentence. O(steps).
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, core::Time time,
+                                       const trace::PlantNames& names, const trace::History& history);
 
 }  // namespace symplant::scenario

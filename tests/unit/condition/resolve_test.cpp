@@ -127,7 +127,7 @@ TEST_CASE("A BOOL symbol stands alone, a numeric one with a comparison") {
   CHECK(resolved("not LEVEL") ==
         "4+5 `LEVEL` is of type INT and stands without a comparison, compare it as in `LEVEL > 0`");
   CHECK(resolved("AGV.P1 < 3") == "0+6 a state is compared with a number, only numeric symbols can be");
-  CHECK(resolved("SPEED > 1e999") == "8+5 the number is beyond what a REAL holds");
+  CHECK(resolved("SPEED > 1e999") == "8+5 the number is beyond what REAL holds");
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST_CASE("what a unit moves is not set, what a PLC writes neither; both may be 
 TEST_CASE("values that their symbol cannot have are told at the value") {
   CHECK(contains(step_faults(R"({"at":"0s","set":{"START":1}})"), "2:27 `1` `1` stands here, a BOOL is true or false"));
   CHECK(contains(step_faults(R"({"at":"0s","expect":{"SPEED":40000}})"),
-                 "2:30 `40000` `40000` is beyond what a INT holds"));
+                 "2:30 `40000` `40000` is beyond what INT holds"));
 }
 
 TEST_CASE("a wait stands alone") {

@@ -90,8 +90,8 @@ class Play {
   void take(const trace::Record& record) {
     history_.apply(record);
     if (record.kind == trace::Record::Kind::note) {
-      const scenario::Step& step = scenario_.steps[record.of];
-      const auto parts = scenario::failure_parts(step, static_cast<core::Time>(record.value), names_, history_);
+      const auto parts =
+          scenario::failure_parts(scenario_, record.of, static_cast<core::Time>(record.value), names_, history_);
       for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
       failures_ += "\n";
       return;

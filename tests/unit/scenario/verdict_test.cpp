@@ -39,6 +39,22 @@ TEST_CASE("a symbol of no device tells itself alone") {
         "expected SPEED 8 at 1 s; SPEED is 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");
 }
 
+TEST_CASE("a symbol that a step forces is said to be forced, and so are those of a device that does not move") {
+  const BenchTables tables(kAgv);
+  const Play play(tables, R"({"at":"0.5s","force":{"L_P_AGV_O_P2":false}},
+                             {"at":"0.6s","set":{"L_P_AGV_O_P2":true},"force":{"L_P_AGV_I_P1":false}},
+                             {"at":"1s","expect":"L_P_AGV.P2","force":{"L_P_AGV_I_P2":true}},
+                             {"at":"2s","expect":{"L_P_AGV_I_P1":true},"release":["L_P_AGV_I_P2","L_P_AGV_O_P2"]})");
+  CHECK(
+      play.failures() ==
+      "expected `L_P_AGV.P2` at 1 s; L_P_AGV is in P1 since the start, none of its operations has been on; "
+      "L_P_AGV_I_P1 is forced to off in line 2; L_P_AGV_I_P2 is forced to on in line 3; L_P_AGV_O_P2 is forced to off "
+      "in line 1\n"
+      "expected L_P_AGV_I_P1 on at 2 s; L_P_AGV_I_P1 is off since 0.6 s, forced in line 2, PLC input %IX0, event P1 "
+      "of L_P_AGV (symbols.csv:2); L_P_AGV is in P1->P2 since 2 s, %QX2 (operation P2, symbols.csv:4) is on since "
+      "2 s\n");
+}
+
 TEST_CASE("a verdict counts steps that expect something") {
   const BenchTables tables(kAgv);
   const trace::PlantNames names(tables.rows);
