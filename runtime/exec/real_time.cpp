@@ -13,7 +13,9 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -118,12 +120,26 @@ std::optional<Refusal> lock_memory() {
                      "-l unlimited`, in a systemd unit by LimitMEMLOCK=infinity, or by the capability CAP_IPC_LOCK"};
 }
 
+std::optional<Refusal> stay_awake(std::unique_ptr<std::FILE, CloseFile>& awake) {
+  constexpr const char* kDevice = "/dev/cpu_dma_latency";
+  constexpr std::int32_t kNone = 0;
+  std::unique_ptr<std::FILE, CloseFile> device(std::fopen(kDevice, "wb"));
+  if (device && std::fwrite(&kNone, sizeof kNone, 1, device.get()) == 1 && std::fflush(device.get()) == 0) {
+    awake = std::move(device);
+    return std::nullopt;
+  }
+  return Refusal{"stay-awake", "`--stay-awake` is refused (" + reason(errno) +
+                                   "), so that an idle processor may take long to wake for the cycle: allow the "
+                                   "program to write " +
+                                   kDevice + ", by a udev rule for its group, or run it as root"};
+}
+
 }  // namespace
 
-std::vector<Refusal> set_up_real_time(const RealTimeOptions& options) {
-  std::vector<Refusal> refused;
+RealTimeSetup set_up_real_time(const RealTimeOptions& options) {
+  RealTimeSetup setup;
   const auto note = [&](std::optional<Refusal> refusal) {
-    if (refusal) refused.push_back(std::move(*refusal));
+    if (refusal) setup.refused.push_back(std::move(*refusal));
   };
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
   const char here = 0;
@@ -133,7 +149,8 @@ std::vector<Refusal> set_up_real_time(const RealTimeOptions& options) {
   if (options.lock_memory) note(lock_memory());
   if (options.cpu) note(stay_on(static_cast<std::size_t>(*options.cpu)));
   if (options.priority) note(take_priority(*options.priority));
-  return refused;
+  if (options.stay_awake) note(stay_awake(setup.awake));
+  return setup;
 }
 
 }  // namespace symplant::exec

@@ -18,7 +18,8 @@ CycleThread::~CycleThread() {
 
 void CycleThread::run(const exec::RealTimeOptions& options, const std::function<void()>& cycles, bool guarded) {
   std::future<bool> go = go_.get_future();
-  set_up_.set_value(exec::set_up_real_time(options));
+  exec::RealTimeSetup setup = exec::set_up_real_time(options);
+  set_up_.set_value(std::move(setup.refused));
   if (!go.get()) return;
   const std::string no_trap = guarded ? exec::trap_system_calls() : std::string();
   const exec::ThreadFaults before = exec::thread_faults();

@@ -89,6 +89,7 @@ void tell_without_effect(const RunOptions& options, bool real, bool linked, std:
                                                        {"--priority", options.real_time.priority.has_value()},
                                                        {"--cpu", options.real_time.cpu.has_value()},
                                                        {"--lock-memory", options.real_time.lock_memory},
+                                                       {"--stay-awake", options.real_time.stay_awake},
                                                        {"--spin", options.spin != 0}};
   std::string names;
   std::size_t count = 0;

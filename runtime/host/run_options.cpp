@@ -120,6 +120,8 @@ void add_real_time(CLI::App& app, RunOptions& options) {
       ->type_name("N");
   app.add_flag("--lock-memory", options.real_time.lock_memory,
                "in real time: no memory of the program is taken away to make room for others");
+  app.add_flag("--stay-awake", options.real_time.stay_awake,
+               "in real time: no processor idles so deeply that it wakes late; it costs power");
   app.add_option_function<std::string>(
          "--spin", [&options](const std::string& text) { options.spin = duration(text, "--spin"); },
          "in real time: stay awake for this long before each cycle, to begin it within microseconds; it costs as much "

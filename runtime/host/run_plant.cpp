@@ -21,7 +21,7 @@ int run_plant(int argc, char** argv, const PlantProgram& program) {
   app.set_version_flag("--version", "symplant " + std::string(core::version()));
   app.footer(
       "Examples:\n  run beside a PLC:      --link modbus-tcp-server://127.0.0.1:1502\n"
-      "  keep time:             --cycle 1ms --priority 50 --cpu 1 --lock-memory --stats stats.json\n"
+      "  keep time:             --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  see what it does:      --until 10s --trace trace.jsonl\n"
       "  play a scenario:       --scenario first_cycle.json --vcd run.vcd --junit report.xml\n"
       "Exit codes: 0 good, 1 a failed expectation or requirement, 2 bad input or usage, 3 the environment (a port in\n"

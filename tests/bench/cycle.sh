@@ -51,16 +51,18 @@ printf 'load of the machine before: %s\n\n' "$(cut -d' ' -f1-3 /proc/loadavg)"
 if command -v cyclictest >/dev/null; then
   for _ in $(seq "$slices"); do
     cyclictest_of "$work/cyclictest.fifo" -m -p80
+    plant "$work/plant.awake" --priority 80 --lock-memory --stay-awake
+    plant "$work/plant.spin" --priority 80 --lock-memory --stay-awake --spin 100us
     plant "$work/plant.fifo" --priority 80 --lock-memory
-    plant "$work/plant.spin" --priority 80 --lock-memory --spin 100us
     plant "$work/plant.other"
   done
   echo "wake-up of a cycle of 1 ms, us, medians of $slices turns of $slice s each"
   echo '| | p50 | p99 | p99.9 | max |'
   echo '|---|---|---|---|---|'
   row "cyclictest, SCHED_FIFO" "$work/cyclictest.fifo"
-  row "plant, \`--priority 80 --lock-memory\`" "$work/plant.fifo"
+  row "plant, \`--priority 80 --lock-memory --stay-awake\`" "$work/plant.awake"
   row "plant, with \`--spin 100us\` as well" "$work/plant.spin"
+  row "plant, \`--priority 80 --lock-memory\`" "$work/plant.fifo"
   row "plant, no option" "$work/plant.other"
 else
   echo "cyclictest is not installed (package rt-tests): nothing to compare with" >&2

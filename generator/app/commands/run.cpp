@@ -59,7 +59,7 @@ void add_run(CLI::App& app, Context& context) {
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Examples:\n  symplant run symbols.csv --link modbus-tcp-server://127.0.0.1:1502\n"
-      "  symplant run plant.json --cycle 1ms --priority 50 --cpu 1 --lock-memory --stats stats.json\n"
+      "  symplant run plant.json --cycle 1ms --priority 50 --cpu 1 --lock-memory --stay-awake --stats stats.json\n"
       "  symplant run plant.json --until 10s --trace trace.jsonl\n"
       "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");

@@ -4,8 +4,12 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -31,7 +35,7 @@ TEST_CASE("without being asked a cycle's thread has timers exact to a nanosecond
   int slack = 0;
   int policy = -1;
   on_a_thread([&] {
-    refused = exec::set_up_real_time({});
+    refused = exec::set_up_real_time({}).refused;
     slack = prctl(PR_GET_TIMERSLACK, 0UL, 0UL, 0UL, 0UL);
     policy = sched_getscheduler(0);
   });
@@ -48,7 +52,7 @@ TEST_CASE("a thread stays on the processor asked for, and others stay where they
   cpu_set_t inside;
   std::vector<Refusal> refused;
   on_a_thread([&] {
-    refused = exec::set_up_real_time({.cpu = first});
+    refused = exec::set_up_real_time({.cpu = first}).refused;
     sched_getaffinity(0, sizeof inside, &inside);
   });
   CHECK(refused.empty());
@@ -61,7 +65,7 @@ TEST_CASE("a thread stays on the processor asked for, and others stay where they
 
 TEST_CASE("a processor that is not there is refused once, with those that are") {
   std::vector<Refusal> refused;
-  on_a_thread([&] { refused = exec::set_up_real_time({.cpu = 100'000}); });
+  on_a_thread([&] { refused = exec::set_up_real_time({.cpu = 100'000}).refused; });
   REQUIRE(refused.size() == 1);
   CHECK(refused[0].option == "cpu");
   CHECK(contains(refused[0].message, "`--cpu 100000` is refused"));
@@ -72,7 +76,7 @@ TEST_CASE("a priority is had, or refused once with what to do") {
   std::vector<Refusal> refused;
   int policy = -1;
   on_a_thread([&] {
-    refused = exec::set_up_real_time({.priority = 5});
+    refused = exec::set_up_real_time({.priority = 5}).refused;
     policy = sched_getscheduler(0);
   });
   if (refused.empty()) {
@@ -82,6 +86,43 @@ TEST_CASE("a priority is had, or refused once with what to do") {
   REQUIRE(refused.size() == 1);
   CHECK(policy == SCHED_OTHER);
   CHECK(contains(refused[0].message, "ulimit -r 5"));
+}
+
+/// What the kernel's power management has been asked for, in us; -1 where this program may not know.
+std::int32_t latency_asked_for() {
+  std::int32_t latency = -1;
+  std::ifstream("/dev/cpu_dma_latency", std::ios::binary).read(reinterpret_cast<char*>(&latency), sizeof latency);
+  return latency;
+}
+
+TEST_CASE("processors stay awake as long as the set-up lives, or that is refused with what to do") {
+  const std::int32_t before = latency_asked_for();
+  exec::RealTimeSetup setup;
+  on_a_thread([&] { setup = exec::set_up_real_time({.stay_awake = true}); });
+  CHECK(setup.refused.empty() == (setup.awake != nullptr));
+  if (setup.refused.empty()) {
+    CHECK(latency_asked_for() == 0);
+    setup.awake.reset();
+    CHECK(latency_asked_for() == before);
+    return;
+  }
+  REQUIRE(setup.refused.size() == 1);
+  CHECK(setup.refused[0].option == "stay-awake");
+  CHECK(contains(setup.refused[0].message, "allow the program to write /dev/cpu_dma_latency"));
+}
+
+TEST_CASE("who may not write the kernel's device is told so in one line") {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
+    const exec::RealTimeSetup setup = exec::set_up_real_time({.stay_awake = true});
+    const bool told = setup.awake == nullptr && setup.refused.size() == 1 &&
+                      contains(setup.refused[0].message, "`--stay-awake` is refused (");
+    _exit(told || (geteuid() != 65534 && setup.awake != nullptr) ? 0 : 1);
+  }
+  int status = -1;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
 }
 
 TEST_CASE("page faults of a thread are counted") {
