@@ -53,23 +53,10 @@ void add_policies(std::string& text, const link::IoMap& map, const core::LinkSet
   if (map.watchdog) {
     fmt::format_to(std::back_inserter(text), "watchdog: holding register {}\n", *map.watchdog);
   }
-  const auto zeroed = [](const link::IoPoint& point) { return point.on_loss == core::OnLoss::zero; };
-  const auto operations = [](const link::IoPoint& point) {
-    return point.table == link::Table::coil || point.table == link::Table::holding_register;
-  };
-  std::size_t zero = 0;
-  std::size_t all = 0;
-  for (const link::IoPoint& point : map.points) {
-    if (!operations(point)) continue;
-    ++all;
-    if (zeroed(point)) ++zero;
-  }
-  const std::string what = zero == 0     ? "hold"
-                           : zero == all ? "go off"
-                                         : fmt::format("hold, {} of {} go off", zero, all);
   const std::string silence = map.watchdog ? time_text(settings.watchdog_within) + " without a change of the watchdog"
                                            : time_text(settings.loss_after) + " without a request";
-  fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence, what,
+  fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence,
+                 link::loss_words(map),
                  settings.plant_on_loss == core::PlantOnLoss::freeze ? "stands still" : "runs on");
   fmt::format_to(std::back_inserter(text), "back again: writes are collected for {} at most\n",
                  time_text(settings.resync));

@@ -12,6 +12,7 @@
 
 #include "app/map_findings.hpp"
 #include "app/read_inputs.hpp"
+#include "app/url_findings.hpp"
 #include "check/causes.hpp"
 #include "check/check_plant.hpp"
 #include "check/settings.hpp"
@@ -72,7 +73,10 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   progress.stage("deriving models");
   model::PlantModel plant = model::build_plant(inputs->lists, {inputs->name, inputs->description});
   plant.description_source = inputs->source;
-  if (inputs->source != nullptr) add_description_findings(*inputs, plant, diagnostics);
+  if (inputs->source != nullptr) {
+    add_description_findings(*inputs, plant, diagnostics);
+    add_url_findings(plant, diagnostics);
+  }
 
   if (inputs->readable) {
     progress.stage("checking");

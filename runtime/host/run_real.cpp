@@ -14,6 +14,7 @@
 #include "symplant/host/signals.hpp"
 #include "symplant/host/watched_link.hpp"
 #include "symplant/host/words.hpp"
+#include "symplant/link/io_map.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -22,14 +23,14 @@ namespace {
 using trace::seconds;
 
 /// What happens when the link's PLC is silent, said before anything runs.
-std::string policy_words(const OpenLink& open) {
+std::string policy_words(const OpenLink& open, const core::PlantTables& tables) {
   if (open.link->state() != exec::LinkState::waiting) return "";
   const link::LinkSettings& settings = open.settings;
   const bool watchdog = settings.watchdog != link::kNowhere;
   return fmt::format("; after {} {}: operations {}, the plant {}",
                      seconds(watchdog ? settings.watchdog_within : settings.loss_after),
                      watchdog ? "without a change of the watchdog" : "of silence",
-                     settings.on_loss == link::OnLoss::zero ? "go to zero" : "hold",
+                     link::loss_words(link::make_io_map(tables, open.carries, settings)),
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
 }
 
@@ -47,16 +48,18 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
   }
 }
 
-void tell_begin(const RunOptions& options, bool scenario, const Links& links, std::ostream& out) {
-  for (const OpenLink& open : links) out << fmt::format("link {}{}\n", open.text(), policy_words(open));
+void tell_begin(const Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
+  for (const OpenLink& open : links) {
+    out << fmt::format("link {}{}\n", open.text(), policy_words(open, stage.plant.tables()));
+  }
   const std::string cycle = fmt::format("a cycle of {} ms", static_cast<double>(options.cycle) / 1e6);
   if (options.rt_check) {
     out << fmt::format("rt-check: {} cycles in real time under the guard, {}\n", *options.rt_check, cycle);
   } else {
     out << fmt::format("running in real time, {}{}\n", cycle,
-                       options.until ? fmt::format(", until {}", seconds(*options.until))
-                       : scenario    ? ", until the scenario is over"
-                                     : "; Ctrl-C ends it");
+                       options.until  ? fmt::format(", until {}", seconds(*options.until))
+                       : stage.player ? ", until the scenario is over"
+                                      : "; Ctrl-C ends it");
   }
   out.flush();
 }
@@ -110,7 +113,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
                            .spin = options.spin};
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
 
-  tell_begin(options, stage.player.has_value(), links, out);
+  tell_begin(stage, options, links, out);
   warn_of_times(options, links, err);
   exec::MonotonicClock clock;
   exec::CycleMeter meter;

@@ -37,11 +37,6 @@ std::string known(const Names& names) {
 
 LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
 
-/// Two links cannot have it both; port 0 is any that is free.
-bool has_fixed_port(std::string_view url) {
-  return !is_loop(url) && (url.size() < 2 || url.substr(url.size() - 2) != ":0");
-}
-
 LinkError unknown(const Names& names, const LinkRequest& request) {
   const std::string what = "there is no controller `" + request.controller + "`, ";
   condition::NearestName nearest(request.controller);
@@ -74,6 +69,10 @@ LinkRequest parse_request(std::string_view text) {
 
 bool is_loop(std::string_view url) { return url == "loop:"; }
 
+bool share_port(std::string_view a, std::string_view b) {
+  return a == b && !is_loop(a) && !a.ends_with(":0");  // port 0 is any that is free
+}
+
 std::string controller_text(const core::PlantTables& tables, std::uint32_t controller) {
   return text_of(core::split_names(tables.controller_names), controller);
 }
@@ -95,13 +94,11 @@ std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantT
                      "`: both would write its operations, leave one away");
       }
     }
-    if (has_fixed_port(chosen.url)) {
-      const auto same = std::find_if(choices.begin(), choices.end(),
-                                     [&](const LinkChoice& before) { return before.url == chosen.url; });
-      if (same != choices.end()) {
-        return usage(text_of(names, same->controller) + " and " + text_of(names, chosen.controller) +
-                     " both have the link `" + chosen.url + "`: give each a port of its own");
-      }
+    const auto same = std::find_if(choices.begin(), choices.end(),
+                                   [&](const LinkChoice& before) { return share_port(before.url, chosen.url); });
+    if (same != choices.end()) {
+      return usage(text_of(names, same->controller) + " and " + text_of(names, chosen.controller) +
+                   " both have the link `" + chosen.url + "`: give each a port of its own");
     }
     choices.push_back(std::move(chosen));
   }

@@ -25,6 +25,9 @@ LinkRequest parse_request(std::string_view text);
 /// `loop:` on the command line is a PLC that writes nothing; every other link is a real one.
 bool is_loop(std::string_view url);
 
+/// Whether one machine cannot have both: it is one URL of a server, with a port that is not 0.
+bool share_port(std::string_view a, std::string_view b);
+
 /// A controller as messages name it: "controller `PLC1`", "the controller without a name".
 std::string controller_text(const core::PlantTables& tables, std::uint32_t controller);
 

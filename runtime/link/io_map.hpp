@@ -66,6 +66,9 @@ IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller, con
 /// "`A` and `B` both stand on holding register 11: ...", what is wrong and what to do.
 std::string fault_text(const core::PlantTables& tables, const IoMap& map, const MapFault& fault);
 
+/// What operations do while the link is lost: "hold", "go to zero", "hold, 2 of 3 go to zero". O(places).
+std::string loss_words(const IoMap& map);
+
 /// Digest of all that the PLC's programmer has to know of the map, FNV-1a 64: the tables' sizes; of each place its
 /// table, number, type, word order and the symbol's name without regard to the case of ASCII letters; status block and
 /// watchdog. In which order the lists have the symbols does not count. O(symbols log symbols).

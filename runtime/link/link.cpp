@@ -1,7 +1,9 @@
 // Links by URL: the table of schemes.
 #include "symplant/link/link.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "symplant/link/loop_link.hpp"
 #include "symplant/link/modbus/server_link.hpp"
@@ -10,23 +12,27 @@ namespace symplant::link {
 
 namespace {
 
-LinkResult open_loop(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
+std::string loop_fault(std::string_view rest) {
+  return rest.empty() ? std::string() : "`loop:` takes nothing behind the colon";
+}
+
+LinkResult open_loop(std::string_view /*rest*/, const LinkChoice& link, const core::PlantTables& tables,
                      const core::Plant* /*plant*/) {
-  if (!rest.empty()) return LinkError{LinkError::Kind::usage, "`loop:` takes nothing behind the colon"};
   return std::make_unique<LoopLink>(tables, link.controller);
 }
 
-/// How a URL begins, and who opens what stands behind its colon.
+/// How a URL begins, and who judges and opens what stands behind its colon.
 struct Scheme {
   std::string_view name;
   std::string_view form;
+  std::string (*fault)(std::string_view rest);
   LinkResult (*open)(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                      const core::Plant* plant);
 };
 
 constexpr std::array kSchemes = {
-    Scheme{"loop", "`loop:`", open_loop},
-    Scheme{"modbus-tcp-server", "`modbus-tcp-server://HOST:PORT`", modbus::open_server_link},
+    Scheme{"loop", "`loop:`", loop_fault, open_loop},
+    Scheme{"modbus-tcp-server", "`modbus-tcp-server://HOST:PORT`", modbus::address_fault, modbus::open_server_link},
 };
 
 std::string known_forms() {
@@ -38,16 +44,30 @@ std::string known_forms() {
   return forms;
 }
 
+/// Null where no scheme is of that name.
+const Scheme* scheme_of(std::string_view url) {
+  const std::size_t colon = url.find(':');
+  if (colon == std::string_view::npos) return nullptr;
+  const auto* const found =
+      std::find_if(kSchemes.begin(), kSchemes.end(), [&](const Scheme& s) { return s.name == url.substr(0, colon); });
+  return found == kSchemes.end() ? nullptr : found;
+}
+
+std::string_view behind_colon(std::string_view url) { return url.substr(url.find(':') + 1); }
+
 }  // namespace
 
+std::string url_fault(std::string_view url) {
+  const Scheme* const scheme = scheme_of(url);
+  if (scheme == nullptr) return "`" + std::string(url) + "` names no link: give one of " + known_forms();
+  return scheme->fault(behind_colon(url));
+}
+
 LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant) {
-  const std::string_view url = link.url;
-  const std::size_t colon = url.find(':');
-  for (const Scheme& scheme : kSchemes) {
-    if (colon == std::string_view::npos || url.substr(0, colon) != scheme.name) continue;
-    return scheme.open(url.substr(colon + 1), link, tables, plant);
+  if (std::string fault = url_fault(link.url); !fault.empty()) {
+    return LinkError{LinkError::Kind::usage, std::move(fault)};
   }
-  return LinkError{LinkError::Kind::usage, "`" + link.url + "` names no link: give one of " + known_forms()};
+  return scheme_of(link.url)->open(behind_colon(link.url), link, tables, plant);
 }
 
 }  // namespace symplant::link

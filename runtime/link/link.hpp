@@ -50,6 +50,9 @@ struct LinkChoice {
 /// A link, or why there is none.
 using LinkResult = std::variant<std::unique_ptr<Link>, LinkError>;
 
+/// Why no link can have this URL, on whatever machine; empty where one can. Opens nothing and asks for no name. O(1).
+std::string url_fault(std::string_view url);
+
 /// Makes and starts the link that a URL names: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any that is free).
 /// Tables must outlive it. With `plant` given the link has its events before it answers anybody.
 LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant = nullptr);

@@ -72,6 +72,19 @@ std::string fault_text(const core::PlantTables& tables, const IoMap& map, const 
   return {};
 }
 
+std::string loss_words(const IoMap& map) {
+  std::size_t all = 0;
+  std::size_t zeroed = 0;
+  for (const IoPoint& point : map.points) {
+    if (point.table != Table::coil && point.table != Table::holding_register) continue;
+    ++all;
+    if (point.on_loss == OnLoss::zero) ++zeroed;
+  }
+  if (zeroed == 0) return "hold";
+  if (zeroed == all) return "go to zero";
+  return "hold, " + std::to_string(zeroed) + " of " + std::to_string(all) + " go to zero";
+}
+
 std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
   const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
   const auto name_of = [&](const IoPoint& point) { return core::to_upper(texts[std::size_t{point.symbol} * 2]); };

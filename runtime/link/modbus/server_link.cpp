@@ -179,15 +179,24 @@ class ServerLink final : public Link {
   Server server_;  // last: its thread ends before what it uses
 };
 
+/// Of `//HOST:PORT`.
+std::variant<HostPort, LinkError> address_of(std::string_view rest) {
+  if (rest.substr(0, 2) == "//") return parse_host_port(rest.substr(2));
+  return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
+                                               ":` is no address: give //HOST:PORT"};
+}
+
 }  // namespace
+
+std::string address_fault(std::string_view rest) {
+  const auto address = address_of(rest);
+  const auto* const error = std::get_if<LinkError>(&address);
+  return error == nullptr ? std::string() : error->message;
+}
 
 LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
                             const core::Plant* plant) {
-  if (rest.substr(0, 2) != "//") {
-    return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
-                                                 ":` is no address: give //HOST:PORT"};
-  }
-  auto address = parse_host_port(rest.substr(2));
+  auto address = address_of(rest);
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
   const IoMap map = make_io_map(tables, link.controller, link.settings);
   if (!map.faults.empty()) return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};

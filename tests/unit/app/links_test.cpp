@@ -12,7 +12,8 @@ MemoryFileSystem plant(const std::string& link) {
       "VAR_GLOBAL,L_P_D_I_A,X1,,BOOL,FALSE\n"
       "VAR_GLOBAL,SPEED,,%QD5,DINT,0\n"
       "VAR_GLOBAL,LEVEL,,%IL2,LREAL,0\n";
-  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"url": "loop:", )" + link + "}]}";
+  files.files["plant.json"] =
+      R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"url": "loop:")" + (link.empty() ? "" : ", " + link) + "}]}";
   return files;
 }
 
@@ -45,13 +46,13 @@ TEST_CASE("map shows sizes, watchdog and policies as the description has them") 
   CHECK(contains(out, "watchdog: holding register 3\n"));
   CHECK(contains(
       out,
-      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go off, the plant stands still\n"));
+      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go to zero, the plant stands still\n"));
   CHECK(contains(out, "back again: writes are collected for 5 s at most\n"));
   CHECK(contains(out, "on loss"));
   CHECK(contains(map_of(R"("status": "off")"), "status block: off\n"));
   CHECK(contains(map_of(R"("size": {"input-registers": 32})"),
                  "status block: off, there is no room for it above the map\n"));
-  CHECK(contains(map_of(R"("on-loss": "zero")"), "operations go off, "));
+  CHECK(contains(map_of(R"("on-loss": "zero")"), "operations go to zero, "));
 }
 
 TEST_CASE("map --link: the map of that link's controller, or why there is none") {
@@ -92,6 +93,59 @@ TEST_CASE(
   const ToolRun wrong = run_tool(held, files);
   CHECK(wrong.code == 2);
   CHECK(contains(wrong.err, "`keep` says nothing of operations: write hold or zero"));
+}
+
+TEST_CASE("run: the line of a link counts the operations that go to zero as map does") {
+  for (const auto& [link, symbols, words] :
+       {std::array{"zero", "hold", "hold, the"}, {"hold", "zero", "go to zero, the"}}) {
+    const std::string text =
+        std::string("\"on-loss\": \"") + link + R"(", "map": [{"symbol": "*", "on-loss": ")" + symbols;
+    MemoryFileSystem files = plant(text + "\"}]");
+    CHECK(contains(
+        run_tool({"run", "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0", "--until", "20ms"}, files).out,
+        std::string("after 1 s of silence: operations ") + words));
+    CHECK(contains(map_of(text + "\"}]"), std::string("operations ") + words));
+  }
+  MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "on-loss": "zero"}])");
+  CHECK(contains(
+      run_tool({"run", "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0", "--until", "20ms"}, files).out,
+      "operations hold, 1 of 2 go to zero, the plant runs on"));
+}
+
+TEST_CASE("check: a URL that no link can have, and a port that two links have, is told at its place") {
+  const auto told = [](const std::string& links) {
+    MemoryFileSystem files = plant("");
+    files.files["m.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,A_B_C_I_D,X1,,BOOL,FALSE\n";
+    files.files["plant.json"] = R"({"symplant": 1, "symbols": [{"file": "l.csv", "controller": "A"},
+      {"file": "m.csv", "controller": "B"}], "links": [
+)" + links + "]}";
+    const ToolRun run = run_tool({"check", "--select", "SP6", "plant.json"}, files);
+    CHECK(run.code == (run.out.find("error") == std::string::npos ? 0 : 1));
+    return run.out;
+  };
+  const auto url = [&](const std::string& text) { return told(R"({"controller": "A", "url": ")" + text + "\"}"); };
+  CHECK(contains(url("modbus-tcp-server://127.0.0.1:99999"),
+                 "plant.json:3:28: error: `127.0.0.1:99999` ends in no port"));
+  CHECK(contains(url("modbus-tcp-server://127.0.0.1"), "has no port: give HOST:PORT"));
+  CHECK(contains(url("modbus-tcp-server:127.0.0.1:1"), "is no address: give //HOST:PORT"));
+  CHECK(contains(url("foo://x"), "`foo://x` names no link: give one of `loop:`, `modbus-tcp-server://HOST:PORT`"));
+  CHECK(contains(url("loop:x"), "`loop:` takes nothing behind the colon"));
+  CHECK_FALSE(contains(url("modbus-tcp-server://some.host:1502"), "error"));
+  const std::string one = R"({"controller": "A", "url": "modbus-tcp-server://:1502"},)";
+  CHECK(contains(told(one + "\n" + R"({"controller": "B", "url": "modbus-tcp-server://:1502"})"),
+                 "plant.json:4:28: error: another link has this port already: give each a port of its own"));
+  CHECK_FALSE(contains(told(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
+}
+
+TEST_CASE("check: a symbol of 8 bits that has a register of its own is not told to have none") {
+  const auto told = [](const std::string& link) {
+    MemoryFileSystem files = plant(link);
+    files.files["l.csv"] += "VAR_GLOBAL,MODE,,%IB3,BYTE,7\n";
+    return run_tool({"check", "plant.json"}, files).out;
+  };
+  CHECK(contains(told(""), "`MODE` is BYTE, 8 bits: it is in the images and on no register"));
+  CHECK(contains(told(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])"), "SP312"));
+  CHECK_FALSE(contains(told(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
 }
 
 TEST_CASE("run: a time of silence that the cycle cannot keep is warned of, by the key that counts") {
