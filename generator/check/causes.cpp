@@ -175,12 +175,14 @@ class Folding {
         if (const auto root = guessed_root(name)) return *root;
       }
     } else if (role.follows_symbol) {
-      const auto found = by_symbol_.find(finding.about.front());
-      if (found == by_symbol_.end()) return i;
-      for (const std::uint32_t root : found->second) {
-        const RuleRole cause = role_of(findings_[root]);
-        if (cause.told_of == RuleRole::Of::name) continue;  // a wrong name moves no address
-        if (cause.rank < role.rank) return root;
+      for (const std::string& about : finding.about) {
+        const auto found = by_symbol_.find(about);
+        if (found == by_symbol_.end()) continue;
+        for (const std::uint32_t root : found->second) {
+          const RuleRole cause = role_of(findings_[root]);
+          if (cause.told_of == RuleRole::Of::name) continue;  // a wrong name moves no address
+          if (cause.rank < role.rank) return root;
+        }
       }
     }
     return i;

@@ -72,6 +72,12 @@ std::vector<std::string> about(const model::Symbol& symbol) {
   return names;
 }
 
+std::vector<std::string> about(const model::Symbol& symbol, const model::Symbol& other) {
+  std::vector<std::string> names = about(symbol);
+  names.emplace(names.begin() + 1, other.name());
+  return names;
+}
+
 std::vector<std::string> about(const model::Unit& unit) { return {std::string(unit.path)}; }
 
 std::vector<std::string> about(const read::ListRow& row) { return {std::string(row.name)}; }

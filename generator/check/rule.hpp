@@ -54,6 +54,8 @@ const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit&
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
 /// What a finding is about, as the user may name it in his settings: a symbol and its device, or a device.
 std::vector<std::string> about(const model::Symbol& symbol);
+/// Of two on one address: the other's name stands behind the symbol's.
+std::vector<std::string> about(const model::Symbol& symbol, const model::Symbol& other);
 std::vector<std::string> about(const model::Unit& unit);
 std::vector<std::string> about(const read::ListRow& row);
 /// "operation" or "event".

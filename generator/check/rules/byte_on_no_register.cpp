@@ -1,6 +1,8 @@
 // SP312 byte-on-no-register: a numeric symbol is of 8 bits and on no register.
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "check/rules.hpp"
 #include "model/classify.hpp"
 
@@ -19,7 +21,15 @@ lower half. Or use a type of 16 bits (INT, UINT, WORD).
 
 void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::Symbol& symbol : plant.symbols) {
+  std::vector<bool> placed(plant.symbols.size());
+  for (const model::ControllerLink& link : plant.links) {
+    for (const core::PlaceRow& row : link.places) {
+      if (row.number != core::PlaceRow::kDefault) placed[row.symbol] = true;
+    }
+  }
+  for (std::size_t i = 0; i < plant.symbols.size(); ++i) {
+    const model::Symbol& symbol = plant.symbols[i];
+    if (placed[i]) continue;
     const int bits = model::data_type_bits(symbol.type);
     if (bits != 8 || !symbol.address || bits != static_cast<int>(symbol.address->size)) continue;
     diagnostics.add(rule.info, about(symbol),

@@ -21,7 +21,7 @@ void check_event_moved_twice(const Rule& rule, const Subject& subject, diag::Dia
     const model::Symbol& a = plant.symbols[first];
     const model::Symbol& b = plant.symbols[second];
     diagnostics.add(
-        rule.info, about(b),
+        rule.info, about(b, a),
         fmt::format("`{}` stands on `{}` as `{}` does, and different devices move them: correct one address", b.name(),
                     b.address_cell, a.name()),
         place_of(plant, *b.row, b.address_cell), {{place_of(plant, *a.row, a.address_cell), "the other one"}});

@@ -95,6 +95,20 @@ TEST_CASE("A device of one task that nobody moves, or that tells nothing, is one
   CHECK(motor.fired() == "inferred-rest-state");
 }
 
+TEST_CASE("Two symbols on one address follow from the one whose addresses contradict each other, whichever it is") {
+  for (const bool first : {true, false}) {
+    std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
+    for (Row& row : rows) row.address = (row.iec[1] == 'Q' ? "Y" : "X") + row.iec.substr(3);
+    if (first)
+      rows[1].iec = rows[3].iec;
+    else
+      rows[3].iec = rows[1].iec;
+    const Analysed list = analyse_rows(rows);
+    CHECK(list.fired() == "addresses-contradict");
+    CHECK(follows(list, "addresses-contradict", "address-used-twice"));
+  }
+}
+
 TEST_CASE("Two faults of one device that have nothing to do with each other are two") {
   std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_O_C3", "L_P_D_I_C3"});
   rows[4].type = "BOL";  // I_C3 is lost, and I_B2 never was there
