@@ -1,8 +1,10 @@
 // What is wrong with the URLs of a plant's links.
 #include "app/url_findings.hpp"
 
-#include <algorithm>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model/description_rules.hpp"
@@ -15,14 +17,14 @@ namespace symplant::app {
 void add_url_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   const std::vector<model::LinkDescription>& links = plant.description->links;
   std::vector<model::DescriptionFault> faults;
-  for (auto link = links.begin(); link != links.end(); ++link) {
-    if (link->url.empty()) continue;  // its form is at fault
-    const auto place = static_cast<std::size_t>(link - links.begin());
-    const std::string pointer = (model::Pointer("/links") / place / "url").text();
-    if (std::string fault = link::url_fault(link->url); !fault.empty()) {
+  std::set<std::string_view> ports;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::string& url = links[i].url;
+    if (url.empty()) continue;  // its form is at fault
+    const std::string pointer = (model::Pointer("/links") / i / "url").text();
+    if (std::string fault = link::url_fault(url); !fault.empty()) {
       faults.push_back({pointer, std::move(fault), 0, model::FaultKind::shape});
-    } else if (std::any_of(links.begin(), link,
-                           [&](const auto& other) { return link::share_port(other.url, link->url); })) {
+    } else if (link::has_fixed_port(url) && !ports.insert(url).second) {
       faults.push_back({pointer, "another link has this port already: give each a port of its own", 0,
                         model::FaultKind::contradiction});
     }

@@ -69,9 +69,7 @@ LinkRequest parse_request(std::string_view text) {
 
 bool is_loop(std::string_view url) { return url == "loop:"; }
 
-bool share_port(std::string_view a, std::string_view b) {
-  return a == b && !is_loop(a) && !a.ends_with(":0");  // port 0 is any that is free
-}
+bool has_fixed_port(std::string_view url) { return !is_loop(url) && !url.ends_with(":0"); }
 
 std::string controller_text(const core::PlantTables& tables, std::uint32_t controller) {
   return text_of(core::split_names(tables.controller_names), controller);
@@ -95,8 +93,8 @@ std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantT
       }
     }
     const auto same = std::find_if(choices.begin(), choices.end(),
-                                   [&](const LinkChoice& before) { return share_port(before.url, chosen.url); });
-    if (same != choices.end()) {
+                                   [&](const LinkChoice& before) { return before.url == chosen.url; });
+    if (same != choices.end() && has_fixed_port(chosen.url)) {
       return usage(text_of(names, same->controller) + " and " + text_of(names, chosen.controller) +
                    " both have the link `" + chosen.url + "`: give each a port of its own");
     }

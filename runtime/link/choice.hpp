@@ -25,8 +25,8 @@ LinkRequest parse_request(std::string_view text);
 /// `loop:` on the command line is a PLC that writes nothing; every other link is a real one.
 bool is_loop(std::string_view url);
 
-/// Whether one machine cannot have both: it is one URL of a server, with a port that is not 0.
-bool share_port(std::string_view a, std::string_view b);
+/// Whether two links cannot both have this URL: a server's, with a port that is not 0, which is any that is free.
+bool has_fixed_port(std::string_view url);
 
 /// A controller as messages name it: "controller `PLC1`", "the controller without a name".
 std::string controller_text(const core::PlantTables& tables, std::uint32_t controller);
