@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "symplant/exec/guard/thread_sanitizer.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/host/signals.hpp"
 
@@ -27,6 +28,7 @@ constexpr int kMostFiles = 64;  ///< outputs are opened first
 
 /// Whether a pipe or a terminal that this process writes to is full.
 bool output_is_not_taken() {
+  const exec::guard::UnwatchedReads other_threads_may_open_and_close_files;
   for (int file = STDOUT_FILENO; file < kMostFiles; ++file) {
     struct stat kind {};
     if (fstat(file, &kind) != 0) continue;
