@@ -6,13 +6,13 @@
 #include <charconv>
 #include <string>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::address {
 
 namespace {
 
-using base::upper;
+using text::upper;
 
 std::string_view trimmed(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };

@@ -8,12 +8,12 @@
 #include <string>
 
 #include "app/map_notes.hpp"
-#include "base/ascii.hpp"
 #include "check/rules.hpp"
+#include "description/description_rules.hpp"
 #include "lower/lower.hpp"
-#include "model/description_rules.hpp"
-#include "symplant/core/names.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/names.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::app {
 namespace {
@@ -21,22 +21,22 @@ namespace {
 using Kind = link::MapFault::Kind;
 
 /// "/links/0": the link whose settings a controller has.
-model::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t controller) {
+description::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t controller) {
   const auto& links = plant.description->links;
-  const auto is_its = [&](const model::LinkDescription& link) {
+  const auto is_its = [&](const description::LinkDescription& link) {
     return link.has_settings &&
            (link.controller.empty() ? plant.controllers.size() == 1 || plant.controllers[controller].empty()
-                                    : base::equal_ignoring_case(link.controller, plant.controllers[controller]));
+                                    : text::equal_ignoring_case(link.controller, plant.controllers[controller]));
   };
   const auto found = std::find_if(links.begin(), links.end(), is_its);
-  return model::Pointer("/links") / static_cast<std::size_t>(found - links.begin());
+  return description::Pointer("/links") / static_cast<std::size_t>(found - links.begin());
 }
 
 constexpr std::array<std::string_view, link::kTables> kSizeKeys{"coils", "discrete-inputs", "holding-registers",
                                                                 "input-registers"};
 
 /// The key that is to be changed.
-model::Pointer key_of(Kind kind, const model::Pointer& link) {
+description::Pointer key_of(Kind kind, const description::Pointer& link) {
   switch (kind) {
     case Kind::status_overlap:
     case Kind::status_beyond:
@@ -53,8 +53,8 @@ model::Pointer key_of(Kind kind, const model::Pointer& link) {
 }
 
 /// One fault for each table whose size is too small, however many symbols stand beyond it.
-void add_size_faults(const core::PlantTables& tables, const link::IoMap& map, const model::Pointer& link,
-                     std::vector<model::DescriptionFault>& faults) {
+void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, const description::Pointer& link,
+                     std::vector<description::DescriptionFault>& faults) {
   std::array<const link::IoPoint*, link::kTables> last{};
   std::array<std::size_t, link::kTables> count{};
   for (const link::MapFault& fault : map.faults) {
@@ -66,7 +66,7 @@ void add_size_faults(const core::PlantTables& tables, const link::IoMap& map, co
     ++count[table];
     if (last[table] == nullptr || last[table]->last() < point->last()) last[table] = &*point;
   }
-  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+  const std::vector<std::string_view> texts = tables::split_names(tables.symbol_names);
   for (std::size_t t = 0; t < link::kTables; ++t) {
     if (last[t] == nullptr) continue;
     faults.push_back(
@@ -74,7 +74,7 @@ void add_size_faults(const core::PlantTables& tables, const link::IoMap& map, co
          fmt::format("{} {} beyond the size of {}, `{}` the furthest on {}: give a size of {} or more, or leave it out",
                      count[t], count[t] == 1 ? "symbol stands" : "symbols stand", map.sizes[t],
                      texts[std::size_t{last[t]->symbol} * 2], place_text(*last[t]), last[t]->last() + 1),
-         0, model::FaultKind::contradiction});
+         0, description::FaultKind::contradiction});
   }
 }
 
@@ -82,15 +82,15 @@ void add_size_faults(const core::PlantTables& tables, const link::IoMap& map, co
 
 bool places_can_meet(const model::PlantModel& plant) {
   const bool is_set = std::any_of(plant.description->links.begin(), plant.description->links.end(),
-                                  [](const model::LinkDescription& link) { return link.has_settings; });
+                                  [](const description::LinkDescription& link) { return link.has_settings; });
   return is_set || std::any_of(plant.symbols.begin(), plant.symbols.end(),
                                [](const model::Symbol& symbol) { return link::places_of(symbol.type) > 1; });
 }
 
 void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   const lower::EngineTables lowered = lower::lower(plant);
-  const core::PlantTables tables = lowered.tables();
-  std::vector<model::DescriptionFault> faults;
+  const tables::PlantTables tables = lowered.tables();
+  std::vector<description::DescriptionFault> faults;
   for (std::uint32_t controller = 0; controller < plant.links.size(); ++controller) {
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
     add_size_faults(tables, map, link_pointer(plant, controller), faults);
@@ -99,7 +99,7 @@ void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
       std::string message = link::fault_text(tables, map, fault);
       if (fault.kind != Kind::overlap) {
         faults.push_back({key_of(fault.kind, link_pointer(plant, controller)).text(), std::move(message), 0,
-                          model::FaultKind::contradiction});
+                          description::FaultKind::contradiction});
         continue;
       }
       const model::Symbol& other = plant.symbols[fault.symbol];
@@ -109,7 +109,7 @@ void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
                       {{check::place_of(plant, *other.row, other.address_cell), "the other symbol"}});
     }
   }
-  if (!faults.empty()) model::add_findings(plant.description_source, faults, diagnostics);
+  if (!faults.empty()) description::add_findings(plant.description_source, faults, diagnostics);
 }
 
 }  // namespace symplant::app

@@ -12,7 +12,7 @@
 namespace symplant::app {
 namespace {
 
-std::string time_text(core::Time time) { return view::duration_text(model::Duration::fixed(time)); }
+std::string time_text(tables::Time time) { return view::duration_text(description::Duration::fixed(time)); }
 
 /// "100", "104-105".
 std::string range_text(std::uint32_t first, std::uint32_t count) {
@@ -49,7 +49,7 @@ void add_status_block(std::string& text, const link::IoMap& map) {
   }
 }
 
-void add_policies(std::string& text, const link::IoMap& map, const core::LinkSettings& settings) {
+void add_policies(std::string& text, const link::IoMap& map, const link::LinkSettings& settings) {
   if (map.watchdog) {
     fmt::format_to(std::back_inserter(text), "watchdog: holding register {}\n", *map.watchdog);
   }
@@ -57,7 +57,7 @@ void add_policies(std::string& text, const link::IoMap& map, const core::LinkSet
                                            : time_text(settings.loss_after) + " without a request";
   fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence,
                  link::loss_words(map),
-                 settings.plant_on_loss == core::PlantOnLoss::freeze ? "stands still" : "runs on");
+                 settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
   fmt::format_to(std::back_inserter(text), "back again: writes are collected for {} at most\n",
                  time_text(settings.resync));
 }
@@ -78,11 +78,11 @@ std::string modicon_text(const link::IoPoint& point) {
   return one(point.number) + "-" + one(static_cast<std::uint16_t>(point.last()));
 }
 
-std::string word_order_text(core::WordOrder order) {
-  return order == core::WordOrder::low_first ? "low word first" : "high word first";
+std::string word_order_text(link::WordOrder order) {
+  return order == link::WordOrder::low_first ? "low word first" : "high word first";
 }
 
-std::string map_notes(const core::PlantTables& tables, const link::IoMap& map, const core::LinkSettings& settings) {
+std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings) {
   std::string text;
   add_sizes(text, map);
   fmt::format_to(std::back_inserter(text), "word order: {}\n", word_order_text(settings.word_order));

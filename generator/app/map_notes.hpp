@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "symplant/core/tables.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::app {
 
@@ -13,9 +13,9 @@ std::string place_text(const link::IoPoint& point);
 /// "00002", "40011-40012".
 std::string modicon_text(const link::IoPoint& point);
 /// "low word first".
-std::string word_order_text(core::WordOrder order);
+std::string word_order_text(link::WordOrder order);
 
 /// Lines about a map.
-std::string map_notes(const core::PlantTables& tables, const link::IoMap& map, const core::LinkSettings& settings);
+std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings);
 
 }  // namespace symplant::app

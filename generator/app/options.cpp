@@ -9,17 +9,17 @@
 #include <ostream>
 #include <vector>
 
+#include "description/plant_file.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
-#include "model/plant_file.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
 namespace {
 
-base::Encoding encoding_of(const std::string& name) {
-  if (const auto encoding = base::encoding_of_name(name)) return *encoding;
-  throw CLI::ValidationError("--encoding", diag::visible(model::no_such_encoding(name)));
+text::Encoding encoding_of(const std::string& name) {
+  if (const auto encoding = text::encoding_of_name(name)) return *encoding;
+  throw CLI::ValidationError("--encoding", diag::visible(description::no_such_encoding(name)));
 }
 
 }  // namespace

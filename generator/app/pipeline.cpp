@@ -13,13 +13,13 @@
 #include "app/map_findings.hpp"
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
-#include "check/causes.hpp"
 #include "check/check_plant.hpp"
-#include "check/settings.hpp"
+#include "description/description_rules.hpp"
+#include "findings/causes.hpp"
+#include "findings/settings.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
-#include "model/description_rules.hpp"
 #include "symplant/json/place.hpp"
 
 namespace symplant::app {
@@ -35,28 +35,28 @@ std::string_view device_of(std::string_view pointer) {
 /// that is not told.
 void add_description_findings(const Inputs& inputs, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
   std::set<std::string_view> faulty;
-  for (const model::DescriptionFault& fault : inputs.faults) faulty.insert(device_of(fault.pointer));
-  std::vector<model::DescriptionFault> all = inputs.faults;
+  for (const description::DescriptionFault& fault : inputs.faults) faulty.insert(device_of(fault.pointer));
+  std::vector<description::DescriptionFault> all = inputs.faults;
   for (const auto* list : {&plant.description_faults, &plant.description_warnings}) {
-    std::copy_if(list->begin(), list->end(), std::back_inserter(all), [&](const model::DescriptionFault& fault) {
+    std::copy_if(list->begin(), list->end(), std::back_inserter(all), [&](const description::DescriptionFault& fault) {
       const std::string_view device = device_of(fault.pointer);
       return device.empty() || faulty.count(device) == 0;
     });
   }
-  model::add_findings(inputs.source, all, diagnostics);
+  description::add_findings(inputs.source, all, diagnostics);
 }
 
 /// Finds the places that rules told as JSON pointers. One pass over the text for all of them.
-void locate(const std::shared_ptr<const base::SourceFile>& source, diag::Diagnostics& diagnostics) {
+void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnostics& diagnostics) {
   const std::vector<std::string> pointers = diagnostics.pointers();
   if (source == nullptr || pointers.empty()) return;
   std::vector<json::Fault> wanted;
   wanted.reserve(pointers.size());
   for (const std::string& pointer : pointers)
     wanted.push_back({pointer, {}, 0, pointer.starts_with("/check/severity/")});
-  std::vector<std::optional<base::Span>> spans;
+  std::vector<std::optional<text::Span>> spans;
   spans.reserve(pointers.size());
-  for (const json::Span& span : json::spans(source->text(), wanted)) spans.push_back(base::Span{span.begin, span.end});
+  for (const json::Span& span : json::spans(source->text(), wanted)) spans.push_back(text::Span{span.begin, span.end});
   diagnostics.locate(source, spans);
 }
 
@@ -66,7 +66,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
                                          Progress& progress, diag::Diagnostics& diagnostics) {
   const auto inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
-    diagnostics = check::select(std::move(diagnostics), options.selection);
+    diagnostics = findings::select(std::move(diagnostics), options.selection);
     return std::nullopt;
   }
 
@@ -82,14 +82,14 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
     progress.stage("checking");
     check::check_plant(plant, diagnostics);
     if (!diagnostics.has_errors() && places_can_meet(plant)) add_map_findings(plant, diagnostics);
-    if (const model::GivenCheck& settings = plant.description->check;
+    if (const description::GivenCheck& settings = plant.description->check;
         !settings.severity.empty() || !settings.ignore.empty()) {
-      diagnostics = check::apply_settings(diagnostics, settings, options.today);
+      diagnostics = findings::apply_settings(diagnostics, settings, options.today);
     }
   }
-  diagnostics = check::select(std::move(diagnostics), options.selection);
+  diagnostics = findings::select(std::move(diagnostics), options.selection);
   if (inputs->readable) {
-    check::fold_consequences(plant, diagnostics);
+    findings::fold_consequences(plant, diagnostics);
     locate(inputs->source, diagnostics);
   }
   diagnostics.sort_by_place(plant.sources());

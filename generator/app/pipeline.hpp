@@ -8,8 +8,8 @@
 #include "address/address.hpp"
 #include "app/progress.hpp"
 #include "base/file_system.hpp"
-#include "check/selection.hpp"
 #include "diag/diagnostic.hpp"
+#include "findings/selection.hpp"
 #include "lower/engine_tables.hpp"
 #include "model/plant_model.hpp"
 #include "read/readers.hpp"
@@ -17,11 +17,11 @@
 namespace symplant::app {
 
 struct CompileOptions {
-  std::string plant;                 ///< a plant.json, or a symbol list
-  read::ReadOptions read;            ///< of lists of which plant.json says nothing else
-  std::optional<address::Radix> xy;  ///< likewise
-  std::string today = {};            ///< YYYY-MM-DD, for findings ignored until a day; empty: none is over
-  check::Selection selection = {};   ///< of the findings that are told
+  std::string plant;                   ///< a plant.json, or a symbol list
+  read::ReadOptions read;              ///< of lists of which plant.json says nothing else
+  std::optional<address::Radix> xy;    ///< likewise
+  std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: none is over
+  findings::Selection selection = {};  ///< of the findings that are told
 };
 
 struct Compiled {

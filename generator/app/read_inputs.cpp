@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "model/description_rules.hpp"
+#include "description/description_rules.hpp"
 #include "name/naming_rule.hpp"
 
 namespace symplant::app {
@@ -22,7 +22,7 @@ class InputReader {
     progress_.stage("reading " + options_.plant);
     inputs_.name = fs::path(options_.plant).stem().string();
     auto bytes = files_.read(options_.plant);
-    if (bytes && model::is_plant_file(options_.plant, *bytes)) {
+    if (bytes && description::is_plant_file(options_.plant, *bytes)) {
       return read_description(std::move(*bytes)) ? std::optional(std::move(inputs_)) : std::nullopt;
     }
     auto table = bytes ? read::read_symbol_list(options_.plant, std::move(*bytes), options_.read, diagnostics_)
@@ -41,29 +41,29 @@ class InputReader {
 
   bool read_description(std::string bytes) {
     if (bytes.find_first_not_of(" \t\r\n") == std::string::npos) {
-      model::add_empty_file(options_.plant, diagnostics_);
+      description::add_empty_file(options_.plant, diagnostics_);
       return false;
     }
     auto text = read::decode_file(options_.plant, std::move(bytes), {}, diagnostics_, "save it as UTF-8");
     if (!text) return false;
-    inputs_.source = std::make_shared<base::SourceFile>(options_.plant, std::move(text->text));
-    model::PlantFileReading reading = model::read_plant_file(inputs_.source->text(), inputs_.name);
-    model::add_findings(inputs_.source, reading.syntax, diagnostics_);
+    inputs_.source = std::make_shared<text::SourceFile>(options_.plant, std::move(text->text));
+    description::PlantFileReading reading = description::read_plant_file(inputs_.source->text(), inputs_.name);
+    description::add_findings(inputs_.source, reading.syntax, diagnostics_);
     inputs_.faults = std::move(reading.faults);
     inputs_.readable = reading.syntax.empty() && inputs_.faults.empty();
     if (reading.file && read_lists(reading.file->symbols)) {
       inputs_.name = reading.file->name;
-      inputs_.description = std::make_shared<const model::Description>(std::move(reading.file->description));
+      inputs_.description = std::make_shared<const description::Description>(std::move(reading.file->description));
       return true;
     }
-    model::add_findings(inputs_.source, inputs_.faults, diagnostics_);
+    description::add_findings(inputs_.source, inputs_.faults, diagnostics_);
     return false;
   }
 
   /// False where one of them cannot be read, or there is none.
-  bool read_lists(const std::vector<model::ListReference>& lists) {
+  bool read_lists(const std::vector<description::ListReference>& lists) {
     bool all = !lists.empty();
-    for (const model::ListReference& reference : lists) {
+    for (const description::ListReference& reference : lists) {
       if (reference.file.empty()) {  // told already
         all = false;
         continue;

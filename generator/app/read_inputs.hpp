@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "description/plant_file.hpp"
 #include "model/build_plant.hpp"
-#include "model/plant_file.hpp"
 
 namespace symplant::app {
 
 struct Inputs {
-  std::string name;                                       ///< the plant's
-  std::shared_ptr<const base::SourceFile> source;         ///< the plant.json; null: a bare list
-  std::shared_ptr<const model::Description> description;  ///< null: a bare list
-  std::vector<model::DescriptionFault> faults;            ///< of the description's form
+  std::string name;                                             ///< the plant's
+  std::shared_ptr<const text::SourceFile> source;               ///< the plant.json; null: a bare list
+  std::shared_ptr<const description::Description> description;  ///< null: a bare list
+  std::vector<description::DescriptionFault> faults;            ///< of the description's form
   bool readable = true;  ///< all of it could be read and fits its format; else the plant is made to find faults only
   std::vector<model::ListInput> lists;
 };

@@ -12,8 +12,8 @@
 
 #include "app/commands.hpp"
 #include "diag/visible_text.hpp"
-#include "symplant/core/version.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/tables/version.hpp"
 
 namespace symplant::app {
 namespace {
@@ -31,7 +31,7 @@ void tell_visibly(const std::string& text, std::ostream& err) {
 
 void build_commands(CLI::App& app, Context& context) {
   app.description("symplant makes running plants from PLC symbol lists, to test PLC programs against.");
-  app.set_version_flag("--version", "symplant " + std::string(core::version()));
+  app.set_version_flag("--version", "symplant " + std::string(tables::version()));
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 good; 1 findings or failed expectations; 2 bad input or usage; 3 the environment (a port in use, "

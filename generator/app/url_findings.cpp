@@ -7,29 +7,29 @@
 #include <utility>
 #include <vector>
 
-#include "model/description_rules.hpp"
-#include "model/faults.hpp"
+#include "description/description_rules.hpp"
+#include "description/faults.hpp"
 #include "symplant/link/choice.hpp"
 #include "symplant/link/link.hpp"
 
 namespace symplant::app {
 
 void add_url_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  const std::vector<model::LinkDescription>& links = plant.description->links;
-  std::vector<model::DescriptionFault> faults;
+  const std::vector<description::LinkDescription>& links = plant.description->links;
+  std::vector<description::DescriptionFault> faults;
   std::set<std::string_view> ports;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const std::string& url = links[i].url;
     if (url.empty()) continue;  // its form is at fault
-    const std::string pointer = (model::Pointer("/links") / i / "url").text();
+    const std::string pointer = (description::Pointer("/links") / i / "url").text();
     if (std::string fault = link::url_fault(url); !fault.empty()) {
-      faults.push_back({pointer, std::move(fault), 0, model::FaultKind::shape});
+      faults.push_back({pointer, std::move(fault), 0, description::FaultKind::shape});
     } else if (link::has_fixed_port(url) && !ports.insert(url).second) {
       faults.push_back({pointer, "another link has this port already: give each a port of its own", 0,
-                        model::FaultKind::contradiction});
+                        description::FaultKind::contradiction});
     }
   }
-  model::add_findings(plant.description_source, faults, diagnostics);
+  description::add_findings(plant.description_source, faults, diagnostics);
 }
 
 }  // namespace symplant::app

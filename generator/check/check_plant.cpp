@@ -1,8 +1,8 @@
 // Looks a plant model over by every rule.
 #include "check/check_plant.hpp"
 
-#include "check/device_classes.hpp"
 #include "check/rules.hpp"
+#include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
 

@@ -14,30 +14,32 @@ diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol
   return place_of(plant, *symbol.row, symbol.name());
 }
 
-diag::Place place_of(diag::Place fallback, const model::Pointer& pointer) {
+diag::Place place_of(diag::Place fallback, const description::Pointer& pointer) {
   fallback.pointer = pointer.text();
   return fallback;
 }
 
-diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit, const model::Pointer& pointer) {
+diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit,
+                            const description::Pointer& pointer) {
   return place_of(place_of(plant, first_symbol_of(plant, unit)), pointer);
 }
 
-model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key) {
-  const model::Pointer here =
-      model::key_pointer(*unit.described, model::DeviceKey::transitions) / std::size_t{way.given};
+description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key) {
+  const description::Pointer here =
+      description::key_pointer(*unit.described, description::DeviceKey::transitions) / std::size_t{way.given};
   return key.empty() ? here : here / key;
 }
 
-model::Pointer entry_pointer(const model::Unit& unit) {
-  for (const model::DeviceDescription* entry : unit.described->from) {
-    if (entry != nullptr) return model::device_pointer(*entry);
+description::Pointer entry_pointer(const model::Unit& unit) {
+  for (const description::DeviceDescription* entry : unit.described->from) {
+    if (entry != nullptr) return description::device_pointer(*entry);
   }
-  return model::device_pointer(*unit.described);
+  return description::device_pointer(*unit.described);
 }
 
-model::Pointer ways_pointer(const model::Unit& unit) {
-  return unit.described->only ? model::key_pointer(*unit.described, model::DeviceKey::only) : entry_pointer(unit);
+description::Pointer ways_pointer(const model::Unit& unit) {
+  return unit.described->only ? description::key_pointer(*unit.described, description::DeviceKey::only)
+                              : entry_pointer(unit);
 }
 
 bool has_description(const model::PlantModel& plant) {
@@ -46,7 +48,7 @@ bool has_description(const model::PlantModel& plant) {
 }
 
 bool is_described(const model::PlantModel& plant) {
-  const model::Description& description = *plant.description;
+  const description::Description& description = *plant.description;
   return plant.description_faults.empty() && (!description.devices.empty() || !description.requirements.empty());
 }
 
@@ -82,8 +84,8 @@ std::vector<std::string> about(const model::Unit& unit) { return {std::string(un
 
 std::vector<std::string> about(const read::ListRow& row) { return {std::string(row.name)}; }
 
-std::string_view direction_text(core::Direction direction) {
-  return direction == core::Direction::operation ? "operation" : "event";
+std::string_view direction_text(tables::Direction direction) {
+  return direction == tables::Direction::operation ? "operation" : "event";
 }
 
 }  // namespace symplant::check

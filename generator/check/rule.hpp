@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "description/faults.hpp"
 #include "diag/diagnostic.hpp"
-#include "model/faults.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::check {
@@ -34,15 +34,17 @@ diag::Place place_of(const model::PlantModel& plant, const read::ListRow& row, s
 diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol);
 /// A place in the plant description, by JSON pointer; until it is located, or where there is no file, `fallback` stands
 /// for it.
-diag::Place place_of(diag::Place fallback, const model::Pointer& pointer);
+diag::Place place_of(diag::Place fallback, const description::Pointer& pointer);
 /// What the description says of a unit at one of its keys; the unit's first symbol stands for it. The unit must be
 /// described.
-diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit, const model::Pointer& pointer);
+diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit,
+                            const description::Pointer& pointer);
 /// An entry that speaks of a unit's device; its `only` where that is what takes its ways away.
-model::Pointer entry_pointer(const model::Unit& unit);
-model::Pointer ways_pointer(const model::Unit& unit);
+description::Pointer entry_pointer(const model::Unit& unit);
+description::Pointer ways_pointer(const model::Unit& unit);
 /// Where a given transition stands, or one of its keys.
-model::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key = {});
+description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way,
+                                        std::string_view key = {});
 /// Whether the plant has a description at all.
 bool has_description(const model::PlantModel& plant);
 /// Whether it says something of devices or has requirements, and is without faults, so that it can be looked at.
@@ -59,6 +61,6 @@ std::vector<std::string> about(const model::Symbol& symbol, const model::Symbol&
 std::vector<std::string> about(const model::Unit& unit);
 std::vector<std::string> about(const read::ListRow& row);
 /// "operation" or "event".
-std::string_view direction_text(core::Direction direction);
+std::string_view direction_text(tables::Direction direction);
 
 }  // namespace symplant::check

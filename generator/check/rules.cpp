@@ -4,34 +4,34 @@
 #include <algorithm>
 #include <map>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 
 void narrow(diag::Place& place, const model::Symbol& symbol) {
-  const base::Span part = symbol.reading.where;
+  const text::Span part = symbol.reading.where;
   if (place.span.end - place.span.begin != symbol.name().size()) return;  // the whole row, or an unescaped cell
   place.span = {place.span.begin + part.begin, place.span.begin + part.end};
 }
 
 std::string_view faulty_part(const model::Symbol& symbol) {
-  const base::Span part = symbol.reading.where;
+  const text::Span part = symbol.reading.where;
   return symbol.name().substr(part.begin, part.end - part.begin);
 }
 
 std::string_view consequence(const model::Symbol& symbol) {
-  return symbol.direction == core::Direction::event ? "nothing moves it" : "it moves nothing";
+  return symbol.direction == tables::Direction::event ? "nothing moves it" : "it moves nothing";
 }
 
 namespace {
 
 bool overruled(const model::Symbol& symbol) {
   if (!symbol.address || symbol.reading.fault != name::NameFault::none) return false;
-  return (symbol.reading.direction == name::Direction::operation) != (symbol.direction == core::Direction::operation);
+  return (symbol.reading.direction == name::Direction::operation) != (symbol.direction == tables::Direction::operation);
 }
 
 std::string task_key(std::string_view path, std::string_view task, bool operation) {
-  return base::to_upper(path) + (operation ? " O " : " I ") + base::to_upper(task);
+  return text::to_upper(path) + (operation ? " O " : " I ") + text::to_upper(task);
 }
 
 }  // namespace
@@ -42,16 +42,16 @@ std::vector<TaskClaim> task_claims(const model::PlantModel& plant) {
     const model::Symbol& symbol = plant.symbols[i];
     if (symbol.unmodelled != model::Unmodelled::task_taken) continue;
     dropped.emplace(
-        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == core::Direction::operation), i);
+        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == tables::Direction::operation), i);
   }
   std::vector<TaskClaim> claims;
   if (dropped.empty()) return claims;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const model::Symbol& symbol = plant.symbols[i];
     if (symbol.reading.fault != name::NameFault::none || symbol.unmodelled == model::Unmodelled::task_taken) continue;
-    if (symbol.type != core::DataType::boolean) continue;
+    if (symbol.type != tables::DataType::boolean) continue;
     const auto found = dropped.find(
-        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == core::Direction::operation));
+        task_key(symbol.reading.device_path, symbol.reading.task, symbol.direction == tables::Direction::operation));
     if (found == dropped.end()) continue;
     if (overruled(symbol)) {
       claims.push_back({i, found->second, true});

@@ -41,7 +41,7 @@ function(symplant_add_plant TARGET)
 
   add_library(${TARGET}_plant STATIC "${folder}/tables_gen.cpp" "${folder}/behaviours_gen.cpp")
   target_include_directories(${TARGET}_plant PUBLIC "${include_dir}")
-  target_link_libraries(${TARGET}_plant PUBLIC symplant::core)
+  target_link_libraries(${TARGET}_plant PUBLIC symplant::plant)
   if(ARG_BEHAVIOURS)
     target_include_directories(${TARGET}_plant PRIVATE "${folder}" "${behaviours}")
     target_compile_definitions(${TARGET}_plant PRIVATE SYMPLANT_BEHAVIOURS)

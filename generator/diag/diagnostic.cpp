@@ -84,8 +84,8 @@ std::vector<std::string> Diagnostics::pointers() const {
   return pointers;
 }
 
-void Diagnostics::locate(const std::shared_ptr<const base::SourceFile>& file,
-                         std::span<const std::optional<base::Span>> spans) {
+void Diagnostics::locate(const std::shared_ptr<const text::SourceFile>& file,
+                         std::span<const std::optional<text::Span>> spans) {
   const std::vector<std::string> known = pointers();
   const auto locate_one = [&](Place& place) {
     if (place.pointer.empty()) return;
@@ -101,14 +101,14 @@ void Diagnostics::locate(const std::shared_ptr<const base::SourceFile>& file,
   for (Ignored& ignored : ignored_) locate_all(ignored.finding);
 }
 
-void Diagnostics::sort_by_place(std::span<const base::SourceFile* const> files) {
-  const std::unordered_set<const base::SourceFile*> given(files.begin(), files.end());
-  std::unordered_map<const base::SourceFile*, std::size_t> ranks;  // looked up only, so that no pointer's value shows
+void Diagnostics::sort_by_place(std::span<const text::SourceFile* const> files) {
+  const std::unordered_set<const text::SourceFile*> given(files.begin(), files.end());
+  std::unordered_map<const text::SourceFile*, std::size_t> ranks;  // looked up only, so that no pointer's value shows
   for (const Diagnostic& diagnostic : all_) {
-    const base::SourceFile* const file = diagnostic.place.source.get();
+    const text::SourceFile* const file = diagnostic.place.source.get();
     if (file != nullptr && given.count(file) == 0) ranks.try_emplace(file, ranks.size() + 1);
   }
-  for (const base::SourceFile* file : files) ranks.try_emplace(file, ranks.size() + 1);
+  for (const text::SourceFile* file : files) ranks.try_emplace(file, ranks.size() + 1);
   struct Key {
     std::size_t rank;
     std::size_t begin;
@@ -121,7 +121,7 @@ void Diagnostics::sort_by_place(std::span<const base::SourceFile* const> files) 
   std::vector<Key> keys;
   keys.reserve(all_.size());
   for (const Diagnostic& diagnostic : all_) {
-    const base::SourceFile* const file = diagnostic.place.source.get();
+    const text::SourceFile* const file = diagnostic.place.source.get();
     keys.push_back({file == nullptr ? 0 : ranks[file], file == nullptr ? 0 : diagnostic.place.span.begin, keys.size()});
   }
   if (std::is_sorted(keys.begin(), keys.end())) return;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/source_file.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::diag {
 
@@ -33,8 +33,8 @@ std::optional<Severity> severity_of_name(std::string_view name);
 
 /// Bytes of a file; `source` may be null where the fault has no place (a file that could not be read).
 struct Place {
-  std::shared_ptr<const base::SourceFile> source;
-  base::Span span;
+  std::shared_ptr<const text::SourceFile> source;
+  text::Span span;
   /// Where the place in the plant description is known as a JSON pointer only: until Diagnostics::locate() finds it,
   /// `source` and `span` stand for it. Empty else.
   std::string pointer = {};
@@ -78,12 +78,12 @@ class Diagnostics {
 
   /// In the order of their files and of their places in them, those without a place first; of one place in the order of
   /// finding. Files stand in the order of `files`, before them those that are not among them, as they were first found.
-  void sort_by_place(std::span<const base::SourceFile* const> files = {});
+  void sort_by_place(std::span<const text::SourceFile* const> files = {});
   /// The pointers of all places, related ones too, that are not yet located: each once, sorted.
   std::vector<std::string> pointers() const;
   /// Gives those places the file and the spans: `spans[i]` is that of the i-th of pointers(); a place without one
   /// stays as it is.
-  void locate(const std::shared_ptr<const base::SourceFile>& file, std::span<const std::optional<base::Span>> spans);
+  void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
   std::span<const Ignored> ignored() const { return ignored_; }

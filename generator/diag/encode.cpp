@@ -1,8 +1,8 @@
 // One encoder a context.
 #include "diag/encode.hpp"
 
-#include "base/utf8.hpp"
 #include "diag/visible_text.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::diag {
 namespace {
@@ -19,7 +19,7 @@ bool is_ascii_letter_or_digit(char c) {
 std::string without_noncharacters(std::string_view utf8) {
   std::string text;
   for (std::size_t at = 0; at < utf8.size();) {
-    const base::CodePoint point = base::code_point_at(utf8, at);
+    const text::CodePoint point = text::code_point_at(utf8, at);
     if ((point.value & 0xFFFEU) == 0xFFFEU) {
       text += escaped(point.value);
     } else {

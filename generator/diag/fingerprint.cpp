@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::diag {
 namespace {
@@ -48,7 +48,7 @@ std::string Fingerprints::next(const Diagnostic& finding, std::string_view file)
   Digest digest;
   digest.add(finding.rule->id);
   digest.add(file);
-  for (const std::string& name : finding.about) digest.add(base::to_upper(name));
+  for (const std::string& name : finding.about) digest.add(text::to_upper(name));
   if (finding.about.empty()) {
     digest.add(without_numbers(finding.message));
     digest.add(text_at(finding.place));

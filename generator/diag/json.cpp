@@ -15,8 +15,8 @@ void add_place(Json& object, const Place& place) {
   if (!place.source) return;
   object["file"] = place.source->path();
   if (place.source->text().empty()) return;
-  const base::Position begin = place.source->position(place.span.begin);
-  const base::Position end = place.source->position(place.span.end);
+  const text::Position begin = place.source->position(place.span.begin);
+  const text::Position end = place.source->position(place.span.end);
   object["line"] = begin.line;
   object["column"] = begin.column;
   object["end_line"] = end.line;

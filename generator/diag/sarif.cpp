@@ -118,9 +118,9 @@ class SarifRenderer {
     return {{"physicalLocation", {{"artifactLocation", std::move(file)}, {"region", std::move(region)}}}};
   }
 
-  static Json region_of(const base::SourceFile& source, base::Span span) {
-    const base::Position begin = source.position(span.begin);
-    const base::Position end = source.position(span.end);
+  static Json region_of(const text::SourceFile& source, text::Span span) {
+    const text::Position begin = source.position(span.begin);
+    const text::Position end = source.position(span.end);
     Json region{
         {"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
     const std::size_t size = span.end - span.begin;

@@ -5,8 +5,8 @@
 #include <map>
 #include <string_view>
 
-#include "base/utf8.hpp"
 #include "diag/visible_text.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::diag {
 
@@ -49,13 +49,13 @@ std::size_t window_begin(std::string_view line, std::size_t place) {
   std::size_t begin = place;
   for (std::size_t left = kBeforePlace; begin > 0 && left > 0; --left) {
     do --begin;
-    while (begin > 0 && base::is_continuation(line[begin]));
+    while (begin > 0 && text::is_continuation(line[begin]));
   }
   return begin;
 }
 
 /// `place` in bytes of `line`. Looks at no more of the line than it shows.
-Excerpt cut_out(std::string_view line, base::Span place) {
+Excerpt cut_out(std::string_view line, text::Span place) {
   Excerpt excerpt;
   std::size_t at = line.size() <= kWindow ? 0 : window_begin(line, place.begin);
   std::size_t column = 0;
@@ -73,7 +73,7 @@ Excerpt cut_out(std::string_view line, base::Span place) {
       excerpt.shown += kEllipsis;
       break;
     }
-    const base::CodePoint point = base::code_point_at(line, at);
+    const text::CodePoint point = text::code_point_at(line, at);
     at += point.length;
     if (point.value == U'\t') {
       const std::size_t blanks = kTabStop - column % kTabStop;
@@ -84,7 +84,7 @@ Excerpt cut_out(std::string_view line, base::Span place) {
       excerpt.shown += text;
       column += text.size();
     } else {
-      base::append_utf8(excerpt.shown, point.value);
+      text::append_utf8(excerpt.shown, point.value);
       column += static_cast<std::size_t>(display_width(point.value));
     }
   }
@@ -150,7 +150,7 @@ class TextRenderer {
     if (place.source) {
       text_ += visible(place.source->path()) + ":";
       if (!place.source->text().empty()) {
-        const base::Position position = place.source->position(place.span.begin);
+        const text::Position position = place.source->position(place.span.begin);
         text_ += std::to_string(position.line) + ":" + std::to_string(position.column) + ":";
       }
       text_ += ' ';
@@ -162,7 +162,7 @@ class TextRenderer {
 
   void row(const Place& place) {
     if (!place.source || place.source->text().empty()) return;
-    const base::SourceFile& source = *place.source;
+    const text::SourceFile& source = *place.source;
     const std::string_view line = source.line_at(place.span.begin);
     const std::size_t line_begin = source.span_of(line).begin;
     const std::size_t begin = std::min(place.span.begin - line_begin, line.size());

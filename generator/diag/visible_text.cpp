@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-#include "base/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::diag {
 
@@ -63,12 +63,12 @@ std::string visible(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    const base::CodePoint point = base::code_point_at(text, at);
+    const text::CodePoint point = text::code_point_at(text, at);
     at += point.length;
     if (is_unsafe(point.value)) {
       shown += escaped(point.value);
     } else {
-      base::append_utf8(shown, point.value);
+      text::append_utf8(shown, point.value);
     }
   }
   return shown;

@@ -1,8 +1,8 @@
 // The user's own classes as views.
 #include "emit/behaviour_view.hpp"
 
-#include "base/identifier.hpp"
 #include "emit/type_view.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::emit {
 
@@ -10,10 +10,10 @@ std::vector<View> behaviour_views(const lower::EngineTables& tables, const model
                                   const std::vector<std::string>& classes) {
   std::vector<View> views;
   std::vector<std::vector<std::uint32_t>> devices;
-  for (const core::BehaviourUnit& row : tables.behaviour_units) {
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) {
     if (row.name == views.size()) {  // names are counted in the order of their first device
       View& view = views.emplace_back();
-      const std::string name = base::identifier(plant.units[row.unit].described->behaviour);
+      const std::string name = text::identifier(plant.units[row.unit].described->behaviour);
       view.texts["behaviour"] = name;
       view.texts["base"] = classes[tables.units[row.unit].type];
       view.texts["behaviour_file"] = name + "_behavior.hpp";

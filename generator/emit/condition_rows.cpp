@@ -21,11 +21,11 @@ std::string_view name_of(const std::array<std::string_view, Size>& names, Enumer
 
 /// The symbols of one plane, by bit or slot.
 std::unordered_map<std::uint32_t, std::uint32_t> symbols_of(const lower::EngineTables& tables,
-                                                            core::Direction direction, bool bits) {
+                                                            tables::Direction direction, bool bits) {
   std::unordered_map<std::uint32_t, std::uint32_t> symbols;
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
-    const core::SymbolRow& row = tables.symbols[i];
-    if (row.direction() == direction && (row.type() == core::DataType::boolean) == bits) symbols[row.index] = i;
+    const tables::SymbolRow& row = tables.symbols[i];
+    if (row.direction() == direction && (row.type() == tables::DataType::boolean) == bits) symbols[row.index] = i;
   }
   return symbols;
 }
@@ -36,9 +36,9 @@ std::string condition_rows(const lower::EngineTables& tables, const model::Plant
   RowWriter rows;
   const std::vector<std::string> readers = condition_readers(tables, plant);
   for (std::size_t i = 0; i < tables.conditions.size(); ++i) {
-    const core::ConditionRow& row = tables.conditions[i];
+    const tables::ConditionRow& row = tables.conditions[i];
     rows.text("    {").hex(row.truth).text(", ").numbers(row.reader, unsigned{row.reader_input});
-    rows.text(", core::ReaderKind::").text(name_of(kReaderKinds, row.reader_kind)).text("},  // ").number(i);
+    rows.text(", tables::ReaderKind::").text(name_of(kReaderKinds, row.reader_kind)).text("},  // ").number(i);
     rows.text(": ").comment(readers[i]).text("\n");
   }
   return rows.take();
@@ -46,7 +46,7 @@ std::string condition_rows(const lower::EngineTables& tables, const model::Plant
 
 std::string conditioned_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::ConditionedUnit& row : tables.conditioned_units) {
+  for (const tables::ConditionedUnit& row : tables.conditioned_units) {
     rows.text("    {").numbers(row.unit, row.first_condition).text("},  // ").comment(plant.units[row.unit].path);
     rows.text("\n");
   }
@@ -55,11 +55,11 @@ std::string conditioned_unit_rows(const lower::EngineTables& tables, const model
 
 std::string unit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::UnitWatch& row : tables.unit_watches) {
+  for (const tables::UnitWatch& row : tables.unit_watches) {
     const model::Unit& unit = plant.units[row.unit];
-    const bool moving = row.state == core::kMovingState;
+    const bool moving = row.state == tables::kMovingState;
     rows.text("    {").numbers(row.unit, row.condition).text(", ");
-    moving ? rows.text("core::kMovingState") : rows.number(unsigned{row.state});
+    moving ? rows.text("tables::kMovingState") : rows.number(unsigned{row.state});
     rows.text(", ").number(unsigned{row.input}).text("},  // ").comment(unit.path).text(".");
     rows.comment(moving ? "moving" : unit.states[row.state].name).text("\n");
   }
@@ -67,12 +67,12 @@ std::string unit_watch_rows(const lower::EngineTables& tables, const model::Plan
 }
 
 std::string bit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
-                           core::Direction direction) {
-  const auto& watches = direction == core::Direction::operation ? tables.operation_watches : tables.event_watches;
+                           tables::Direction direction) {
+  const auto& watches = direction == tables::Direction::operation ? tables.operation_watches : tables.event_watches;
   if (watches.empty()) return "";
   RowWriter rows;
   const auto symbols = symbols_of(tables, direction, true);
-  for (const core::BitWatch& row : watches) {
+  for (const tables::BitWatch& row : watches) {
     rows.text("    {").numbers(row.bit, row.condition, unsigned{row.input}).text("},  // ");
     rows.comment(plant.symbols[symbols.at(row.bit)].name()).text("\n");
   }
@@ -80,19 +80,19 @@ std::string bit_watch_rows(const lower::EngineTables& tables, const model::Plant
 }
 
 std::string value_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
-                             core::Direction direction) {
+                             tables::Direction direction) {
   const auto& watches =
-      direction == core::Direction::operation ? tables.operation_value_watches : tables.event_value_watches;
+      direction == tables::Direction::operation ? tables.operation_value_watches : tables.event_value_watches;
   if (watches.empty()) return "";
   RowWriter rows;
   const auto symbols = symbols_of(tables, direction, false);
-  for (const core::ValueWatch& row : watches) {
+  for (const tables::ValueWatch& row : watches) {
     const std::uint32_t symbol = symbols.at(row.slot);
     condition::Tree atom;
     atom.kind = condition::Tree::Kind::atom;
     atom.atom = {condition::Atom::Kind::number, symbol, 0, row.comparison, row.kind, row.operand};
     rows.text("    {").hex(row.operand).text(", ").numbers(row.slot, row.condition, unsigned{row.input});
-    rows.text(", core::Comparison::").text(name_of(kComparisons, row.comparison)).text(", core::NumberKind::");
+    rows.text(", tables::Comparison::").text(name_of(kComparisons, row.comparison)).text(", tables::NumberKind::");
     rows.text(name_of(kNumberKinds, row.kind)).text("},  // ").comment(short_condition_text(atom, plant)).text("\n");
   }
   return rows.take();
@@ -101,9 +101,9 @@ std::string value_watch_rows(const lower::EngineTables& tables, const model::Pla
 std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t i = 0; i < tables.requirements.size(); ++i) {
-    const core::RequirementRow& row = tables.requirements[i];
-    rows.text("    {core::RequirementRow::Kind::");
-    rows.text(row.kind == core::RequirementRow::Kind::never ? "never, " : "expect, ");
+    const tables::RequirementRow& row = tables.requirements[i];
+    rows.text("    {tables::RequirementRow::Kind::");
+    rows.text(row.kind == tables::RequirementRow::Kind::never ? "never, " : "expect, ");
     rows.numbers(row.condition, row.expected, row.within).text("},  // ").comment(plant.requirements[i].name);
     rows.text("\n");
   }
@@ -112,7 +112,7 @@ std::string requirement_rows(const lower::EngineTables& tables, const model::Pla
 
 std::string behaviour_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::BehaviourUnit& row : tables.behaviour_units) {
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) {
     const model::Unit& unit = plant.units[row.unit];
     rows.text("    {").numbers(row.unit, row.name, row.first_input, row.input_count, row.first_value, row.value_count);
     rows.text("},  // ").comment(unit.path).text(", ").comment(unit.described->behaviour).text("\n");

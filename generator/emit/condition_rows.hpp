@@ -13,9 +13,9 @@ std::string condition_rows(const lower::EngineTables& tables, const model::Plant
 std::string conditioned_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string unit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string bit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
-                           core::Direction direction);
+                           tables::Direction direction);
 std::string value_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
-                             core::Direction direction);
+                             tables::Direction direction);
 std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_value_rows(const lower::EngineTables& tables, const model::PlantModel& plant);

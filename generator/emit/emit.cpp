@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/identifier.hpp"
 #include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
@@ -17,7 +16,8 @@
 #include "emit/table_views.hpp"
 #include "emit/taken_namespaces.hpp"
 #include "emit/type_view.hpp"
-#include "symplant/core/version.hpp"
+#include "symplant/tables/version.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::emit {
 namespace {
@@ -34,9 +34,9 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   const std::vector<std::string> classes = class_names(tables, plant);
   View view;
   auto& texts = view.texts;
-  texts["version"] = core::version();
-  texts["version_required"] = fmt::format("{}.{}", core::kVersionMajor, core::kVersionMinor);
-  texts["tables_version"] = std::to_string(core::kTablesVersion);
+  texts["version"] = tables::version();
+  texts["version_required"] = fmt::format("{}.{}", tables::kVersionMajor, tables::kVersionMinor);
+  texts["tables_version"] = std::to_string(tables::kTablesVersion);
   texts["list"] = comment_text(plant.list_names());
   texts["plant"] = comment_text(tables.name);
   texts["namespace"] = namespace_of(tables.name);
@@ -61,7 +61,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   view.lists["view_includes"];
   view.lists["own_code"];
   if (!view.lists["behaviours"].empty()) {
-    view.lists["view_includes"].push_back({{{"include", "symplant/core/device_view.hpp"}}, {}});
+    view.lists["view_includes"].push_back({{{"include", "symplant/plant/device_view.hpp"}}, {}});
     view.lists["own_code"].emplace_back();
   }
   return view;
@@ -74,7 +74,7 @@ std::string namespace_of(const std::string& plant_name) {
   for (char& c : words) {
     if (c == ' ' || c == '-' || c == '.') c = '_';
   }
-  base::IdentifierScope scope(kTakenNamespaces);
+  text::IdentifierScope scope(kTakenNamespaces);
   return scope.unique(words);
 }
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <iterator>
 
-#include "base/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::emit {
 namespace {
@@ -38,7 +38,7 @@ void append_comment(std::string& out, std::string_view utf8) {
       ++at;
       continue;
     }
-    const base::CodePoint point = base::code_point_at(utf8, at);
+    const text::CodePoint point = text::code_point_at(utf8, at);
     fmt::format_to(std::back_inserter(out), "<U+{:04X}>", static_cast<std::uint32_t>(point.value));
     at += point.length;
   }

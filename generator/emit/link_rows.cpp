@@ -6,20 +6,20 @@
 namespace symplant::emit {
 namespace {
 
-std::string_view word_order(core::WordOrder order) {
-  return order == core::WordOrder::low_first ? "core::WordOrder::low_first" : "core::WordOrder::high_first";
+std::string_view word_order(link::WordOrder order) {
+  return order == link::WordOrder::low_first ? "link::WordOrder::low_first" : "link::WordOrder::high_first";
 }
 
-std::string_view on_loss(core::OnLoss what) {
+std::string_view on_loss(link::OnLoss what) {
   switch (what) {
-    case core::OnLoss::hold:
-      return "core::OnLoss::hold";
-    case core::OnLoss::zero:
-      return "core::OnLoss::zero";
-    case core::OnLoss::as_link:
+    case link::OnLoss::hold:
+      return "link::OnLoss::hold";
+    case link::OnLoss::zero:
+      return "link::OnLoss::zero";
+    case link::OnLoss::as_link:
       break;
   }
-  return "core::OnLoss::as_link";
+  return "link::OnLoss::as_link";
 }
 
 /// `{.member = value, .member = value}` of what differs from the default.
@@ -39,8 +39,8 @@ class Members {
   void place(std::string_view name, std::uint32_t value, std::uint32_t otherwise) {
     if (value == otherwise) return;
     RowWriter& rows = next(name);
-    if (value == core::kNowhere) {
-      rows.text("core::kNowhere");
+    if (value == link::kNowhere) {
+      rows.text("link::kNowhere");
     } else {
       rows.number(value);
     }
@@ -52,14 +52,14 @@ class Members {
 };
 
 void settings_row(RowWriter& rows, std::size_t controller, const model::ControllerLink& link) {
-  const core::LinkSettings& set = link.link;
-  const core::LinkSettings none;
+  const link::LinkSettings& set = link.link;
+  const link::LinkSettings none;
   Members members(rows);
   if (!link.places.empty()) members.next("places").text("links::kPlaces").number(controller);
   if (set.word_order != none.word_order) members.next("word_order").text(word_order(set.word_order));
   if (set.on_loss != none.on_loss) members.next("on_loss").text(on_loss(set.on_loss));
   if (set.plant_on_loss != none.plant_on_loss) {
-    members.next("plant_on_loss").text("core::PlantOnLoss::freeze");
+    members.next("plant_on_loss").text("link::PlantOnLoss::freeze");
   }
   if (set.sizes != none.sizes) {
     members.next("sizes").text("{").numbers(set.sizes[0], set.sizes[1], set.sizes[2], set.sizes[3]).text("}");
@@ -77,9 +77,9 @@ void settings_row(RowWriter& rows, std::size_t controller, const model::Controll
 
 }  // namespace
 
-std::string link_rows(const model::Description& description) {
+std::string link_rows(const description::Description& description) {
   RowWriter rows;
-  for (const model::LinkDescription& link : description.links) {
+  for (const description::LinkDescription& link : description.links) {
     rows.text("    {\"").literal(link.controller).text("\", \"").literal(link.url).text("\"},\n");
   }
   return rows.take();
@@ -92,12 +92,12 @@ std::string place_arrays(const model::PlantModel& plant) {
     if (!link.places.empty()) {
       rows.text(
           "// Symbols whose settings differ from their link's: symbol, number, word order, what a loss makes of it.\n");
-      rows.text("constexpr std::array<core::PlaceRow, ").number(link.places.size());
+      rows.text("constexpr std::array<link::PlaceRow, ").number(link.places.size());
       rows.text("> kPlaces").number(c).text("{{\n");
-      for (const core::PlaceRow& row : link.places) {
+      for (const link::PlaceRow& row : link.places) {
         rows.text("    {").number(row.symbol).text(", ");
-        if (row.number == core::PlaceRow::kDefault) {
-          rows.text("core::PlaceRow::kDefault");
+        if (row.number == link::PlaceRow::kDefault) {
+          rows.text("link::PlaceRow::kDefault");
         } else {
           rows.number(row.number);
         }

@@ -17,7 +17,7 @@ constexpr std::size_t kLongest = 160;  ///< bytes of a condition that are shown
 /// Who reads the condition at a place of its unit: the first transition that wants it, or an input of its behaviour.
 std::string unit_reader(std::uint32_t place, const lower::Type& type, const model::Unit& unit,
                         const model::PlantModel& plant) {
-  for (const core::Transition& t : type.transitions) {
+  for (const tables::Transition& t : type.transitions) {
     if (t.when == place) return transition_text(t, unit, plant);
   }
   const std::size_t input = place - unit.first_input;
@@ -29,12 +29,12 @@ std::string unit_reader(std::uint32_t place, const lower::Type& type, const mode
 
 }  // namespace
 
-std::string transition_text(const core::Transition& transition, const model::Unit& unit,
+std::string transition_text(const tables::Transition& transition, const model::Unit& unit,
                             const model::PlantModel& plant) {
   const std::string& from = unit.states[transition.from].name;
   const std::string& to = unit.states[transition.to].name;
-  if (transition.on == core::kSpringWay) return fmt::format("the spring's own way: {} to {}", from, to);
-  if (transition.on == core::kNoOperation) return fmt::format("d_int({}) = {}", from, to);
+  if (transition.on == tables::kSpringWay) return fmt::format("the spring's own way: {} to {}", from, to);
+  if (transition.on == tables::kNoOperation) return fmt::format("d_int({}) = {}", from, to);
   const std::string_view task = plant.symbols[unit.operations[transition.on]].reading.task;
   return fmt::format("d_ext({}, O_{}) = {}", from, task, to);
 }
@@ -49,8 +49,8 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
   for (std::size_t u = 0; u < tables.units.size(); ++u) {
     const auto& transitions = tables.types[tables.units[u].type].transitions;
     for (std::size_t t = 0; t < transitions.size(); ++t) {
-      const core::TransitionTimes& times = tables.times[tables.units[u].times + 1 + t];
-      for (const core::Time time : {times.after, times.takes}) {
+      const tables::TransitionTimes& times = tables.times[tables.units[u].times + 1 + t];
+      for (const tables::Time time : {times.after, times.takes}) {
         if (time >= 0) continue;
         std::string& reader = readers[static_cast<std::size_t>(-1 - time)];
         if (!reader.empty()) continue;
@@ -66,22 +66,22 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
   readers.reserve(tables.conditions.size());
   std::uint32_t place = 0;  // among the conditions of one reader, which lie side by side
   for (std::size_t i = 0; i < tables.conditions.size(); ++i) {
-    const core::ConditionRow& row = tables.conditions[i];
+    const tables::ConditionRow& row = tables.conditions[i];
     if (i != 0 &&
         (tables.conditions[i - 1].reader != row.reader || tables.conditions[i - 1].reader_kind != row.reader_kind)) {
       place = 0;
     }
     switch (row.reader_kind) {
-      case core::ReaderKind::unit: {
+      case tables::ReaderKind::unit: {
         const model::Unit& unit = plant.units[row.reader];
         readers.push_back(fmt::format("{}, {}: {}", unit.path,
                                       unit_reader(place, tables.types[tables.units[row.reader].type], unit, plant),
                                       short_condition_text(unit.conditions[place], plant)));
         break;
       }
-      case core::ReaderKind::requirement: {
+      case tables::ReaderKind::requirement: {
         const model::Requirement& requirement = plant.requirements[row.reader];
-        const bool never = requirement.kind == core::RequirementRow::Kind::never;
+        const bool never = requirement.kind == tables::RequirementRow::Kind::never;
         readers.push_back(fmt::format(
             "{}, {}: {}", requirement.name,
             row.reader_input == 1 ? "expect"
@@ -90,7 +90,7 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
             short_condition_text(row.reader_input == 1 ? requirement.expected : requirement.condition, plant)));
         break;
       }
-      case core::ReaderKind::condition:
+      case tables::ReaderKind::condition:
         readers.push_back(fmt::format("input {} of condition {}", row.reader_input, row.reader));
         break;
     }

@@ -10,7 +10,7 @@
 namespace symplant::emit {
 
 /// `d_ext(P1, O_P2) = P2`, `d_int(RUN2) = IDLE1`, `the spring's own way: ADV to RET`.
-std::string transition_text(const core::Transition& transition, const model::Unit& unit,
+std::string transition_text(const tables::Transition& transition, const model::Unit& unit,
                             const model::PlantModel& plant);
 
 /// A condition as a description writes it (`L_P_AGV.P2 and not L_P_DOOR.OPEN1`), cut where it is very long.

@@ -5,13 +5,13 @@
 #include <map>
 #include <string_view>
 
-#include "base/identifier.hpp"
 #include "emit/model_text.hpp"
 #include "emit/row_writer.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::emit {
 
-std::string_view data_type_name(core::DataType type) {
+std::string_view data_type_name(tables::DataType type) {
   static constexpr std::array<std::string_view, 15> kNames{"boolean", "sint",  "int_",  "dint",  "lint",
                                                            "usint",   "uint",  "udint", "ulint", "byte",
                                                            "word",    "dword", "lword", "real",  "lreal"};
@@ -23,17 +23,17 @@ namespace {
 constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
 
 /// The name of a kind's constant: direction, type, form of the address, moved or free.
-std::string kind_name(const core::SymbolRow& row) {
-  std::string name = row.direction() == core::Direction::operation ? "kOperation_" : "kEvent_";
+std::string kind_name(const tables::SymbolRow& row) {
+  std::string name = row.direction() == tables::Direction::operation ? "kOperation_" : "kEvent_";
   name += data_type_name(row.type());
   name.append("_").append(kFormNames[static_cast<std::size_t>(row.form())]);
   return name.append(row.moved() ? "_moved" : "_free");
 }
 
-std::map<core::SymbolKind, std::string> kind_names(const lower::EngineTables& tables) {
-  std::map<core::SymbolKind, std::string> names;
-  const core::SymbolRow* last = nullptr;
-  for (const core::SymbolRow& row : tables.symbols) {
+std::map<tables::SymbolKind, std::string> kind_names(const lower::EngineTables& tables) {
+  std::map<tables::SymbolKind, std::string> names;
+  const tables::SymbolRow* last = nullptr;
+  for (const tables::SymbolRow& row : tables.symbols) {
     if (last != nullptr && last->kind == row.kind) continue;
     last = &row;
     std::string& name = names[row.kind];
@@ -68,8 +68,8 @@ void constant_rows(RowWriter& rows, const std::string& blob, int step) {
     }
   };
   bool plain = true;
-  each([&](std::size_t, std::string_view name) { plain = plain && base::is_plain_identifier(name); });
-  base::IdentifierScope scope;
+  each([&](std::size_t, std::string_view name) { plain = plain && text::is_plain_identifier(name); });
+  text::IdentifierScope scope;
   each([&](std::size_t number, std::string_view name) {
     rows.text("  ");
     if (plain) {
@@ -83,13 +83,13 @@ void constant_rows(RowWriter& rows, const std::string& blob, int step) {
 
 }  // namespace
 
-std::string_view direction_name(core::Direction direction) {
-  return direction == core::Direction::operation ? "operation" : "event";
+std::string_view direction_name(tables::Direction direction) {
+  return direction == tables::Direction::operation ? "operation" : "event";
 }
 
 void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
   Texts names(tables.unit_names);
-  for (const core::UnitRow& row : tables.units) {
+  for (const tables::UnitRow& row : tables.units) {
     rows.text("    {").numbers(unsigned{row.type}, unsigned{row.initial}, unsigned{row.rich}, row.operation_bit);
     rows.text(", ").numbers(row.event_bit, row.times).text("},  // ").comment(names.next()).text("\n");
   }
@@ -97,7 +97,7 @@ void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
 
 std::string time_rows(const lower::EngineTables& tables) {
   RowWriter rows;
-  for (const core::TransitionTimes& row : tables.times) {
+  for (const tables::TransitionTimes& row : tables.times) {
     rows.text("    {").number(row.after).text(", ").number(row.takes).text("},\n");
   }
   return rows.take();
@@ -106,10 +106,10 @@ std::string time_rows(const lower::EngineTables& tables) {
 std::string kind_rows(const lower::EngineTables& tables) {
   RowWriter rows;
   for (const auto& [kind, name] : kind_names(tables)) {
-    const core::SymbolRow row{0, 0, 0, 0, kind};
-    rows.text("constexpr auto ").text(name).text(" = core::symbol_kind(core::DataType::");
-    rows.text(data_type_name(row.type())).text(", core::Direction::");
-    rows.text(direction_name(row.direction())).text(", core::AddressForm::");
+    const tables::SymbolRow row{0, 0, 0, 0, kind};
+    rows.text("constexpr auto ").text(name).text(" = tables::symbol_kind(tables::DataType::");
+    rows.text(data_type_name(row.type())).text(", tables::Direction::");
+    rows.text(direction_name(row.direction())).text(", tables::AddressForm::");
     rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true);\n" : ", false);\n");
   }
   return rows.take();
@@ -125,9 +125,9 @@ void symbol_rows(RowWriter& rows, const lower::EngineTables& tables, const model
     for (; list < tables.lists.size() && tables.lists[list].first_symbol == i; ++list) {
       list_name = ", " + comment_text(plant.lists[list].name()) + ":";
     }
-    const core::SymbolRow& row = tables.symbols[i];
+    const tables::SymbolRow& row = tables.symbols[i];
     rows.text("    {").number(row.index).text(", ");
-    if (row.unit == core::kNoUnit) {
+    if (row.unit == tables::kNoUnit) {
       rows.text("kFree");
     } else {
       rows.number(row.unit);
@@ -142,7 +142,7 @@ void symbol_rows(RowWriter& rows, const lower::EngineTables& tables, const model
 std::string list_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t i = 0; i < tables.lists.size(); ++i) {
-    const core::SymbolListRow& row = tables.lists[i];
+    const tables::SymbolListRow& row = tables.lists[i];
     rows.text("    {").numbers(row.first_symbol, row.controller).text("},  // ").comment(plant.lists[i].name());
     const std::string& controller = plant.controllers[row.controller];
     if (!controller.empty()) rows.text(" of ").comment(controller);
@@ -152,7 +152,7 @@ std::string list_rows(const lower::EngineTables& tables, const model::PlantModel
 }
 
 void initial_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant) {
-  for (const core::InitialValue& row : tables.initial_values) {
+  for (const tables::InitialValue& row : tables.initial_values) {
     rows.text("    {").number(row.symbol).text(", ").number(row.value).text("U},  // ");
     rows.comment(plant.symbols[row.symbol].name()).text("\n");
   }
@@ -160,7 +160,7 @@ void initial_rows(RowWriter& rows, const lower::EngineTables& tables, const mode
 
 std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::SharedAddress& row : tables.shared_addresses) {
+  for (const tables::SharedAddress& row : tables.shared_addresses) {
     rows.text("    {").numbers(row.symbol, row.leader).text("},  // ");
     rows.comment(plant.symbols[row.symbol].name()).text(" follows ").comment(plant.symbols[row.leader].name());
     rows.text("\n");
@@ -178,8 +178,9 @@ std::string random_rows(const lower::EngineTables& tables, const model::PlantMod
   RowWriter rows;
   const std::vector<std::string> readers = random_time_readers(tables, plant);
   for (std::size_t i = 0; i < tables.random_times.size(); ++i) {
-    const core::RandomTime& row = tables.random_times[i];
-    rows.text("    {core::RandomTime::Kind::").text(row.kind == core::RandomTime::Kind::uniform ? "uniform" : "normal");
+    const tables::RandomTime& row = tables.random_times[i];
+    rows.text("    {tables::RandomTime::Kind::")
+        .text(row.kind == tables::RandomTime::Kind::uniform ? "uniform" : "normal");
     rows.text(", ").numbers(row.a, row.b).text("},  // -").number(i + 1).text(": ").comment(readers[i]).text("\n");
   }
   return rows.take();
@@ -187,7 +188,7 @@ std::string random_rows(const lower::EngineTables& tables, const model::PlantMod
 
 std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::DisableRow& row : tables.disables) {
+  for (const tables::DisableRow& row : tables.disables) {
     const model::Unit& by = plant.units[row.by];
     rows.text("    {").numbers(row.by, row.unit, unsigned{row.state}).text("},  // l_disable of ").comment(by.path);
     rows.text(" in ").comment(by.states[row.state].name).text(": ").comment(plant.units[row.unit].path).text("\n");
@@ -197,19 +198,19 @@ std::string disable_rows(const lower::EngineTables& tables, const model::PlantMo
 
 std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant) {
   RowWriter rows;
-  for (const core::Transition& row : type.transitions) {
+  for (const tables::Transition& row : type.transitions) {
     rows.text("      {").numbers(unsigned{row.from}, unsigned{row.to}).text(", ");
-    if (row.on == core::kNoOperation) {
-      rows.text("symplant::core::kNoOperation");
-    } else if (row.on == core::kSpringWay) {
-      rows.text("symplant::core::kSpringWay");
+    if (row.on == tables::kNoOperation) {
+      rows.text("symplant::tables::kNoOperation");
+    } else if (row.on == tables::kSpringWay) {
+      rows.text("symplant::tables::kSpringWay");
     } else {
       rows.number(unsigned{row.on});
     }
-    const bool guarded = row.when != core::kNoCondition;
+    const bool guarded = row.when != tables::kNoCondition;
     if (row.once || guarded || row.timed) {
       rows.text(row.once ? ", true, " : ", false, ");
-      guarded ? rows.number(row.when) : rows.text("symplant::core::kNoCondition");
+      guarded ? rows.number(row.when) : rows.text("symplant::tables::kNoCondition");
       if (row.timed) rows.text(", true");
     }
     rows.text("},  // ").comment(transition_text(row, example, plant)).text(row.once ? ", once" : "");

@@ -26,9 +26,9 @@ std::string disable_rows(const lower::EngineTables& tables, const model::PlantMo
 std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space);
 std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant);
 
-/// The enumerators of core::DataType and core::Direction.
-std::string_view data_type_name(core::DataType type);
-std::string_view direction_name(core::Direction direction);
+/// The enumerators of tables::DataType and tables::Direction.
+std::string_view data_type_name(tables::DataType type);
+std::string_view direction_name(tables::Direction direction);
 
 /// A blob's texts, of which there must be one, as string literals, `per_line` on each line.
 void name_rows(RowWriter& rows, const std::string& blob, int per_line);

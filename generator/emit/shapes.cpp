@@ -6,8 +6,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/ascii.hpp"
-#include "base/pattern.hpp"
+#include "text/ascii.hpp"
+#include "text/pattern.hpp"
 
 namespace symplant::emit {
 namespace {
@@ -15,10 +15,10 @@ namespace {
 std::string key_of(const model::Unit& unit) {
   std::string key;
   for (const model::State& state : unit.states) {
-    key += base::to_upper(state.name) + (state.operation != model::kNone ? "\nO" : "\n-") +
+    key += text::to_upper(state.name) + (state.operation != model::kNone ? "\nO" : "\n-") +
            (state.event != model::kNone ? "I\n" : "-\n");
   }
-  key += std::string(model::actuation_name(unit.actuation)) + "\n" + std::to_string(unit.rest) + "\n" +
+  key += std::string(description::actuation_name(unit.actuation)) + "\n" + std::to_string(unit.rest) + "\n" +
          std::to_string(unit.initial) + "\n" + std::to_string(static_cast<int>(unit.initial_from));
   return key;
 }
@@ -36,7 +36,7 @@ constexpr std::size_t kMostKinds = 8;
 /// their first devices; the shape as it is where there are too many.
 std::vector<Shape> by_kind(const Shape& shape, const model::PlantModel& plant) {
   std::vector<Shape> kinds;
-  base::ByName<std::size_t> by_name;
+  text::ByName<std::size_t> by_name;
   for (const std::uint32_t unit : shape.units) {
     const auto [found, added] = by_name.try_emplace(kind_of(plant.units[unit]), kinds.size());
     if (added) kinds.emplace_back();
@@ -80,13 +80,13 @@ class Namer {
     bool one_digit = true;
     for (const std::uint32_t u : units) {
       const model::Unit& unit = plant_.units[u];
-      if (!base::equal_ignoring_case(kind_of(unit), kind_of(first))) return {};
+      if (!text::equal_ignoring_case(kind_of(unit), kind_of(first))) return {};
       const std::size_t shorter = std::min(place.size(), unit.path.size() - unit.device.size());
       std::size_t same = 0;
-      while (same < shorter && base::upper(place[same]) == base::upper(unit.path[same])) ++same;
+      while (same < shorter && text::upper(place[same]) == text::upper(unit.path[same])) ++same;
       one_place = one_place && same == place.size();
       place = place.substr(0, same);
-      one_name = one_name && base::equal_ignoring_case(unit.device, first.device);
+      one_name = one_name && text::equal_ignoring_case(unit.device, first.device);
       one_digit = one_digit && unit.device.size() == kind_of(unit).size() + 1;
     }
     while (!one_place && !place.empty() && (static_cast<unsigned char>(place.back()) & 0x80U) != 0) {
@@ -105,11 +105,11 @@ class Namer {
       const std::string_view other = path(unit);
       const std::size_t shorter = std::min(first.size(), other.size());
       std::size_t same = 0;
-      while (same < std::min(begin, shorter) && base::upper(first[same]) == base::upper(other[same])) ++same;
+      while (same < std::min(begin, shorter) && text::upper(first[same]) == text::upper(other[same])) ++same;
       begin = same;
       same = 0;
       while (same < std::min(end, shorter) &&
-             base::upper(first[first.size() - 1 - same]) == base::upper(other[other.size() - 1 - same])) {
+             text::upper(first[first.size() - 1 - same]) == text::upper(other[other.size() - 1 - same])) {
         ++same;
       }
       end = same;
@@ -136,12 +136,12 @@ class Namer {
   bool fits_just(const std::string& pattern, const Shape& shape) const {
     return fits_none_but(pattern, shape) &&
            std::all_of(shape.units.begin(), shape.units.end(),
-                       [&](std::uint32_t unit) { return base::matches_pattern(path(unit), pattern); });
+                       [&](std::uint32_t unit) { return text::matches_pattern(path(unit), pattern); });
   }
 
   bool fits_none_but(const std::string& pattern, const Shape& shape) const {
     for (std::uint32_t unit = 0; unit < plant_.units.size(); ++unit) {
-      if (!base::matches_pattern(path(unit), pattern)) continue;
+      if (!text::matches_pattern(path(unit), pattern)) continue;
       if (!std::binary_search(shape.units.begin(), shape.units.end(), unit)) return false;
     }
     return true;
@@ -150,7 +150,7 @@ class Namer {
   void take(Shape& shape, const std::string& pattern) const {
     shape.pattern = pattern;
     std::copy_if(shape.units.begin(), shape.units.end(), std::back_inserter(shape.named),
-                 [&](std::uint32_t unit) { return base::matches_pattern(path(unit), pattern); });
+                 [&](std::uint32_t unit) { return text::matches_pattern(path(unit), pattern); });
   }
 
   const model::PlantModel& plant_;

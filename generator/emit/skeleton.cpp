@@ -42,8 +42,8 @@ std::string one_line(const Json& json) {
   return spaced;
 }
 
-std::string seconds(core::Time time) {
-  return time % core::kSecond == 0 ? fmt::format("{}s", time / core::kSecond) : fmt::format("{}ns", time);
+std::string seconds(tables::Time time) {
+  return time % tables::kSecond == 0 ? fmt::format("{}s", time / tables::kSecond) : fmt::format("{}ns", time);
 }
 
 /// "A, B, C and 4 more"
@@ -147,7 +147,7 @@ class Skeleton {
   }
 
   void links() {
-    const bool low = plant_.links.front().link.word_order == core::WordOrder::low_first;
+    const bool low = plant_.links.front().link.word_order == link::WordOrder::low_first;
     line("  // How the PLC is linked; `symplant map` shows which symbol stands where:");
     line("  // \"links\": [{\"url\": \"modbus-tcp-server://127.0.0.1:1502\", \"word-order\": \"" +
          std::string(low ? "low-first" : "high-first") + "\", \"on-loss\": \"hold\", \"loss-after\": \"1s\"}],");
@@ -190,8 +190,8 @@ class Skeleton {
     if (!hint.empty()) line("    // Worth saying: " + hint);
     line("    " + json_text(shape.pattern) + ": {");
     line("      // \"initial\": " + json_text(unit.states[unit.initial].name) + ",");
-    line("      // \"actuation\": " + json_text(model::actuation_name(unit.actuation)) + ",");
-    if (unit.actuation == core::Actuation::spring) {
+    line("      // \"actuation\": " + json_text(description::actuation_name(unit.actuation)) + ",");
+    if (unit.actuation == tables::Actuation::spring) {
       line("      // \"rest\": " + json_text(unit.states[unit.rest].name) + ",");
     }
     const Json transitions = transitions_of(unit);
@@ -210,8 +210,8 @@ class Skeleton {
     std::string text =
         fmt::format("{} device{}: operations {}; events {}; {}", shape.units.size(), shape.units.size() == 1 ? "" : "s",
                     operations.empty() ? "none" : some_of(operations), events.empty() ? "none" : some_of(events),
-                    model::actuation_name(unit.actuation));
-    if (unit.actuation == core::Actuation::spring) text += " that rests in " + unit.states[unit.rest].name;
+                    description::actuation_name(unit.actuation));
+    if (unit.actuation == tables::Actuation::spring) text += " that rests in " + unit.states[unit.rest].name;
     text += fmt::format(", starts in {}", unit.states[unit.initial].name);
     if (shape.named.size() == shape.units.size()) return text;
     std::vector<std::string> others;
@@ -232,7 +232,7 @@ class Skeleton {
     if (unit.initial_candidates > 1) add("`initial`, since several events start TRUE");
     if (unit.operations.empty()) {
       add("what moves it");
-    } else if (unit.actuation == core::Actuation::latched && unit.operations.size() == 2 && unit.states.size() == 2) {
+    } else if (unit.actuation == tables::Actuation::latched && unit.operations.size() == 2 && unit.states.size() == 2) {
       add("`actuation`, if it is a double solenoid (bistable) or a motor (held), and how long its ways take");
     } else {
       add("how long its ways take");
@@ -252,7 +252,7 @@ class Skeleton {
     const std::string travel = seconds(unit.travel);
     for (std::uint32_t to = 0; to < unit.states.size(); ++to) {
       const std::string& name = unit.states[to].name;
-      const bool own_way = unit.actuation == core::Actuation::spring && to == unit.rest;
+      const bool own_way = unit.actuation == tables::Actuation::spring && to == unit.rest;
       if (unit.states[to].operation == model::kNone && !own_way) continue;
       const std::string_view from = unit.states.size() == 2 ? std::string_view(unit.states[1 - to].name) : "*";
       add(from, name, {{"takes", travel}});

@@ -14,9 +14,9 @@
 namespace symplant::emit {
 namespace {
 
-using core::Direction;
+using tables::Direction;
 
-/// Puts tables and members side by side, in the order of core::PlantTables. A table without rows is left out.
+/// Puts tables and members side by side, in the order of tables::PlantTables. A table without rows is left out.
 class TableViews {
  public:
   explicit TableViews(View& view)
@@ -57,27 +57,27 @@ class TableViews {
 };
 
 void add_conditions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
-  views.rows("conditions", "kConditions", "core::ConditionRow",
+  views.rows("conditions", "kConditions", "tables::ConditionRow",
              "A condition: its truth table, who reads it, as which input.", condition_rows(tables, plant));
-  views.rows("conditioned_units", "kConditionedUnits", "core::ConditionedUnit",
+  views.rows("conditioned_units", "kConditionedUnits", "tables::ConditionedUnit",
              "A device with conditions: device, the first of them.", conditioned_unit_rows(tables, plant));
-  views.rows("unit_watches", "kUnitWatches", "core::UnitWatch",
+  views.rows("unit_watches", "kUnitWatches", "tables::UnitWatch",
              "Which device's state a condition watches: device, condition, state, input of the condition.",
              unit_watch_rows(tables, plant));
   const char* const bits = "bit, condition, input of the condition.";
-  views.rows("operation_watches", "kOperationWatches", "core::BitWatch",
+  views.rows("operation_watches", "kOperationWatches", "tables::BitWatch",
              fmt::format("Which operation a condition watches: {}", bits),
              bit_watch_rows(tables, plant, Direction::operation));
-  views.rows("event_watches", "kEventWatches", "core::BitWatch",
+  views.rows("event_watches", "kEventWatches", "tables::BitWatch",
              fmt::format("Which event a condition watches: {}", bits), bit_watch_rows(tables, plant, Direction::event));
   const char* const values = "operand, slot, condition, input of the condition, comparison, kind of number.";
-  views.rows("operation_value_watches", "kOperationValueWatches", "core::ValueWatch",
+  views.rows("operation_value_watches", "kOperationValueWatches", "tables::ValueWatch",
              fmt::format("Which numeric operation a condition compares: {}", values),
              value_watch_rows(tables, plant, Direction::operation));
-  views.rows("event_value_watches", "kEventValueWatches", "core::ValueWatch",
+  views.rows("event_value_watches", "kEventValueWatches", "tables::ValueWatch",
              fmt::format("Which numeric event a condition compares: {}", values),
              value_watch_rows(tables, plant, Direction::event));
-  views.rows("requirements", "kRequirements", "core::RequirementRow",
+  views.rows("requirements", "kRequirements", "tables::RequirementRow",
              "A requirement: what it wants, its condition, the one expected, within which time (ns).",
              requirement_rows(tables, plant));
 }
@@ -89,32 +89,32 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   views.value("name", string_literal(tables.name));
   views.value("types", "kTypes");
   views.rows(
-      "units", "kUnits", "core::UnitRow",
+      "units", "kUnits", "tables::UnitRow",
       "A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its "
       "events, first of its times.",
       !tables.units.empty(), [&](RowWriter& rows) { unit_rows(rows, tables); });
   views.rows(
-      "times", "kTimes", "core::TransitionTimes",
+      "times", "kTimes", "tables::TransitionTimes",
       "For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).",
       time_rows(tables));
-  views.rows("random_times", "kRandomTimes", "core::RandomTime",
+  views.rows("random_times", "kRandomTimes", "tables::RandomTime",
              "Times that are drawn: minimum and maximum, or mean and standard deviation (ns).",
              random_rows(tables, plant));
-  views.rows("symbols", "kSymbols", "core::SymbolRow",
+  views.rows("symbols", "kSymbols", "tables::SymbolRow",
              "A symbol: bit or slot, device, number of its address, line in the list, kind.", !tables.symbols.empty(),
              [&](RowWriter& rows) { symbol_rows(rows, tables, plant); });
-  views.rows("lists", "kLists", "core::SymbolListRow", "A symbol list: its first symbol, its controller.",
+  views.rows("lists", "kLists", "tables::SymbolListRow", "A symbol list: its first symbol, its controller.",
              list_rows(tables, plant));
-  views.rows("initial_values", "kInitialValues", "core::InitialValue",
+  views.rows("initial_values", "kInitialValues", "tables::InitialValue",
              "Starting values that no device sets: symbol, value.", !tables.initial_values.empty(),
              [&](RowWriter& rows) { initial_rows(rows, tables, plant); });
-  views.rows("shared_addresses", "kSharedAddresses", "core::SharedAddress",
+  views.rows("shared_addresses", "kSharedAddresses", "tables::SharedAddress",
              "Symbols on the address of another: symbol, the one that it follows.", shared_rows(tables, plant));
-  views.rows("disables", "kDisables", "core::DisableRow",
+  views.rows("disables", "kDisables", "tables::DisableRow",
              "Who cannot move while another device is in a state: that device, who cannot move, the state.",
              disable_rows(tables, plant));
   add_conditions(views, tables, plant);
-  views.rows("behaviour_units", "kBehaviourUnits", "core::BehaviourUnit",
+  views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
              "A device with a class of your own: device, class, its inputs among its conditions, its values.",
              behaviour_unit_rows(tables, plant));
   views.rows("behaviour_values", "kBehaviourValues", "std::uint32_t", "Numeric symbols of those devices.",

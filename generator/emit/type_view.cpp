@@ -5,12 +5,12 @@
 
 #include <set>
 
-#include "base/generated_names.hpp"
-#include "base/identifier.hpp"
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
 #include "emit/row_writer.hpp"
 #include "emit/rows.hpp"
+#include "text/generated_names.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::emit {
 namespace {
@@ -26,15 +26,15 @@ std::string joined(const std::vector<std::string>& parts, std::string_view prefi
 }
 
 /// Where each state switches its own event alone: in one line.
-std::string masks_in_line(const std::vector<core::EventMasks>& masks) {
+std::string masks_in_line(const std::vector<tables::EventMasks>& masks) {
   std::vector<std::string> parts;
   parts.reserve(masks.size());
-  for (const core::EventMasks& row : masks) parts.push_back(fmt::format("{{{:#x}, {:#x}}}", row.on, row.off));
+  for (const tables::EventMasks& row : masks) parts.push_back(fmt::format("{{{:#x}, {:#x}}}", row.on, row.off));
   return joined(parts);
 }
 
 /// Of each state the events that entering or leaving it switches, a row each with the events' names.
-std::string mask_rows(const std::vector<core::EventMasks>& masks, const model::Unit& unit,
+std::string mask_rows(const std::vector<tables::EventMasks>& masks, const model::Unit& unit,
                       const model::PlantModel& plant) {
   RowWriter rows;
   const auto list = [&](std::uint64_t events, std::string_view word) {
@@ -55,15 +55,15 @@ std::string mask_rows(const std::vector<core::EventMasks>& masks, const model::U
 }
 
 /// What a move does while its operations change, in words.
-std::string_view actuation_text(core::Actuation actuation) {
+std::string_view actuation_text(tables::Actuation actuation) {
   switch (actuation) {
-    case core::Actuation::latched:
+    case tables::Actuation::latched:
       return "a move once started goes on to its end";
-    case core::Actuation::bistable:
+    case tables::Actuation::bistable:
       return "a move goes on without a command and turns round on the other one";
-    case core::Actuation::held:
+    case tables::Actuation::held:
       return "it moves as long as its operation is on";
-    case core::Actuation::spring:
+    case tables::Actuation::spring:
       return "a spring returns it to rest when no operation is on";
   }
   return "";
@@ -72,7 +72,7 @@ std::string_view actuation_text(core::Actuation actuation) {
 /// One side of a type: its enumerators, each with the example's symbol.
 std::vector<std::string> add_side(View& view, const std::string& list, const std::vector<std::uint32_t>& side,
                                   const model::PlantModel& plant) {
-  base::IdentifierScope scope;
+  text::IdentifierScope scope;
   std::vector<std::string> enumerators;
   auto& items = view.lists[list];
   for (const std::uint32_t index : side) {
@@ -98,12 +98,12 @@ std::string meaning(const model::Unit& unit, const model::State& state) {
   if (state.event != kNone) text += fmt::format("{}reported by I_{}", text.empty() ? "" : ", ", state.name);
   if (text.empty()) text = "added: neither commanded nor reported";
   const auto place = static_cast<std::uint32_t>(&state - unit.states.data());
-  if (unit.actuation == core::Actuation::spring && unit.rest == place) text += ", the spring's rest";
+  if (unit.actuation == tables::Actuation::spring && unit.rest == place) text += ", the spring's rest";
   return comment_text(text);
 }
 
 std::vector<std::string> add_states(View& view, const model::Unit& unit) {
-  base::IdentifierScope scope;
+  text::IdentifierScope scope;
   std::vector<std::string> enumerators;
   auto& items = view.lists["states"];
   for (const model::State& state : unit.states) {
@@ -117,14 +117,14 @@ std::vector<std::string> add_states(View& view, const model::Unit& unit) {
 }
 
 std::string state_number(std::uint8_t state) {
-  return state == core::kNoState ? "symplant::core::kNoState" : std::to_string(state);
+  return state == tables::kNoState ? "symplant::tables::kNoState" : std::to_string(state);
 }
 
 /// What a behaviour sees and sets beyond states, operations and events.
 void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel& plant) {
   View own;
-  own.texts["behaviour"] = base::identifier(unit.described->behaviour);
-  base::IdentifierScope scope;
+  own.texts["behaviour"] = text::identifier(unit.described->behaviour);
+  text::IdentifierScope scope;
   auto& inputs = own.lists["inputs"];
   for (std::size_t i = 0; i < unit.input_names.size(); ++i) {
     View item;
@@ -136,7 +136,7 @@ void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel&
   std::vector<std::string> kinds;
   for (const std::uint32_t index : unit.values) {
     const model::Symbol& symbol = plant.symbols[index];
-    kinds.push_back(fmt::format("{{symplant::core::DataType::{}, symplant::core::Direction::{}}}",
+    kinds.push_back(fmt::format("{{symplant::tables::DataType::{}, symplant::tables::Direction::{}}}",
                                 data_type_name(symbol.type), direction_name(symbol.direction)));
   }
   own.texts["value_count"] = std::to_string(kinds.size());
@@ -161,7 +161,7 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   texts["transition_count"] = std::to_string(type.transitions.size());
   texts["transition_rows"] = transition_rows(type, unit, plant);
   texts["rest"] = state_number(type.rest);
-  texts["actuation"] = model::actuation_name(unit.actuation);
+  texts["actuation"] = description::actuation_name(unit.actuation);
   texts["enter_rows"] = unit.outputs.empty() ? masks_in_line(type.enter) : mask_rows(type.enter, unit, plant);
   texts["leave_rows"] = unit.outputs.empty() ? masks_in_line(type.leave) : mask_rows(type.leave, unit, plant);
   std::vector<std::string> targets;
@@ -191,7 +191,7 @@ std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const mo
 }
 
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  base::IdentifierScope scope(base::kGeneratedNames);
+  text::IdentifierScope scope(text::kGeneratedNames);
   std::vector<std::string> names(tables.types.size());
   std::set<std::string> own;                          // the user's classes are not to be named again
   enum class Source { derived_from, given, device };  // what the user's code is derived from has its name first
@@ -200,7 +200,7 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
     return unit.has_behaviour() ? Source::derived_from : Source::given;
   };
   for (const model::Unit& unit : plant.units) {
-    if (unit.has_behaviour()) own.insert(base::identifier(unit.described->behaviour));
+    if (unit.has_behaviour()) own.insert(text::identifier(unit.described->behaviour));
   }
   for (const std::string& name : own) scope.unique(name);
   for (const Source source : {Source::derived_from, Source::given, Source::device}) {

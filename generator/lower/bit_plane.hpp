@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::lower {
 
@@ -26,13 +26,13 @@ class BitPlane {
   std::size_t used_ = 0;
 };
 
-/// The operations' plane: the units in one word lie near each other, too (core::kMaxUnitsInWord).
+/// The operations' plane: the units in one word lie near each other, too (tables::kMaxUnitsInWord).
 class OperationPlane : public BitPlane {
  public:
   /// Units ask in their order.
   std::uint32_t take_for(std::uint32_t unit, std::size_t count) {
     if (count == 0) return take(0);
-    if (!at_word() && unit - first_in_word_ >= core::kMaxUnitsInWord) next_word();
+    if (!at_word() && unit - first_in_word_ >= tables::kMaxUnitsInWord) next_word();
     const std::uint32_t first = take(count);
     if (first / 64 != word_) {
       word_ = first / 64;

@@ -12,7 +12,7 @@ void EngineTables::finish() {
   }
 }
 
-core::PlantTables EngineTables::tables() const {
+tables::PlantTables EngineTables::tables() const {
   return {
       .name = name,
       .types = type_rows,

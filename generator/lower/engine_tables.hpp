@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::lower {
 
@@ -16,10 +16,10 @@ struct Type {
   std::uint8_t events;
   std::uint8_t states;
   std::uint8_t rest;
-  core::Actuation actuation;
-  std::vector<core::Transition> transitions;
-  std::vector<core::EventMasks> enter;
-  std::vector<core::EventMasks> leave;
+  tables::Actuation actuation;
+  std::vector<tables::Transition> transitions;
+  std::vector<tables::EventMasks> enter;
+  std::vector<tables::EventMasks> leave;
   std::vector<std::uint8_t> operation_targets;
 };
 
@@ -27,23 +27,23 @@ struct Type {
 struct EngineTables {
   std::string name;
   std::vector<Type> types;
-  std::vector<core::UnitRow> units;
-  std::vector<core::TransitionTimes> times;
-  std::vector<core::RandomTime> random_times;
-  std::vector<core::SymbolRow> symbols;
-  std::vector<core::SymbolListRow> lists;
-  std::vector<core::InitialValue> initial_values;
-  std::vector<core::SharedAddress> shared_addresses;
-  std::vector<core::DisableRow> disables;
-  std::vector<core::ConditionRow> conditions;
-  std::vector<core::ConditionedUnit> conditioned_units;
-  std::vector<core::UnitWatch> unit_watches;
-  std::vector<core::BitWatch> operation_watches;
-  std::vector<core::BitWatch> event_watches;
-  std::vector<core::ValueWatch> operation_value_watches;
-  std::vector<core::ValueWatch> event_value_watches;
-  std::vector<core::RequirementRow> requirements;
-  std::vector<core::BehaviourUnit> behaviour_units;
+  std::vector<tables::UnitRow> units;
+  std::vector<tables::TransitionTimes> times;
+  std::vector<tables::RandomTime> random_times;
+  std::vector<tables::SymbolRow> symbols;
+  std::vector<tables::SymbolListRow> lists;
+  std::vector<tables::InitialValue> initial_values;
+  std::vector<tables::SharedAddress> shared_addresses;
+  std::vector<tables::DisableRow> disables;
+  std::vector<tables::ConditionRow> conditions;
+  std::vector<tables::ConditionedUnit> conditioned_units;
+  std::vector<tables::UnitWatch> unit_watches;
+  std::vector<tables::BitWatch> operation_watches;
+  std::vector<tables::BitWatch> event_watches;
+  std::vector<tables::ValueWatch> operation_value_watches;
+  std::vector<tables::ValueWatch> event_value_watches;
+  std::vector<tables::RequirementRow> requirements;
+  std::vector<tables::BehaviourUnit> behaviour_units;
   std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;
   std::uint32_t event_bits = 0;
@@ -57,10 +57,10 @@ struct EngineTables {
   std::string list_names;
   std::string controller_names;
 
-  std::vector<core::TypeRow> type_rows;  ///< of `types`, as the engine wants them; made by finish()
+  std::vector<tables::TypeRow> type_rows;  ///< of `types`, as the engine wants them; made by finish()
 
   void finish();
-  core::PlantTables tables() const;
+  tables::PlantTables tables() const;
 };
 
 }  // namespace symplant::lower

@@ -46,7 +46,7 @@ class Lowering {
     base::reserve_large(tables_.units, plant_.units.size());
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
       const model::Unit& unit = plant_.units[u];
-      core::UnitRow row{};
+      tables::UnitRow row{};
       const std::uint32_t type = types.type_of(plant_, u, tables_.types);
       row.type = type & 0x7F'FFFF;
       row.initial = unit.initial & 0xFF;

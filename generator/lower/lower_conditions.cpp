@@ -44,16 +44,16 @@ class ConditionLowering {
     const model::Unit& unit = plant_.units[u];
     if (unit.conditions.empty()) return;
     tables_.conditioned_units.push_back({u, next_condition()});
-    for (const condition::Tree& tree : unit.conditions) add_condition(tree, core::ReaderKind::unit, u, 0);
+    for (const condition::Tree& tree : unit.conditions) add_condition(tree, tables::ReaderKind::unit, u, 0);
   }
 
   void lower_requirement(std::uint32_t r) {
     const model::Requirement& requirement = plant_.requirements[r];
-    core::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within};
-    add_condition(requirement.condition, core::ReaderKind::requirement, r, 0);
-    if (requirement.kind == core::RequirementRow::Kind::expect) {
+    tables::RequirementRow row{requirement.kind, next_condition(), 0, requirement.within};
+    add_condition(requirement.condition, tables::ReaderKind::requirement, r, 0);
+    if (requirement.kind == tables::RequirementRow::Kind::expect) {
       row.expected = next_condition();
-      add_condition(requirement.expected, core::ReaderKind::requirement, r, 1);
+      add_condition(requirement.expected, tables::ReaderKind::requirement, r, 1);
     }
     tables_.requirements.push_back(row);
     tables_.requirement_names.append(requirement.name).push_back('\0');
@@ -61,7 +61,7 @@ class ConditionLowering {
 
   std::uint32_t next_condition() const { return static_cast<std::uint32_t>(tables_.conditions.size()); }
 
-  void add_condition(const condition::Tree& tree, core::ReaderKind kind, std::uint32_t reader, std::uint8_t input) {
+  void add_condition(const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t reader, std::uint8_t input) {
     std::vector<condition::TruthTable> network = condition::truth_tables(tree);
     const std::uint32_t place = next_condition();
     tables_.conditions.push_back({network.back().truth, reader, input, kind});
@@ -77,7 +77,7 @@ class ConditionLowering {
       for (std::uint32_t t = 0; t < inner; ++t) {
         const Reader& reader = readers[t];
         tables_.conditions.push_back({network[t].truth, reader.table == inner ? whole : first + reader.table,
-                                      reader.input, core::ReaderKind::condition});
+                                      reader.input, tables::ReaderKind::condition});
         add_watches(network[t], first + t);
       }
     }
@@ -96,18 +96,18 @@ class ConditionLowering {
         tables_.unit_watches.push_back({atom.of, condition, atom.state, input});
         return;
       case Kind::moving:
-        tables_.unit_watches.push_back({atom.of, condition, core::kMovingState, input});
+        tables_.unit_watches.push_back({atom.of, condition, tables::kMovingState, input});
         return;
       case Kind::bit: {
-        const core::SymbolRow& symbol = tables_.symbols[atom.of];
-        (symbol.direction() == core::Direction::operation ? tables_.operation_watches : tables_.event_watches)
+        const tables::SymbolRow& symbol = tables_.symbols[atom.of];
+        (symbol.direction() == tables::Direction::operation ? tables_.operation_watches : tables_.event_watches)
             .push_back({symbol.index, condition, input});
         return;
       }
       case Kind::number: {
-        const core::SymbolRow& symbol = tables_.symbols[atom.of];
-        (symbol.direction() == core::Direction::operation ? tables_.operation_value_watches
-                                                          : tables_.event_value_watches)
+        const tables::SymbolRow& symbol = tables_.symbols[atom.of];
+        (symbol.direction() == tables::Direction::operation ? tables_.operation_value_watches
+                                                            : tables_.event_value_watches)
             .push_back({atom.operand, symbol.index, condition, input, atom.comparison, atom.number});
         return;
       }
@@ -121,11 +121,11 @@ class ConditionLowering {
         return std::tie(a.*what, a.condition, a.input) < std::tie(b.*what, b.condition, b.input);
       });
     };
-    by(tables_.unit_watches, &core::UnitWatch::unit);
-    by(tables_.operation_watches, &core::BitWatch::bit);
-    by(tables_.event_watches, &core::BitWatch::bit);
-    by(tables_.operation_value_watches, &core::ValueWatch::slot);
-    by(tables_.event_value_watches, &core::ValueWatch::slot);
+    by(tables_.unit_watches, &tables::UnitWatch::unit);
+    by(tables_.operation_watches, &tables::BitWatch::bit);
+    by(tables_.event_watches, &tables::BitWatch::bit);
+    by(tables_.operation_value_watches, &tables::ValueWatch::slot);
+    by(tables_.event_value_watches, &tables::ValueWatch::slot);
   }
 
   struct Network {

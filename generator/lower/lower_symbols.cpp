@@ -13,12 +13,12 @@ namespace {
 
 using model::kNone;
 
-core::AddressForm form_of(const model::Symbol& symbol) {
-  if (!symbol.address) return core::AddressForm::none;
+tables::AddressForm form_of(const model::Symbol& symbol) {
+  if (!symbol.address) return tables::AddressForm::none;
   // An address of another size than the symbol's is a fault that the checks report; it has no place on a link.
-  if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) return core::AddressForm::none;
-  if (!symbol.address->plain || symbol.address->number > 0xFFFF'FFFF) return core::AddressForm::other;
-  return core::AddressForm::number;
+  if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) return tables::AddressForm::none;
+  if (!symbol.address->plain || symbol.address->number > 0xFFFF'FFFF) return tables::AddressForm::other;
+  return tables::AddressForm::number;
 }
 
 class SymbolLowering {
@@ -35,13 +35,13 @@ class SymbolLowering {
     base::reserve_large(tables_.symbol_names, text);
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const model::Symbol& symbol = plant_.symbols[i];
-      core::SymbolRow row{};
+      tables::SymbolRow row{};
       row.index = index_of(i);
-      row.unit = symbol.unit == kNone ? core::kNoUnit : symbol.unit;
-      const core::AddressForm form = form_of(symbol);
-      row.number = form == core::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
+      row.unit = symbol.unit == kNone ? tables::kNoUnit : symbol.unit;
+      const tables::AddressForm form = form_of(symbol);
+      row.number = form == tables::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
       row.row = symbol.row->line;
-      row.kind = core::symbol_kind(symbol.type, symbol.direction, form, moved(i));
+      row.kind = tables::symbol_kind(symbol.type, symbol.direction, form, moved(i));
       tables_.symbols.push_back(row);
       tables_.symbol_names.append(symbol.name()).push_back('\0');
       tables_.symbol_names.append(symbol.written_address()).push_back('\0');
@@ -53,8 +53,8 @@ class SymbolLowering {
  private:
   std::uint32_t index_of(std::uint32_t i) {
     const model::Symbol& symbol = plant_.symbols[i];
-    const bool operation = symbol.direction == core::Direction::operation;
-    if (symbol.type != core::DataType::boolean) {
+    const bool operation = symbol.direction == tables::Direction::operation;
+    if (symbol.type != tables::DataType::boolean) {
       return operation ? tables_.operation_slots++ : tables_.event_slots++;
     }
     if (symbol_bits_[i] != kNone) return symbol_bits_[i];
@@ -71,7 +71,7 @@ class SymbolLowering {
     const model::Symbol& symbol = plant_.symbols[i];
     if (symbol.unit == kNone) return false;
     const model::Unit& unit = plant_.units[symbol.unit];
-    if (symbol.direction == core::Direction::operation) return unit.moves();
+    if (symbol.direction == tables::Direction::operation) return unit.moves();
     return unit.moves_event(place_of(i));
   }
 
@@ -98,8 +98,8 @@ class SymbolLowering {
   bool keeps_initial(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
     if (symbol.initial == 0 || leader_of(i) != i) return false;
-    if (symbol.type != core::DataType::boolean) return true;
-    if (symbol.direction == core::Direction::operation) return false;
+    if (symbol.type != tables::DataType::boolean) return true;
+    if (symbol.direction == tables::Direction::operation) return false;
     return symbol.unit == kNone || !set_at_start(i);
   }
 
@@ -108,8 +108,8 @@ class SymbolLowering {
   bool set_at_start(std::uint32_t event) const {
     const model::Unit& unit = plant_.units[plant_.symbols[event].unit];
     const std::uint64_t mask = std::uint64_t{1} << place_of(event);
-    const std::vector<core::EventMasks>& enter = tables_.types[tables_.units[plant_.symbols[event].unit].type].enter;
-    const core::EventMasks& first = enter[unit.initial];
+    const std::vector<tables::EventMasks>& enter = tables_.types[tables_.units[plant_.symbols[event].unit].type].enter;
+    const tables::EventMasks& first = enter[unit.initial];
     if (((first.on | first.off) & mask) != 0) return true;
     return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
       if (state.event == kNone) return false;
@@ -123,7 +123,7 @@ class SymbolLowering {
   BitPlane& operations_;
   BitPlane& events_;
   EngineTables& tables_;
-  std::map<std::pair<std::uint32_t, core::DataType>, std::uint32_t> first_of_type_;  ///< of a leader's address
+  std::map<std::pair<std::uint32_t, tables::DataType>, std::uint32_t> first_of_type_;  ///< of a leader's address
 };
 
 }  // namespace

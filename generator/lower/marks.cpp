@@ -8,17 +8,17 @@ namespace symplant::lower {
 namespace {
 
 /// A transition waits for its cause, or draws a time; 0 is a fixed time of none.
-bool timed(const core::TransitionTimes& times) { return times.after != 0 || times.takes < 0; }
+bool timed(const tables::TransitionTimes& times) { return times.after != 0 || times.takes < 0; }
 
 void mark_transitions(EngineTables& tables) {
-  for (const core::UnitRow& unit : tables.units) {
-    std::vector<core::Transition>& transitions = tables.types[unit.type].transitions;
+  for (const tables::UnitRow& unit : tables.units) {
+    std::vector<tables::Transition>& transitions = tables.types[unit.type].transitions;
     for (std::size_t t = 0; t < transitions.size(); ++t) {
       if (timed(tables.times[unit.times + 1 + t])) transitions[t].timed = true;
     }
   }
-  for (const core::BehaviourUnit& row : tables.behaviour_units) {
-    for (core::Transition& t : tables.types[tables.units[row.unit].type].transitions) t.timed = true;
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) {
+    for (tables::Transition& t : tables.types[tables.units[row.unit].type].transitions) t.timed = true;
   }
 }
 
@@ -30,13 +30,13 @@ void mark_what_costs_more(EngineTables& tables) {
   rich_types.reserve(tables.types.size());
   for (const Type& type : tables.types) {
     rich_types.push_back(std::any_of(type.transitions.begin(), type.transitions.end(),
-                                     [](const core::Transition& t) { return t.timed; }));
+                                     [](const tables::Transition& t) { return t.timed; }));
   }
-  for (core::UnitRow& unit : tables.units) unit.rich = rich_types[unit.type] ? 1 : 0;
-  for (const core::ConditionedUnit& row : tables.conditioned_units) tables.units[row.unit].rich = 1;
-  for (const core::BehaviourUnit& row : tables.behaviour_units) tables.units[row.unit].rich = 1;
-  for (const core::UnitWatch& row : tables.unit_watches) tables.units[row.unit].rich = 1;
-  for (const core::DisableRow& row : tables.disables) {
+  for (tables::UnitRow& unit : tables.units) unit.rich = rich_types[unit.type] ? 1 : 0;
+  for (const tables::ConditionedUnit& row : tables.conditioned_units) tables.units[row.unit].rich = 1;
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) tables.units[row.unit].rich = 1;
+  for (const tables::UnitWatch& row : tables.unit_watches) tables.units[row.unit].rich = 1;
+  for (const tables::DisableRow& row : tables.disables) {
     tables.units[row.by].rich = 1;
     tables.units[row.unit].rich = 1;
   }

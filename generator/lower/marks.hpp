@@ -5,7 +5,7 @@
 
 namespace symplant::lower {
 
-/// Sets core::Transition::timed and core::UnitRow::rich, once all other tables stand. O(transitions of all units).
+/// Sets tables::Transition::timed and tables::UnitRow::rich, once all other tables stand. O(transitions of all units).
 void mark_what_costs_more(EngineTables& tables);
 
 }  // namespace symplant::lower

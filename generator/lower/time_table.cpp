@@ -3,13 +3,13 @@
 
 namespace symplant::lower {
 
-core::Time TimeTable::lowered(const model::Duration& duration, std::vector<core::RandomTime>& random_times) {
-  if (duration.kind == model::Duration::Kind::fixed) return duration.a;
-  const core::RandomTime row{duration.kind == model::Duration::Kind::uniform ? core::RandomTime::Kind::uniform
-                                                                             : core::RandomTime::Kind::normal,
-                             duration.a, duration.b};
+tables::Time TimeTable::lowered(const description::Duration& duration, std::vector<tables::RandomTime>& random_times) {
+  if (duration.kind == description::Duration::Kind::fixed) return duration.a;
+  const tables::RandomTime row{duration.kind == description::Duration::Kind::uniform ? tables::RandomTime::Kind::uniform
+                                                                                     : tables::RandomTime::Kind::normal,
+                               duration.a, duration.b};
   const auto [found, added] =
-      random_.try_emplace({row.kind, row.a, row.b}, -1 - static_cast<core::Time>(random_times.size()));
+      random_.try_emplace({row.kind, row.a, row.b}, -1 - static_cast<tables::Time>(random_times.size()));
   if (added) random_times.push_back(row);
   return found->second;
 }

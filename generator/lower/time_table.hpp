@@ -18,12 +18,12 @@ class TimeTable {
   std::uint32_t times_of(std::uint32_t type, const model::Unit& unit, EngineTables& tables);
 
  private:
-  /// As core::TransitionTimes has it.
-  core::Time lowered(const model::Duration& duration, std::vector<core::RandomTime>& random_times);
+  /// As tables::TransitionTimes has it.
+  tables::Time lowered(const description::Duration& duration, std::vector<tables::RandomTime>& random_times);
 
   std::map<std::vector<std::int64_t>, std::uint32_t> by_times_;
   std::vector<std::int64_t> key_;  ///< of the unit at hand
-  std::map<std::tuple<core::RandomTime::Kind, core::Time, core::Time>, core::Time> random_;
+  std::map<std::tuple<tables::RandomTime::Kind, tables::Time, tables::Time>, tables::Time> random_;
 };
 
 }  // namespace symplant::lower

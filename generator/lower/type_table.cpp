@@ -39,28 +39,28 @@ std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& uni
 }
 
 /// Of several assignments to one event the last counts.
-void assign(core::EventMasks& masks, std::uint64_t events, bool on) {
+void assign(tables::EventMasks& masks, std::uint64_t events, bool on) {
   masks.on = on ? masks.on | events : masks.on & ~events;
   masks.off = on ? masks.off & ~events : masks.off | events;
 }
 
 /// What entering (`on`) or leaving a state switches: its own event, then the outputs.
-core::EventMasks masks_of(const model::PlantModel& plant, const model::Unit& unit, const model::State& state, bool on,
-                          const std::vector<std::pair<std::uint32_t, bool>>& outputs) {
-  core::EventMasks masks{};
+tables::EventMasks masks_of(const model::PlantModel& plant, const model::Unit& unit, const model::State& state, bool on,
+                            const std::vector<std::pair<std::uint32_t, bool>>& outputs) {
+  tables::EventMasks masks{};
   if (state.event != kNone) assign(masks, events_with(plant, unit, state.event), on);
   for (const auto& [event, value] : outputs) assign(masks, events_with(plant, unit, event), value);
   return masks;
 }
 
-core::Transition lowered(const model::Transition& t) {
-  core::Transition row{};
+tables::Transition lowered(const model::Transition& t) {
+  tables::Transition row{};
   row.from = static_cast<std::uint8_t>(t.from);
   row.to = static_cast<std::uint8_t>(t.to);
-  row.on = t.on == kNone ? core::kNoOperation : static_cast<std::uint8_t>(t.on);
-  if (t.spring_way) row.on = core::kSpringWay;
+  row.on = t.on == kNone ? tables::kNoOperation : static_cast<std::uint8_t>(t.on);
+  if (t.spring_way) row.on = tables::kSpringWay;
   row.once = t.once;
-  row.when = t.when == kNone ? core::kNoCondition : static_cast<std::uint16_t>(t.when);
+  row.when = t.when == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.when);
   return row;
 }
 
@@ -71,12 +71,12 @@ void make_type(const model::PlantModel& plant, std::uint32_t index, Type& type) 
   type.events = static_cast<std::uint8_t>(unit.events.size());
   type.states = static_cast<std::uint8_t>(unit.states.size());
   type.actuation = unit.actuation;
-  const bool springs = unit.actuation == core::Actuation::spring;
-  type.rest = springs ? static_cast<std::uint8_t>(unit.rest) : core::kNoState;
+  const bool springs = unit.actuation == tables::Actuation::spring;
+  type.rest = springs ? static_cast<std::uint8_t>(unit.rest) : tables::kNoState;
   type.transitions.clear();
   type.transitions.reserve(unit.transitions.size());
   for (const model::Transition& t : unit.transitions) type.transitions.push_back(lowered(t));
-  type.operation_targets.assign(unit.operations.size(), core::kNoState);
+  type.operation_targets.assign(unit.operations.size(), tables::kNoState);
   type.enter.clear();
   type.leave.clear();
   const model::Outputs none;
@@ -105,7 +105,7 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
   byte(type.rest);
   byte(static_cast<std::uint8_t>(type.actuation));
   number(type.transitions.size());
-  for (const core::Transition& t : type.transitions) {
+  for (const tables::Transition& t : type.transitions) {
     byte(t.from);
     byte(t.to);
     byte(t.on);
@@ -114,7 +114,7 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
     byte(static_cast<std::uint8_t>(t.when >> 8));
   }
   for (const auto* side : {&type.enter, &type.leave}) {
-    for (const core::EventMasks& masks : *side) {
+    for (const tables::EventMasks& masks : *side) {
       number(masks.on);
       number(masks.off);
     }

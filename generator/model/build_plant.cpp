@@ -3,7 +3,6 @@
 
 #include <unordered_map>
 
-#include "base/ascii.hpp"
 #include "base/index_table.hpp"
 #include "base/large_memory.hpp"
 #include "model/collect_symbols.hpp"
@@ -13,6 +12,7 @@
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 namespace {
@@ -26,7 +26,7 @@ void gather_units(PlantModel& plant) {
   std::uint32_t last = kNone;  // rows of one device mostly stand together
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (symbol.type != core::DataType::boolean) {
+    if (symbol.type != tables::DataType::boolean) {
       symbol.unmodelled = Unmodelled::numeric;
       continue;
     }
@@ -37,8 +37,8 @@ void gather_units(PlantModel& plant) {
     const std::string_view path = symbol.reading.device_path;
     if (last == kNone || plant.units[last].path != path) {
       const auto next = static_cast<std::uint32_t>(plant.units.size());
-      last = by_path.find_or_add(base::hash_ignoring_case(path), next, [&](std::uint32_t unit) {
-        return base::equal_ignoring_case(plant.units[unit].path, path);
+      last = by_path.find_or_add(text::hash_ignoring_case(path), next, [&](std::uint32_t unit) {
+        return text::equal_ignoring_case(plant.units[unit].path, path);
       });
       if (last == next) {
         Unit& unit = plant.units.emplace_back();
@@ -50,7 +50,7 @@ void gather_units(PlantModel& plant) {
     }
     Unit& unit = plant.units[last];
     symbol.unit = last;
-    (symbol.direction == core::Direction::operation ? unit.operations : unit.events).push_back(i);
+    (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
   }
 }
 
@@ -59,7 +59,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   if (side.size() < 2) return;
   const auto taken = [&](std::size_t place) {
     for (std::size_t i = 0; i < place; ++i) {
-      if (base::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[place]].reading.task)) return true;
+      if (text::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[place]].reading.task)) return true;
     }
     return false;
   };
@@ -80,7 +80,7 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
     side.resize(kept);
     return;
   }
-  base::ByName<bool> tasks;
+  text::ByName<bool> tasks;
   std::erase_if(side, [&](std::uint32_t symbol) {
     if (tasks.try_emplace(symbols[symbol].reading.task, true).second) return false;
     drop(symbol);
@@ -89,15 +89,15 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
 }
 
 /// False where the unit is larger than a unit may be; its symbols are unmodelled then.
-bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
+bool within_limits(Unit& unit, PlantModel& plant, description::Faults& faults) {
   const std::size_t symbols = unit.operations.size() + unit.events.size();
-  if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
-      symbols <= core::kMaxStates) {
+  if (unit.operations.size() <= tables::kMaxOperations && unit.events.size() <= tables::kMaxEvents &&
+      symbols <= tables::kMaxStates) {
     return true;  // without counting states: each has a symbol
   }
   const std::size_t states = states_of(unit, plant.symbols, TaskRoles(unit, plant.symbols)).size();
-  if (unit.operations.size() <= core::kMaxOperations && unit.events.size() <= core::kMaxEvents &&
-      states <= core::kMaxStates) {
+  if (unit.operations.size() <= tables::kMaxOperations && unit.events.size() <= tables::kMaxEvents &&
+      states <= tables::kMaxStates) {
     return true;
   }
   TooLarge large{unit.path, unit.operations, unit.operations.size(), unit.events.size(), states};
@@ -108,13 +108,14 @@ bool within_limits(Unit& unit, PlantModel& plant, Faults& faults) {
   }
   plant.too_large.push_back(std::move(large));
   if (unit.described != nullptr && !unit.described->is_pattern()) {
-    faults.add(device_pointer(*unit.described),
-               ticked(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
+    faults.add(
+        description::device_pointer(*unit.described),
+        description::ticked(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
   }
   return false;
 }
 
-void derive_units(PlantModel& plant, Faults& faults) {
+void derive_units(PlantModel& plant, description::Faults& faults) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
@@ -139,16 +140,17 @@ void derive_units(PlantModel& plant, Faults& faults) {
 PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& options) {
   PlantModel plant;
   plant.name = options.plant_name;
-  plant.description = options.description != nullptr ? options.description : std::make_shared<const Description>();
+  plant.description =
+      options.description != nullptr ? options.description : std::make_shared<const description::Description>();
   plant.rule = lists.front().named.rule;
   collect_symbols(plant, lists);
   gather_units(plant);
-  Faults faults(plant.description_faults, plant.description_warnings);
-  const std::vector<const LinkDescription*> links = check_links(plant, faults);
+  description::Faults faults(plant.description_faults, plant.description_warnings);
+  const std::vector<const description::LinkDescription*> links = check_links(plant, faults);
   describe_units(plant, faults);
   derive_units(plant, faults);
   add_relations(plant, faults);
-  faults.tell_lacks(plant);
+  report_lacks(plant, faults);
   find_shared_addresses(plant);
   resolve_links(plant, links, faults);
   return plant;

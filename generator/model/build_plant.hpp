@@ -21,7 +21,8 @@ struct ListInput {
 
 struct BuildOptions {
   std::string plant_name;
-  std::shared_ptr<const Description> description = nullptr;  ///< null: nothing is said beyond the symbols' names
+  std::shared_ptr<const description::Description> description =
+      nullptr;  ///< null: nothing is said beyond the symbols' names
 };
 
 /// Derives the whole model from the plant's lists, of which there must be one at least and which one rule has named.

@@ -6,12 +6,12 @@
 #include <charconv>
 #include <cmath>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 
 struct TypeName {
   std::string_view name;
@@ -38,7 +38,7 @@ constexpr std::array<TypeName, 16> kTypes{{
 }};
 
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
-  return text.size() >= prefix.size() && base::equal_ignoring_case(text.substr(0, prefix.size()), prefix);
+  return text.size() >= prefix.size() && text::equal_ignoring_case(text.substr(0, prefix.size()), prefix);
 }
 
 bool is_signed(DataType type) {
@@ -98,7 +98,7 @@ struct RadixVotes {
   const read::ListRow* not_octal = nullptr;  ///< the first row with a digit of 8 to F, without an IEC address
 
   void take(const read::ListRow& row, RadixChoice& choice) {
-    const char first = row.vendor_address.empty() ? '\0' : base::upper(row.vendor_address.front());
+    const char first = row.vendor_address.empty() ? '\0' : text::upper(row.vendor_address.front());
     if (first != 'X' && first != 'Y') return;
     const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
     if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // both are one
@@ -117,7 +117,7 @@ struct RadixVotes {
 
 std::optional<DataType> data_type(std::string_view text) {
   for (const TypeName& type : kTypes) {
-    if (base::equal_ignoring_case(type.name, text)) return type.type;
+    if (text::equal_ignoring_case(type.name, text)) return type.type;
   }
   return std::nullopt;
 }
@@ -132,8 +132,8 @@ std::optional<std::uint64_t> initial_value(std::string_view text, DataType type)
     text.remove_prefix(hash + 1);  // INT#5, WORD#16#FF
   }
   if (type == DataType::boolean) {
-    if (base::equal_ignoring_case(text, "TRUE") || text == "1") return 1;
-    if (base::equal_ignoring_case(text, "FALSE") || text == "0") return 0;
+    if (text::equal_ignoring_case(text, "TRUE") || text == "1") return 1;
+    if (text::equal_ignoring_case(text, "FALSE") || text == "0") return 0;
     return std::nullopt;
   }
   if (type == DataType::real || type == DataType::lreal) {
@@ -174,7 +174,7 @@ RowAddress row_address(const read::ListRow& row, address::Radix radix) {
 
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
                                               const RowAddress& address) {
-  if (row.klass.size() >= 8 && base::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
+  if (row.klass.size() >= 8 && text::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
     return InternalReason::constant;
   }
   if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
@@ -200,10 +200,10 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   symbol.leader = kNone;
   if (address.address) {
     symbol.direction =
-        address.address->area == address::Area::output ? core::Direction::operation : core::Direction::event;
+        address.address->area == address::Area::output ? tables::Direction::operation : tables::Direction::event;
   } else if (reading.fault == name::NameFault::none) {
     symbol.direction =
-        reading.direction == name::Direction::operation ? core::Direction::operation : core::Direction::event;
+        reading.direction == name::Direction::operation ? tables::Direction::operation : tables::Direction::event;
   } else {
     return InternalReason::no_direction;
   }

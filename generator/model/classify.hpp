@@ -12,13 +12,13 @@ namespace symplant::model {
 
 /// The I/O type of a list's type cell, compared without regard to case; BOOL's other spelling BIT counts. Nothing for
 /// every other type.
-std::optional<core::DataType> data_type(std::string_view text);
-std::string_view data_type_name(core::DataType type);
-int data_type_bits(core::DataType type);
+std::optional<tables::DataType> data_type(std::string_view text);
+std::string_view data_type_name(tables::DataType type);
+int data_type_bits(tables::DataType type);
 
 /// Reads an Initial cell of a type: TRUE, FALSE, 0, 1; decimal, 16#, 8#, 2#, TYPE#value, K and H constants; REAL. Empty
 /// is 0. Nothing where it cannot be read or does not fit.
-std::optional<std::uint64_t> initial_value(std::string_view text, core::DataType type);
+std::optional<std::uint64_t> initial_value(std::string_view text, tables::DataType type);
 
 /// What one row is.
 struct RowAddress {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <variant>
 
-#include "base/ascii.hpp"
 #include "base/index_table.hpp"
 #include "base/large_memory.hpp"
 #include "model/classify.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 namespace {
@@ -24,13 +24,13 @@ class SymbolCollector {
   }
 
   /// This row comes soon.
-  void announce(const read::ListRow& row) const { by_name_.prefetch(base::hash_ignoring_case(row.name)); }
+  void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
 
   void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
     const auto place = static_cast<std::uint32_t>(places_.size());
     const std::uint32_t first = by_name_.find_or_add(
-        base::hash_ignoring_case(row.name), place,
-        [&](std::uint32_t other) { return base::equal_ignoring_case(places_[other].row->name, row.name); });
+        text::hash_ignoring_case(row.name), place,
+        [&](std::uint32_t other) { return text::equal_ignoring_case(places_[other].row->name, row.name); });
     if (first != place) {
       plant_.duplicates.push_back({places_[first].row, &row, same(places_[first], {&row, list})});
       return;
@@ -71,7 +71,7 @@ class SymbolCollector {
       return row_address(*place.row, plant_.lists[place.list].radix.radix).address;
     };
     return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
-           base::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
+           text::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
   }
 
   PlantModel& plant_;
@@ -82,7 +82,7 @@ class SymbolCollector {
 void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
   for (const ListInput& list : lists) {
     const auto known = std::find_if(plant.controllers.begin(), plant.controllers.end(), [&](const std::string& name) {
-      return base::equal_ignoring_case(name, list.controller);
+      return text::equal_ignoring_case(name, list.controller);
     });
     const auto controller = static_cast<std::uint32_t>(known - plant.controllers.begin());
     if (known == plant.controllers.end()) plant.controllers.push_back(list.controller);

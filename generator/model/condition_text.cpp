@@ -9,10 +9,10 @@
 #include <string_view>
 #include <variant>
 
-#include "base/ascii.hpp"
-#include "base/utf8.hpp"
 #include "model/classify.hpp"
 #include "symplant/condition/expression.hpp"
+#include "text/ascii.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::model {
 namespace {
@@ -21,8 +21,8 @@ using condition::Atom;
 using condition::Tree;
 
 /// The least value that an integer of a type has.
-std::string least_of(core::DataType type) {
-  using core::DataType;
+std::string least_of(tables::DataType type) {
+  using tables::DataType;
   const bool is_signed =
       type == DataType::sint || type == DataType::int_ || type == DataType::dint || type == DataType::lint;
   if (!is_signed) return "0";
@@ -30,8 +30,8 @@ std::string least_of(core::DataType type) {
 }
 
 bool is_word(std::string_view name) {
-  return base::equal_ignoring_case(name, "and") || base::equal_ignoring_case(name, "or") ||
-         base::equal_ignoring_case(name, "not");
+  return text::equal_ignoring_case(name, "and") || text::equal_ignoring_case(name, "or") ||
+         text::equal_ignoring_case(name, "not");
 }
 
 /// Whether the grammar reads a name without quotes, words apart.
@@ -56,7 +56,7 @@ class ConditionWriter {
     add(tree);
     if (out_.size() <= longest_) return std::move(out_);
     std::size_t cut = longest_;
-    while (cut > 0 && base::is_continuation(out_[cut])) --cut;
+    while (cut > 0 && text::is_continuation(out_[cut])) --cut;
     return out_.substr(0, cut) + " ...";
   }
 
@@ -140,17 +140,17 @@ class ConditionWriter {
 
 }  // namespace
 
-std::string_view comparison_text(core::Comparison comparison) {
+std::string_view comparison_text(tables::Comparison comparison) {
   switch (comparison) {
-    case core::Comparison::less:
+    case tables::Comparison::less:
       return "<";
-    case core::Comparison::less_equal:
+    case tables::Comparison::less_equal:
       return "<=";
-    case core::Comparison::equal:
+    case tables::Comparison::equal:
       return "=";
-    case core::Comparison::greater_equal:
+    case tables::Comparison::greater_equal:
       return ">=";
-    case core::Comparison::greater:
+    case tables::Comparison::greater:
       return ">";
   }
   return "?";
@@ -158,11 +158,11 @@ std::string_view comparison_text(core::Comparison comparison) {
 
 std::string operand_text(const Atom& atom) {
   switch (atom.number) {
-    case core::NumberKind::signed_integer:
+    case tables::NumberKind::signed_integer:
       return fmt::format("{}", static_cast<std::int64_t>(atom.operand));
-    case core::NumberKind::unsigned_integer:
+    case tables::NumberKind::unsigned_integer:
       return fmt::format("{}", atom.operand);
-    case core::NumberKind::real:
+    case tables::NumberKind::real:
       return fmt::format("{}", std::bit_cast<double>(atom.operand));
   }
   return "?";

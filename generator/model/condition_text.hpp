@@ -19,7 +19,7 @@ std::string condition_text(const condition::Tree& tree, const PlantModel& plant,
                            std::size_t longest = std::string::npos);
 
 /// `<`, `<=`, `=`, `>=`, `>`.
-std::string_view comparison_text(core::Comparison comparison);
+std::string_view comparison_text(tables::Comparison comparison);
 
 /// The number that an atom compares with.
 std::string operand_text(const condition::Atom& atom);

@@ -40,24 +40,25 @@ InferredRest infer_single_solenoid(Unit& unit) {
   return {};
 }
 
-void choose_actuation_and_rest(Unit& unit, const Defaults& defaults, Faults& faults) {
+void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults, description::Faults& faults) {
   InferredRest inferred;
   if (unit.states.size() == 1) {
     inferred = add_rest_state(unit);
   } else if (unit.states.size() == 2) {
     inferred = infer_single_solenoid(unit);
   }
-  unit.actuation = inferred.spring ? core::Actuation::spring : defaults.actuation;
+  unit.actuation = inferred.spring ? tables::Actuation::spring : defaults.actuation;
   unit.rest = inferred.rest;
-  const DeviceDescription* given = unit.described;
+  const description::DeviceDescription* given = unit.described;
   if (given == nullptr) return;
   if (given->actuation) unit.actuation = *given->actuation;
   if (!given->rest) return;
-  const Pointer here = key_pointer(*given, DeviceKey::rest);
+  const description::Pointer here = description::key_pointer(*given, description::DeviceKey::rest);
   const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
   if (rest == kNone) return;
-  if (unit.actuation != core::Actuation::spring) {
-    faults.add(here, ticked(unit.path) + " is `" + std::string(actuation_name(unit.actuation)) +
+  if (unit.actuation != tables::Actuation::spring) {
+    faults.add(here, description::ticked(unit.path) + " is `" +
+                         std::string(description::actuation_name(unit.actuation)) +
                          "` and returns to no rest state, leave `rest` out or make it `spring`");
     return;
   }
@@ -82,10 +83,11 @@ bool first_is_decided(const std::vector<State>& states) {
   return states[0].numbered && sequence_number(states[0].name) != sequence_number(states[1].name);
 }
 
-void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults) {
   std::uint32_t initial = kNone;
   if (unit.described != nullptr && unit.described->initial) {
-    initial = given_state(unit, *unit.described->initial, key_pointer(*unit.described, DeviceKey::initial), faults);
+    initial = given_state(unit, *unit.described->initial,
+                          description::key_pointer(*unit.described, description::DeviceKey::initial), faults);
     if (initial != kNone) unit.initial_from = InitialFrom::description;
   }
   if (initial == kNone) {
@@ -101,20 +103,20 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, Faults& faul
     unit.initial_from = first_is_decided(unit.states) ? InitialFrom::sequence : InitialFrom::row_order;
   }
   unit.initial = initial;
-  if (unit.actuation == core::Actuation::spring && unit.rest == kNone) unit.rest = initial;
+  if (unit.actuation == tables::Actuation::spring && unit.rest == kNone) unit.rest = initial;
 }
 
 /// Every operation O_X from every state A other than X: by S of the target, then of the source.
 void derive_commanded(Unit& unit, const GivenWays& given) {
   const auto count = static_cast<std::uint32_t>(unit.states.size());
-  const Duration takes = Duration::fixed(unit.travel);
+  const description::Duration takes = description::Duration::fixed(unit.travel);
   if (unit.transitions.empty()) unit.transitions.reserve(unit.operations.size() * (count - 1));
   for (std::uint32_t to = 0; to < count; ++to) {
     const std::uint32_t on = unit.states[to].operation;
     if (on == kNone) continue;
     for (std::uint32_t from = 0; from < count; ++from) {
       if (from == to || given.commanded(from, on)) continue;
-      unit.transitions.push_back({from, to, on, Duration{}, takes, Origin::derived});
+      unit.transitions.push_back({from, to, on, description::Duration{}, takes, Origin::derived});
     }
   }
 }
@@ -132,8 +134,8 @@ std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
 }
 
 /// Inference 3: a numbered state with an event and no operation is reached by itself from its predecessor.
-void infer_sequence(Unit& unit, const GivenWays& given, core::Time dwell) {
-  if (unit.actuation != core::Actuation::latched) return;
+void infer_sequence(Unit& unit, const GivenWays& given, tables::Time dwell) {
+  if (unit.actuation != tables::Actuation::latched) return;
   const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
   if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
 
@@ -152,15 +154,17 @@ void infer_sequence(Unit& unit, const GivenWays& given, core::Time dwell) {
     if (group_begin(last) != last) {
       unit.ambiguous_sequence.push_back(to);
     } else if (from != to && !given.automatic(from, to)) {
-      unit.transitions.push_back({from, to, kNone, Duration::fixed(dwell), Duration{}, Origin::inferred});
+      unit.transitions.push_back(
+          {from, to, kNone, description::Duration::fixed(dwell), description::Duration{}, Origin::inferred});
     }
   }
 }
 
 }  // namespace
 
-void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults& defaults, Faults& faults) {
-  const DeviceDescription* described = unit.described;
+void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                 description::Faults& faults) {
+  const description::DeviceDescription* described = unit.described;
   unit.travel = defaults.travel;
   unit.states = states_of(unit, symbols, TaskRoles(unit, symbols));
   if (described != nullptr) add_given_states(unit, faults);
@@ -175,10 +179,10 @@ void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults&
     derive_commanded(unit, given);
     infer_sequence(unit, given, defaults.dwell);
   }
-  if (unit.transitions.size() > core::kMaxTransitions) {  // never without given ones
-    unit.transitions.resize(core::kMaxTransitions);
-    faults.add(key_pointer(*described, DeviceKey::transitions),
-               "the device has more than " + std::to_string(core::kMaxTransitions) +
+  if (unit.transitions.size() > tables::kMaxTransitions) {  // never without given ones
+    unit.transitions.resize(tables::kMaxTransitions);
+    faults.add(description::key_pointer(*described, description::DeviceKey::transitions),
+               "the device has more than " + std::to_string(tables::kMaxTransitions) +
                    " transitions, each `*` counted as one a state, leave some out");
   }
   if (described != nullptr) add_outputs(unit, symbols, faults);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/faults.hpp"
+#include "description/faults.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {
@@ -11,6 +11,7 @@ namespace symplant::model {
 /// Derives S, transitions, rest, initial state, actuation and outputs of a unit whose symbols and description are known
 /// (docs/model.md). What concerns other units, conditions and disables, is left open. `symbols` are the plant's.
 /// O(states squared): every state can be left by every operation.
-void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const Defaults& defaults, Faults& faults);
+void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                 description::Faults& faults);
 
 }  // namespace symplant::model

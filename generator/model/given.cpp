@@ -3,7 +3,7 @@
 
 #include <unordered_map>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 namespace {
@@ -11,29 +11,29 @@ namespace {
 std::uint32_t find_task(std::string_view task, const std::vector<std::uint32_t>& side,
                         const std::vector<Symbol>& symbols) {
   for (std::uint32_t i = 0; i < side.size(); ++i) {
-    if (base::equal_ignoring_case(symbols[side[i]].reading.task, task)) return i;
+    if (text::equal_ignoring_case(symbols[side[i]].reading.task, task)) return i;
   }
   return kNone;
 }
 
 std::string_view nearest_task(std::string_view task, const std::vector<std::uint32_t>& side,
-                              const std::vector<Symbol>& symbols, const Faults& faults) {
+                              const std::vector<Symbol>& symbols, const description::Faults& faults) {
   return faults.nearest(task, side.size(), [&](std::size_t i) { return symbols[side[i]].reading.task; });
 }
 
 class TransitionExpander {
  public:
-  TransitionExpander(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
+  TransitionExpander(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults)
       : unit_(unit),
         symbols_(symbols),
         faults_(faults),
-        pointer_(key_pointer(*unit.described, DeviceKey::transitions)) {}
+        pointer_(description::key_pointer(*unit.described, description::DeviceKey::transitions)) {}
 
   void run() {
     const auto& given = unit_.described->transitions;
     for (std::size_t i = 0; i < given.size(); ++i) {
       expand(given[i], static_cast<std::uint32_t>(i));
-      if (unit_.transitions.size() > core::kMaxTransitions) return;  // derive_unit tells
+      if (unit_.transitions.size() > tables::kMaxTransitions) return;  // derive_unit tells
     }
   }
 
@@ -43,8 +43,8 @@ class TransitionExpander {
     return places_.try_emplace(when, static_cast<std::uint32_t>(places_.size())).first->second;
   }
 
-  void expand(const GivenTransition& given, std::uint32_t index) {
-    const Pointer here = pointer_ / std::size_t{index};
+  void expand(const description::GivenTransition& given, std::uint32_t index) {
+    const description::Pointer here = pointer_ / std::size_t{index};
     const bool from_all = given.from == "*";
     const std::uint32_t to = given_state(unit_, given.to, here / "to", faults_);
     const std::uint32_t from = from_all ? kNone : given_state(unit_, given.from, here / "from", faults_);
@@ -61,11 +61,11 @@ class TransitionExpander {
     way.when = place_of(given.when);
     if (!sound || lacking) return;
     if (from == to) {
-      faults_.add(here, ticked(given.to) + " to itself is no transition, name two states");
+      faults_.add(here, description::ticked(given.to) + " to itself is no transition, name two states");
       return;
     }
-    way.after = given.after.value_or(Duration::fixed(0));
-    way.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit_.travel));
+    way.after = given.after.value_or(description::Duration::fixed(0));
+    way.takes = given.takes.value_or(description::Duration::fixed(given.automatic ? 0 : unit_.travel));
     way.once = given.once;
     const auto count = static_cast<std::uint32_t>(unit_.states.size());
     for (std::uint32_t s = from_all ? 0 : from; s < (from_all ? count : from + 1); ++s) {
@@ -78,7 +78,8 @@ class TransitionExpander {
   bool left_out(bool lacking) const { return lacking && pointer_.pattern() != nullptr; }
 
   /// `on` and `spring_way`, and what may stand beside them. False where there is a fault; `lacking`: its operation.
-  bool set_cause(Transition& way, const GivenTransition& given, const Pointer& here, bool& lacking) {
+  bool set_cause(Transition& way, const description::GivenTransition& given, const description::Pointer& here,
+                 bool& lacking) {
     if (given.automatic) {
       if (!given.on.empty()) {
         faults_.add(here / "on", "an automatic transition has an operation, leave `on` or `automatic` out");
@@ -90,39 +91,43 @@ class TransitionExpander {
       way.on = find_task(given.on, unit_.operations, symbols_);
       if (way.on == kNone) {
         lacking = true;
-        faults_.lacks(here / "on", unit_.path, Named::operation, given.on, [&] {
-          return missing("operation " + ticked(given.on) + " of " + ticked(unit_.path),
-                         nearest_task(given.on, unit_.operations, symbols_, faults_));
+        faults_.lacks(here / "on", unit_.path, description::Named::operation, given.on, [&] {
+          return description::missing(
+              "operation " + description::ticked(given.on) + " of " + description::ticked(unit_.path),
+              nearest_task(given.on, unit_.operations, symbols_, faults_));
         });
       }
     } else if (way.to != kNone) {
       way.on = unit_.states[way.to].operation;
-      if (way.on == kNone && unit_.actuation == core::Actuation::spring && way.to == unit_.rest) {
+      if (way.on == kNone && unit_.actuation == tables::Actuation::spring && way.to == unit_.rest) {
         return !left_out(lacking) && set_spring_way(way, given, here);
       }
       if (way.on == kNone) {
         lacking = true;
-        faults_.lacks(here / "to", unit_.path, Named::operation, given.to, [&] {
-          return ticked(given.to) + " has no operation of its name, say with `on` which one commands the transition, " +
+        faults_.lacks(here / "to", unit_.path, description::Named::operation, given.to, [&] {
+          return description::ticked(given.to) +
+                 " has no operation of its name, say with `on` which one commands the transition, " +
                  "or `automatic` where it comes by itself";
         });
       }
     }
     if (left_out(lacking)) return false;
-    if (given.once && unit_.actuation != core::Actuation::latched) {
-      faults_.add(here / "once", "`once` stands in a device that is `" + std::string(actuation_name(unit_.actuation)) +
+    if (given.once && unit_.actuation != tables::Actuation::latched) {
+      faults_.add(here / "once", "`once` stands in a device that is `" +
+                                     std::string(description::actuation_name(unit_.actuation)) +
                                      "`, leave it out or make the device `latched`");
       return false;
     }
     return way.on != kNone;
   }
 
-  bool set_spring_way(Transition& way, const GivenTransition& given, const Pointer& here) {
+  bool set_spring_way(Transition& way, const description::GivenTransition& given, const description::Pointer& here) {
     way.spring_way = true;
     bool sound = true;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
-      faults_.add(here / key, ticked(key) + " stands in what a spring's own way to its rest state takes, where" +
+      faults_.add(here / key, description::ticked(key) +
+                                  " stands in what a spring's own way to its rest state takes, where" +
                                   " only `takes` may, or say with `on` which operation commands it");
       sound = false;
     };
@@ -134,16 +139,16 @@ class TransitionExpander {
 
   /// False, and a fault, where the same one stands already.
   bool add(const Transition& way, std::uint32_t index) {
-    const std::uint64_t on = way.spring_way ? core::kSpringWay : way.on == kNone ? core::kNoOperation : way.on;
+    const std::uint64_t on = way.spring_way ? tables::kSpringWay : way.on == kNone ? tables::kNoOperation : way.on;
     const std::uint64_t key =
         std::uint64_t{way.from} << 56 | std::uint64_t{way.to} << 48 | on << 40 | std::uint64_t{way.when};
     const auto [first, added] = given_by_.try_emplace(key, index);
     if (!added) {
-      const std::string from = ticked(unit_.states[way.from].name);
-      faults_.add(pointer_ / std::size_t{index}, "the transition from " + from + " to " +
-                                                     ticked(unit_.states[way.to].name) + " stands at " +
-                                                     ticked((pointer_ / std::size_t{first->second}).text()) +
-                                                     " too, with the same `on` and `when`, leave one out");
+      const std::string from = description::ticked(unit_.states[way.from].name);
+      faults_.add(pointer_ / std::size_t{index},
+                  "the transition from " + from + " to " + description::ticked(unit_.states[way.to].name) +
+                      " stands at " + description::ticked((pointer_ / std::size_t{first->second}).text()) +
+                      " too, with the same `on` and `when`, leave one out");
       return false;
     }
     unit_.transitions.push_back(way);
@@ -152,8 +157,8 @@ class TransitionExpander {
 
   Unit& unit_;
   const std::vector<Symbol>& symbols_;
-  Faults& faults_;
-  const Pointer pointer_;
+  description::Faults& faults_;
+  const description::Pointer pointer_;
   std::unordered_map<std::string_view, std::uint32_t> places_;  // a text of `when` -> its place
   std::unordered_map<std::uint64_t, std::uint32_t> given_by_;   // from, to, on, when -> a given transition
 };
@@ -175,29 +180,29 @@ GivenWays::GivenWays(const Unit& unit) : operations_(unit.operations.size()), st
   }
 }
 
-void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults) {
   TransitionExpander(unit, symbols, faults).run();
 }
 
-void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults) {
+void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults) {
   const auto& given = unit.described->outputs;
   if (given.empty()) return;
-  const Pointer pointer = key_pointer(*unit.described, DeviceKey::outputs);
+  const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::outputs);
   std::vector<bool> seen(unit.states.size());
   unit.outputs.resize(unit.states.size());
-  for (const GivenOutputs& output : given) {
-    const Pointer here = pointer / output.state;
+  for (const description::GivenOutputs& output : given) {
+    const description::Pointer here = pointer / output.state;
     const std::uint32_t state = given_state(unit, output.state, here, faults);
-    if (state != kNone && seen[state]) faults.add(here, ticked(output.state) + " stands twice, join both");
+    if (state != kNone && seen[state]) faults.add(here, description::ticked(output.state) + " stands twice, join both");
     if (state != kNone) seen[state] = true;
     const auto switched = [&](const auto& list, std::string_view key) {
       std::vector<std::pair<std::uint32_t, bool>> events;
       for (const auto& [task, on] : list) {
         const std::uint32_t event = find_task(task, unit.events, symbols);
         if (event == kNone) {
-          faults.lacks(here / key / task, unit.path, Named::event, task, [&, &name = task] {
-            return missing("event " + ticked(name) + " of " + ticked(unit.path),
-                           nearest_task(name, unit.events, symbols, faults));
+          faults.lacks(here / key / task, unit.path, description::Named::event, task, [&, &name = task] {
+            return description::missing("event " + description::ticked(name) + " of " + description::ticked(unit.path),
+                                        nearest_task(name, unit.events, symbols, faults));
           });
         } else {
           events.emplace_back(event, on);
@@ -210,14 +215,16 @@ void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults)
   }
 }
 
-std::uint32_t given_state(const Unit& unit, std::string_view name, const Pointer& pointer, Faults& faults) {
+std::uint32_t given_state(const Unit& unit, std::string_view name, const description::Pointer& pointer,
+                          description::Faults& faults) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
-    if (base::equal_ignoring_case(unit.states[s].name, name)) return s;
+    if (text::equal_ignoring_case(unit.states[s].name, name)) return s;
   }
-  faults.lacks(pointer, unit.path, Named::state, name, [&] {
+  faults.lacks(pointer, unit.path, description::Named::state, name, [&] {
     const auto nearest = faults.nearest(name, unit.states.size(),
                                         [&](std::size_t s) -> std::string_view { return unit.states[s].name; });
-    return missing("state " + ticked(name) + " of " + ticked(unit.path), nearest);
+    return description::missing("state " + description::ticked(name) + " of " + description::ticked(unit.path),
+                                nearest);
   });
   return kNone;
 }

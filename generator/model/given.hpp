@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/faults.hpp"
+#include "description/faults.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {
@@ -33,12 +33,13 @@ class GivenWays {
 
 /// Puts the given transitions into the unit's table, `*` expanded. States, actuation, rest and initial state of the
 /// unit are known. Transition::when counts the different texts of `when` in the order of their first appearance.
-void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults);
+void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults);
 
 /// Fills Unit::outputs.
-void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, Faults& faults);
+void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults);
 
 /// The place of a state; kNone, and a fault at `pointer`, where there is none of that name.
-std::uint32_t given_state(const Unit& unit, std::string_view name, const Pointer& pointer, Faults& faults);
+std::uint32_t given_state(const Unit& unit, std::string_view name, const description::Pointer& pointer,
+                          description::Faults& faults);
 
 }  // namespace symplant::model

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/ascii.hpp"
-#include "model/faults.hpp"
+#include "description/faults.hpp"
 #include "model/plant_model.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 
@@ -14,27 +14,20 @@ namespace {
 
 std::optional<std::size_t> find_controller(const PlantModel& plant, std::string_view wanted) {
   const auto found = std::find_if(plant.controllers.begin(), plant.controllers.end(),
-                                  [&](const std::string& name) { return base::equal_ignoring_case(name, wanted); });
+                                  [&](const std::string& name) { return text::equal_ignoring_case(name, wanted); });
   if (found == plant.controllers.end()) return std::nullopt;
   return static_cast<std::size_t>(found - plant.controllers.begin());
 }
 
 }  // namespace
 
-core::LinkSettings ControllerLink::settings() const {
-  core::LinkSettings settings = link;
-  settings.places = places;
-  settings.keep = keep;
-  return settings;
-}
-
-std::vector<const LinkDescription*> check_links(const PlantModel& plant, Faults& faults) {
+std::vector<const description::LinkDescription*> check_links(const PlantModel& plant, description::Faults& faults) {
   std::vector<bool> linked(plant.controllers.size());
-  std::vector<const LinkDescription*> settings(plant.controllers.size());
-  const std::vector<LinkDescription>& links = plant.description->links;
+  std::vector<const description::LinkDescription*> settings(plant.controllers.size());
+  const std::vector<description::LinkDescription>& links = plant.description->links;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const LinkDescription& link = links[i];
-    const Pointer place = Pointer("/links") / i;
+    const description::LinkDescription& link = links[i];
+    const description::Pointer place = description::Pointer("/links") / i;
     const bool the_only = link.controller.empty() && plant.controllers.size() == 1;
     if (link.controller.empty() && link.url == "loop:" && !the_only) {
       if (link.has_settings) {
@@ -56,25 +49,18 @@ std::vector<const LinkDescription*> check_links(const PlantModel& plant, Faults&
       faults.add(place, "the plant has several controllers, and this link does not say which: give it a `controller`");
     } else if (plant.controllers.size() == 1 && plant.controllers[0].empty()) {
       faults.add(place / "controller",
-                 "this plant's one controller has no name, so that " + ticked(link.controller) +
+                 "this plant's one controller has no name, so that " + description::ticked(link.controller) +
                      " is none: leave `controller` out here, or name it beside its list in `symbols`",
-                 FaultKind::unknown_name);
+                 description::FaultKind::unknown_name);
     } else {
       const auto nearest = faults.nearest(link.controller, plant.controllers.size(),
                                           [&](std::size_t c) -> std::string_view { return plant.controllers[c]; });
-      faults.add(place / "controller", missing("controller " + ticked(link.controller), nearest),
-                 FaultKind::unknown_name);
+      faults.add(place / "controller",
+                 description::missing("controller " + description::ticked(link.controller), nearest),
+                 description::FaultKind::unknown_name);
     }
   }
   return settings;
-}
-
-bool is_controller_name(std::string_view name) {
-  if (name.empty() || name.front() == ' ' || name.back() == ' ') return false;
-  return std::none_of(name.begin(), name.end(), [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return c == '=' || c == ':' || byte < 0x20 || byte == 0x7F;
-  });
 }
 
 }  // namespace symplant::model

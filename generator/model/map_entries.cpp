@@ -4,19 +4,19 @@
 #include <unordered_map>
 
 #include "address/address.hpp"
-#include "base/ascii.hpp"
-#include "base/pattern.hpp"
+#include "description/faults.hpp"
 #include "model/classify.hpp"
-#include "model/faults.hpp"
 #include "model/links.hpp"
 #include "model/plant_model.hpp"
+#include "text/ascii.hpp"
+#include "text/pattern.hpp"
 
 namespace symplant::model {
 namespace {
 
 using address::Address;
 
-constexpr std::uint64_t kBeyondAll = core::PlaceRow::kDefault - 1;  ///< a number that no table has
+constexpr std::uint64_t kBeyondAll = link::PlaceRow::kDefault - 1;  ///< a number that no table has
 constexpr std::string_view kAreas = "X, Y, %IX, %QX, %IB, %QB, %IW, %QW, %ID, %QD, %IL or %QL";
 
 /// How many places of a table an address takes: registers of a number.
@@ -39,8 +39,8 @@ bool has_number(const Symbol& symbol) {
 
 /// An entry with what its texts mean.
 struct Meant {
-  const MapEntry* entry;
-  Pointer place;
+  const description::MapEntry* entry;
+  description::Pointer place;
   std::optional<Address> first;  ///< of an area its address 0
   std::uint64_t last = 0;        ///< of a range
   std::size_t rank = 0;          ///< what is more specific has a higher one
@@ -58,31 +58,32 @@ struct Chosen {
 
 class LinkResolver {
  public:
-  LinkResolver(const PlantModel& plant, std::uint32_t controller, const LinkDescription& link, Faults& faults)
+  LinkResolver(const PlantModel& plant, std::uint32_t controller, const description::LinkDescription& link,
+               description::Faults& faults)
       : plant_(plant), controller_(controller), link_(link), faults_(faults) {
     const auto index = static_cast<std::size_t>(&link - plant.description->links.data());
-    place_ = (Pointer("/links") / index / "map").text();
+    place_ = (description::Pointer("/links") / index / "map").text();
   }
 
   void run(ControllerLink& result) {
     find_symbols();
-    for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], Pointer(place_) / i);
+    for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], description::Pointer(place_) / i);
     std::stable_sort(meant_.begin(), meant_.end(), [](const Meant& a, const Meant& b) { return a.rank > b.rank; });
-    std::vector<core::PlaceRow> rows;
+    std::vector<link::PlaceRow> rows;
     for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol, result.link));
     join_addresses(rows);
-    for (const core::PlaceRow& row : rows) {
-      const bool differs = row.word_order != result.link.word_order || row.on_loss != core::OnLoss::as_link;
-      if (differs || row.number != core::PlaceRow::kDefault) result.places.push_back(row);
+    for (const link::PlaceRow& row : rows) {
+      const bool differs = row.word_order != result.link.word_order || row.on_loss != link::OnLoss::as_link;
+      if (differs || row.number != link::PlaceRow::kDefault) result.places.push_back(row);
     }
     for (const Meant& meant : meant_) warn_of(meant);
   }
 
  private:
   void warn_of(const Meant& meant) {
-    const MapEntry& entry = *meant.entry;
-    const auto warn = [&](const Pointer& at, const std::string& what) {
-      faults_.warn(at, what + words_of(entry), FaultKind::matches_nothing);
+    const description::MapEntry& entry = *meant.entry;
+    const auto warn = [&](const description::Pointer& at, const std::string& what) {
+      faults_.warn(at, what + words_of(entry), description::FaultKind::matches_nothing);
     };
     if (meant.matched == 0) {
       warn(meant.place, "no symbol of this controller ");
@@ -96,10 +97,11 @@ class LinkResolver {
     }
   }
 
-  static std::string words_of(const MapEntry& entry) {
-    if (entry.by == MapEntry::By::area) return "stands in the area " + ticked(entry.text);
-    if (entry.by == MapEntry::By::range) return "stands between " + ticked(entry.text) + " and " + ticked(entry.last);
-    return "is matched by " + ticked(entry.text);
+  static std::string words_of(const description::MapEntry& entry) {
+    if (entry.by == description::MapEntry::By::area) return "stands in the area " + description::ticked(entry.text);
+    if (entry.by == description::MapEntry::By::range)
+      return "stands between " + description::ticked(entry.text) + " and " + description::ticked(entry.last);
+    return "is matched by " + description::ticked(entry.text);
   }
 
   void find_symbols() {
@@ -114,7 +116,7 @@ class LinkResolver {
   const read::ListRow* row_of_list(std::string_view name) const {
     for (const PlantList& list : plant_.lists) {
       for (const read::ListRow& row : list.table->rows) {
-        if (base::equal_ignoring_case(row.name, name)) return &row;
+        if (text::equal_ignoring_case(row.name, name)) return &row;
       }
     }
     return nullptr;
@@ -128,22 +130,22 @@ class LinkResolver {
   }
 
   /// Keeps an entry for which there may be symbols, and tells why there can be none.
-  void understand(const MapEntry& entry, Pointer place) {
+  void understand(const description::MapEntry& entry, description::Pointer place) {
     if (entry.text.empty()) return;  // its form is at fault
     Meant meant{&entry, std::move(place), std::nullopt};
-    const bool sound = entry.by == MapEntry::By::area    ? understand_area(meant)
-                       : entry.by == MapEntry::By::range ? understand_range(meant)
-                                                         : understand_symbol(meant);
+    const bool sound = entry.by == description::MapEntry::By::area    ? understand_area(meant)
+                       : entry.by == description::MapEntry::By::range ? understand_range(meant)
+                                                                      : understand_symbol(meant);
     if (sound) meant_.push_back(std::move(meant));
   }
 
   bool understand_area(Meant& meant) {
     meant.first = parse(meant.entry->text + "0", radix());
     const bool ends_in_letter =
-        base::upper(meant.entry->text.back()) >= 'A' && base::upper(meant.entry->text.back()) <= 'Z';
+        text::upper(meant.entry->text.back()) >= 'A' && text::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;
-    faults_.add(meant.place / "area",
-                ticked(meant.entry->text) + " is no area of inputs or outputs, write " + std::string(kAreas));
+    faults_.add(meant.place / "area", description::ticked(meant.entry->text) +
+                                          " is no area of inputs or outputs, write " + std::string(kAreas));
     return false;
   }
 
@@ -153,7 +155,7 @@ class LinkResolver {
       auto address = parse(text, radix());
       if (is_io(address) && address->plain) return address;
       faults_.add(meant.place / "range" / which,
-                  ticked(text) +
+                  description::ticked(text) +
                       " is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
       return std::optional<Address>();
     };
@@ -164,7 +166,7 @@ class LinkResolver {
     if (meant.first->area == last->area && meant.first->size == last->size && meant.first->number <= last->number)
       return true;
     faults_.add(meant.place / "range",
-                ticked(meant.entry->text) + " and " + ticked(meant.entry->last) +
+                description::ticked(meant.entry->text) + " and " + description::ticked(meant.entry->last) +
                     " are not the first and the last address of one area, write them in their order");
     return false;
   }
@@ -174,10 +176,11 @@ class LinkResolver {
     constexpr std::size_t kPattern = 2;
     constexpr std::size_t kExact = 1'000'000;
     if (text.find_first_of("*?") != std::string::npos) {
-      meant.rank = kPattern + base::literal_characters(text);
+      meant.rank = kPattern + text::literal_characters(text);
       if (!meant.entry->number) return true;
-      faults_.add(meant.place / "number",
-                  ticked(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
+      faults_.add(
+          meant.place / "number",
+          description::ticked(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
       return false;
     }
     meant.rank = kExact;
@@ -185,22 +188,25 @@ class LinkResolver {
     if (const read::ListRow* row = row_of_list(text); row != nullptr) {
       const std::string_view address = row->vendor_address.empty() ? row->iec_address : row->vendor_address;
       faults_.add(meant.place / "symbol",
-                  ticked(text) + " is in the list, but no input or output of this controller" +
-                      (address.empty() ? "" : ", its address is " + ticked(address)) + ": leave this entry away",
-                  FaultKind::unknown_name);
+                  description::ticked(text) + " is in the list, but no input or output of this controller" +
+                      (address.empty() ? "" : ", its address is " + description::ticked(address)) +
+                      ": leave this entry away",
+                  description::FaultKind::unknown_name);
       return false;
     }
     const auto nearest =
         faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
-    faults_.add(meant.place / "symbol", missing("symbol " + ticked(text), nearest), FaultKind::unknown_name);
+    faults_.add(meant.place / "symbol", description::missing("symbol " + description::ticked(text), nearest),
+                description::FaultKind::unknown_name);
     return false;
   }
 
   bool matches(const Meant& meant, const Symbol& symbol) const {
-    if (meant.entry->by == MapEntry::By::symbol) return base::matches_pattern(symbol.name(), meant.entry->text);
+    if (meant.entry->by == description::MapEntry::By::symbol)
+      return text::matches_pattern(symbol.name(), meant.entry->text);
     if (!symbol.address || symbol.address->area != meant.first->area || symbol.address->size != meant.first->size)
       return false;
-    if (meant.entry->by == MapEntry::By::area) return true;
+    if (meant.entry->by == description::MapEntry::By::area) return true;
     return symbol.address->plain && symbol.address->number >= meant.first->number &&
            symbol.address->number <= meant.last;
   }
@@ -208,7 +214,7 @@ class LinkResolver {
   /// The number that an entry gives a symbol; nothing where it gives none.
   static std::optional<std::uint32_t> number_for(const Meant& meant, const Symbol& symbol) {
     if (!meant.entry->number) return std::nullopt;
-    if (meant.entry->by == MapEntry::By::symbol) return meant.entry->number;
+    if (meant.entry->by == description::MapEntry::By::symbol) return meant.entry->number;
     if (!has_number(symbol)) return std::nullopt;
     const std::uint64_t away = symbol.address->number - meant.first->number;
     if (away > kBeyondAll / 4) return static_cast<std::uint32_t>(kBeyondAll);
@@ -222,34 +228,36 @@ class LinkResolver {
     if (chosen.by == nullptr || chosen.by->rank < meant.rank) {
       chosen = {*value, &meant};
     } else if (chosen.value != *value && told_.try_emplace(meant.place.text() + std::string(key), true).second) {
-      const bool named = meant.entry->by == MapEntry::By::symbol && meant.entry->text == chosen.by->entry->text;
-      DescriptionFault fault{
+      const bool named =
+          meant.entry->by == description::MapEntry::By::symbol && meant.entry->text == chosen.by->entry->text;
+      description::DescriptionFault fault{
           (meant.place / key).text(),
-          "two entries that are equally specific give " + ticked(symbol.name()) + " different values of " +
-              ticked(key) + ": leave one away" +
-              (named || base::equal_ignoring_case(meant.entry->text, symbol.name()) ? "" : ", or name the symbol")};
+          "two entries that are equally specific give " + description::ticked(symbol.name()) + " different values of " +
+              description::ticked(key) + ": leave one away" +
+              (named || text::equal_ignoring_case(meant.entry->text, symbol.name()) ? "" : ", or name the symbol")};
       fault.related = (chosen.by->place / key).text();
       fault.related_message = "the other entry";
       faults_.add(std::move(fault));
     }
   }
 
-  core::PlaceRow row_of(std::uint32_t index, const core::LinkSettings& settings) {
+  link::PlaceRow row_of(std::uint32_t index, const link::LinkSettings& settings) {
     const Symbol& symbol = plant_.symbols[index];
-    Chosen<std::uint32_t> number{core::PlaceRow::kDefault};
-    Chosen<core::WordOrder> word_order{settings.word_order};
-    Chosen<core::OnLoss> on_loss{core::OnLoss::as_link};
+    Chosen<std::uint32_t> number{link::PlaceRow::kDefault};
+    Chosen<link::WordOrder> word_order{settings.word_order};
+    Chosen<link::OnLoss> on_loss{link::OnLoss::as_link};
     for (Meant& meant : meant_) {
       if (!matches(meant, symbol)) continue;
       ++meant.matched;
-      meant.loss_acts = meant.loss_acts || symbol.direction == core::Direction::operation;
+      meant.loss_acts = meant.loss_acts || symbol.direction == tables::Direction::operation;
       meant.order_acts = meant.order_acts || data_type_bits(symbol.type) > 16;
       choose(number, number_for(meant, symbol), meant, "number", symbol);
       choose(word_order, meant.entry->word_order, meant, "word-order", symbol);
       choose(on_loss, meant.entry->on_loss, meant, "on-loss", symbol);
     }
     if (number.by != nullptr) check_end(number, symbol);
-    if (number.by != nullptr && number.by->entry->by == MapEntry::By::symbol) own_.emplace(index, number.by);
+    if (number.by != nullptr && number.by->entry->by == description::MapEntry::By::symbol)
+      own_.emplace(index, number.by);
     return {index, number.value, word_order.value, on_loss.value};
   }
 
@@ -257,30 +265,30 @@ class LinkResolver {
     constexpr std::uint64_t kPlaces = 65'536;
     const auto places = static_cast<std::uint64_t>(std::max(1, data_type_bits(symbol.type) / 16));
     if (number.value + places <= kPlaces) return;
-    const Pointer at = number.by->place / "number";
+    const description::Pointer at = number.by->place / "number";
     if (!told_.try_emplace(at.text() + " end", true).second) return;
-    faults_.add(at,
-                ticked(symbol.name()) + " would end behind place 65535, the last that Modbus has: give a lower number");
+    faults_.add(at, description::ticked(symbol.name()) +
+                        " would end behind place 65535, the last that Modbus has: give a lower number");
   }
 
   /// Symbols of one address are one place: where one is given its number, so are all.
-  void join_addresses(std::vector<core::PlaceRow>& rows) {
+  void join_addresses(std::vector<link::PlaceRow>& rows) {
     std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;  // of a leader: number, by whom
     const auto leader = [&](std::uint32_t i) {
       return plant_.symbols[i].leader == kNone ? i : plant_.symbols[i].leader;
     };
-    for (const core::PlaceRow& row : rows) {
+    for (const link::PlaceRow& row : rows) {
       const auto own = own_.find(row.symbol);
       if (own == own_.end()) continue;
       const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
       if (added || found->second.first == row.number) continue;
-      faults_.add(own->second->place / "number", ticked(plant_.symbols[row.symbol].name()) +
+      faults_.add(own->second->place / "number", description::ticked(plant_.symbols[row.symbol].name()) +
                                                      " stands on the same address as " +
-                                                     ticked(plant_.symbols[found->second.second].name()) +
+                                                     description::ticked(plant_.symbols[found->second.second].name()) +
                                                      ", which has another `number`: give both the same");
     }
     if (numbers.empty()) return;
-    for (core::PlaceRow& row : rows) {
+    for (link::PlaceRow& row : rows) {
       const auto found = numbers.find(leader(row.symbol));
       if (found != numbers.end()) row.number = found->second.first;
     }
@@ -288,11 +296,11 @@ class LinkResolver {
 
   const PlantModel& plant_;
   const std::uint32_t controller_;
-  const LinkDescription& link_;
-  Faults& faults_;
+  const description::LinkDescription& link_;
+  description::Faults& faults_;
   std::string place_;
   std::vector<std::uint32_t> symbols_;  ///< of the controller
-  base::ByName<std::uint32_t> by_name_;
+  text::ByName<std::uint32_t> by_name_;
   std::vector<Meant> meant_;
   std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols that an entry gives a number by their name
   std::unordered_map<std::string, bool> told_;
@@ -308,13 +316,14 @@ bool is_mitsubishis(const PlantModel& plant, std::uint32_t controller) {
 
 }  // namespace
 
-void resolve_links(PlantModel& plant, const std::vector<const LinkDescription*>& links, Faults& faults) {
+void resolve_links(PlantModel& plant, const std::vector<const description::LinkDescription*>& links,
+                   description::Faults& faults) {
   plant.links.resize(plant.controllers.size());
   for (std::uint32_t c = 0; c < plant.links.size(); ++c) {
     ControllerLink& result = plant.links[c];
     if (links[c] != nullptr) result.link = links[c]->settings;
     const bool low = is_mitsubishis(plant, c);
-    result.link.word_order = low ? core::WordOrder::low_first : core::WordOrder::high_first;
+    result.link.word_order = low ? link::WordOrder::low_first : link::WordOrder::high_first;
     if (links[c] == nullptr) continue;
     result.link.word_order = links[c]->word_order.value_or(result.link.word_order);
     result.keep.assign(links[c]->keep.begin(), links[c]->keep.end());

@@ -20,22 +20,8 @@ std::string_view internal_reason_text(InternalReason reason) {
   return "";
 }
 
-std::string_view actuation_name(core::Actuation actuation) {
-  switch (actuation) {
-    case core::Actuation::latched:
-      return "latched";
-    case core::Actuation::bistable:
-      return "bistable";
-    case core::Actuation::held:
-      return "held";
-    case core::Actuation::spring:
-      return "spring";
-  }
-  return "";
-}
-
 bool Unit::reaches(std::uint32_t state) const {
-  if (has_behaviour() || (actuation == core::Actuation::spring && state == rest)) return true;
+  if (has_behaviour() || (actuation == tables::Actuation::spring && state == rest)) return true;
   return std::any_of(transitions.begin(), transitions.end(), [&](const Transition& t) { return t.to == state; });
 }
 
@@ -75,8 +61,8 @@ std::string PlantModel::list_names() const {
   return names;
 }
 
-std::vector<const base::SourceFile*> PlantModel::sources() const {
-  std::vector<const base::SourceFile*> sources;
+std::vector<const text::SourceFile*> PlantModel::sources() const {
+  std::vector<const text::SourceFile*> sources;
   for (const PlantList& list : lists) sources.push_back(list.table->source.get());
   return sources;
 }
@@ -84,7 +70,7 @@ std::vector<const base::SourceFile*> PlantModel::sources() const {
 std::vector<std::string> PlantModel::input_files() const {
   std::vector<std::string> files;
   if (description_source != nullptr) files.push_back(description_source->path());
-  for (const base::SourceFile* list : sources()) files.push_back(list->path());
+  for (const text::SourceFile* list : sources()) files.push_back(list->path());
   return files;
 }
 

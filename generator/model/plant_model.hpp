@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "address/address.hpp"
-#include "model/description.hpp"
+#include "description/description.hpp"
+#include "model/controller_link.hpp"
 #include "name/name_parser.hpp"
 #include "read/symbol_table.hpp"
 #include "symplant/condition/tree.hpp"
-#include "symplant/core/tables.hpp"
-#include "symplant/core/time.hpp"
+#include "symplant/tables/tables.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::model {
 
@@ -31,9 +32,6 @@ enum class InternalReason : std::uint8_t {
 inline constexpr std::size_t kInternalReasons = 4;
 std::string_view internal_reason_text(InternalReason reason);
 
-/// As plant.json has it: `latched`, `bistable`, `held`, `spring`.
-std::string_view actuation_name(core::Actuation actuation);
-
 /// Why an I/O symbol is in no unit. It is served all the same: in the images, on the links, in traces.
 enum class Unmodelled : std::uint8_t {
   modelled,        ///< it is in one
@@ -47,12 +45,12 @@ enum class Unmodelled : std::uint8_t {
 struct Symbol {
   const read::ListRow* row = nullptr;
   name::NameReading reading;
-  core::Direction direction{};
-  core::DataType type{};
+  tables::Direction direction{};
+  tables::DataType type{};
   std::optional<address::Address> address;
   std::string_view address_cell;  ///< the cell that it was read from; empty without one
   bool initial_known = true;      ///< false: its Initial could not be read
-  std::uint64_t initial = 0;      ///< as core::InitialValue has it; 0 where the list says nothing
+  std::uint64_t initial = 0;      ///< as tables::InitialValue has it; 0 where the list says nothing
   std::uint32_t list = 0;         ///< whose row it is: a place in PlantModel::lists
   Unmodelled unmodelled = Unmodelled::modelled;
   std::uint32_t unit = kNone;
@@ -81,8 +79,8 @@ struct Transition {
   std::uint32_t from = kNone;
   std::uint32_t to = kNone;
   std::uint32_t on = kNone;  ///< a place in Unit::operations; kNone where it is automatic or a spring's own way
-  Duration after;
-  Duration takes;
+  description::Duration after;
+  description::Duration takes;
   Origin origin = Origin::derived;
   bool spring_way = false;  ///< only says how long a spring's own way takes
   bool once = false;
@@ -99,10 +97,10 @@ struct Outputs {
 /// A requirement, its conditions resolved: `never`, or `after` and `expect`.
 struct Requirement {
   std::string name;
-  core::RequirementRow::Kind kind = core::RequirementRow::Kind::never;
+  tables::RequirementRow::Kind kind = tables::RequirementRow::Kind::never;
   condition::Tree condition;  ///< of `never`, or of `after`
   condition::Tree expected;   ///< of `expect`
-  core::Time within = 0;
+  tables::Time within = 0;
 };
 
 /// What was inferred for a unit, and why: the rules of docs/model.md, "What is inferred".
@@ -116,10 +114,10 @@ struct Unit {
   std::vector<std::uint32_t> events;      ///< O: symbols, in list order
   std::vector<State> states;              ///< S
   std::vector<Transition> transitions;    ///< d_ext and d_int, in their order
-  core::Actuation actuation = core::Actuation::latched;
+  tables::Actuation actuation = tables::Actuation::latched;
   std::uint32_t rest = kNone;  ///< given or inferred; a `spring` returns to it
   std::uint32_t initial = 0;
-  core::Time travel = core::kSecond;        ///< the default travel time
+  tables::Time travel = tables::kSecond;    ///< the default travel time
   std::vector<condition::Tree> conditions;  ///< what transitions want, by Transition::when, then the behaviour's inputs
   std::uint32_t first_input = 0;            ///< of the behaviour's inputs, in `conditions`
   std::vector<std::string_view> input_names;  ///< of the behaviour's inputs, sorted by bytes
@@ -129,7 +127,7 @@ struct Unit {
   std::vector<std::uint32_t> values;  ///< its device's numeric symbols, where it has a behaviour
   /// What the user says of its device, by name and by patterns; null where nothing. Points into PlantModel::description
   /// or PlantModel::joined.
-  const DeviceDescription* described = nullptr;
+  const description::DeviceDescription* described = nullptr;
   std::vector<std::uint32_t>
       left_out;  ///< places in `described->transitions` that name what the device lacks, ascending
 
@@ -142,7 +140,7 @@ struct Unit {
   std::vector<std::uint32_t> ambiguous_sequence;  ///< states whose predecessor's number several states have
 
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
-  bool moves() const { return !transitions.empty() || actuation == core::Actuation::spring || has_behaviour(); }
+  bool moves() const { return !transitions.empty() || actuation == tables::Actuation::spring || has_behaviour(); }
   /// Whether the unit can come into a state, by a transition, as a spring's rest, or by the user's code.
   bool reaches(std::uint32_t state) const;
   /// Whether the unit ever changes the event at a place of `events`: as that of a state, by outputs, or by the user's
@@ -208,19 +206,21 @@ struct BadAddress {
 
 struct PlantModel {
   std::string name;
-  std::shared_ptr<const Description> description;  ///< never null
+  std::shared_ptr<const description::Description> description;  ///< never null
   /// The file that it was read from; null where there is none.
-  std::shared_ptr<const base::SourceFile> description_source;
-  std::vector<std::shared_ptr<const DeviceDescription>> joined;  ///< of devices that several entries speak of
-  std::vector<PlantList> lists;                                  ///< in the description's order; at least one
+  std::shared_ptr<const text::SourceFile> description_source;
+  std::vector<std::shared_ptr<const description::DeviceDescription>>
+      joined;                            ///< of devices that several entries speak of
+  std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;
   std::vector<Symbol> symbols;  ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;      ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<ControllerLink> links;  ///< by controller: how it is linked, whether a link is given or not
-  std::vector<DescriptionFault> description_faults;  ///< while there is one, nothing is to be made of the plant
-  std::vector<DescriptionFault> description_warnings;
+  std::vector<description::DescriptionFault>
+      description_faults;  ///< while there is one, nothing is to be made of the plant
+  std::vector<description::DescriptionFault> description_warnings;
   std::vector<std::string> description_decisions;  ///< which pattern speaks of how many devices, for --verbose
   std::array<std::size_t, kInternalReasons> internal{};
   std::vector<Duplicate> duplicates;
@@ -237,7 +237,7 @@ struct PlantModel {
   std::uint32_t controller_of(const Symbol& symbol) const { return lists[symbol.list].controller; }
   std::string list_names() const;  ///< of all lists, with commas between
   /// The files of the lists, in their order.
-  std::vector<const base::SourceFile*> sources() const;
+  std::vector<const text::SourceFile*> sources() const;
   /// Every file that it was read from: plant.json, where there is one, then the lists in their order.
   std::vector<std::string> input_files() const;
 };

@@ -12,7 +12,7 @@ std::optional<std::uint32_t> find(const auto& map, std::string_view name) {
 
 }  // namespace
 
-PlantNames::PlantNames(const PlantModel& plant, const Faults& faults) : plant_(plant), faults_(faults) {
+PlantNames::PlantNames(const PlantModel& plant, const description::Faults& faults) : plant_(plant), faults_(faults) {
   units_.reserve(plant.units.size());
   for (std::uint32_t i = 0; i < plant.units.size(); ++i) units_.try_emplace(plant.units[i].path, i);
   symbols_.reserve(plant.symbols.size());
@@ -26,7 +26,7 @@ std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::stri
 std::optional<std::uint8_t> PlantNames::state(std::uint32_t unit, std::string_view name) const {
   const std::vector<State>& states = plant_.units[unit].states;
   for (std::size_t s = 0; s < states.size(); ++s) {
-    if (base::equal_ignoring_case(states[s].name, name)) return static_cast<std::uint8_t>(s);
+    if (text::equal_ignoring_case(states[s].name, name)) return static_cast<std::uint8_t>(s);
   }
   return std::nullopt;
 }
@@ -57,9 +57,9 @@ std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) 
   const Unit& of = plant_.units[unit];
   const auto tells = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
     for (const std::uint32_t symbol : side) {
-      if (!base::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
-      return ticked(name) + std::string(why) + ticked(of.path) + ", name the symbol " +
-             ticked(plant_.symbols[symbol].name());
+      if (!text::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
+      return description::ticked(name) + std::string(why) + description::ticked(of.path) + ", name the symbol " +
+             description::ticked(plant_.symbols[symbol].name());
     }
     return {};
   };

@@ -6,17 +6,17 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "base/ascii.hpp"
-#include "model/faults.hpp"
+#include "description/faults.hpp"
 #include "model/plant_model.hpp"
 #include "symplant/condition/resolve.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 
 /// The plant's units and their states must be known, and stand as long as this does. O(symbols) to make.
 class PlantNames final : public condition::Names {
  public:
-  PlantNames(const PlantModel& plant, const Faults& faults);
+  PlantNames(const PlantModel& plant, const description::Faults& faults);
 
   std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override;
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
@@ -28,9 +28,9 @@ class PlantNames final : public condition::Names {
 
  private:
   const PlantModel& plant_;
-  const Faults& faults_;
-  base::ByName<std::uint32_t> units_;
-  base::ByName<std::uint32_t> symbols_;
+  const description::Faults& faults_;
+  text::ByName<std::uint32_t> units_;
+  text::ByName<std::uint32_t> symbols_;
 };
 
 }  // namespace symplant::model

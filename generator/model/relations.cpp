@@ -7,10 +7,10 @@
 #include <unordered_set>
 #include <utility>
 
-#include "base/pattern.hpp"
 #include "model/classes.hpp"
 #include "model/given.hpp"
 #include "model/plant_names.hpp"
+#include "text/pattern.hpp"
 
 namespace symplant::model {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t kMostDisabled = 10'000'000;
 
 class Relations {
  public:
-  Relations(PlantModel& plant, Faults& faults) : plant_(plant), faults_(faults), names_(plant, faults) {}
+  Relations(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults), names_(plant, faults) {}
 
   void run() {
     bool some_behaviour = false;
@@ -39,10 +39,10 @@ class Relations {
 
  private:
   /// False, and a fault, where the text is no condition of this plant.
-  bool resolve(std::string_view text, const Pointer& pointer, condition::Tree& tree) {
+  bool resolve(std::string_view text, const description::Pointer& pointer, condition::Tree& tree) {
     auto resolved = condition::parse_and_resolve(text, names_);
     if (auto* fault = std::get_if<condition::Fault>(&resolved)) {
-      faults_.add(pointer, std::move(fault->message), FaultKind::condition, fault->place.offset);
+      faults_.add(pointer, std::move(fault->message), description::FaultKind::condition, fault->place.offset);
       return false;
     }
     tree = std::move(std::get<condition::Tree>(resolved));
@@ -54,7 +54,7 @@ class Relations {
   void add_conditions(Unit& unit) {
     std::unordered_map<std::string_view, bool> sound;
     const auto& given = unit.described->transitions;
-    const Pointer pointer = key_pointer(*unit.described, DeviceKey::transitions);
+    const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::transitions);
     for (std::size_t i = 0; i < given.size(); ++i) {
       const std::string& text = given[i].when;
       if (text.empty() || std::binary_search(unit.left_out.begin(), unit.left_out.end(), i)) continue;
@@ -76,7 +76,8 @@ class Relations {
                      [&](std::size_t a, std::size_t b) { return given[a].first < given[b].first; });
     for (const std::size_t i : order) {
       condition::Tree tree;
-      resolve(given[i].second, key_pointer(*unit.described, DeviceKey::inputs) / given[i].first, tree);
+      resolve(given[i].second,
+              description::key_pointer(*unit.described, description::DeviceKey::inputs) / given[i].first, tree);
       if (unit.described->behaviour.empty()) continue;
       unit.conditions.push_back(std::move(tree));
       unit.input_names.push_back(given[i].first);
@@ -89,18 +90,20 @@ class Relations {
     if (given.empty()) return;
     unit.disables.resize(unit.states.size());
     std::vector<bool> seen(unit.states.size());
-    for (const GivenDisables& entry : given) {
-      const Pointer here = key_pointer(*unit.described, DeviceKey::disables) / entry.state;
+    for (const description::GivenDisables& entry : given) {
+      const description::Pointer here =
+          description::key_pointer(*unit.described, description::DeviceKey::disables) / entry.state;
       const std::uint32_t state = given_state(unit, entry.state, here, faults_);
-      if (state != kNone && seen[state]) faults_.add(here, ticked(entry.state) + " stands twice, join both");
+      if (state != kNone && seen[state])
+        faults_.add(here, description::ticked(entry.state) + " stands twice, join both");
       if (state != kNone) seen[state] = true;
       std::vector<std::uint32_t> disabled = disabled_units(by, entry, here, state != kNone);
       if (state != kNone) unit.disables[state] = std::move(disabled);
     }
   }
 
-  std::vector<std::uint32_t> disabled_units(std::uint32_t by, const GivenDisables& entry, const Pointer& here,
-                                            bool has_state) {
+  std::vector<std::uint32_t> disabled_units(std::uint32_t by, const description::GivenDisables& entry,
+                                            const description::Pointer& here, bool has_state) {
     std::vector<std::uint32_t> disabled;
     for (std::size_t i = 0; i < entry.devices.size(); ++i) {
       const std::string& device = entry.devices[i];
@@ -112,11 +115,12 @@ class Relations {
       }
       const auto unit = names_.unit(device, {});
       if (!unit) {
-        faults_.add(here / i, missing("device " + ticked(device), names_.nearest_device(device, {})),
-                    FaultKind::unknown_name);
+        faults_.add(here / i,
+                    description::missing("device " + description::ticked(device), names_.nearest_device(device, {})),
+                    description::FaultKind::unknown_name);
       } else if (*unit == by) {
         // Under a pattern, of a device without the state, nothing is said.
-        if (has_state) faults_.add(here / i, ticked(device) + " disables itself, leave it out");
+        if (has_state) faults_.add(here / i, description::ticked(device) + " disables itself, leave it out");
       } else {
         disabled.push_back(*unit);
       }
@@ -133,13 +137,14 @@ class Relations {
   }
 
   /// The units that a pattern fits.
-  const std::vector<std::uint32_t>& matching(const std::string& pattern, const Pointer& here) {
+  const std::vector<std::uint32_t>& matching(const std::string& pattern, const description::Pointer& here) {
     const auto [found, added] = matching_.try_emplace(pattern);
     if (!added) return found->second;
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
-      if (base::matches_pattern(plant_.units[u].path, pattern)) found->second.push_back(u);
+      if (text::matches_pattern(plant_.units[u].path, pattern)) found->second.push_back(u);
     }
-    if (found->second.empty()) faults_.warn(here, ticked(pattern) + " matches no device", FaultKind::matches_nothing);
+    if (found->second.empty())
+      faults_.warn(here, description::ticked(pattern) + " matches no device", description::FaultKind::matches_nothing);
     return found->second;
   }
 
@@ -147,7 +152,7 @@ class Relations {
   void add_values() {
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const Symbol& symbol = plant_.symbols[i];
-      if (symbol.type == core::DataType::boolean || symbol.reading.fault != name::NameFault::none) continue;
+      if (symbol.type == tables::DataType::boolean || symbol.reading.fault != name::NameFault::none) continue;
       const auto found = names_.unit(symbol.reading.device_path, {});
       if (!found) continue;
       Unit& unit = plant_.units[*found];
@@ -159,18 +164,18 @@ class Relations {
     const auto& given = plant_.description->requirements;
     std::unordered_set<std::string_view> seen;
     for (std::size_t i = 0; i < given.size(); ++i) {
-      const Pointer here = Pointer("/requirements") / i;
+      const description::Pointer here = description::Pointer("/requirements") / i;
       if (given[i].name.empty()) {
         faults_.add(here / "name", "a requirement without a name, give it one");
       } else if (!seen.insert(given[i].name).second) {
         faults_.add(here / "name",
-                    ticked(given[i].name) + " names another requirement already, give each its own name");
+                    description::ticked(given[i].name) + " names another requirement already, give each its own name");
       }
       add_requirement(given[i], here);
     }
   }
 
-  void add_requirement(const GivenRequirement& given, const Pointer& here) {
+  void add_requirement(const description::GivenRequirement& given, const description::Pointer& here) {
     const bool never = !given.never.empty();
     if (never == (!given.after.empty() || !given.expect.empty()) || given.after.empty() != given.expect.empty()) {
       faults_.add(here, "a requirement has either `never`, or `after` with `expect`");
@@ -178,7 +183,7 @@ class Relations {
     }
     Requirement requirement;
     requirement.name = given.name;
-    requirement.kind = never ? core::RequirementRow::Kind::never : core::RequirementRow::Kind::expect;
+    requirement.kind = never ? tables::RequirementRow::Kind::never : tables::RequirementRow::Kind::expect;
     requirement.within = given.within;
     bool sound = never ? resolve(given.never, here / "never", requirement.condition)
                        : resolve(given.after, here / "after", requirement.condition);
@@ -187,7 +192,7 @@ class Relations {
   }
 
   PlantModel& plant_;
-  Faults& faults_;
+  description::Faults& faults_;
   PlantNames names_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> matching_;  // of `disables`: a pattern -> its units
   std::size_t disabled_ = 0;
@@ -195,7 +200,7 @@ class Relations {
 
 }  // namespace
 
-void add_relations(PlantModel& plant, Faults& faults) {
+void add_relations(PlantModel& plant, description::Faults& faults) {
   if (plant.description->devices.empty() && plant.description->requirements.empty()) return;
   Relations(plant, faults).run();
 }

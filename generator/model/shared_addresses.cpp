@@ -31,7 +31,7 @@ bool has_place(const Symbol& symbol) {
 
 bool moved(const PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
-  if (symbol.direction != core::Direction::event || symbol.unit == kNone) return false;
+  if (symbol.direction != tables::Direction::event || symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];
   const auto place = std::find(unit.events.begin(), unit.events.end(), index) - unit.events.begin();
   return unit.moves_event(static_cast<std::uint32_t>(place));

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/ascii.hpp"
 #include "model/sequence.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 namespace {
@@ -25,7 +25,7 @@ class Drafts {
   Draft& of(std::string_view task, std::uint32_t symbol) {
     if (drafts_.size() <= kFew) {
       for (Draft& draft : drafts_) {
-        if (base::equal_ignoring_case(draft.task, task)) return draft;
+        if (text::equal_ignoring_case(draft.task, task)) return draft;
       }
     } else {
       for (std::size_t i = by_task_.size(); i < drafts_.size(); ++i) by_task_.emplace(drafts_[i].task, i);
@@ -40,7 +40,7 @@ class Drafts {
   static constexpr std::size_t kFew = 16;
 
   std::vector<Draft> drafts_;
-  base::ByName<std::size_t> by_task_;
+  text::ByName<std::size_t> by_task_;
 };
 
 std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbols) {
@@ -60,7 +60,7 @@ std::vector<Draft> drafts_of(const Unit& unit, const std::vector<Symbol>& symbol
 
 const State* find_state(const std::vector<State>& states, std::string_view name) {
   const auto found = std::find_if(states.begin(), states.end(),
-                                  [&](const State& s) { return base::equal_ignoring_case(s.name, name); });
+                                  [&](const State& s) { return text::equal_ignoring_case(s.name, name); });
   return found == states.end() ? nullptr : &*found;
 }
 
@@ -85,22 +85,22 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
   return states;
 }
 
-void add_given_states(Unit& unit, Faults& faults) {
+void add_given_states(Unit& unit, description::Faults& faults) {
   const std::vector<std::string>& given = unit.described->states;
-  const Pointer pointer = key_pointer(*unit.described, DeviceKey::states);
+  const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::states);
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const Pointer here = pointer / i;
+    const description::Pointer here = pointer / i;
     const State* same = find_state(unit.states, given[i]);
     if (same != nullptr) {
       const bool by_symbol = same->operation != kNone || same->event != kNone;
-      faults.add(here,
-                 ticked(given[i]) +
-                     (by_symbol ? " is a state of " + ticked(unit.path) + " by its symbols already" : " stands twice") +
-                     ", leave it out");
+      faults.add(here, description::ticked(given[i]) +
+                           (by_symbol ? " is a state of " + description::ticked(unit.path) + " by its symbols already"
+                                      : " stands twice") +
+                           ", leave it out");
     } else if (given[i].empty() || given[i] == "*") {
-      faults.add(here, ticked(given[i]) + " is no name of a state, give it another");
-    } else if (unit.states.size() == core::kMaxStates) {
-      faults.add(pointer, "the device has more than " + std::to_string(core::kMaxStates) +
+      faults.add(here, description::ticked(given[i]) + " is no name of a state, give it another");
+    } else if (unit.states.size() == tables::kMaxStates) {
+      faults.add(pointer, "the device has more than " + std::to_string(tables::kMaxStates) +
                               " states together with those of its symbols, leave some out");
       return;
     } else {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/faults.hpp"
+#include "description/faults.hpp"
 #include "model/plant_model.hpp"
 #include "model/task_roles.hpp"
 
@@ -13,6 +13,6 @@ namespace symplant::model {
 std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles);
 
 /// Puts the states that the description adds behind them, in its order.
-void add_given_states(Unit& unit, Faults& faults);
+void add_given_states(Unit& unit, description::Faults& faults);
 
 }  // namespace symplant::model

@@ -17,16 +17,16 @@ class UnitTasks {
   /// False where the unit surely lacks a state. (A NOT_X may be added later.)
   bool may_be_state(std::string_view name) const {
     return is_task(name) || states_.contains(name) ||
-           (name.size() > 4 && base::equal_ignoring_case(name.substr(0, 4), "NOT_") && is_task(name.substr(4)));
+           (name.size() > 4 && text::equal_ignoring_case(name.substr(0, 4), "NOT_") && is_task(name.substr(4)));
   }
   /// False where it surely lacks what a transition names.
-  bool allow(const GivenTransition& given) const {
+  bool allow(const description::GivenTransition& given) const {
     return (given.from == "*" || may_be_state(given.from)) && may_be_state(given.to) &&
            (given.on.empty() || operations_.contains(given.on));
   }
 
  private:
-  using Tasks = std::unordered_set<std::string_view, base::HashIgnoringCase, base::EqualIgnoringCase>;
+  using Tasks = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
 
   bool is_task(std::string_view name) const { return operations_.contains(name) || events_.contains(name); }
 
@@ -38,13 +38,13 @@ class UnitTasks {
 }  // namespace
 
 TaskRoles::TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols) {
-  const DeviceDescription* device = unit.described;
+  const description::DeviceDescription* device = unit.described;
   if (device == nullptr) return;
   std::optional<UnitTasks> tasks;
-  const bool ways_lackable = device->entry_of(DeviceKey::transitions).is_pattern();
-  const bool outputs_lackable = device->entry_of(DeviceKey::outputs).is_pattern();
+  const bool ways_lackable = device->entry_of(description::DeviceKey::transitions).is_pattern();
+  const bool outputs_lackable = device->entry_of(description::DeviceKey::outputs).is_pattern();
   if (ways_lackable || outputs_lackable) tasks.emplace(unit, symbols);
-  for (const GivenTransition& given : device->transitions) {
+  for (const description::GivenTransition& given : device->transitions) {
     if (ways_lackable && !tasks->allow(given)) continue;
     states_.insert({given.from, given.to});
     if (!given.on.empty()) commands_.insert(given.on);
@@ -52,8 +52,8 @@ TaskRoles::TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols) {
   states_.insert(device->states.begin(), device->states.end());
   if (device->initial) states_.insert(*device->initial);
   if (device->rest) states_.insert(*device->rest);
-  for (const GivenDisables& given : device->disables) states_.insert(given.state);
-  for (const GivenOutputs& given : device->outputs) {
+  for (const description::GivenDisables& given : device->disables) states_.insert(given.state);
+  for (const description::GivenOutputs& given : device->outputs) {
     if (outputs_lackable && !tasks->may_be_state(given.state)) continue;
     states_.insert(given.state);
     for (const auto* list : {&given.enter, &given.leave}) {

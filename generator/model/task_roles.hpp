@@ -4,8 +4,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "base/ascii.hpp"
 #include "model/plant_model.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::model {
 
@@ -26,7 +26,7 @@ class TaskRoles {
   TaskRole of(std::string_view task, bool has_operation, bool has_event) const;
 
  private:
-  using Tasks = std::unordered_set<std::string_view, base::HashIgnoringCase, base::EqualIgnoringCase>;
+  using Tasks = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
   Tasks states_;    ///< named where only a state can stand
   Tasks commands_;  ///< `on` of a transition
   Tasks switched_;  ///< by outputs

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/ascii.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::name {
 namespace {
@@ -26,7 +26,7 @@ std::string_view text_of(const Piece& piece) {
 
 const DirectionWord* direction_word(const NamingRule& rule, std::string_view text) {
   for (const DirectionWord& word : rule.directions) {
-    if (base::equal_ignoring_case(word.word, text)) return &word;
+    if (text::equal_ignoring_case(word.word, text)) return &word;
   }
   return nullptr;
 }
@@ -145,7 +145,7 @@ NameReading NameParser::parse_by_grammar(std::string_view name) {
   }
   reading.levels = static_cast<std::uint32_t>(pieces.size());
   const auto span_of = [&](std::size_t from, std::size_t to) {
-    return base::Span{offset(pieces[from].begin().base()), offset(pieces[to].end().base())};
+    return text::Span{offset(pieces[from].begin().base()), offset(pieces[to].end().base())};
   };
 
   std::size_t empty = 0;

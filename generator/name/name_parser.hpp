@@ -6,8 +6,8 @@
 #include <memory>
 #include <string_view>
 
-#include "base/source_file.hpp"
 #include "name/naming_rule.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::name {
 
@@ -23,7 +23,7 @@ enum class NameFault : std::uint8_t {
 /// What a name says, or where it goes wrong. Views point into the name.
 struct NameReading {
   NameFault fault = NameFault::none;
-  base::Span where;          ///< bytes of the name that the fault is about
+  text::Span where;          ///< bytes of the name that the fault is about
   std::uint32_t levels = 0;  ///< how many it has; 0 where an illegal character came first
   // Only without a fault:
   std::string_view device_path;  ///< line, process and device with what parts them: the device's identity

@@ -140,7 +140,7 @@ bool CsvReader::quoted_cell(CsvRow& row, std::string_view& cell) {
   const std::string_view stray = plain_cell();
   if (!stray.empty() && !row.stray) {
     const auto begin = static_cast<std::size_t>(stray.data() - text_.data());
-    row.stray = base::Span{begin, begin + stray.size()};
+    row.stray = text::Span{begin, begin + stray.size()};
   }
   return true;
 }

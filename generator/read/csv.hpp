@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/source_file.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::read {
 
@@ -23,8 +23,8 @@ char sniff_delimiter(std::string_view text);
 struct CsvRow {
   std::vector<std::string_view> cells;  ///< without quotes and blanks around
   std::uint32_t line = 0;               ///< where the row begins, counted from 1
-  base::Span whole;                     ///< its bytes, without its line end
-  std::optional<base::Span> stray;      ///< text that follows a closing quote, the first such
+  text::Span whole;                     ///< its bytes, without its line end
+  std::optional<text::Span> stray;      ///< text that follows a closing quote, the first such
 
   /// The cell of that column, empty where the row is shorter.
   std::string_view cell(std::size_t column) const { return column < cells.size() ? cells[column] : std::string_view{}; }

@@ -5,8 +5,8 @@
 #include <deque>
 #include <vector>
 
-#include "base/ascii.hpp"
 #include "read/csv.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::read {
 
@@ -53,7 +53,7 @@ constexpr std::array<std::string_view, 26> kTypes{"BIT",   "BOOL",   "BYTE",  "C
                                                   "ULINT", "USINT",  "WCHAR", "WORD",  "WSTRING"};
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool is_letter(char c) { return base::upper(c) >= 'A' && base::upper(c) <= 'Z'; }
+bool is_letter(char c) { return text::upper(c) >= 'A' && text::upper(c) <= 'Z'; }
 std::string header_word(std::string_view cell) {
   std::string word;
   if (cell.size() > 64) return word;
@@ -65,7 +65,7 @@ std::string header_word(std::string_view cell) {
 
 std::string in_upper(std::string_view cell) {
   std::string text(cell);
-  std::transform(text.begin(), text.end(), text.begin(), base::upper);
+  std::transform(text.begin(), text.end(), text.begin(), text::upper);
   return text;
 }
 
@@ -227,7 +227,7 @@ GxSearch find_gx_layout(std::string_view text) {
 
 bool looks_like_iec_address(std::string_view cell) {
   return cell.size() > 2 && cell[0] == '%' &&
-         (base::upper(cell[1]) == 'I' || base::upper(cell[1]) == 'Q' || base::upper(cell[1]) == 'M');
+         (text::upper(cell[1]) == 'I' || text::upper(cell[1]) == 'Q' || text::upper(cell[1]) == 'M');
 }
 
 bool looks_like_vendor_address(std::string_view cell) {
@@ -235,9 +235,9 @@ bool looks_like_vendor_address(std::string_view cell) {
   std::size_t letters = 0;
   while (letters < cell.size() && is_letter(cell[letters])) ++letters;
   const std::string_view rest = cell.substr(std::min<std::size_t>(letters, 3));
-  return letters > 0 && std::any_of(rest.begin(), rest.end(), base::is_digit) &&
+  return letters > 0 && std::any_of(rest.begin(), rest.end(), text::is_digit) &&
          std::all_of(rest.begin(), rest.end(), [](char c) {
-           return base::is_digit(c) || c == '.' || (base::upper(c) >= 'A' && base::upper(c) <= 'F');
+           return text::is_digit(c) || c == '.' || (text::upper(c) >= 'A' && text::upper(c) <= 'F');
          });
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/source_file.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::read {
 
@@ -43,7 +43,7 @@ struct GxLayout {
 /// What a look at the first rows tells.
 struct GxSearch {
   std::optional<GxLayout> layout;
-  std::optional<base::Span> nameless_header;  ///< a header of such a list, but without a column of identifiers
+  std::optional<text::Span> nameless_header;  ///< a header of such a list, but without a column of identifiers
   std::optional<std::size_t> unclosed_quote;  ///< the look ended at a quote that is never closed
 };
 

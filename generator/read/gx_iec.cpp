@@ -32,7 +32,7 @@ std::string_view delimiter_name(char delimiter) {
 
 class GxIecReading {
  public:
-  GxIecReading(std::shared_ptr<const base::SourceFile> source, diag::Diagnostics& diagnostics)
+  GxIecReading(std::shared_ptr<const text::SourceFile> source, diag::Diagnostics& diagnostics)
       : source_(std::move(source)), diagnostics_(diagnostics) {}
 
   std::optional<SymbolTable> read() {
@@ -109,7 +109,7 @@ class GxIecReading {
                                 GxField::type, GxField::initial}) {
       const std::string_view cell = row.cell(layout.columns[field]);
       if (cell.size() <= kLongestCell) continue;
-      const base::Span place = source_->span_of(cell, row.whole);
+      const text::Span place = source_->span_of(cell, row.whole);
       diagnostics_.add(kCellTooLong,
                        "a cell of " + std::to_string(cell.size()) + " bytes stands here, " +
                            std::to_string(kLongestCell) + " are the most; a line end or a quote is missing",
@@ -179,7 +179,7 @@ class GxIecReading {
                      {source_, source_->span_of(source_->line_at(0))});
   }
 
-  std::shared_ptr<const base::SourceFile> source_;
+  std::shared_ptr<const text::SourceFile> source_;
   diag::Diagnostics& diagnostics_;
   SymbolTable table_;
   std::size_t left_out_ = 0;
@@ -197,7 +197,7 @@ int gx_iec_likelihood(std::string_view text) {
   return columns.has(GxField::vendor_address) && columns.has(GxField::iec_address) ? 90 : 60;
 }
 
-std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const base::SourceFile> source, diag::Diagnostics& diagnostics) {
+std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const text::SourceFile> source, diag::Diagnostics& diagnostics) {
   return GxIecReading(std::move(source), diagnostics).read();
 }
 

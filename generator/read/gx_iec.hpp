@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "base/source_file.hpp"
 #include "diag/diagnostic.hpp"
 #include "read/symbol_table.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::read {
 
@@ -17,6 +17,6 @@ int gx_iec_likelihood(std::string_view text);
 /// Class, Identifier, MIT-Addr., IEC-Addr., Type, Initial, Comment in any order, with or without a header; further
 /// columns and lines before the header are passed over. Which address is whose is told by its content, whatever the
 /// header says. Nothing where an error was added.
-std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const base::SourceFile> source, diag::Diagnostics& diagnostics);
+std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const text::SourceFile> source, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::read

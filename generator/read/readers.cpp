@@ -26,10 +26,10 @@ std::string known_names() {
 }
 
 /// A place in a file whose text is not there to be shown.
-diag::Place whole_file(const std::string& path) { return {std::make_shared<base::SourceFile>(path, ""), {}}; }
+diag::Place whole_file(const std::string& path) { return {std::make_shared<text::SourceFile>(path, ""), {}}; }
 
 /// The reader that is asked for, or the likeliest; none where an error was added.
-const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const base::SourceFile>& source,
+const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const text::SourceFile>& source,
                          diag::Diagnostics& diagnostics) {
   const ReaderInfo* best = nullptr;
   int likelihood = 0;
@@ -51,8 +51,8 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
 }
 
 /// The file as text; null where an error was added.
-std::shared_ptr<const base::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
-                                             diag::Diagnostics& diagnostics, base::Encoding& encoding) {
+std::shared_ptr<const text::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
+                                             diag::Diagnostics& diagnostics, text::Encoding& encoding) {
   auto decoded = decode_file(path, std::move(bytes), options, diagnostics);
   if (!decoded) return nullptr;
   if (decoded->text.find_first_not_of(" \t\r\n") == std::string::npos) {
@@ -60,7 +60,7 @@ std::shared_ptr<const base::SourceFile> load(const std::string& path, std::strin
     return nullptr;
   }
   encoding = decoded->encoding;
-  return std::make_shared<base::SourceFile>(path, std::move(decoded->text));
+  return std::make_shared<text::SourceFile>(path, std::move(decoded->text));
 }
 
 bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics) {
@@ -72,19 +72,19 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
 }
 
 /// What to do about bytes that cannot be decoded: what the likely encodings would read, where there are any.
-std::string remedy_of(const base::DecodeError& fault, bool described) {
+std::string remedy_of(const text::DecodeError& fault, bool described) {
   std::string text;
-  const auto add = [&](base::Encoding encoding) {
-    const std::string name(base::encoding_name(encoding));
+  const auto add = [&](text::Encoding encoding) {
+    const std::string name(text::encoding_name(encoding));
     text += text.empty() ? "" : ", ";
     text += described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
   };
-  for (const base::EncodingGuess& guess : fault.guesses) {
+  for (const text::EncodingGuess& guess : fault.guesses) {
     add(guess.encoding);
     text += " would read `" + guess.sample + "`";
   }
   if (fault.guesses.empty() && !fault.possible.empty()) {
-    for (const base::UsualEncoding& usual : fault.possible) {
+    for (const text::UsualEncoding& usual : fault.possible) {
       add(usual.encoding);
       text += " (" + std::string(usual.where) + ")";
     }
@@ -99,15 +99,15 @@ std::string remedy_of(const base::DecodeError& fault, bool described) {
 
 std::span<const ReaderInfo> readers() { return kReaders; }
 
-std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
+std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
                                          diag::Diagnostics& diagnostics, std::string_view remedy) {
-  auto decoded = base::decode(std::move(bytes), options.encoding ? &*options.encoding : nullptr);
+  auto decoded = text::decode(std::move(bytes), options.encoding ? &*options.encoding : nullptr);
   if (decoded) return std::move(*decoded);
-  const base::DecodeError& fault = decoded.error();
-  const base::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
+  const text::DecodeError& fault = decoded.error();
+  const text::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
   const std::string what_to_do = remedy.empty() ? remedy_of(fault, options.described) : std::string(remedy);
   diagnostics.add(kUndecodableText, fault.what + "; " + what_to_do,
-                  {std::make_shared<base::SourceFile>(path, fault.shown), place});
+                  {std::make_shared<text::SourceFile>(path, fault.shown), place});
   return std::nullopt;
 }
 
@@ -123,7 +123,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadO
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics) {
   if (!is_known_format(options, diagnostics)) return std::nullopt;
-  base::Encoding encoding{};
+  text::Encoding encoding{};
   const auto source = load(path, std::move(bytes), options, diagnostics, encoding);
   if (!source) return std::nullopt;
   const ReaderInfo* const reader = choose(options, source, diagnostics);
@@ -133,7 +133,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   const std::string_view why = options.encoding ? ", as asked for" : "";
   table->decisions.insert(table->decisions.begin(),
                           {"format: " + std::string(reader->name) + " (" + std::string(reader->title) + ")",
-                           "encoding: " + std::string(base::encoding_name(encoding)) + std::string(why)});
+                           "encoding: " + std::string(text::encoding_name(encoding)) + std::string(why)});
   return table;
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "base/encoding.hpp"
 #include "base/file_system.hpp"
 #include "diag/diagnostic.hpp"
 #include "read/symbol_table.hpp"
+#include "text/encoding.hpp"
 
 namespace symplant::read {
 
@@ -18,14 +18,14 @@ struct ReaderInfo {
   std::string_view name;   ///< for --input-format: "gx-iec"
   std::string_view title;  ///< "GX IEC Developer 7 global variable list"
   int (*likelihood)(std::string_view text);
-  std::optional<SymbolTable> (*read)(std::shared_ptr<const base::SourceFile>, diag::Diagnostics&);
+  std::optional<SymbolTable> (*read)(std::shared_ptr<const text::SourceFile>, diag::Diagnostics&);
 };
 
 std::span<const ReaderInfo> readers();
 
 struct ReadOptions {
   std::string input_format;                ///< empty: sniffed
-  std::optional<base::Encoding> encoding;  ///< nothing: sniffed
+  std::optional<text::Encoding> encoding;  ///< nothing: sniffed
   bool described = false;                  ///< a plant.json names the list, and may say its encoding
 };
 
@@ -40,7 +40,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
 
 /// The text of a file's bytes, and its encoding; nothing where an error was added: with the encodings that it is likely
 /// to be in, and how they would read it. `remedy` takes the place of that where the file is no list.
-std::optional<base::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
+std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
                                          diag::Diagnostics& diagnostics, std::string_view remedy = {});
 
 }  // namespace symplant::read

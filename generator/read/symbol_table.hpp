@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/source_file.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::read {
 
@@ -23,7 +23,7 @@ struct ListRow {
   std::string_view initial;
   std::string_view comment;
   std::uint32_t line;  ///< where it begins in the file, counted from 1
-  base::Span whole;    ///< the row's bytes, without its line end
+  text::Span whole;    ///< the row's bytes, without its line end
 };
 
 /// Movable, not copyable: its rows point into it.
@@ -34,7 +34,7 @@ struct SymbolTable {
   SymbolTable(const SymbolTable&) = delete;
   SymbolTable& operator=(const SymbolTable&) = delete;
 
-  std::shared_ptr<const base::SourceFile> source;
+  std::shared_ptr<const text::SourceFile> source;
   std::vector<ListRow> rows;
   std::deque<std::string> arena;       ///< cells whose text is not in the file as it is ("" for ")
   std::vector<std::string> decisions;  ///< what was sniffed and why, for --verbose

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "base/utf8.hpp"
 #include "model/condition_text.hpp"
+#include "text/utf8.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
@@ -24,7 +24,7 @@ std::vector<std::string> packed(const std::vector<std::string>& parts) {
   std::vector<std::string> lines;
   for (const std::string& part : parts) {
     if (part.empty()) continue;
-    if (!lines.empty() && base::count_code_points(lines.back()) + 2 + base::count_code_points(part) <= kLineColumns) {
+    if (!lines.empty() && text::count_code_points(lines.back()) + 2 + text::count_code_points(part) <= kLineColumns) {
       lines.back().append(", ").append(part);
     } else {
       lines.push_back(part);
@@ -38,7 +38,7 @@ std::vector<std::string> label_of(const model::Transition& t, const model::Unit&
   const WayText way = way_text(t, unit, plant);
   std::string when;
   if (!way.when.empty()) {
-    const bool in_words = conditions == Conditions::in_words && base::count_code_points(way.when) + 2 <= kLineColumns;
+    const bool in_words = conditions == Conditions::in_words && text::count_code_points(way.when) + 2 <= kLineColumns;
     when = in_words ? "[" + way.when + "]" : fmt::format("[c{}]", t.when + 1);
   }
   const std::string origin(t.origin == model::Origin::derived ? "" : origin_text(t.origin));
@@ -134,9 +134,9 @@ std::vector<std::string> facts_of(std::uint32_t index, const model::PlantModel& 
                                   const CrossReferences& references) {
   const model::Unit& unit = plant.units[index];
   std::vector<std::string> facts;
-  facts.push_back(fmt::format("{}, starts in {}: {}", model::actuation_name(unit.actuation),
+  facts.push_back(fmt::format("{}, starts in {}: {}", description::actuation_name(unit.actuation),
                               unit.states[unit.initial].name, initial_reason(unit.initial_from)));
-  if (unit.actuation == core::Actuation::spring) facts.push_back("returns to " + unit.states[unit.rest].name);
+  if (unit.actuation == tables::Actuation::spring) facts.push_back("returns to " + unit.states[unit.rest].name);
   for (const std::string_view sentence : inferences(unit)) facts.push_back("inferred: " + std::string(sentence));
   for (const std::uint32_t symbol : unit.operations) facts.push_back("I  " + signal_text(plant.symbols[symbol], plant));
   for (const std::uint32_t symbol : unit.events) facts.push_back("O  " + signal_text(plant.symbols[symbol], plant));

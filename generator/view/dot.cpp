@@ -51,7 +51,7 @@ class DotWriter {
     out("\n  subgraph cluster_{} {{\n    label={}\n", index, diag::dot_string(unit.path));
     for (std::size_t s = 0; s < chart.states.size(); ++s) {
       const ChartState& state = chart.states[s];
-      const bool rest = unit.actuation == core::Actuation::spring && unit.rest == s;
+      const bool rest = unit.actuation == tables::Actuation::spring && unit.rest == s;
       out("    u{}_s{} [label=\"{}", index, s, diag::dot_text(state.name));
       if (rest) text_ += "\\n(rest)";
       if (!state.symbols.empty()) text_.append("\\n").append(diag::dot_text(state.symbols));

@@ -13,7 +13,7 @@
 #include "diag/visible_text.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 #include "view/chart.hpp"
 #include "view/cross_references.hpp"
 #include "view/layout.hpp"
@@ -73,15 +73,15 @@ class DataWriter {
       lists.push_back(visible(list.name() + (controller.empty() ? "" : " of " + controller)));
     }
     Json types = Json::array();
-    for (int type = 0; type <= static_cast<int>(core::DataType::lreal); ++type) {
-      types.push_back(model::data_type_name(static_cast<core::DataType>(type)));
+    for (int type = 0; type <= static_cast<int>(tables::DataType::lreal); ++type) {
+      types.push_back(model::data_type_name(static_cast<tables::DataType>(type)));
     }
     Json internal = Json::array();
     for (std::size_t i = 0; i < model::kInternalReasons; ++i) {
       internal.push_back({model::internal_reason_text(static_cast<model::InternalReason>(i)), plant_.internal[i]});
     }
     return {
-        {"plant", visible(plant_.name)},  {"hash", fmt::format("{:016x}", core::model_hash(scene_.tables.tables()))},
+        {"plant", visible(plant_.name)},  {"hash", fmt::format("{:016x}", tables::model_hash(scene_.tables.tables()))},
         {"lists", std::move(lists)},      {"types", std::move(types)},
         {"reasons", std::move(reasons)},  {"internal", std::move(internal)},
         {"layouts", std::move(layouts_)}, {"kinds", std::move(kinds_)},
@@ -115,7 +115,7 @@ class DataWriter {
     Json row{visible(symbol.name()),
              symbol.row->line,
              symbol.list,
-             symbol.direction == core::Direction::event ? 1 : 0,
+             symbol.direction == tables::Direction::event ? 1 : 0,
              static_cast<int>(symbol.type),
              visible(symbol.row->vendor_address),
              visible(symbol.row->iec_address),
@@ -179,7 +179,7 @@ class DataWriter {
     for (const model::Transition& t : transitions) {
       (t.on == kNone ? internal : external).push_back(way_json(t, unit));
     }
-    Json kind{{"actuation", model::actuation_name(unit.actuation)},
+    Json kind{{"actuation", description::actuation_name(unit.actuation)},
               {"rest", place_or_none(unit.rest)},
               {"inferences", inferences(unit)},
               {"states", std::move(states)},

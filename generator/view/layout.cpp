@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/utf8.hpp"
 #include "diag/visible_text.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::view {
 namespace {
@@ -234,7 +234,7 @@ std::uint32_t columns(const std::string& as_it_is) {
   const std::string text = diag::visible(as_it_is);
   std::uint32_t width = 0;
   for (std::size_t at = 0; at < text.size();) {
-    const base::CodePoint point = base::code_point_at(text, at);
+    const text::CodePoint point = text::code_point_at(text, at);
     width += static_cast<std::uint32_t>(diag::display_width(point.value));
     at += point.length;
   }

@@ -50,7 +50,7 @@ class MermaidWriter {
     out("  state \"{}\" as u{} {{\n", diag::mermaid_text(unit.path), index);
     for (std::size_t s = 0; s < chart.states.size(); ++s) {
       const ChartState& state = chart.states[s];
-      const bool rest = unit.actuation == core::Actuation::spring && unit.rest == s;
+      const bool rest = unit.actuation == tables::Actuation::spring && unit.rest == s;
       std::string content = state.name + (rest ? " (rest)" : "");
       if (!state.symbols.empty()) content += ": " + state.symbols;
       out("    state \"{}\" as u{}s{}\n", diag::mermaid_text(content), index, s);

@@ -10,7 +10,7 @@
 #include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
 #include "view/words.hpp"
 
@@ -27,13 +27,13 @@ Json names(const std::vector<std::uint32_t>& side, const model::PlantModel& plan
 }
 
 /// Nanoseconds, or how they are drawn.
-Json time_json(const model::Duration& time) {
+Json time_json(const description::Duration& time) {
   switch (time.kind) {
-    case model::Duration::Kind::fixed:
+    case description::Duration::Kind::fixed:
       break;
-    case model::Duration::Kind::uniform:
+    case description::Duration::Kind::uniform:
       return {{"min", time.a}, {"max", time.b}};
-    case model::Duration::Kind::normal:
+    case description::Duration::Kind::normal:
       return {{"mean", time.a}, {"sigma", time.b}};
   }
   return time.a;
@@ -41,7 +41,7 @@ Json time_json(const model::Duration& time) {
 
 /// Exactly: whole numbers beyond 2^53, NaN and infinities as strings.
 Json value_json(const model::Symbol& symbol) {
-  using core::DataType;
+  using tables::DataType;
   if (symbol.type == DataType::boolean) return symbol.initial != 0;
   if (symbol.type == DataType::real || symbol.type == DataType::lreal) {
     const auto value = std::bit_cast<double>(symbol.initial);
@@ -61,7 +61,7 @@ class UnitWriter {
               {"line", reading.line},
               {"process", reading.process},
               {"device", unit_.device},
-              {"actuation", model::actuation_name(unit_.actuation)},
+              {"actuation", description::actuation_name(unit_.actuation)},
               {"travel", unit_.travel},
               {"initial", unit_.states[unit_.initial].name},
               {"initial_from", initial_key(unit_.initial_from)}};
@@ -182,7 +182,7 @@ Json lists_json(const model::PlantModel& plant) {
 Json requirement_json(const model::Requirement& requirement, const model::PlantModel& plant) {
   Json json{{"name", requirement.name}};
   const std::string condition = model::condition_text(requirement.condition, plant);
-  if (requirement.kind == core::RequirementRow::Kind::never) {
+  if (requirement.kind == tables::RequirementRow::Kind::never) {
     json["never"] = condition;
   } else {
     json["after"] = condition;
@@ -214,7 +214,7 @@ View model_json(const Scene& scene) {
   const Json json{{"symplant-model", kModelJsonVersion},
                   {"plant", plant.name},
                   {"lists", lists_json(plant)},
-                  {"model_hash", fmt::format("{:016x}", core::model_hash(scene.tables.tables()))},
+                  {"model_hash", fmt::format("{:016x}", tables::model_hash(scene.tables.tables()))},
                   {"units", std::move(units)},
                   {"requirements", std::move(requirements)},
                   {"symbols", std::move(symbols)},

@@ -50,9 +50,9 @@ class TableWriter {
 
   void add_unit(std::uint32_t index) {
     const model::Unit& unit = plant_.units[index];
-    std::string head = fmt::format("{}: {}, starts in {} ({})", unit.path, model::actuation_name(unit.actuation),
+    std::string head = fmt::format("{}: {}, starts in {} ({})", unit.path, description::actuation_name(unit.actuation),
                                    unit.states[unit.initial].name, initial_reason(unit.initial_from));
-    if (unit.actuation == core::Actuation::spring) head += ", returns to " + unit.states[unit.rest].name;
+    if (unit.actuation == tables::Actuation::spring) head += ", returns to " + unit.states[unit.rest].name;
     line(head);
     for (const std::string_view sentence : inferences(unit)) line("  inferred: " + std::string(sentence));
     add_side("I", unit.operations);

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
-#include "base/identifier.hpp"
 #include "diag/encode.hpp"
 #include "model/condition_text.hpp"
+#include "text/identifier.hpp"
 #include "view/cross_references.hpp"
 #include "view/scxml_names.hpp"
 #include "view/words.hpp"
@@ -30,8 +30,8 @@ constexpr std::string_view kScxmlHead =
     "     model and events here, and a delay counts from entering a state, not from when its condition holds. -->\n";
 
 /// Seconds as CSS has them: `1.5s`.
-std::string delay_text(core::Time time) {
-  std::string text = fmt::format("{}.{:09}", time / core::kSecond, time % core::kSecond);
+std::string delay_text(tables::Time time) {
+  std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
   return text + "s";
@@ -52,7 +52,7 @@ class ScxmlWriter {
     std::string document(kScxmlHead);
     document +=
         "<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" xmlns:symplant=\"urn:symplant:model:1\" version=\"1.0\"";
-    document += attribute("name", base::identifier(plant_.name)) + " datamodel=\"ecmascript\" initial=\"plant\">\n";
+    document += attribute("name", text::identifier(plant_.name)) + " datamodel=\"ecmascript\" initial=\"plant\">\n";
     std::sort(variables_.begin(), variables_.end());
     variables_.erase(std::unique(variables_.begin(), variables_.end()), variables_.end());
     if (!variables_.empty()) document += "  <datamodel>\n";
@@ -75,7 +75,8 @@ class ScxmlWriter {
   void add_unit(std::uint32_t index) {
     const model::Unit& unit = plant_.units[index];
     out("    <state id=\"{}\" initial=\"{}\"{}{}{}", names_.unit(index), names_.state(index, unit.initial),
-        attribute("symplant:path", unit.path), attribute("symplant:actuation", model::actuation_name(unit.actuation)),
+        attribute("symplant:path", unit.path),
+        attribute("symplant:actuation", description::actuation_name(unit.actuation)),
         attribute("symplant:initial-from", initial_key(unit.initial_from)));
     if (unit.rest != kNone) text_ += attribute("symplant:rest", unit.states[unit.rest].name);
     if (unit.has_behaviour()) text_ += attribute("symplant:behaviour", unit.described->behaviour);

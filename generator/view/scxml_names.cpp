@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "base/identifier.hpp"
 #include "model/condition_text.hpp"
+#include "text/identifier.hpp"
 
 namespace symplant::view {
 namespace {
@@ -12,18 +12,18 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-std::string_view operator_text(core::Comparison comparison) {
-  return comparison == core::Comparison::equal ? "==" : model::comparison_text(comparison);
+std::string_view operator_text(tables::Comparison comparison) {
+  return comparison == tables::Comparison::equal ? "==" : model::comparison_text(comparison);
 }
 
 }  // namespace
 
 ScxmlNames::ScxmlNames(const model::PlantModel& plant) {
-  base::IdentifierScope scope;
+  text::IdentifierScope scope;
   scope.unique("plant");
   for (const model::Unit& unit : plant.units) {
     units_.push_back(scope.unique(unit.path));
-    base::IdentifierScope own;
+    text::IdentifierScope own;
     std::vector<std::string>& states = states_.emplace_back();
     for (const model::State& state : unit.states) states.push_back(own.unique(state.name));
   }

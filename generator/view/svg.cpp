@@ -59,7 +59,7 @@ class CardWriter {
     for (std::size_t i = 0; i < layout.arrows.size(); ++i) add_arrow(layout.arrows[i], chart.edges[i]);
     for (std::size_t i = 0; i < layout.arrows.size(); ++i) add_label(layout.arrows[i].label, chart.edges[i].label);
     for (std::size_t s = 0; s < layout.states.size(); ++s) {
-      const bool rest = unit.actuation == core::Actuation::spring && unit.rest == s;
+      const bool rest = unit.actuation == tables::Actuation::spring && unit.rest == s;
       add_state(layout, layout.states[s], chart.states[s], rest, unit.initial == s);
     }
     card_.content += "</g>\n";

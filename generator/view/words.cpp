@@ -13,22 +13,22 @@ namespace symplant::view {
 
 using model::kNone;
 
-std::string time_text(core::Time time) {
-  if (time % core::kSecond == 0) return fmt::format("{} s", time / core::kSecond);
-  if (time % core::kMillisecond != 0) return fmt::format("{} ns", time);
-  if (time < core::kSecond) return fmt::format("{} ms", time / core::kMillisecond);
-  std::string text = fmt::format("{}.{:03}", time / core::kSecond, time % core::kSecond / core::kMillisecond);
+std::string time_text(tables::Time time) {
+  if (time % tables::kSecond == 0) return fmt::format("{} s", time / tables::kSecond);
+  if (time % tables::kMillisecond != 0) return fmt::format("{} ns", time);
+  if (time < tables::kSecond) return fmt::format("{} ms", time / tables::kMillisecond);
+  std::string text = fmt::format("{}.{:03}", time / tables::kSecond, time % tables::kSecond / tables::kMillisecond);
   while (text.back() == '0') text.pop_back();
   return text + " s";
 }
 
-std::string duration_text(const model::Duration& duration) {
+std::string duration_text(const description::Duration& duration) {
   switch (duration.kind) {
-    case model::Duration::Kind::fixed:
+    case description::Duration::Kind::fixed:
       break;
-    case model::Duration::Kind::uniform:
+    case description::Duration::Kind::uniform:
       return time_text(duration.a) + " to " + time_text(duration.b);
-    case model::Duration::Kind::normal:
+    case description::Duration::Kind::normal:
       return time_text(duration.a) + " (sigma " + time_text(duration.b) + ")";
   }
   return time_text(duration.a);
@@ -136,13 +136,13 @@ std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, st
 
 std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant) {
   const std::string condition = model::condition_text(requirement.condition, plant);
-  if (requirement.kind == core::RequirementRow::Kind::never) return "never " + condition;
+  if (requirement.kind == tables::RequirementRow::Kind::never) return "never " + condition;
   return fmt::format("after {}, expect {} within {}", condition, model::condition_text(requirement.expected, plant),
                      time_text(requirement.within));
 }
 
 std::string initial_value_text(const model::Symbol& symbol) {
-  using core::DataType;
+  using tables::DataType;
   switch (symbol.type) {
     case DataType::boolean:
       return symbol.initial == 0 ? "FALSE" : "TRUE";
@@ -161,7 +161,7 @@ std::string initial_value_text(const model::Symbol& symbol) {
 
 std::vector<model::Transition> spring_ways(const model::Unit& unit) {
   std::vector<model::Transition> ways;
-  if (unit.actuation != core::Actuation::spring) return ways;
+  if (unit.actuation != tables::Actuation::spring) return ways;
   for (std::uint32_t from = 0; from < unit.states.size(); ++from) {
     if (from == unit.rest) continue;
     const auto taken = std::find_if(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& t) {
@@ -171,7 +171,7 @@ std::vector<model::Transition> spring_ways(const model::Unit& unit) {
     model::Transition way;
     way.from = from;
     way.to = unit.rest;
-    way.takes = taken == unit.transitions.end() ? model::Duration::fixed(unit.travel) : taken->takes;
+    way.takes = taken == unit.transitions.end() ? description::Duration::fixed(unit.travel) : taken->takes;
     way.spring_way = true;
     ways.push_back(way);
   }

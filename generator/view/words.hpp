@@ -11,9 +11,9 @@
 namespace symplant::view {
 
 /// "1.5 s", "500 ms", "1500 ns": exactly.
-std::string time_text(core::Time time);
+std::string time_text(tables::Time time);
 /// "1 s", "1 s to 2 s", "1 s (sigma 20 ms)".
-std::string duration_text(const model::Duration& duration);
+std::string duration_text(const description::Duration& duration);
 
 /// `given`, `derived` or `inferred`.
 std::string_view origin_text(model::Origin origin);

@@ -8,31 +8,31 @@
 namespace symplant::condition {
 namespace {
 
-using core::Comparison;
-using core::DataType;
+using tables::Comparison;
+using tables::DataType;
 
 struct TypeInfo {
   std::string_view name;
   int bits;
-  core::NumberKind kind;
+  tables::NumberKind kind;
 };
-/// In the order of core::DataType.
+/// In the order of tables::DataType.
 constexpr std::array<TypeInfo, 15> kTypes{{
-    {"BOOL", 1, core::NumberKind::unsigned_integer},
-    {"SINT", 8, core::NumberKind::signed_integer},
-    {"INT", 16, core::NumberKind::signed_integer},
-    {"DINT", 32, core::NumberKind::signed_integer},
-    {"LINT", 64, core::NumberKind::signed_integer},
-    {"USINT", 8, core::NumberKind::unsigned_integer},
-    {"UINT", 16, core::NumberKind::unsigned_integer},
-    {"UDINT", 32, core::NumberKind::unsigned_integer},
-    {"ULINT", 64, core::NumberKind::unsigned_integer},
-    {"BYTE", 8, core::NumberKind::unsigned_integer},
-    {"WORD", 16, core::NumberKind::unsigned_integer},
-    {"DWORD", 32, core::NumberKind::unsigned_integer},
-    {"LWORD", 64, core::NumberKind::unsigned_integer},
-    {"REAL", 32, core::NumberKind::real},
-    {"LREAL", 64, core::NumberKind::real},
+    {"BOOL", 1, tables::NumberKind::unsigned_integer},
+    {"SINT", 8, tables::NumberKind::signed_integer},
+    {"INT", 16, tables::NumberKind::signed_integer},
+    {"DINT", 32, tables::NumberKind::signed_integer},
+    {"LINT", 64, tables::NumberKind::signed_integer},
+    {"USINT", 8, tables::NumberKind::unsigned_integer},
+    {"UINT", 16, tables::NumberKind::unsigned_integer},
+    {"UDINT", 32, tables::NumberKind::unsigned_integer},
+    {"ULINT", 64, tables::NumberKind::unsigned_integer},
+    {"BYTE", 8, tables::NumberKind::unsigned_integer},
+    {"WORD", 16, tables::NumberKind::unsigned_integer},
+    {"DWORD", 32, tables::NumberKind::unsigned_integer},
+    {"LWORD", 64, tables::NumberKind::unsigned_integer},
+    {"REAL", 32, tables::NumberKind::real},
+    {"LREAL", 64, tables::NumberKind::real},
 }};
 
 const TypeInfo& info_of(DataType type) { return kTypes[static_cast<std::size_t>(type)]; }
@@ -52,7 +52,7 @@ struct Range {
 
 Range range_of(const TypeInfo& type) {
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - type.bits);
-  if (type.kind == core::NumberKind::unsigned_integer) return {{}, {false, false, all}};
+  if (type.kind == tables::NumberKind::unsigned_integer) return {{}, {false, false, all}};
   return {{true, false, all / 2 + 1}, {false, false, all / 2}};
 }
 
@@ -81,7 +81,7 @@ std::variant<FoldedComparison, bool> fold_integer(const TypeInfo& type, Comparis
 
 std::optional<std::variant<FoldedComparison, bool>> fold(DataType type, Comparison comparison, const Number& number) {
   const TypeInfo& info = info_of(type);
-  if (info.kind != core::NumberKind::real) return fold_integer(info, comparison, number);
+  if (info.kind != tables::NumberKind::real) return fold_integer(info, comparison, number);
   const std::optional<double> value = number.real();
   if (!value) return std::nullopt;
   return FoldedComparison{comparison, info.kind, std::bit_cast<std::uint64_t>(*value)};

@@ -6,22 +6,22 @@
 #include <variant>
 
 #include "symplant/condition/number.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::condition {
 
 /// The operand in the form that `number` says, or the constant truth that the comparison comes to.
 struct FoldedComparison {
-  core::Comparison comparison;
-  core::NumberKind number;
+  tables::Comparison comparison;
+  tables::NumberKind number;
   std::uint64_t operand;
 };
 
 /// Nothing where a REAL or LREAL cannot hold the number. `type` must not be BOOL. O(digits).
-std::optional<std::variant<FoldedComparison, bool>> fold(core::DataType type, core::Comparison comparison,
+std::optional<std::variant<FoldedComparison, bool>> fold(tables::DataType type, tables::Comparison comparison,
                                                          const Number& number);
 
 /// `INT` and so on, as a list has it.
-std::string_view type_name(core::DataType type);
+std::string_view type_name(tables::DataType type);
 
 }  // namespace symplant::condition

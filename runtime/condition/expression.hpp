@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "symplant/condition/number.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::condition {
 
@@ -35,7 +35,7 @@ struct Expression {
   };
   Kind kind = Kind::name;
   std::vector<Name> names;
-  core::Comparison comparison = core::Comparison::equal;
+  tables::Comparison comparison = tables::Comparison::equal;
   Number number;
   Place number_place;
   std::vector<Expression> children;

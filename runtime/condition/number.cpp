@@ -6,7 +6,7 @@
 #include <limits>
 #include <system_error>
 
-#include "symplant/core/ascii.hpp"
+#include "symplant/tables/ascii.hpp"
 
 namespace symplant::condition {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
 /// Beyond every exponent that matters, yet far from overflowing.
 constexpr std::int64_t kFarExponent = std::int64_t{1} << 40;
 
-using core::is_digit;
+using tables::is_digit;
 
 /// Digits at the beginning of `text`, single `_` between them left out; they are taken off `text`.
 std::string take_digits(std::string_view& text) {

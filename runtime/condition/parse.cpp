@@ -95,7 +95,7 @@ const auto set_number = [](const auto& context) {
   x3::_val(context).number = std::move(x3::_attr(context).number);
   x3::_val(context).number_place = x3::_attr(context).place;
 };
-template <core::Comparison comparison>
+template <tables::Comparison comparison>
 const auto compare = [](const auto& context) {
   x3::_val(context).kind = Expression::Kind::comparison;
   x3::_val(context).comparison = comparison;
@@ -124,11 +124,11 @@ const auto join = [](const auto& context) {
 
 // Grammar.
 
-const auto comparison = x3::lexeme[x3::lit('<') >> '='][compare<core::Comparison::less_equal>] |
-                        x3::lexeme[x3::lit('>') >> '='][compare<core::Comparison::greater_equal>] |
-                        x3::lit('<')[compare<core::Comparison::less>] |
-                        x3::lit('>')[compare<core::Comparison::greater>] |
-                        x3::lit('=')[compare<core::Comparison::equal>];
+const auto comparison = x3::lexeme[x3::lit('<') >> '='][compare<tables::Comparison::less_equal>] |
+                        x3::lexeme[x3::lit('>') >> '='][compare<tables::Comparison::greater_equal>] |
+                        x3::lit('<')[compare<tables::Comparison::less>] |
+                        x3::lit('>')[compare<tables::Comparison::greater>] |
+                        x3::lit('=')[compare<tables::Comparison::equal>];
 
 const auto level_def = x3::raw[quoted | plain][take_name];
 const auto name_def = !(word_and | word_or | word_not) >> level[take];

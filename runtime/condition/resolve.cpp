@@ -74,7 +74,7 @@ class Resolver {
   Resolved bit(const Name& name) const {
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
-    if (symbol->type != core::DataType::boolean) {
+    if (symbol->type != tables::DataType::boolean) {
       return Fault{name.place, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
                                    " and stands without a comparison, compare it as in " + ticked(name.text + " > 0")};
     }
@@ -93,7 +93,7 @@ class Resolver {
     }
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
-    if (symbol->type == core::DataType::boolean) {
+    if (symbol->type == tables::DataType::boolean) {
       return Fault{name.place, ticked(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
     }
     const auto folded = fold(symbol->type, expression.comparison, expression.number);

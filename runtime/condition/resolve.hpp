@@ -9,7 +9,7 @@
 
 #include "symplant/condition/expression.hpp"
 #include "symplant/condition/tree.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::condition {
 
@@ -18,7 +18,7 @@ class Names {
  public:
   struct Symbol {
     std::uint32_t index;
-    core::DataType type;
+    tables::DataType type;
   };
 
   virtual ~Names() = default;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::condition {
 
@@ -19,8 +19,8 @@ struct Atom {
   Kind kind = Kind::settled;
   std::uint32_t of = 0;
   std::uint8_t state = 0;
-  core::Comparison comparison = core::Comparison::equal;
-  core::NumberKind number = core::NumberKind::signed_integer;
+  tables::Comparison comparison = tables::Comparison::equal;
+  tables::NumberKind number = tables::NumberKind::signed_integer;
   std::uint64_t operand = 0;  ///< two's complement, or the bits of a double, as `number` says
 
   friend bool operator==(const Atom&, const Atom&) = default;

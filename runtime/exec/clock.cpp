@@ -7,18 +7,18 @@
 
 namespace symplant::exec {
 
-core::Time MonotonicClock::now() noexcept {
+tables::Time MonotonicClock::now() noexcept {
   const Unguarded allowed;  // a system call where the kernel has no vDSO
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
-  return core::Time{time.tv_sec} * core::kSecond + core::Time{time.tv_nsec};
+  return tables::Time{time.tv_sec} * tables::kSecond + tables::Time{time.tv_nsec};
 }
 
-void MonotonicClock::sleep_until(core::Time time) noexcept {
+void MonotonicClock::sleep_until(tables::Time time) noexcept {
   const Unguarded allowed;
   timespec until{};
-  until.tv_sec = static_cast<time_t>(time / core::kSecond);
-  until.tv_nsec = static_cast<long>(time % core::kSecond);
+  until.tv_sec = static_cast<time_t>(time / tables::kSecond);
+  until.tv_nsec = static_cast<long>(time % tables::kSecond);
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
 }
 

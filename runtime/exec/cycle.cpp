@@ -10,16 +10,16 @@ namespace symplant::exec {
 namespace {
 
 /// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
-constexpr core::Time kLongestSleep = 100 * core::kMillisecond;
+constexpr tables::Time kLongestSleep = 100 * tables::kMillisecond;
 constexpr std::size_t kToldLinks = 64;
 /// So many cycles a standstill of this process counts for a PLC's silence: nobody heard it meanwhile.
-constexpr core::Time kStandstill = 2;
-constexpr core::Time kStopped = core::kNever;
+constexpr tables::Time kStandstill = 2;
+constexpr tables::Time kStopped = tables::kNever;
 
 class Run {
  public:
-  Run(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-      CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer, Stepper* stepper) noexcept
+  Run(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+      CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer, Stepper* stepper) noexcept
       : plant_(plant),
         links_(links),
         options_(options),
@@ -28,8 +28,8 @@ class Run {
         stop_(stop),
         observer_(observer),
         stepper_(stepper),
-        cycle_(std::max(options.cycle, core::Time{1})),
-        spin_(std::clamp(options.spin, core::Time{0}, cycle_)),
+        cycle_(std::max(options.cycle, tables::Time{1})),
+        spin_(std::clamp(options.spin, tables::Time{0}, cycle_)),
         most_(std::max(options.max_catch_up, std::int64_t{0})),
         time_(plant.now()) {}
 
@@ -39,8 +39,8 @@ class Run {
     write_events(status());
     offset_ = clock_.now() - time_;
     while (time_ < options_.until && !over()) {
-      const core::Time next = options_.until - time_ > cycle_ ? time_ + cycle_ : options_.until;
-      const core::Time woken = wait_until(next + offset_);
+      const tables::Time next = options_.until - time_ > cycle_ ? time_ + cycle_ : options_.until;
+      const tables::Time woken = wait_until(next + offset_);
       if (woken == kStopped) return;
       one(next, woken);
     }
@@ -48,21 +48,21 @@ class Run {
 
  private:
   /// When it is past `deadline`; kStopped where a stop came first.
-  core::Time wait_until(core::Time deadline) noexcept {
+  tables::Time wait_until(tables::Time deadline) noexcept {
     for (;;) {
       meter_.beats.add(1);
       if (stop_.load(std::memory_order_relaxed)) return kStopped;
-      const core::Time now = clock_.now();
+      const tables::Time now = clock_.now();
       if (now >= deadline) return now;
       if (deadline - now > spin_) clock_.sleep_until(std::min(deadline - spin_, now + kLongestSleep));
     }
   }
 
-  void one(core::Time next, core::Time woken) noexcept {
-    const core::Time lateness = woken - (next + offset_);
+  void one(tables::Time next, tables::Time woken) noexcept {
+    const tables::Time lateness = woken - (next + offset_);
     meter_.lateness.add(lateness);
-    if (last_start_ != core::kNever) meter_.jitter.add(std::abs(woken - last_start_ - (next - time_)));
-    link_time_ += last_start_ == core::kNever ? cycle_ : std::min(woken - last_start_, kStandstill * cycle_);
+    if (last_start_ != tables::kNever) meter_.jitter.add(std::abs(woken - last_start_ - (next - time_)));
+    link_time_ += last_start_ == tables::kNever ? cycle_ : std::min(woken - last_start_, kStandstill * cycle_);
     last_start_ = woken;
     const std::int64_t excess = lateness / cycle_ - most_;
     if (excess > 0) {
@@ -70,7 +70,7 @@ class Run {
       meter_.slipped.add(static_cast<std::uint64_t>(excess * cycle_));
     }
 
-    const core::Time deadline = next + offset_;
+    const tables::Time deadline = next + offset_;
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus told = status();
     meter_.note_standstill(told.frozen);
@@ -83,15 +83,15 @@ class Run {
     }
     write_events(told);
     meter_.cycles.add(1);
-    const core::Time end = clock_.now();
+    const tables::Time end = clock_.now();
     meter_.work.add(end - woken);
     if (end >= deadline + cycle_) meter_.overruns.add(1);
   }
 
-  void advance_to(core::Time to) noexcept {
+  void advance_to(tables::Time to) noexcept {
     stepper_ != nullptr ? stepper_->advance_to(to) : plant_.advance_to(to, observer_);
   }
-  bool over() const noexcept { return stepper_ != nullptr && options_.until == core::kNever && stepper_->over(); }
+  bool over() const noexcept { return stepper_ != nullptr && options_.until == tables::kNever && stepper_->over(); }
 
   void write_events(const CycleStatus& told) noexcept {
     for (Exchange* link : links_) link->write_events(plant_, told);
@@ -110,27 +110,28 @@ class Run {
     return status;
   }
 
-  core::Plant& plant_;
+  plant::Plant& plant_;
   std::span<Exchange* const> links_;
   const CycleOptions& options_;
   Clock& clock_;
   CycleMeter& meter_;
   const std::atomic<bool>& stop_;
-  core::Observer* observer_;
+  engine::Observer* observer_;
   Stepper* stepper_;
-  core::Time cycle_;
-  core::Time spin_;
+  tables::Time cycle_;
+  tables::Time spin_;
   std::int64_t most_;
-  core::Time time_;                       ///< plant time of the cycle that was last
-  core::Time offset_ = 0;                 ///< real time minus plant time; grows when plant time slips
-  core::Time link_time_ = 0;              ///< by which links count how long their PLC is silent
-  core::Time last_start_ = core::kNever;  ///< of the cycle that was last
+  tables::Time time_;                         ///< plant time of the cycle that was last
+  tables::Time offset_ = 0;                   ///< real time minus plant time; grows when plant time slips
+  tables::Time link_time_ = 0;                ///< by which links count how long their PLC is silent
+  tables::Time last_start_ = tables::kNever;  ///< of the cycle that was last
 };
 
 }  // namespace
 
-void run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-                CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer, Stepper* stepper) noexcept {
+void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+                CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer,
+                Stepper* stepper) noexcept {
   Run(plant, links, options, clock, meter, stop, observer, stepper).all();
   for (Exchange* link : links) link->leave();
 }

@@ -5,20 +5,20 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/core/plant.hpp"
-#include "symplant/core/time.hpp"
 #include "symplant/exec/clock.hpp"
 #include "symplant/exec/cycle_meter.hpp"
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/stepper.hpp"
+#include "symplant/plant/plant.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
 struct CycleOptions {
-  core::Time cycle = 10 * core::kMillisecond;  ///< from deadline to deadline, > 0
-  core::Time until = core::kNever;             ///< plant time of the last cycle, which may be a shorter one
-  std::int64_t max_catch_up = 10;              ///< cycles run at once after a delay; what is beyond is slipped
-  core::Time spin = 0;  ///< so long before a deadline the thread stays awake and looks at the clock, below `cycle`
+  tables::Time cycle = 10 * tables::kMillisecond;  ///< from deadline to deadline, > 0
+  tables::Time until = tables::kNever;             ///< plant time of the last cycle, which may be a shorter one
+  std::int64_t max_catch_up = 10;                  ///< cycles run at once after a delay; what is beyond is slipped
+  tables::Time spin = 0;  ///< so long before a deadline the thread stays awake and looks at the clock, below `cycle`
 };
 
 /// Runs the plant in real time from where it stands until `stop` or the end of `options.until`.
@@ -37,8 +37,8 @@ struct CycleOptions {
 /// guarded (guard/guard.hpp), so a thread under the guard's trap finds out whether that holds.
 ///
 /// `meter` is added to, and may be read meanwhile by any thread.
-void run_cycles(core::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-                CycleMeter& meter, const std::atomic<bool>& stop, core::Observer* observer = nullptr,
+void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
+                CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer = nullptr,
                 Stepper* stepper = nullptr) noexcept;
 
 }  // namespace symplant::exec

@@ -7,8 +7,8 @@ CycleStatistics CycleMeter::statistics() const noexcept {
   CycleStatistics all;
   all.cycles = cycles.value();
   all.overruns = overruns.value();
-  all.slipped = static_cast<core::Time>(slipped.value());
-  all.frozen = static_cast<core::Time>(frozen.value());
+  all.slipped = static_cast<tables::Time>(slipped.value());
+  all.frozen = static_cast<tables::Time>(frozen.value());
   all.lateness = lateness.durations();
   all.work = work.durations();
   all.jitter = jitter.durations();

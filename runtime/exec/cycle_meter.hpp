@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "symplant/core/time.hpp"
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/histogram.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
@@ -14,8 +14,8 @@ namespace symplant::exec {
 struct CycleStatistics {
   std::uint64_t cycles = 0;
   std::uint64_t overruns = 0;  ///< cycles that were not finished when the next was due
-  core::Time slipped = 0;      ///< plant time lost: the plant's clock is behind the real one by so much
-  core::Time frozen = 0;       ///< plant time that stood still, as a lost link's policy says
+  tables::Time slipped = 0;    ///< plant time lost: the plant's clock is behind the real one by so much
+  tables::Time frozen = 0;     ///< plant time that stood still, as a lost link's policy says
   Durations lateness;          ///< from a cycle's deadline to its start
   Durations work;              ///< from a cycle's start to its end: links and plant
   Durations jitter;            ///< by how much the time from one start to the next was off the cycle, either way

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "symplant/core/plant.hpp"
-#include "symplant/core/time.hpp"
+#include "symplant/plant/plant.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
@@ -34,11 +34,11 @@ class Exchange {
 
   /// Hands what the PLC wrote to the plant; called before the plant is advanced. `now` is a time by which a link knows
   /// how long its PLC is silent: the clock's, but where this process stood still that counts for two cycles at most.
-  virtual void read_operations(core::Plant& plant, core::Time now) noexcept = 0;
+  virtual void read_operations(plant::Plant& plant, tables::Time now) noexcept = 0;
 
   /// Hands the plant's events to the PLC; called after the plant was advanced, and once before the first cycle.
   /// changed_events() of the plant names what changed since the call before.
-  virtual void write_events(const core::Plant& plant, const CycleStatus& status) noexcept = 0;
+  virtual void write_events(const plant::Plant& plant, const CycleStatus& status) noexcept = 0;
 
   /// The run ends: the last call. Images stay as they are.
   virtual void leave() noexcept {}

@@ -9,14 +9,14 @@ Durations Histogram::durations() const noexcept {
   Durations result;
   for (const Counter& bucket : buckets_) result.count += bucket.value();
   const std::uint64_t longest = max_.value();
-  result.max = static_cast<core::Time>(longest);
+  result.max = static_cast<tables::Time>(longest);
   // The n-th of all, n rounded up; what is counted meanwhile can only make it a little too short.
   const auto nth = [&](std::uint64_t per_thousand) {
     return result.count / 1000 * per_thousand + (result.count % 1000 * per_thousand + 999) / 1000;
   };
   std::uint64_t counted = 0;
-  const auto reach = [&](core::Time& quantile, std::uint64_t n, std::size_t bucket, std::uint64_t before) {
-    if (before < n && counted >= n) quantile = static_cast<core::Time>(std::min(last_of(bucket), longest));
+  const auto reach = [&](tables::Time& quantile, std::uint64_t n, std::size_t bucket, std::uint64_t before) {
+    if (before < n && counted >= n) quantile = static_cast<tables::Time>(std::min(last_of(bucket), longest));
   };
   for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
     const std::uint64_t before = counted;

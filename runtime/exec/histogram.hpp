@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
@@ -26,18 +26,18 @@ class Counter {
 /// below it; `max` is exact. All are 0 where nothing was counted.
 struct Durations {
   std::uint64_t count = 0;
-  core::Time p50 = 0;
-  core::Time p99 = 0;
-  core::Time p999 = 0;
-  core::Time max = 0;
+  tables::Time p50 = 0;
+  tables::Time p99 = 0;
+  tables::Time p999 = 0;
+  tables::Time max = 0;
 };
 
-/// Counts durations from 0 to all that core::Time holds: one by one up to 64 ns, then 64 buckets for each power of
+/// Counts durations from 0 to all that tables::Time holds: one by one up to 64 ns, then 64 buckets for each power of
 /// two. 30 kB, whatever is counted.
 class Histogram {
  public:
   /// By one thread. What is below 0 counts as 0. Costs the same for each.
-  void add(core::Time duration) noexcept {
+  void add(tables::Time duration) noexcept {
     const auto value = static_cast<std::uint64_t>(duration < 0 ? 0 : duration);
     buckets_[bucket_of(value)].add(1);
     if (value > max_.value()) max_.set(value);

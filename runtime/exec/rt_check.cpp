@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "symplant/core/names.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::exec {
 namespace {
 
-using core::Behaviour;
-using core::BehaviourView;
+using engine::Behaviour;
+using engine::BehaviourView;
 
 /// The behaviour that a telling one stands for: as many places behind it as there are behaviours.
 const Behaviour& own(const BehaviourView& view) noexcept {
@@ -63,12 +63,12 @@ Behaviour telling(const Behaviour& behaviour) {
   return teller;
 }
 
-std::string whose(const Doing& doing, const core::PlantTables& tables) {
+std::string whose(const Doing& doing, const tables::PlantTables& tables) {
   if (doing.function == nullptr) return "in the plant's own cycle";
-  const auto units = core::split_names(tables.unit_names);
-  const auto behaviours = core::split_names(tables.behaviour_names);
+  const auto units = tables::split_names(tables.unit_names);
+  const auto behaviours = tables::split_names(tables.behaviour_names);
   std::string text = "in `" + std::string(doing.function) + "`";
-  for (const core::BehaviourUnit& row : tables.behaviour_units) {
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) {
     if (row.unit == doing.unit) text += " of behaviour `" + std::string(behaviours[row.name]) + "`";
   }
   return text + ", device " + std::string(units[doing.unit]);
@@ -76,16 +76,16 @@ std::string whose(const Doing& doing, const core::PlantTables& tables) {
 
 }  // namespace
 
-WatchedBehaviours::WatchedBehaviours(const core::PlantTables& tables, std::span<const core::Behaviour> behaviours) {
+WatchedBehaviours::WatchedBehaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
   if (behaviours.empty()) return;
   // One a name, so that the second half holds no name's place.
   std::vector<Behaviour> owns(behaviours.begin(), behaviours.end());
-  owns.resize(core::split_names(tables.behaviour_names).size());
+  owns.resize(tables::split_names(tables.behaviour_names).size());
   for (const Behaviour& behaviour : owns) all_.push_back(telling(behaviour));
   all_.insert(all_.end(), owns.begin(), owns.end());
 }
 
-std::vector<std::string> rt_check_lines(const GuardReport& report, const core::PlantTables& tables) {
+std::vector<std::string> rt_check_lines(const GuardReport& report, const tables::PlantTables& tables) {
   struct Act {
     std::string what;
     std::string whose;

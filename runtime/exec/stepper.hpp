@@ -1,7 +1,7 @@
 // Who brings the plant on to a cycle's time in place of the plant itself: a scenario, say.
 #pragma once
 
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
@@ -9,7 +9,7 @@ namespace symplant::exec {
 class Stepper {
  public:
   /// Runs the plant to `time`, its instant included.
-  virtual void advance_to(core::Time time) noexcept = 0;
+  virtual void advance_to(tables::Time time) noexcept = 0;
   /// Whether it has nothing more to do, so that the run may end.
   virtual bool over() const noexcept = 0;
 

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr core::Time kTurn = 100 * core::kMillisecond;
+constexpr tables::Time kTurn = 100 * tables::kMillisecond;
 constexpr auto kLinePeriod = std::chrono::seconds(1);
 constexpr std::size_t kUsualWidth = 79;
 
@@ -65,7 +65,7 @@ Attendant::~Attendant() {
 }
 
 void Attendant::attend(const std::stop_token& stop) {
-  const core::Time turn = manager_.watchdog() == 0 ? kTurn : std::min(kTurn, manager_.watchdog() / 4);
+  const tables::Time turn = manager_.watchdog() == 0 ? kTurn : std::min(kTurn, manager_.watchdog() / 4);
   Clock::time_point next_line = Clock::now();
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {

@@ -10,19 +10,19 @@ namespace {
 
 struct TestCase {
   std::string name;
-  core::Time time = 0;
+  tables::Time time = 0;
   std::string failure;  ///< empty: it held
 };
 
 /// In seconds, to the nanosecond: plant time and no wall clock.
-std::string time_text(core::Time time) {
+std::string time_text(tables::Time time) {
   const std::string text = trace::seconds(time);
   return text.substr(0, text.find(' '));
 }
 
 std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::Scenario* scenario,
                                std::span<const scenario::Outcome> outcomes, const Report& report, bool findings,
-                               core::Time end) {
+                               tables::Time end) {
   std::vector<TestCase> cases;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const scenario::Step& step = scenario->steps[i];
@@ -99,7 +99,7 @@ std::string xml_text(std::string_view text) {
   return xml;
 }
 
-std::string junit_text(const core::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
+std::string junit_text(const plant::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
                        std::span<const scenario::Outcome> outcomes, const Report& report, bool fail_on_findings) {
   const std::vector<TestCase> cases = cases_of(names, scenario, outcomes, report, fail_on_findings, plant.now());
   std::size_t failures = 0;

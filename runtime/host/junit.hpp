@@ -4,14 +4,14 @@
 #include <span>
 #include <string>
 
-#include "symplant/core/plant.hpp"
 #include "symplant/host/report.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::host {
 
 /// One test case for each step that expects something, in order; one for each requirement; with `fail_on_findings` one
 /// for all findings. Times are those of the plant.
-std::string junit_text(const core::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
+std::string junit_text(const plant::Plant& plant, const trace::PlantNames& names, const scenario::Scenario* scenario,
                        std::span<const scenario::Outcome> outcomes, const Report& report, bool fail_on_findings);
 
 /// A text as XML takes it between quotes or tags. What XML cannot hold (control characters, bytes that are no UTF-8)

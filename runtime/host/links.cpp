@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "symplant/core/names.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::host {
@@ -50,20 +50,20 @@ bool has_real_link(const LinkChoices& links) {
   return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return !link::is_loop(l.url); });
 }
 
-std::vector<bool> carried_operations(const LinkChoices& links, const core::PlantTables& tables) {
+std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
     for (const link::IoPoint& point : link::make_io_map(tables, choice.controller, choice.settings).points) {
-      if (tables.symbols[point.symbol].direction() == core::Direction::operation) carried[point.symbol] = true;
+      if (tables.symbols[point.symbol].direction() == tables::Direction::operation) carried[point.symbol] = true;
     }
   }
   return carried;
 }
 
-int open_links(const LinkChoices& chosen, const core::PlantTables& tables, const core::Plant& plant, Links& links,
+int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, const plant::Plant& plant, Links& links,
                std::ostream& err) {
-  const auto controllers = core::split_names(tables.controller_names);
+  const auto controllers = tables::split_names(tables.controller_names);
   for (const link::LinkChoice& choice : chosen) {
     auto opened = link::open_link(choice, tables, &plant);
     if (const auto* error = std::get_if<link::LinkError>(&opened)) {

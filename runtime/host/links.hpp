@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/link/choice.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::host {
 
@@ -29,7 +29,7 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
 bool has_real_link(const LinkChoices& links);
 
 /// By symbol: operations that a PLC writes through one of them.
-std::vector<bool> carried_operations(const LinkChoices& links, const core::PlantTables& tables);
+std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables);
 
 /// A link of a run.
 struct OpenLink {
@@ -46,7 +46,7 @@ struct OpenLink {
 using Links = std::vector<OpenLink>;
 
 /// Opens each; 0, or the exit code where one cannot be, which is told on `err`.
-int open_links(const LinkChoices& chosen, const core::PlantTables& tables, const core::Plant& plant, Links& links,
+int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, const plant::Plant& plant, Links& links,
                std::ostream& err);
 
 }  // namespace symplant::host

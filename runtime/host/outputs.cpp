@@ -57,7 +57,7 @@ void Outputs::take(const trace::Record& record) {
       loop_goes_on_ = record.more;
       break;
     case trace::Record::Kind::note:
-      report_.failed(record.of, static_cast<core::Time>(record.value));
+      report_.failed(record.of, static_cast<tables::Time>(record.value));
       return;
   }
   if (trace_) trace_->write(record);
@@ -68,7 +68,7 @@ void Outputs::take(const trace::Record& record) {
   end_instant(record.time);
 }
 
-void Outputs::end_instant(core::Time time) {
+void Outputs::end_instant(tables::Time time) {
   loop_goes_on_ = false;
   for (const trace::FoundThing& found : found_) {
     const std::string words = report_.found(found);
@@ -108,7 +108,7 @@ void Outputs::stop_thread() {
   thread_.join();
 }
 
-void Outputs::finish(core::Time end, std::ostream& err) {
+void Outputs::finish(tables::Time end, std::ostream& err) {
   drain();
   if (vcd_) {
     vcd_->begin(0, history_);

@@ -33,7 +33,7 @@ class Outputs {
   void start_thread();
   void stop_thread();
   /// Writes the rest, and tells on `err` what is missing.
-  void finish(core::Time end, std::ostream& err);
+  void finish(tables::Time end, std::ostream& err);
 
   std::uint64_t changes() const { return changes_; }
   std::uint64_t instants() const { return instants_; }
@@ -41,7 +41,7 @@ class Outputs {
  private:
   trace::OutputFile file(const char* what, const std::string& path, std::uint64_t limit) const;
   void take(const trace::Record& record);
-  void end_instant(core::Time time);
+  void end_instant(tables::Time time);
   void flush();
 
   const trace::PlantNames& names_;

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/core/behaviour.hpp"
-#include "symplant/core/link_settings.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::host {
 
@@ -20,11 +20,11 @@ struct DefaultLink {
 
 /// Refers to what it is made of; all of it must outlive the run.
 struct PlantProgram {
-  const core::PlantTables& tables;
-  std::span<const core::Behaviour> behaviours = {};  ///< as core::Plant takes them
-  std::span<const DefaultLink> links = {};           ///< of the description, used where no --link is given
+  const tables::PlantTables& tables;
+  std::span<const engine::Behaviour> behaviours = {};  ///< as plant::Plant takes them
+  std::span<const DefaultLink> links = {};             ///< of the description, used where no --link is given
   /// By controller, whichever URL links it; empty: all as by default.
-  std::span<const core::LinkSettings> link_settings = {};
+  std::span<const link::LinkSettings> link_settings = {};
   std::string_view default_link = {};    ///< as --link takes it, used where neither of them is; empty: none
   std::vector<std::string> more = {};    ///< further lines of what is told at the start
   std::vector<std::string> inputs = {};  ///< files that the plant was read from: no output may replace them

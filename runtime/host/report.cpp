@@ -11,7 +11,7 @@
 namespace symplant::host {
 namespace {
 
-using core::FindingKind;
+using tables::FindingKind;
 using trace::seconds;
 
 const char* severity(FindingKind kind) {
@@ -58,7 +58,7 @@ std::string Report::found(const trace::FoundThing& found) {
   return words;
 }
 
-void Report::failed(std::uint32_t step, core::Time time) {
+void Report::failed(std::uint32_t step, tables::Time time) {
   const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, time, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
   tell(place(step) + ": error: ", parts);
@@ -71,7 +71,7 @@ std::size_t Report::requirements_violated() const {
       std::count_if(violations_.begin(), violations_.end(), [](const Violation& v) { return v.count != 0; }));
 }
 
-void Report::tell_unreached(const core::Plant& plant, std::span<const scenario::Outcome> outcomes) {
+void Report::tell_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
     failures_[i] = fmt::format("{} was not reached, since the run ended at {}",
@@ -91,7 +91,7 @@ void Report::tell_findings(std::uint64_t lost, std::ostream& out) const {
   if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
 }
 
-void Report::tell_requirements(const core::Plant& plant, std::ostream& out) const {
+void Report::tell_requirements(const plant::Plant& plant, std::ostream& out) const {
   if (violations_.empty()) return;
   const std::size_t violated = requirements_violated();
   out << fmt::format("requirements: {} held, {} violated\n", violations_.size() - violated, violated);
@@ -102,17 +102,18 @@ void Report::tell_requirements(const core::Plant& plant, std::ostream& out) cons
   }
 }
 
-void Report::tell_disarmed(const core::Plant& plant, std::ostream& out) const {
+void Report::tell_disarmed(const plant::Plant& plant, std::ostream& out) const {
   const auto disarmed = plant.disarmed();
   for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
-    const core::SymbolRow& row = names_.tables().symbols[symbol];
-    if (row.type() != core::DataType::boolean || !names_.is_operation(symbol) || row.unit == core::kNoUnit) continue;
+    const tables::SymbolRow& row = names_.tables().symbols[symbol];
+    if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNoUnit)
+      continue;
     if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !plant.operation(row.index)) continue;
     out << fmt::format("on but without effect until it has been off: {}\n", shown(trace::symbol_words(symbol, names_)));
   }
 }
 
-void Report::sum_up(const core::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
+void Report::sum_up(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
                     std::ostream& out) {
   if (scenario_ != nullptr) {
     tell_unreached(plant, outcomes);

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
 #include "symplant/host/console.hpp"
+#include "symplant/plant/plant.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/scenario/verdict.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -20,7 +20,7 @@ namespace symplant::host {
 /// Of a requirement.
 struct Violation {
   std::uint64_t count = 0;
-  core::Time first = 0;
+  tables::Time first = 0;
   std::string words;  ///< of the first
 };
 
@@ -34,9 +34,9 @@ class Report {
   /// Tells the first of each kind and thing. Gives the sentence.
   std::string found(const trace::FoundThing& found);
   /// Step `step` has failed at its time.
-  void failed(std::uint32_t step, core::Time time);
+  void failed(std::uint32_t step, tables::Time time);
 
-  std::uint64_t count(core::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
+  std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
   std::uint64_t findings() const;
   const Violation& violation(std::uint32_t requirement) const { return violations_[requirement]; }
   /// Why a step failed; empty where it did not.
@@ -44,16 +44,16 @@ class Report {
 
   /// At the end: what was not reached, as messages; counts, what is pending and what is on but not armed
   /// on `out`. `outcomes` are the scenario's, if there is one.
-  void sum_up(const core::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
+  void sum_up(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
               std::ostream& out);
 
   std::size_t requirements_violated() const;
 
  private:
-  void tell_unreached(const core::Plant& plant, std::span<const scenario::Outcome> outcomes);
+  void tell_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes);
   void tell_findings(std::uint64_t lost, std::ostream& out) const;
-  void tell_requirements(const core::Plant& plant, std::ostream& out) const;
-  void tell_disarmed(const core::Plant& plant, std::ostream& out) const;
+  void tell_requirements(const plant::Plant& plant, std::ostream& out) const;
+  void tell_disarmed(const plant::Plant& plant, std::ostream& out) const;
   std::string place(std::size_t step) const;
   /// A line each, all but the first indented, behind `head`.
   void tell(std::string head, std::span<const std::string> parts);
@@ -63,8 +63,8 @@ class Report {
   const scenario::Scenario* scenario_;
   std::string file_;
   Console& console_;
-  std::array<std::uint64_t, core::kAllFindingKinds> counts_{};
-  std::set<std::pair<core::FindingKind, std::vector<std::uint32_t>>> told_;
+  std::array<std::uint64_t, tables::kAllFindingKinds> counts_{};
+  std::set<std::pair<tables::FindingKind, std::vector<std::uint32_t>>> told_;
   std::vector<Violation> violations_;
   std::vector<std::string> failures_;
 };

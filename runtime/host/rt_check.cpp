@@ -20,12 +20,12 @@ namespace {
 /// Goes as fast as it is waited for.
 class VirtualClock final : public exec::Clock {
  public:
-  explicit VirtualClock(core::Time now) : now_(now) {}
-  core::Time now() noexcept override { return now_; }
-  void sleep_until(core::Time time) noexcept override { now_ = std::max(now_, time); }
+  explicit VirtualClock(tables::Time now) : now_(now) {}
+  tables::Time now() noexcept override { return now_; }
+  void sleep_until(tables::Time time) noexcept override { now_ = std::max(now_, time); }
 
  private:
-  core::Time now_;
+  tables::Time now_;
 };
 
 /// Advances the stage and takes what was recorded, since no other thread does.
@@ -33,7 +33,7 @@ class DrainingStage final : public exec::Stepper {
  public:
   explicit DrainingStage(Stage& stage) : stage_(stage) {}
 
-  void advance_to(core::Time time) noexcept override {
+  void advance_to(tables::Time time) noexcept override {
     stage_.advance_to(time);
     const exec::Unguarded draining;
     const exec::ThreadFaults before = exec::thread_faults();
@@ -51,9 +51,9 @@ class DrainingStage final : public exec::Stepper {
 
 }  // namespace
 
-core::Time end_of_rt_check(core::Time begin, const RunOptions& options) {
-  const auto most = static_cast<std::uint64_t>((core::kNever - begin) / options.cycle);
-  const auto count = static_cast<core::Time>(std::min(*options.rt_check, most - 1));
+tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options) {
+  const auto most = static_cast<std::uint64_t>((tables::kNever - begin) / options.cycle);
+  const auto count = static_cast<tables::Time>(std::min(*options.rt_check, most - 1));
   return begin + count * options.cycle;
 }
 
@@ -82,7 +82,7 @@ bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& fa
 
 bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
   const WatchedLinks watched(links, stage.plant, stage.recorder);
-  const core::Time begin = stage.plant.now();
+  const tables::Time begin = stage.plant.now();
   const exec::CycleOptions cycle{.cycle = options.cycle, .until = end_of_rt_check(begin, options)};
   out << fmt::format("rt-check: {} cycles of {} ms under the guard\n", *options.rt_check,
                      static_cast<double>(cycle.cycle) / 1e6);

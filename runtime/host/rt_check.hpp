@@ -13,7 +13,7 @@
 namespace symplant::host {
 
 /// Plant time at which `options.rt_check` cycles are over.
-core::Time end_of_rt_check(core::Time begin, const RunOptions& options);
+tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options);
 
 /// Tells on `out` what a guarded run of `cycles` cycles was found to do; gives whether it was nothing, as far as could
 /// be looked at.

@@ -169,7 +169,7 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
       [&] { return junit_text(stage.plant, names, scenario, outcomes, stage.report, options.fail_on_findings); });
   last.stats([&] {
     return stats_text(
-        {stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, links, core::Time{wall.count()}});
+        {stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, links, tables::Time{wall.count()}});
   });
   if (!last.are_well(err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;

@@ -8,20 +8,20 @@
 #include <string_view>
 #include <system_error>
 
-#include "symplant/core/duration.hpp"
+#include "symplant/tables/duration.hpp"
 
 namespace symplant::host {
 namespace {
 
 // Far from where 64 bits of nanoseconds end, so that deadlines cannot overflow.
-constexpr core::Time kLongestCycle = 3600 * core::kSecond;
+constexpr tables::Time kLongestCycle = 3600 * tables::kSecond;
 constexpr int kHighestPriority = 99;
 constexpr std::int64_t kMostCatchUp = 1'000'000;
 constexpr std::uint64_t kSmallestLimit = 1024;
-constexpr core::Time kLatestEnd = 876'000 * (3600 * core::kSecond);
+constexpr tables::Time kLatestEnd = 876'000 * (3600 * tables::kSecond);
 
-core::Time duration(const std::string& text, const char* option) {
-  const auto time = core::parse_duration(text);
+tables::Time duration(const std::string& text, const char* option) {
+  const auto time = tables::parse_duration(text);
   if (!time) {
     throw CLI::ValidationError(option,
                                "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
@@ -77,7 +77,7 @@ void add_real_time(CLI::App& app, RunOptions& options) {
            if (text != "hold" && text != "zero") {
              throw CLI::ValidationError("--on-loss", "`" + text + "` says nothing of operations: write hold or zero");
            }
-           options.on_loss = text == "hold" ? core::OnLoss::hold : core::OnLoss::zero;
+           options.on_loss = text == "hold" ? link::OnLoss::hold : link::OnLoss::zero;
          },
          "what operations do while their link is lost, but for symbols with a policy of their own (default: what the "
          "plant's `links` say, else hold)")

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "symplant/core/link_settings.hpp"
-#include "symplant/core/time.hpp"
 #include "symplant/exec/real_time.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/tables/time.hpp"
 #include "symplant/trace/output_file.hpp"
 
 namespace CLI {
@@ -22,14 +22,14 @@ struct RunOptions {
   enum class Clock { automatic, virtual_time, real_time };
 
   Clock clock = Clock::automatic;  ///< real time where there is a link, else virtual time
-  std::optional<core::Time> until;
-  core::Time cycle = 10 * core::kMillisecond;
+  std::optional<tables::Time> until;
+  tables::Time cycle = 10 * tables::kMillisecond;
   bool cycle_given = false;        ///< by the user
   std::int64_t max_catch_up = 10;  ///< cycles run at once after a delay
   bool late_given = false;         ///< max_catch_up, by the user
-  core::Time spin = 0;             ///< awake before each deadline for so long
+  tables::Time spin = 0;           ///< awake before each deadline for so long
   exec::RealTimeOptions real_time;
-  std::optional<core::OnLoss> on_loss;  ///< of every link; nothing: what its settings say
+  std::optional<link::OnLoss> on_loss;  ///< of every link; nothing: what its settings say
   std::vector<std::string> links;       ///< URL or CONTROLLER=URL; none: the plant's own
   std::string scenario;
   std::string trace;

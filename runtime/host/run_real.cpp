@@ -23,7 +23,7 @@ namespace {
 using trace::seconds;
 
 /// What happens when the link's PLC is silent, said before anything runs.
-std::string policy_words(const OpenLink& open, const core::PlantTables& tables) {
+std::string policy_words(const OpenLink& open, const tables::PlantTables& tables) {
   if (open.link->state() != exec::LinkState::waiting) return "";
   const link::LinkSettings& settings = open.settings;
   const bool watchdog = settings.watchdog != link::kNowhere;
@@ -40,7 +40,7 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
     const link::LinkSettings& settings = open.settings;
     if (open.link->state() != exec::LinkState::waiting) continue;
     const bool watchdog = settings.watchdog != link::kNowhere;
-    const core::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
+    const tables::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
     if (silence > 2 * options.cycle) continue;
     err << fmt::format(
         "warning: link {}: `{}` of {} is not above two cycles of {}: the link will be lost again and again\n",
@@ -65,7 +65,7 @@ void tell_begin(const Stage& stage, const RunOptions& options, const Links& link
 }
 
 std::string text_of(const char* what, const exec::Durations& durations) {
-  const auto us = [](core::Time time) { return static_cast<double>(time) / 1e3; };
+  const auto us = [](tables::Time time) { return static_cast<double>(time) / 1e3; };
   return fmt::format("{}: p50 {:.1f} us, p99 {:.1f} us, p99.9 {:.1f} us, max {:.1f} us\n", what, us(durations.p50),
                      us(durations.p99), us(durations.p999), us(durations.max));
 }
@@ -108,7 +108,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
                  std::ostream& err) {
   const WatchedLinks watched(links, stage.plant, stage.recorder);
   exec::CycleOptions cycle{.cycle = options.cycle,
-                           .until = options.until.value_or(core::kNever),
+                           .until = options.until.value_or(tables::kNever),
                            .max_catch_up = options.max_catch_up,
                            .spin = options.spin};
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);

@@ -12,9 +12,9 @@ namespace {
 using trace::seconds;
 
 /// Where virtual time with neither `--until` nor a scenario ends at the latest.
-constexpr core::Time kLongest = 3600 * core::kSecond;
+constexpr tables::Time kLongest = 3600 * tables::kSecond;
 
-void advance(Stage& stage, core::Time time) {
+void advance(Stage& stage, tables::Time time) {
   stage.advance_to(time);
   stage.outputs.drain();
 }
@@ -23,15 +23,15 @@ void advance(Stage& stage, core::Time time) {
 
 void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
   const bool by_scenario = stage.player && !options.until;
-  const core::Time end = by_scenario ? core::kNever : options.until.value_or(kLongest);
+  const tables::Time end = by_scenario ? tables::kNever : options.until.value_or(kLongest);
   while (!stop_requested().load(std::memory_order_relaxed)) {
     if (by_scenario && stage.player->over()) {
       out << fmt::format("ended at {}: the scenario is over\n", seconds(stage.plant.now()));
       return;
     }
-    const core::Time due = stage.next_due();
-    if (due > end || due == core::kNever) {
-      const bool nothing_left = due == core::kNever;
+    const tables::Time due = stage.next_due();
+    if (due > end || due == tables::kNever) {
+      const bool nothing_left = due == tables::kNever;
       if (options.until || !nothing_left) advance(stage, end);
       if (options.until) {
         out << fmt::format("ended at {}, as asked\n", seconds(end));

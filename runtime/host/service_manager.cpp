@@ -28,12 +28,12 @@ std::optional<std::uint64_t> number(std::string_view text) {
   return value;
 }
 
-core::Time watchdog_of_environment() {
+tables::Time watchdog_of_environment() {
   constexpr std::uint64_t kMost = 1'000'000'000'000;  // us; so that nanoseconds fit
   const auto pid = number(variable("WATCHDOG_PID"));
   if (pid && *pid != static_cast<std::uint64_t>(getpid())) return 0;
   const auto us = number(variable("WATCHDOG_USEC"));
-  return us && *us < kMost ? static_cast<core::Time>(*us) * core::kMicrosecond : 0;
+  return us && *us < kMost ? static_cast<tables::Time>(*us) * tables::kMicrosecond : 0;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ ServiceManager ServiceManager::of_environment() {
   return {std::string(variable("NOTIFY_SOCKET")), watchdog_of_environment()};
 }
 
-ServiceManager::ServiceManager(const std::string& socket, core::Time watchdog) {
+ServiceManager::ServiceManager(const std::string& socket, tables::Time watchdog) {
   sockaddr_un address{};
   if (socket.size() < 2 || socket.size() >= sizeof address.sun_path) return;
   if (socket.front() != '/' && socket.front() != '@') return;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::host {
 
@@ -16,14 +16,14 @@ class ServiceManager {
   /// for this process.
   static ServiceManager of_environment();
   /// `socket` as in NOTIFY_SOCKET, empty: nobody listens.
-  ServiceManager(const std::string& socket, core::Time watchdog);
+  ServiceManager(const std::string& socket, tables::Time watchdog);
   ServiceManager(ServiceManager&& other) noexcept;
   ServiceManager& operator=(ServiceManager&&) = delete;
   ~ServiceManager();
 
   bool listens() const noexcept { return socket_ >= 0; }
   /// Silence of this length has the program killed; 0: it may be as silent as it likes.
-  core::Time watchdog() const noexcept { return watchdog_; }
+  tables::Time watchdog() const noexcept { return watchdog_; }
 
   /// `state`: lines such as `READY=1`. Never waits; false where it did not go out, since the manager is behind with
   /// what it was told, say.
@@ -31,7 +31,7 @@ class ServiceManager {
 
  private:
   int socket_ = -1;
-  core::Time watchdog_ = 0;
+  tables::Time watchdog_ = 0;
 };
 
 }  // namespace symplant::host

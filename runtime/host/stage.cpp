@@ -7,7 +7,7 @@ namespace {
 /// In real time the one who drains may be held up by a disk for a while.
 constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
 
-std::size_t capacity(const core::PlantTables& tables, bool real_time) {
+std::size_t capacity(const tables::PlantTables& tables, bool real_time) {
   const std::size_t enough = trace::Recorder::enough_for_an_instant(tables);
   return real_time ? std::max(kRealTimeRecords, 2 * enough) : enough;
 }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "symplant/core/owned_plant.hpp"
 #include "symplant/host/outputs.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_options.hpp"
+#include "symplant/plant/owned_plant.hpp"
 #include "symplant/scenario/player.hpp"
 #include "symplant/trace/history.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -27,7 +27,7 @@ class Stage {
   Stage& operator=(const Stage&) = delete;
 
   /// Every instant before `time`, then the one at `time`, with what the scenario does.
-  void advance_to(core::Time time) noexcept {
+  void advance_to(tables::Time time) noexcept {
     if (player) {
       player->advance_to(time);
     } else {
@@ -35,11 +35,11 @@ class Stage {
     }
   }
   /// When something is due next, by the plant or the scenario; kNever where nothing is.
-  core::Time next_due() const noexcept {
+  tables::Time next_due() const noexcept {
     return player ? std::min(plant.next_due(), player->next()) : plant.next_due();
   }
 
-  core::OwnedPlant plant;
+  plant::OwnedPlant plant;
   trace::Recorder recorder;
   trace::History history;
   Report report;

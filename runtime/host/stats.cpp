@@ -51,8 +51,8 @@ std::string stats_text(const StatsInput& input) {
                   trace::json_string(input.plant.tables().name), input.plant.model_hash(), input.seed,
                   input.plant.now(), input.wall, input.outputs.instants(), input.outputs.changes());
   text += ",\"findings\":{";
-  for (int kind = 0; kind < core::kAllFindingKinds; ++kind) {
-    const auto which = static_cast<core::FindingKind>(kind);
+  for (int kind = 0; kind < tables::kAllFindingKinds; ++kind) {
+    const auto which = static_cast<tables::FindingKind>(kind);
     text += fmt::format(R"({}"{}":{})", kind == 0 ? "" : ",", trace::finding_name(which), input.report.count(which));
   }
   text += "}";

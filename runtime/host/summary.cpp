@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "symplant/core/names.hpp"
 #include "symplant/host/words.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::host {
 namespace {
@@ -16,21 +16,21 @@ constexpr std::size_t kNamesShown = 8;
 
 }  // namespace
 
-std::string lists_text(const core::PlantTables& tables) {
-  const auto names = core::split_names(tables.list_names);
+std::string lists_text(const tables::PlantTables& tables) {
+  const auto names = tables::split_names(tables.list_names);
   std::string text;
   for (std::size_t i = 0; i < names.size() && i < kNamesShown; ++i) text.append(i == 0 ? "" : ", ").append(names[i]);
   if (names.size() > kNamesShown) text += fmt::format(" and {} more", names.size() - kNamesShown);
   return text;
 }
 
-std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more,
-                    std::span<const core::Behaviour> behaviours) {
-  const auto names = core::split_names(tables.symbol_names);
+std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more,
+                    std::span<const engine::Behaviour> behaviours) {
+  const auto names = tables::split_names(tables.symbol_names);
   std::size_t operations = 0;
   std::size_t moving_operations = 0;
   std::vector<bool> by_code(tables.symbols.size());
-  for (const core::BehaviourUnit& unit : tables.behaviour_units) {
+  for (const tables::BehaviourUnit& unit : tables.behaviour_units) {
     if (unit.name >= behaviours.size()) continue;
     for (const std::uint32_t symbol : tables.behaviour_values.subspan(unit.first_value, unit.value_count)) {
       by_code[symbol] = true;
@@ -38,8 +38,8 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   }
   std::vector<std::string_view> unmoved;
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
-    const core::SymbolRow& symbol = tables.symbols[i];
-    if (symbol.direction() == core::Direction::operation) {
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    if (symbol.direction() == tables::Direction::operation) {
       ++operations;
       if (symbol.moved()) ++moving_operations;
     } else if (!symbol.moved() && !by_code[i]) {
@@ -48,8 +48,8 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   }
   const std::size_t events = tables.symbols.size() - operations;
   std::vector<bool> moves(tables.units.size());
-  for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit != core::kNoUnit && symbol.moved()) moves[symbol.unit] = true;
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.unit != tables::kNoUnit && symbol.moved()) moves[symbol.unit] = true;
   }
 
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),
@@ -66,12 +66,12 @@ std::string summary(const core::PlantTables& tables, std::uint64_t model_hash, c
   return text + "\n";
 }
 
-std::string absent_behaviours(const core::PlantTables& tables, std::span<const core::Behaviour> behaviours) {
-  const auto names = core::split_names(tables.behaviour_names);
+std::string absent_behaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
+  const auto names = tables::split_names(tables.behaviour_names);
   std::string text;
   for (std::size_t b = behaviours.size(); b < names.size(); ++b) {
     const auto devices = std::count_if(tables.behaviour_units.begin(), tables.behaviour_units.end(),
-                                       [&](const core::BehaviourUnit& unit) { return unit.name == b; });
+                                       [&](const tables::BehaviourUnit& unit) { return unit.name == b; });
     text += fmt::format("behaviour `{}` of {} absent: the model's own rules serve {}\n", shown(names[b]),
                         plural(static_cast<std::size_t>(devices), "device"), devices == 1 ? "it" : "them");
   }

@@ -1,7 +1,7 @@
 // A link whose losses are told.
 #include "symplant/host/watched_link.hpp"
 
-#include "symplant/core/lists.hpp"
+#include "symplant/tables/lists.hpp"
 
 namespace symplant::host {
 
@@ -10,12 +10,12 @@ using exec::LinkState;
 namespace {
 
 /// Places in PlantTables::behaviour_units of the devices with an operation of the controller.
-std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const core::PlantTables& tables) {
+std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.units.size());
   for (std::uint32_t symbol = 0; symbol < tables.symbols.size(); ++symbol) {
-    const core::SymbolRow& row = tables.symbols[symbol];
-    if (row.unit == core::kNoUnit || row.direction() != core::Direction::operation) continue;
-    if (controller == link::kAllControllers || core::controller_of(tables, symbol) == controller) {
+    const tables::SymbolRow& row = tables.symbols[symbol];
+    if (row.unit == tables::kNoUnit || row.direction() != tables::Direction::operation) continue;
+    if (controller == link::kAllControllers || tables::controller_of(tables, symbol) == controller) {
       carried[row.unit] = true;
     }
   }
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const core::P
 
 }  // namespace
 
-WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, core::Plant& plant, trace::Recorder& recorder)
+WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant& plant, trace::Recorder& recorder)
     : link_(*link.link),
       place_(place),
       behaviours_(behaviours_of(link.carries, plant.tables())),
@@ -37,21 +37,21 @@ WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, core::Plant&
   if (before_ != LinkState::live) tell(plant);
 }
 
-void WatchedLink::tell(core::Plant& plant) const noexcept {
+void WatchedLink::tell(plant::Plant& plant) const noexcept {
   for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, before_ == LinkState::live);
 }
 
-void WatchedLink::read_operations(core::Plant& plant, core::Time now) noexcept {
+void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcept {
   link_.read_operations(plant, now);
   const LinkState state = link_.state();
   if (state == before_) return;
-  if (state == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_lost, place_);
-  if (before_ == LinkState::lost) recorder_.raise(plant.now(), core::FindingKind::link_back, place_);
+  if (state == LinkState::lost) recorder_.raise(plant.now(), tables::FindingKind::link_lost, place_);
+  if (before_ == LinkState::lost) recorder_.raise(plant.now(), tables::FindingKind::link_back, place_);
   before_ = state;
   tell(plant);
 }
 
-WatchedLinks::WatchedLinks(const Links& links, core::Plant& plant, trace::Recorder& recorder) {
+WatchedLinks::WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder) {
   for (const OpenLink& open : links) {
     links_.emplace_back(open, static_cast<std::uint32_t>(links_.size()), plant, recorder);
     exchanges_.push_back(&links_.back());

@@ -18,10 +18,10 @@ namespace symplant::host {
 class WatchedLink final : public exec::Exchange {
  public:
   /// `place`: of the link in the run, for its findings.
-  WatchedLink(const OpenLink& link, std::uint32_t place, core::Plant& plant, trace::Recorder& recorder);
+  WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant& plant, trace::Recorder& recorder);
 
-  void read_operations(core::Plant& plant, core::Time now) noexcept override;
-  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+  void read_operations(plant::Plant& plant, tables::Time now) noexcept override;
+  void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override {
     link_.write_events(plant, status);
   }
   void leave() noexcept override { link_.leave(); }
@@ -29,7 +29,7 @@ class WatchedLink final : public exec::Exchange {
   bool freezes_plant() const noexcept override { return link_.freezes_plant(); }
 
  private:
-  void tell(core::Plant& plant) const noexcept;
+  void tell(plant::Plant& plant) const noexcept;
 
   link::Link& link_;
   std::uint32_t place_;
@@ -42,7 +42,7 @@ class WatchedLink final : public exec::Exchange {
 class WatchedLinks {
  public:
   /// Tells the plant's behaviours at once of links that are not live yet.
-  WatchedLinks(const Links& links, core::Plant& plant, trace::Recorder& recorder);
+  WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder);
 
   std::span<exec::Exchange* const> exchanges() const noexcept { return exchanges_; }
 

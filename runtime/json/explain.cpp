@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "symplant/condition/nearest.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::json {
 namespace {
@@ -141,7 +141,7 @@ class Explainer {
   }
 
   static std::string nearest_of(std::string_view text, const Json& names) {
-    condition::NearestName nearest(text);
+    tables::NearestName nearest(text);
     for (const Json& one : names) {
       if (one.is_string()) nearest.offer(one.get_ref<const std::string&>());
     }
@@ -178,7 +178,7 @@ class Explainer {
   }
 
   void unknown(const std::string& key, const Json& properties, const std::string& pointer) {
-    condition::NearestName nearest(key);
+    tables::NearestName nearest(key);
     std::string known;
     std::size_t count = 0;
     for (const auto& [name, member] : properties.items()) {

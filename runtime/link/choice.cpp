@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "symplant/condition/nearest.hpp"
-#include "symplant/core/ascii.hpp"
-#include "symplant/core/names.hpp"
 #include "symplant/link/names.hpp"
+#include "symplant/tables/ascii.hpp"
+#include "symplant/tables/names.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::link {
 namespace {
@@ -16,7 +16,7 @@ using Names = std::vector<std::string_view>;
 
 std::optional<std::uint32_t> find(const Names& names, std::string_view wanted) {
   const auto found = std::find_if(names.begin(), names.end(),
-                                  [&](std::string_view name) { return core::equal_ignoring_case(name, wanted); });
+                                  [&](std::string_view name) { return tables::equal_ignoring_case(name, wanted); });
   if (found == names.end()) return std::nullopt;
   return static_cast<std::uint32_t>(found - names.begin());
 }
@@ -39,7 +39,7 @@ LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move
 
 LinkError unknown(const Names& names, const LinkRequest& request) {
   const std::string what = "there is no controller `" + request.controller + "`, ";
-  condition::NearestName nearest(request.controller);
+  tables::NearestName nearest(request.controller);
   for (const std::string_view name : names) nearest.offer(name);
   if (!nearest.name().empty()) return usage(what + "the nearest is `" + std::string(nearest.name()) + "`");
   const std::string there = known(names);
@@ -71,13 +71,13 @@ bool is_loop(std::string_view url) { return url == "loop:"; }
 
 bool has_fixed_port(std::string_view url) { return !is_loop(url) && !url.ends_with(":0"); }
 
-std::string controller_text(const core::PlantTables& tables, std::uint32_t controller) {
-  return text_of(core::split_names(tables.controller_names), controller);
+std::string controller_text(const tables::PlantTables& tables, std::uint32_t controller) {
+  return text_of(tables::split_names(tables.controller_names), controller);
 }
 
-std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantTables& tables,
+std::variant<std::vector<LinkChoice>, LinkError> choose_links(const tables::PlantTables& tables,
                                                               std::span<const LinkRequest> requests) {
-  const Names names = core::split_names(tables.controller_names);
+  const Names names = tables::split_names(tables.controller_names);
   std::vector<LinkChoice> choices;
   for (const LinkRequest& request : requests) {
     auto choice = choose(names, request);

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
 #include "symplant/link/link.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::link {
 
@@ -29,13 +29,13 @@ bool is_loop(std::string_view url);
 bool has_fixed_port(std::string_view url);
 
 /// A controller as messages name it: "controller `PLC1`", "the controller without a name".
-std::string controller_text(const core::PlantTables& tables, std::uint32_t controller);
+std::string controller_text(const tables::PlantTables& tables, std::uint32_t controller);
 
 /// Says for each request whose symbols it carries. Where none is named it is the plant's one controller, or else the
 /// one without a name; `loop:` then carries those of all. Refused: a controller that the plant has not, none named
 /// where that leaves it open, two links to PLCs of one controller (each would write its operations), two links of one
 /// URL with a port that is not 0. Controllers compare without regard to the case of ASCII letters.
-std::variant<std::vector<LinkChoice>, LinkError> choose_links(const core::PlantTables& tables,
+std::variant<std::vector<LinkChoice>, LinkError> choose_links(const tables::PlantTables& tables,
                                                               std::span<const LinkRequest> requests);
 
 }  // namespace symplant::link

@@ -5,7 +5,7 @@ namespace symplant::link {
 
 using exec::LinkState;
 
-Verdict LinkHealth::look(core::Time now, bool heard, bool complete) noexcept {
+Verdict LinkHealth::look(tables::Time now, bool heard, bool complete) noexcept {
   const bool was_silent = state_ == LinkState::waiting || (state_ == LinkState::lost && !returning_);
   if (heard) heard_ = now;
   if (was_silent && !heard) return Verdict::hold;

@@ -1,8 +1,8 @@
 // Whether a PLC is there: when its link counts as lost, and when what it wrote counts again.
 #pragma once
 
-#include "symplant/core/time.hpp"
 #include "symplant/exec/exchange.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::link {
 
@@ -19,23 +19,23 @@ enum class Verdict : std::uint8_t {
 /// cycle. Used by the thread of the cycle; O(1).
 class LinkHealth {
  public:
-  LinkHealth(core::Time loss_after, core::Time resync) noexcept : loss_after_(loss_after), resync_(resync) {}
+  LinkHealth(tables::Time loss_after, tables::Time resync) noexcept : loss_after_(loss_after), resync_(resync) {}
 
   /// Once a cycle. `heard`: a valid request that touches the map came since the last call; `complete`: all that was
   /// written before the loss has been written again.
-  Verdict look(core::Time now, bool heard, bool complete) noexcept;
+  Verdict look(tables::Time now, bool heard, bool complete) noexcept;
 
   exec::LinkState state() const noexcept { return state_; }
   /// How often it was lost.
   std::uint32_t losses() const noexcept { return losses_; }
 
  private:
-  core::Time loss_after_;
-  core::Time resync_;
+  tables::Time loss_after_;
+  tables::Time resync_;
   exec::LinkState state_ = exec::LinkState::waiting;
   bool returning_ = false;  ///< lost, but heard again
-  core::Time heard_ = 0;    ///< last
-  core::Time returned_ = 0;
+  tables::Time heard_ = 0;  ///< last
+  tables::Time returned_ = 0;
   std::uint32_t losses_ = 0;
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "symplant/core/lists.hpp"
+#include "symplant/tables/lists.hpp"
 
 namespace symplant::link {
 
@@ -14,33 +14,33 @@ constexpr std::uint32_t kRounding = 16;
 constexpr std::uint32_t kStatusRounding = 100;
 constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
-bool is_8_bits(core::DataType type) {
-  return type == core::DataType::sint || type == core::DataType::usint || type == core::DataType::byte;
+bool is_8_bits(tables::DataType type) {
+  return type == tables::DataType::sint || type == tables::DataType::usint || type == tables::DataType::byte;
 }
 
-Table table_of(const core::SymbolRow& symbol) {
-  const bool bit = symbol.type() == core::DataType::boolean;
-  if (symbol.direction() == core::Direction::operation) return bit ? Table::coil : Table::holding_register;
+Table table_of(const tables::SymbolRow& symbol) {
+  const bool bit = symbol.type() == tables::DataType::boolean;
+  if (symbol.direction() == tables::Direction::operation) return bit ? Table::coil : Table::holding_register;
   return bit ? Table::discrete_input : Table::input_register;
 }
 
 /// Where a symbol's own address puts it, or kNone.
-std::uint32_t own_number(const core::SymbolRow& symbol) {
-  if (symbol.form() != core::AddressForm::number) return kNone;
+std::uint32_t own_number(const tables::SymbolRow& symbol) {
+  if (symbol.form() != tables::AddressForm::number) return kNone;
   const std::uint64_t number = std::uint64_t{symbol.number} * places_of(symbol.type());
   return number + places_of(symbol.type()) <= kPlaces ? static_cast<std::uint32_t>(number) : kNone;
 }
 
 class MapMaker {
  public:
-  MapMaker(const core::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings)
+  MapMaker(const tables::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings)
       : tables_(tables),
         controller_(controller),
         settings_(settings),
         leader_(tables.symbols.size()),
         position_(tables.symbols.size(), kNone) {
     for (std::uint32_t symbol = 0; symbol < leader_.size(); ++symbol) leader_[symbol] = symbol;
-    for (const core::SharedAddress& shared : tables.shared_addresses) {
+    for (const tables::SharedAddress& shared : tables.shared_addresses) {
       if (table_of(tables.symbols[shared.symbol]) == table_of(tables.symbols[shared.leader])) {
         leader_[shared.symbol] = shared.leader;
       }
@@ -76,10 +76,10 @@ class MapMaker {
     for (std::uint32_t index = 0; index < tables_.symbols.size(); ++index) {
       const bool is_set = next != end && next->symbol == index;
       const PlaceRow row = is_set ? *next++ : PlaceRow{index, PlaceRow::kDefault, settings_.word_order};
-      if (core::controller_of(tables_, index) != controller_) continue;
-      const core::SymbolRow& symbol = tables_.symbols[index];
+      if (tables::controller_of(tables_, index) != controller_) continue;
+      const tables::SymbolRow& symbol = tables_.symbols[index];
       const bool given = row.number != PlaceRow::kDefault;
-      if (!given && symbol.form() == core::AddressForm::none) {
+      if (!given && symbol.form() == tables::AddressForm::none) {
         map_.without_address.push_back(index);
       } else if (!given && is_8_bits(symbol.type())) {
         map_.of_8_bits.push_back(index);
@@ -97,7 +97,7 @@ class MapMaker {
   }
 
   void place(const Carried& carried) {
-    const core::SymbolRow& symbol = tables_.symbols[carried.symbol];
+    const tables::SymbolRow& symbol = tables_.symbols[carried.symbol];
     const Table table = table_of(symbol);
     const std::uint8_t places = places_of(symbol.type());
     const std::uint32_t number = carried.number != kNone ? carried.number : packed(carried.symbol, table, places);
@@ -149,11 +149,11 @@ class MapMaker {
 
   /// Whether a symbol that stands on some of the point's registers is of its very address: they are one place.
   bool is_one_place(const IoPoint& point, std::uint32_t other) const {
-    const core::SymbolRow& a = tables_.symbols[point.symbol];
-    const core::SymbolRow& b = tables_.symbols[other];
+    const tables::SymbolRow& a = tables_.symbols[point.symbol];
+    const tables::SymbolRow& b = tables_.symbols[other];
     if (places_of(a.type()) != places_of(b.type())) return false;
     if (leader_[point.symbol] == leader_[other]) return true;
-    return a.form() == core::AddressForm::number && b.form() == a.form() && a.number == b.number;
+    return a.form() == tables::AddressForm::number && b.form() == a.form() && a.number == b.number;
   }
 
   std::uint32_t owner_of(Table table, std::uint32_t first, std::uint32_t count) const {
@@ -222,7 +222,7 @@ class MapMaker {
     map_.faults.push_back({kind, symbol, other});
   }
 
-  const core::PlantTables& tables_;
+  const tables::PlantTables& tables_;
   const std::uint32_t controller_;
   const LinkSettings& settings_;
   IoMap map_;
@@ -236,21 +236,21 @@ class MapMaker {
 
 }  // namespace
 
-IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings) {
+IoMap make_io_map(const tables::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings) {
   return MapMaker(tables, controller, settings).run();
 }
 
-std::uint8_t places_of(core::DataType type) noexcept {
+std::uint8_t places_of(tables::DataType type) noexcept {
   switch (type) {
-    case core::DataType::dint:
-    case core::DataType::udint:
-    case core::DataType::dword:
-    case core::DataType::real:
+    case tables::DataType::dint:
+    case tables::DataType::udint:
+    case tables::DataType::dword:
+    case tables::DataType::real:
       return 2;
-    case core::DataType::lint:
-    case core::DataType::ulint:
-    case core::DataType::lword:
-    case core::DataType::lreal:
+    case tables::DataType::lint:
+    case tables::DataType::ulint:
+    case tables::DataType::lword:
+    case tables::DataType::lreal:
       return 4;
     default:
       return 1;

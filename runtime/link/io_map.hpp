@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::link {
 
@@ -61,10 +61,10 @@ inline constexpr std::uint32_t kStatusRegisters = 12;
 /// one beyond 65535, all of that table whose number is not given are packed in list order instead. The status block
 /// stands by default on the first multiple of 100 above the highest number of all tables (100 where there is none).
 /// O(symbols + places).
-IoMap make_io_map(const core::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings);
+IoMap make_io_map(const tables::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings);
 
 /// "`A` and `B` both stand on holding register 11: ...", what is wrong and what to do.
-std::string fault_text(const core::PlantTables& tables, const IoMap& map, const MapFault& fault);
+std::string fault_text(const tables::PlantTables& tables, const IoMap& map, const MapFault& fault);
 
 /// What operations do while the link is lost: "hold", "go to zero", "hold, 2 of 3 go to zero". O(places).
 std::string loss_words(const IoMap& map);
@@ -72,10 +72,10 @@ std::string loss_words(const IoMap& map);
 /// Digest of all that the PLC's programmer has to know of the map, FNV-1a 64: the tables' sizes; of each place its
 /// table, number, type, word order and the symbol's name without regard to the case of ASCII letters; status block and
 /// watchdog. In which order the lists have the symbols does not count. O(symbols log symbols).
-std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map);
+std::uint64_t map_hash(const tables::PlantTables& tables, const IoMap& map);
 
 /// Registers that a number of this type takes; 1 of BOOL and of 8 bits.
-std::uint8_t places_of(core::DataType type) noexcept;
+std::uint8_t places_of(tables::DataType type) noexcept;
 
 /// The Modicon number of a place, counted from 1 and written with its table's digit: coil 0 is 1, discrete input 1 is
 /// 10002; from 10,000 places on with six digits (110001).

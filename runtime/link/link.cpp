@@ -16,8 +16,8 @@ std::string loop_fault(std::string_view rest) {
   return rest.empty() ? std::string() : "`loop:` takes nothing behind the colon";
 }
 
-LinkResult open_loop(std::string_view /*rest*/, const LinkChoice& link, const core::PlantTables& tables,
-                     const core::Plant* /*plant*/) {
+LinkResult open_loop(std::string_view /*rest*/, const LinkChoice& link, const tables::PlantTables& tables,
+                     const plant::Plant* /*plant*/) {
   return std::make_unique<LoopLink>(tables, link.controller);
 }
 
@@ -26,8 +26,8 @@ struct Scheme {
   std::string_view name;
   std::string_view form;
   std::string (*fault)(std::string_view rest);
-  LinkResult (*open)(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
-                     const core::Plant* plant);
+  LinkResult (*open)(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
+                     const plant::Plant* plant);
 };
 
 constexpr std::array kSchemes = {
@@ -63,7 +63,7 @@ std::string url_fault(std::string_view url) {
   return scheme->fault(behind_colon(url));
 }
 
-LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant) {
+LinkResult open_link(const LinkChoice& link, const tables::PlantTables& tables, const plant::Plant* plant) {
   if (std::string fault = url_fault(link.url); !fault.empty()) {
     return LinkError{LinkError::Kind::usage, std::move(fault)};
   }

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <variant>
 
-#include "symplant/core/tables.hpp"
 #include "symplant/exec/exchange.hpp"
 #include "symplant/link/link_settings.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::link {
 
@@ -55,6 +55,6 @@ std::string url_fault(std::string_view url);
 
 /// Makes and starts the link that a URL names: `loop:`, `modbus-tcp-server://HOST:PORT` (port 0: any that is free).
 /// Tables must outlive it. With `plant` given the link has its events before it answers anybody.
-LinkResult open_link(const LinkChoice& link, const core::PlantTables& tables, const core::Plant* plant = nullptr);
+LinkResult open_link(const LinkChoice& link, const tables::PlantTables& tables, const plant::Plant* plant = nullptr);
 
 }  // namespace symplant::link

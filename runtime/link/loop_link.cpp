@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "symplant/core/lists.hpp"
+#include "symplant/tables/lists.hpp"
 
 namespace symplant::link {
 
@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint32_t kWordBits = 64;
 
 /// The image of operations at the start: all off, numbers at their initial values.
-std::vector<std::uint64_t> initial_operations(const core::PlantTables& tables) {
+std::vector<std::uint64_t> initial_operations(const tables::PlantTables& tables) {
   std::vector<std::uint64_t> words(tables.operation_bits / kWordBits + tables.operation_slots, 0);
-  for (const core::InitialValue& initial : tables.initial_values) {
-    const core::SymbolRow& symbol = tables.symbols[initial.symbol];
-    if (symbol.direction() != core::Direction::operation || symbol.type() == core::DataType::boolean) continue;
+  for (const tables::InitialValue& initial : tables.initial_values) {
+    const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
+    if (symbol.direction() != tables::Direction::operation || symbol.type() == tables::DataType::boolean) continue;
     words[tables.operation_bits / kWordBits + symbol.index] = initial.value;
   }
   return words;
@@ -24,7 +24,7 @@ std::vector<std::uint64_t> initial_operations(const core::PlantTables& tables) {
 
 }  // namespace
 
-LoopLink::LoopLink(const core::PlantTables& tables, std::uint32_t controller)
+LoopLink::LoopLink(const tables::PlantTables& tables, std::uint32_t controller)
     : tables_(tables),
       controller_(controller),
       names_(tables),
@@ -34,15 +34,15 @@ LoopLink::LoopLink(const core::PlantTables& tables, std::uint32_t controller)
       events_(std::vector<std::uint64_t>(event_words_ + tables.event_slots, 0)),
       applied_(initial_operations(tables)) {}
 
-bool LoopLink::is(std::uint32_t symbol, core::Direction direction, bool bit) const noexcept {
+bool LoopLink::is(std::uint32_t symbol, tables::Direction direction, bool bit) const noexcept {
   if (symbol >= tables_.symbols.size()) return false;
-  if (controller_ != kAllControllers && core::controller_of(tables_, symbol) != controller_) return false;
-  const core::SymbolRow& row = tables_.symbols[symbol];
-  return row.direction() == direction && (row.type() == core::DataType::boolean) == bit;
+  if (controller_ != kAllControllers && tables::controller_of(tables_, symbol) != controller_) return false;
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  return row.direction() == direction && (row.type() == tables::DataType::boolean) == bit;
 }
 
 std::uint32_t LoopLink::leader(std::uint32_t symbol) const noexcept {
-  for (const core::SharedAddress& shared : tables_.shared_addresses) {
+  for (const tables::SharedAddress& shared : tables_.shared_addresses) {
     if (shared.symbol == symbol) return shared.leader;
   }
   return symbol;
@@ -50,20 +50,20 @@ std::uint32_t LoopLink::leader(std::uint32_t symbol) const noexcept {
 
 template <class Write>
 void LoopLink::write_all_of_address(std::uint32_t symbol, Write write) noexcept {
-  const bool bit = tables_.symbols[symbol].type() == core::DataType::boolean;
+  const bool bit = tables_.symbols[symbol].type() == tables::DataType::boolean;
   const auto write_one = [&](std::uint32_t row) {
-    if (is(row, core::Direction::operation, bit)) write(tables_.symbols[row].index);
+    if (is(row, tables::Direction::operation, bit)) write(tables_.symbols[row].index);
   };
   const std::uint32_t first = leader(symbol);
   write_one(first);
-  for (const core::SharedAddress& shared : tables_.shared_addresses) {
+  for (const tables::SharedAddress& shared : tables_.shared_addresses) {
     if (shared.leader == first) write_one(shared.symbol);
   }
   operations_.publish();
 }
 
 bool LoopLink::set(std::uint32_t symbol, bool on) noexcept {
-  if (!is(symbol, core::Direction::operation, true)) return false;
+  if (!is(symbol, tables::Direction::operation, true)) return false;
   write_all_of_address(symbol, [this, on](std::uint32_t bit) {
     const std::uint64_t mask = std::uint64_t{1} << (bit % kWordBits);
     std::uint64_t& word = operations_.words()[bit / kWordBits];
@@ -74,7 +74,7 @@ bool LoopLink::set(std::uint32_t symbol, bool on) noexcept {
 }
 
 bool LoopLink::set_value(std::uint32_t symbol, std::uint64_t value) noexcept {
-  if (!is(symbol, core::Direction::operation, false)) return false;
+  if (!is(symbol, tables::Direction::operation, false)) return false;
   write_all_of_address(symbol, [this, value](std::uint32_t slot) {
     operations_.words()[operation_words_ + slot] = value;
     operations_.touch(operation_words_ + slot);
@@ -83,14 +83,14 @@ bool LoopLink::set_value(std::uint32_t symbol, std::uint64_t value) noexcept {
 }
 
 std::optional<bool> LoopLink::event(std::uint32_t symbol) noexcept {
-  if (!is(symbol, core::Direction::event, true)) return std::nullopt;
+  if (!is(symbol, tables::Direction::event, true)) return std::nullopt;
   events_.update();
   const std::uint32_t bit = tables_.symbols[symbol].index;
   return (events_.latest()[bit / kWordBits] >> (bit % kWordBits) & 1) != 0;
 }
 
 std::optional<std::uint64_t> LoopLink::event_value(std::uint32_t symbol) noexcept {
-  if (!is(symbol, core::Direction::event, false)) return std::nullopt;
+  if (!is(symbol, tables::Direction::event, false)) return std::nullopt;
   events_.update();
   return events_.latest()[event_words_ + tables_.symbols[symbol].index];
 }
@@ -115,7 +115,7 @@ std::optional<std::uint64_t> LoopLink::event_value(std::string_view symbol) {
   return row ? event_value(*row) : std::nullopt;
 }
 
-void LoopLink::read_operations(core::Plant& plant, core::Time /*now*/) noexcept {
+void LoopLink::read_operations(plant::Plant& plant, tables::Time /*now*/) noexcept {
   if (!operations_.update()) return;
   const auto image = operations_.latest();
   for (std::size_t word = 0; word < image.size(); ++word) {
@@ -137,7 +137,7 @@ void LoopLink::write_event_word(std::size_t word, std::uint64_t value) noexcept 
   events_.touch(word);
 }
 
-void LoopLink::write_events(const core::Plant& plant, const exec::CycleStatus& /*status*/) noexcept {
+void LoopLink::write_events(const plant::Plant& plant, const exec::CycleStatus& /*status*/) noexcept {
   const auto bits = plant.events();
   if (events_written_) {
     for (const std::uint32_t word : plant.changed_events()) write_event_word(word, bits[word]);

@@ -19,7 +19,7 @@ namespace symplant::link {
 class LoopLink final : public Link {
  public:
   /// With the symbols of one controller, or of all: those of others can neither be written nor read.
-  explicit LoopLink(const core::PlantTables& tables, std::uint32_t controller = kAllControllers);
+  explicit LoopLink(const tables::PlantTables& tables, std::uint32_t controller = kAllControllers);
 
   // The PLC's end. Symbols by name or by row in PlantTables::symbols. What was written is seen by the next cycle, and
   // acts on all symbols of the same address; what is read is the state after the latest cycle.
@@ -38,18 +38,18 @@ class LoopLink final : public Link {
   std::optional<std::uint64_t> event_value(std::uint32_t symbol) noexcept;
 
   std::string url() const override { return "loop:"; }
-  void read_operations(core::Plant& plant, core::Time now) noexcept override;
-  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override;
+  void read_operations(plant::Plant& plant, tables::Time now) noexcept override;
+  void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override;
   LinkStatus status() const noexcept override { return {}; }
 
  private:
-  bool is(std::uint32_t symbol, core::Direction direction, bool bit) const noexcept;
+  bool is(std::uint32_t symbol, tables::Direction direction, bool bit) const noexcept;
   std::uint32_t leader(std::uint32_t symbol) const noexcept;
   template <class Write>
   void write_all_of_address(std::uint32_t symbol, Write write) noexcept;
   void write_event_word(std::size_t word, std::uint64_t value) noexcept;
 
-  const core::PlantTables& tables_;
+  const tables::PlantTables& tables_;
   std::uint32_t controller_;
   SymbolNames names_;
   std::size_t operation_words_;  ///< of bits; a word each numeric operation follows

@@ -3,10 +3,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "symplant/core/ascii.hpp"
-#include "symplant/core/digest.hpp"
-#include "symplant/core/names.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/ascii.hpp"
+#include "symplant/tables/digest.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::link {
 
@@ -38,8 +38,8 @@ std::string size_text(const IoMap& map, Table table) {
 
 }  // namespace
 
-std::string fault_text(const core::PlantTables& tables, const IoMap& map, const MapFault& fault) {
-  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
+std::string fault_text(const tables::PlantTables& tables, const IoMap& map, const MapFault& fault) {
+  const std::vector<std::string_view> texts = tables::split_names(tables.symbol_names);
   const IoPoint* const point = point_of(map, fault.symbol);  // null where it is no symbol
   const std::string name = quoted(texts, fault.symbol);
   const std::string place = point == nullptr ? "" : place_text(*point);
@@ -85,9 +85,9 @@ std::string loss_words(const IoMap& map) {
   return "hold, " + std::to_string(zeroed) + " of " + std::to_string(all) + " go to zero";
 }
 
-std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
-  const std::vector<std::string_view> texts = core::split_names(tables.symbol_names);
-  const auto name_of = [&](const IoPoint& point) { return core::to_upper(texts[std::size_t{point.symbol} * 2]); };
+std::uint64_t map_hash(const tables::PlantTables& tables, const IoMap& map) {
+  const std::vector<std::string_view> texts = tables::split_names(tables.symbol_names);
+  const auto name_of = [&](const IoPoint& point) { return tables::to_upper(texts[std::size_t{point.symbol} * 2]); };
   std::vector<std::uint32_t> order(map.points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -99,7 +99,7 @@ std::uint64_t map_hash(const core::PlantTables& tables, const IoMap& map) {
   });
 
   constexpr std::uint32_t kLayout = 1;  ///< of what is digested
-  core::Fnv1a64 hash;
+  tables::Fnv1a64 hash;
   hash.u32(kLayout);
   for (const std::uint32_t size : map.sizes) hash.u32(size);
   for (const std::uint32_t i : order) {

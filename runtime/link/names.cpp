@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "symplant/core/ascii.hpp"
+#include "symplant/tables/ascii.hpp"
 
 namespace symplant::link {
 
@@ -18,17 +18,17 @@ std::string_view next_text(std::string_view& blob) {
 
 }  // namespace
 
-SymbolNames::SymbolNames(const core::PlantTables& tables) {
+SymbolNames::SymbolNames(const tables::PlantTables& tables) {
   std::string_view blob = tables.symbol_names;
   rows_.reserve(tables.symbols.size());
   for (std::uint32_t row = 0; row < tables.symbols.size(); ++row) {
-    rows_.emplace(core::to_upper(next_text(blob)), row);
+    rows_.emplace(tables::to_upper(next_text(blob)), row);
     next_text(blob);  // the address
   }
 }
 
 std::optional<std::uint32_t> SymbolNames::find(std::string_view name) const {
-  const auto found = rows_.find(core::to_upper(name));
+  const auto found = rows_.find(tables::to_upper(name));
   if (found == rows_.end()) return std::nullopt;
   return found->second;
 }

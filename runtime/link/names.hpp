@@ -7,14 +7,14 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::link {
 
 /// Finds symbols by name, without regard to the case of ASCII letters. Immutable once made.
 class SymbolNames {
  public:
-  explicit SymbolNames(const core::PlantTables& tables);
+  explicit SymbolNames(const tables::PlantTables& tables);
 
   /// The symbol's row in PlantTables::symbols.
   std::optional<std::uint32_t> find(std::string_view name) const;

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "symplant/core/compare.hpp"
+#include "symplant/tables/compare.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::scenario {
@@ -13,8 +13,8 @@ namespace {
 
 /// A plant as it stands.
 struct OfPlant {
-  const core::Plant& plant;
-  core::UnitView unit(std::uint32_t unit) const noexcept { return plant.unit(unit); }
+  const plant::Plant& plant;
+  plant::UnitView unit(std::uint32_t unit) const noexcept { return plant.unit(unit); }
   std::uint64_t value(std::uint32_t symbol) const noexcept { return value_of(plant, symbol); }
 };
 
@@ -22,7 +22,7 @@ template <typename Source>
 bool holds_in(const condition::Atom& atom, const Source& source) noexcept {
   switch (atom.kind) {
     case condition::Atom::Kind::settled: {
-      const core::UnitView unit = source.unit(atom.of);
+      const plant::UnitView unit = source.unit(atom.of);
       return !unit.moving && unit.state == atom.state;
     }
     case condition::Atom::Kind::moving:
@@ -32,7 +32,7 @@ bool holds_in(const condition::Atom& atom, const Source& source) noexcept {
     case condition::Atom::Kind::number:
       break;
   }
-  return core::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, source.value(atom.of));
+  return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, source.value(atom.of));
 }
 
 template <typename Source>
@@ -55,27 +55,27 @@ bool holds_in(const condition::Tree& tree, const Source& source) noexcept {
 
 }  // namespace
 
-std::uint64_t value_of(const core::Plant& plant, std::uint32_t symbol) noexcept {
-  const core::SymbolRow& row = plant.tables().symbols[symbol];
-  const bool operation = row.direction() == core::Direction::operation;
-  if (row.type() == core::DataType::boolean) {
+std::uint64_t value_of(const plant::Plant& plant, std::uint32_t symbol) noexcept {
+  const tables::SymbolRow& row = plant.tables().symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  if (row.type() == tables::DataType::boolean) {
     return (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
   }
   return operation ? plant.operation_value(row.index) : plant.event_value(row.index);
 }
 
-bool equal_values(core::DataType type, std::uint64_t a, std::uint64_t b) noexcept {
+bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexcept {
   if (!trace::is_real(type)) return a == b;
   const double x = std::bit_cast<double>(a);
   const double y = std::bit_cast<double>(b);
   return x == y || (std::isnan(x) && std::isnan(y));
 }
 
-bool holds(const condition::Tree& tree, const core::Plant& plant) noexcept { return holds_in(tree, OfPlant{plant}); }
+bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept { return holds_in(tree, OfPlant{plant}); }
 
 bool holds(const condition::Tree& tree, const trace::History& history) noexcept { return holds_in(tree, history); }
 
-bool holds(const Expectation& expectation, const core::Plant& plant) noexcept {
+bool holds(const Expectation& expectation, const plant::Plant& plant) noexcept {
   if (expectation.condition && !holds(*expectation.condition, plant)) return false;
   return std::all_of(expectation.values.begin(), expectation.values.end(), [&](const SymbolValue& wanted) {
     return equal_values(plant.tables().symbols[wanted.symbol].type(), value_of(plant, wanted.symbol), wanted.value);

@@ -4,21 +4,21 @@
 #include <cstdint>
 
 #include "symplant/condition/tree.hpp"
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/history.hpp"
 
 namespace symplant::scenario {
 
 /// The value of a symbol after forces, as its plane holds it.
-std::uint64_t value_of(const core::Plant& plant, std::uint32_t symbol) noexcept;
+std::uint64_t value_of(const plant::Plant& plant, std::uint32_t symbol) noexcept;
 
 /// REAL and LREAL compare as numbers, NaN with NaN; everything else bit by bit.
-bool equal_values(core::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
+bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
 
-bool holds(const condition::Tree& tree, const core::Plant& plant) noexcept;
+bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept;
 /// Likewise of a plant as its records tell it.
 bool holds(const condition::Tree& tree, const trace::History& history) noexcept;
-bool holds(const Expectation& expectation, const core::Plant& plant) noexcept;
+bool holds(const Expectation& expectation, const plant::Plant& plant) noexcept;
 
 }  // namespace symplant::scenario

@@ -7,21 +7,21 @@
 
 namespace symplant::scenario {
 
-Player::Player(const Scenario& scenario, core::Plant& plant, trace::Recorder& recorder)
+Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder)
     : scenario_(scenario), plant_(plant), recorder_(recorder), outcomes_(scenario.steps.size()) {}
 
-core::Time Player::time_of(const Step& step) const noexcept {
+tables::Time Player::time_of(const Step& step) const noexcept {
   return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;
 }
 
-core::Time Player::next() const noexcept {
-  if (over()) return core::kNever;
+tables::Time Player::next() const noexcept {
+  if (over()) return tables::kNever;
   if (waiting_) return deadline_;
   const Step& step = scenario_.steps[at_];
   return step.when == Step::When::wait ? moment_ : time_of(step);
 }
 
-void Player::instant(const core::Instant& instant) noexcept {
+void Player::instant(const engine::Instant& instant) noexcept {
   recorder_.instant(instant);
   if (!waiting_ || met_ || instant.time > deadline_) return;
   met_ = holds(*scenario_.steps[at_].expect, plant_);
@@ -29,10 +29,10 @@ void Player::instant(const core::Instant& instant) noexcept {
 }
 
 void Player::set(const SymbolValue& value) noexcept {
-  const core::SymbolRow& row = plant_.tables().symbols[value.symbol];
-  if (row.direction() == core::Direction::event) {
+  const tables::SymbolRow& row = plant_.tables().symbols[value.symbol];
+  if (row.direction() == tables::Direction::event) {
     plant_.set_input(value.symbol, value.value);
-  } else if (row.type() == core::DataType::boolean) {
+  } else if (row.type() == tables::DataType::boolean) {
     plant_.set_operation(row.index, value.value != 0);
   } else {
     plant_.set_operation_value(row.index, value.value);
@@ -46,7 +46,7 @@ void Player::act(const Step& step) noexcept {
   for (const std::uint32_t symbol : step.release) plant_.release(symbol);
 }
 
-void Player::decide(Outcome::Kind kind, core::Time time) noexcept {
+void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
   outcomes_[at_] = {kind, time};
   if (kind == Outcome::Kind::failed)
     recorder_.note(plant_.now(), static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
@@ -69,7 +69,7 @@ bool Player::wait_on() noexcept {
   return true;
 }
 
-void Player::advance_to(core::Time time) noexcept {
+void Player::advance_to(tables::Time time) noexcept {
   plant_.advance_before(time, this);
   while (!over()) {
     const Step& step = scenario_.steps[at_];
@@ -78,7 +78,7 @@ void Player::advance_to(core::Time time) noexcept {
       if (!wait_on()) break;
       continue;
     }
-    const core::Time due = time_of(step);
+    const tables::Time due = time_of(step);
     if (due > time) break;
     act(step);
     if (!step.expect) {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
 #include "symplant/exec/stepper.hpp"
+#include "symplant/plant/plant.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/recorder.hpp"
 
@@ -22,7 +22,7 @@ struct Outcome {
     unreached,  ///< the run ended before; a failure where it expects something
   };
   Kind kind = Kind::pending;
-  core::Time time = 0;  ///< its own time; of a wait when it was over
+  tables::Time time = 0;  ///< its own time; of a wait when it was over
 };
 
 /// Between instants it acts, at their ends it looks whether a wait is met: it is the plant's observer, and hands
@@ -31,16 +31,16 @@ struct Outcome {
 /// In virtual time advance_to() is called for each time at which something is due, by the plant or by next(). In real
 /// time it is called once a cycle: a step then acts in the first cycle at or after its time, while `plus` still counts
 /// from the time itself.
-class Player final : public core::Observer, public exec::Stepper {
+class Player final : public engine::Observer, public exec::Stepper {
  public:
   /// All must outlive it.
-  Player(const Scenario& scenario, core::Plant& plant, trace::Recorder& recorder);
+  Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder);
 
   /// Brings the plant to `time` and plays what is due until then, the instants of `time` included. For each step that
   /// fails the recorder gets a note: the step's place, and its time as value.
-  void advance_to(core::Time time) noexcept override;
+  void advance_to(tables::Time time) noexcept override;
   /// When it next has something to do; kNever when it is over.
-  core::Time next() const noexcept;
+  tables::Time next() const noexcept;
   bool over() const noexcept override { return at_ == scenario_.steps.size(); }
   /// The run is over: what is still to come was not reached.
   void end() noexcept;
@@ -48,26 +48,26 @@ class Player final : public core::Observer, public exec::Stepper {
   /// One a step.
   std::span<const Outcome> outcomes() const noexcept { return outcomes_; }
 
-  void instant(const core::Instant& instant) noexcept override;
-  void finding(const core::Finding& finding) noexcept override { recorder_.finding(finding); }
+  void instant(const engine::Instant& instant) noexcept override;
+  void finding(const tables::Finding& finding) noexcept override { recorder_.finding(finding); }
 
  private:
-  core::Time time_of(const Step& step) const noexcept;
+  tables::Time time_of(const Step& step) const noexcept;
   void act(const Step& step) noexcept;
   void set(const SymbolValue& value) noexcept;
-  void decide(Outcome::Kind kind, core::Time time) noexcept;
+  void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;
 
   const Scenario& scenario_;
-  core::Plant& plant_;
+  plant::Plant& plant_;
   trace::Recorder& recorder_;
   std::vector<Outcome> outcomes_;
-  std::size_t at_ = 0;       ///< the step that is next, or is waiting
-  core::Time moment_ = 0;    ///< of the step before
-  bool waiting_ = false;     ///< step at_ is a wait, and has begun
-  core::Time deadline_ = 0;  ///< of that
-  bool met_ = false;         ///< likewise
-  core::Time met_time_ = 0;
+  std::size_t at_ = 0;         ///< the step that is next, or is waiting
+  tables::Time moment_ = 0;    ///< of the step before
+  bool waiting_ = false;       ///< step at_ is a wait, and has begun
+  tables::Time deadline_ = 0;  ///< of that
+  bool met_ = false;           ///< likewise
+  tables::Time met_time_ = 0;
 };
 
 }  // namespace symplant::scenario

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "symplant/condition/tree.hpp"
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::scenario {
 
@@ -39,7 +39,7 @@ struct Step {
     wait,  ///< until `expect` holds, at most for `time`
   };
   When when = When::at;
-  core::Time time = 0;
+  tables::Time time = 0;
   std::vector<SymbolValue> set;
   std::vector<UnitState> states;
   std::vector<SymbolValue> force;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "symplant/condition/resolve.hpp"
-#include "symplant/core/duration.hpp"
 #include "symplant/scenario/value.hpp"
+#include "symplant/tables/duration.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::scenario {
@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr core::Time kDefaultWithin = 10 * core::kSecond;
+constexpr tables::Time kDefaultWithin = 10 * tables::kSecond;
 // Far from where 64 bits of nanoseconds end, so that sums cannot overflow.
-constexpr core::Time kLatest = 876'000 * (3600 * core::kSecond);
+constexpr tables::Time kLatest = 876'000 * (3600 * tables::kSecond);
 
 std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
 
@@ -26,11 +26,11 @@ std::string nearest_text(const std::string& nearest) {
 }
 
 /// Symbols that a unit moves, and those on their addresses.
-std::vector<bool> moved_symbols(const core::PlantTables& tables) {
+std::vector<bool> moved_symbols(const tables::PlantTables& tables) {
   std::vector<bool> moved(tables.symbols.size());
   for (std::size_t s = 0; s < moved.size(); ++s) moved[s] = tables.symbols[s].moved();
   for (int pass = 0; pass < 2; ++pass) {  // to the leader, then from it
-    for (const core::SharedAddress& shared : tables.shared_addresses) {
+    for (const tables::SharedAddress& shared : tables.shared_addresses) {
       if (moved[shared.symbol] || moved[shared.leader]) moved[shared.symbol] = moved[shared.leader] = true;
     }
   }
@@ -134,9 +134,9 @@ void StepReader::read_expect(const Json& value, const std::string& pointer, Step
   result.expect = std::move(expectation);
 }
 
-std::optional<core::Time> StepReader::read_duration(const Json& value, const std::string& pointer) {
+std::optional<tables::Time> StepReader::read_duration(const Json& value, const std::string& pointer) {
   const auto& text = value.get_ref<const std::string&>();
-  const auto time = core::parse_duration(text);
+  const auto time = tables::parse_duration(text);
   if (!time) {
     add(pointer, ticked(text) + " is no duration, write a number and ns, us, ms, s, min or h, as in `1.5s`");
   } else if (*time > kLatest) {
@@ -175,7 +175,7 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   if (!moved_[symbol]) return {};
   const std::uint32_t unit = names_.tables().symbols[symbol].unit;
   return name + " is moved by " +
-         (unit == core::kNoUnit ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
+         (unit == tables::kNoUnit ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
          ", move that by `state`, or hold the symbol by `force`";
 }
 

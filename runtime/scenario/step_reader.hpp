@@ -28,7 +28,7 @@ class StepReader {
   void read_wait(const nlohmann::json& step, const std::string& pointer, Step& result);
   void check_order(const Step& step, const std::string& pointer);
   void read_expect(const nlohmann::json& value, const std::string& pointer, Step& result);
-  std::optional<core::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
+  std::optional<tables::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
   std::optional<condition::Tree> read_condition(const std::string& text, const std::string& pointer);
   std::vector<SymbolValue> read_values(const nlohmann::json& object, const std::string& pointer, bool setting);
   std::vector<UnitState> read_states(const nlohmann::json& object, const std::string& pointer);
@@ -40,9 +40,9 @@ class StepReader {
   const trace::PlantNames& names_;
   const std::vector<bool>& carried_;
   TableNames by_name_;
-  std::vector<bool> moved_;  ///< symbols that a unit moves, also by another one of their address
-  core::Time earliest_ = 0;  ///< of the next step, as far as the file alone can tell
-  std::string last_;         ///< what set it: `at` or `plus`
+  std::vector<bool> moved_;    ///< symbols that a unit moves, also by another one of their address
+  tables::Time earliest_ = 0;  ///< of the next step, as far as the file alone can tell
+  std::string last_;           ///< what set it: `at` or `plus`
 };
 
 }  // namespace symplant::scenario

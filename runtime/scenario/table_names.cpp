@@ -1,8 +1,8 @@
 // A plant's tables by names.
 #include "symplant/scenario/table_names.hpp"
 
-#include "symplant/condition/nearest.hpp"
-#include "symplant/core/ascii.hpp"
+#include "symplant/tables/ascii.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::scenario {
 namespace {
@@ -15,57 +15,57 @@ std::string path(std::string_view device, std::string_view facet) {
 }  // namespace
 
 TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
-  const core::PlantTables& tables = names.tables();
+  const tables::PlantTables& tables = names.tables();
   units_.reserve(tables.units.size());
-  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(core::to_upper(names.unit(u)), u);
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(tables::to_upper(names.unit(u)), u);
   symbols_.reserve(tables.symbols.size());
-  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(core::to_upper(names.symbol(s)), s);
+  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(tables::to_upper(names.symbol(s)), s);
 }
 
 std::optional<std::uint32_t> TableNames::unit(std::string_view device, std::string_view facet) const {
-  const auto found = units_.find(core::to_upper(path(device, facet)));
+  const auto found = units_.find(tables::to_upper(path(device, facet)));
   if (found == units_.end()) return std::nullopt;
   return found->second;
 }
 
 std::optional<std::uint8_t> TableNames::state(std::uint32_t unit, std::string_view name) const {
   const auto states = names_.states(unit);
-  const std::string wanted = core::to_upper(name);
+  const std::string wanted = tables::to_upper(name);
   for (std::size_t s = 0; s < states.size(); ++s) {
-    if (states[s].size() == name.size() && core::to_upper(states[s]) == wanted) return static_cast<std::uint8_t>(s);
+    if (states[s].size() == name.size() && tables::to_upper(states[s]) == wanted) return static_cast<std::uint8_t>(s);
   }
   return std::nullopt;
 }
 
 std::optional<condition::Names::Symbol> TableNames::symbol(std::string_view name) const {
-  const auto found = symbols_.find(core::to_upper(name));
+  const auto found = symbols_.find(tables::to_upper(name));
   if (found == symbols_.end()) return std::nullopt;
   return Symbol{found->second, names_.tables().symbols[found->second].type()};
 }
 
 std::string TableNames::nearest_device(std::string_view device, std::string_view facet) const {
   const std::string wanted = path(device, facet);
-  condition::NearestName nearest(wanted);
+  tables::NearestName nearest(wanted);
   for (std::uint32_t u = 0; u < names_.tables().units.size(); ++u) nearest.offer(names_.unit(u));
   return std::string(nearest.name());
 }
 
 std::string TableNames::nearest_state(std::uint32_t unit, std::string_view name) const {
-  condition::NearestName nearest(name);
+  tables::NearestName nearest(name);
   for (const std::string_view state : names_.states(unit)) nearest.offer(state);
   return std::string(nearest.name());
 }
 
 std::string TableNames::nearest_symbol(std::string_view name) const {
-  condition::NearestName nearest(name);
+  tables::NearestName nearest(name);
   for (std::uint32_t s = 0; s < names_.tables().symbols.size(); ++s) nearest.offer(names_.symbol(s));
   return std::string(nearest.name());
 }
 
 std::string TableNames::why_no_state(std::uint32_t unit, std::string_view name) const {
-  const std::string wanted = core::to_upper(name);
+  const std::string wanted = tables::to_upper(name);
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
-    if (core::to_upper(names_.task(symbol)) != wanted) continue;
+    if (tables::to_upper(names_.task(symbol)) != wanted) continue;
     return "`" + std::string(name) + "` is no state of `" + std::string(names_.unit(unit)) + "`, name the symbol `" +
            std::string(names_.symbol(symbol)) + "`";
   }

@@ -14,7 +14,7 @@
 namespace symplant::scenario {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 
 std::string type_text(DataType type) { return std::string(condition::type_name(type)); }
 

@@ -49,7 +49,7 @@ std::vector<SymbolValue> missing(const Expectation& expectation, const trace::Pl
                                  const trace::History& history) {
   std::vector<SymbolValue> found;
   for (const SymbolValue& wanted : expectation.values) {
-    const core::DataType type = names.tables().symbols[wanted.symbol].type();
+    const tables::DataType type = names.tables().symbols[wanted.symbol].type();
     if (!equal_values(type, history.value(wanted.symbol), wanted.value)) found.push_back(wanted);
   }
   return found;
@@ -91,7 +91,7 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names) 
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, core::Time time,
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, tables::Time time,
                                        const trace::PlantNames& names, const trace::History& history) {
   const Step& step = scenario.steps[at];
   const Forces forces = forces_at(scenario, at);
@@ -109,14 +109,14 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
   for (const SymbolValue& value : wrong) things.symbols.insert(value.symbol);
   if (step.expect->condition) collect(*step.expect->condition, history, things);
   for (const std::uint32_t symbol : things.symbols) {
-    const core::SymbolRow& row = names.tables().symbols[symbol];
+    const tables::SymbolRow& row = names.tables().symbols[symbol];
     const auto force = forces.find(symbol);
     parts.push_back(fmt::format("{} is {} {}{}, {}", names.symbol(symbol),
                                 trace::value_text(row.type(), history.value(symbol)),
                                 trace::since_words(history.since(symbol)),
                                 force == forces.end() ? "" : fmt::format(", forced in line {}", force->second.line),
                                 trace::symbol_words(symbol, names)));
-    if (row.unit != core::kNoUnit) things.units.insert(row.unit);
+    if (row.unit != tables::kNoUnit) things.units.insert(row.unit);
   }
   for (const std::uint32_t unit : things.units) {
     parts.push_back(trace::unit_words(unit, names, history));

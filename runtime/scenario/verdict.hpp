@@ -27,7 +27,7 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names);
 /// names, with what is there, since when, which operation led to it, and which step forces it. Of a conjunction only
 /// what does not hold is told. `at` is the step's place, `history` as of that time. Never empty; joined by `; ` they
 /// are one sentence. O(steps).
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, core::Time time,
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, tables::Time time,
                                        const trace::PlantNames& names, const trace::History& history);
 
 }  // namespace symplant::scenario

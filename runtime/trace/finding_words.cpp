@@ -11,19 +11,19 @@
 namespace symplant::trace {
 namespace {
 
-using core::FindingKind;
+using tables::FindingKind;
 
-constexpr std::array<std::string_view, core::kAllFindingKinds> kNames = {"conflicting operations",
-                                                                         "stopped under another command",
-                                                                         "command to a disabled unit",
-                                                                         "command without effect",
-                                                                         "lost command",
-                                                                         "started on enabling",
-                                                                         "event too short",
-                                                                         "instantaneous loop",
-                                                                         "requirement violated",
-                                                                         "link lost",
-                                                                         "link back"};
+constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conflicting operations",
+                                                                           "stopped under another command",
+                                                                           "command to a disabled unit",
+                                                                           "command without effect",
+                                                                           "lost command",
+                                                                           "started on enabling",
+                                                                           "event too short",
+                                                                           "instantaneous loop",
+                                                                           "requirement violated",
+                                                                           "link lost",
+                                                                           "link back"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -36,8 +36,8 @@ std::string place(std::uint32_t symbol, const PlantNames& names) {
 /// Who disables a unit now: `EXLINE_MB_DOOR in OPEN1`.
 std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
-  for (const core::DisableRow& row : names.tables().disables) {
-    const core::UnitView by = history.unit(row.by);
+  for (const tables::DisableRow& row : names.tables().disables) {
+    const plant::UnitView by = history.unit(row.by);
     if (row.unit != unit || by.moving || by.state != row.state) continue;
     text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", names.unit(row.by), names.state(row.by, row.state));
   }
@@ -112,7 +112,7 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   std::string text = fmt::format("event too short: {}, changed and changed back too quickly for a PLC to see it",
                                  symbol_words(symbol, names));
-  if (unit != core::kNoUnit) {
+  if (unit != tables::kNoUnit) {
     text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
     text += led(unit, names, history);
   }
@@ -147,10 +147,10 @@ std::string of_link(const FoundThing& found, const PlantNames& names) {
 /// The violation, then each unit that the requirement looks at, the last to change first.
 std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t requirement = found.of.front();
-  const core::RequirementRow& row = names.tables().requirements[requirement];
+  const tables::RequirementRow& row = names.tables().requirements[requirement];
   std::vector<std::string> parts{
       fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
-                  row.kind == core::RequirementRow::Kind::never
+                  row.kind == tables::RequirementRow::Kind::never
                       ? "what must never hold begins to hold"
                       : "what was expected within " + seconds(row.within) + " has not come")};
   std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
@@ -188,19 +188,19 @@ std::string name_of(const FoundThing& found, const PlantNames& names) {
   return text;
 }
 
-std::vector<std::uint32_t> units_of(const FoundThing& found, const core::PlantTables& tables) {
+std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::PlantTables& tables) {
   if (is_of_unit(found.kind)) return found.of;
   if (is_of_link(found.kind)) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
-  return unit == core::kNoUnit ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
+  return unit == tables::kNoUnit ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
 }
 
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   const bool operation = names.is_operation(symbol);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", place(symbol, names));
-  if (unit == core::kNoUnit) {
+  if (unit == tables::kNoUnit) {
     text += fmt::format("symbol {}", names.symbol(symbol));
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
@@ -209,7 +209,7 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
 }
 
 std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history) {
-  const core::UnitView view = history.unit(unit);
+  const plant::UnitView view = history.unit(unit);
   std::string text(names.state(unit, view.state));
   if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
   if (view.standing) text += ", standing still midway";
@@ -218,10 +218,10 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
   return text;
 }
 
-std::string since_words(core::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
+std::string since_words(tables::Time changed) { return changed == 0 ? "since the start" : "since " + seconds(changed); }
 
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history) {
-  const core::UnitView view = history.unit(unit);
+  const plant::UnitView view = history.unit(unit);
   const std::string by = view.disabled && !view.frozen ? disablers(unit, names, history) : "";
   return fmt::format("{} is in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
                      by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
@@ -241,11 +241,11 @@ std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames
   return {is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history)};
 }
 
-std::string seconds(core::Time time) {
-  std::string text = std::to_string(time / core::kSecond);
-  const core::Time rest = time % core::kSecond;
+std::string seconds(tables::Time time) {
+  std::string text = std::to_string(time / tables::kSecond);
+  const tables::Time rest = time % tables::kSecond;
   if (rest != 0) {
-    std::string digits = std::to_string(core::kSecond + rest);
+    std::string digits = std::to_string(tables::kSecond + rest);
     digits.front() = '.';
     text += digits.substr(0, digits.find_last_not_of('0') + 1);
   }

@@ -11,17 +11,17 @@ History::History(const PlantNames& names)
       changed_(values_.size()),
       rose_(values_.size(), -1),
       unit_changed_(names.tables().units.size()) {
-  const core::PlantTables& tables = names.tables();
-  for (const core::InitialValue& initial : tables.initial_values) {
-    if (tables.symbols[initial.symbol].type() != core::DataType::boolean) values_[initial.symbol] = initial.value;
+  const tables::PlantTables& tables = names.tables();
+  for (const tables::InitialValue& initial : tables.initial_values) {
+    if (tables.symbols[initial.symbol].type() != tables::DataType::boolean) values_[initial.symbol] = initial.value;
   }
-  for (const core::SharedAddress& shared :
+  for (const tables::SharedAddress& shared :
        tables.shared_addresses) {  // numbers of one address begin as one of them says
-    if (tables.symbols[shared.symbol].type() == core::DataType::boolean) continue;
+    if (tables.symbols[shared.symbol].type() == tables::DataType::boolean) continue;
     if (values_[shared.symbol] == 0) values_[shared.symbol] = values_[shared.leader];
   }
   units_.reserve(tables.units.size());
-  for (const core::UnitRow& unit : tables.units) {
+  for (const tables::UnitRow& unit : tables.units) {
     units_.push_back(static_cast<std::uint32_t>(unit.initial | unit.initial << 8));
   }
 }

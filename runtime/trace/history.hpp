@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
 
@@ -20,12 +20,12 @@ class History {
   void apply(const Record& record);
 
   std::uint64_t value(std::uint32_t symbol) const { return values_[symbol]; }
-  core::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
+  plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
   /// Since when it is so; 0 where it never changed.
-  core::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
-  core::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
+  tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
+  tables::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
   /// When it last came on; -1: never.
-  core::Time rose(std::uint32_t symbol) const { return rose_[symbol]; }
+  tables::Time rose(std::uint32_t symbol) const { return rose_[symbol]; }
 
   /// The operations of a unit that have been on, the last to come on first; at most `most`.
   std::vector<std::uint32_t> last_operations(std::uint32_t unit, std::size_t most) const;
@@ -33,10 +33,10 @@ class History {
  private:
   const PlantNames& names_;
   std::vector<std::uint64_t> values_;
-  std::vector<core::Time> changed_;
-  std::vector<core::Time> rose_;
+  std::vector<tables::Time> changed_;
+  std::vector<tables::Time> rose_;
   std::vector<std::uint32_t> units_;  ///< pack_unit
-  std::vector<core::Time> unit_changed_;
+  std::vector<tables::Time> unit_changed_;
 };
 
 }  // namespace symplant::trace

@@ -1,37 +1,37 @@
 // What the things of a plant are called.
 #include "symplant/trace/plant_names.hpp"
 
-#include "symplant/core/lists.hpp"
-#include "symplant/core/names.hpp"
+#include "symplant/tables/lists.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::trace {
 
-PlantNames::PlantNames(const core::PlantTables& tables)
+PlantNames::PlantNames(const tables::PlantTables& tables)
     : tables_(tables),
-      symbols_(core::split_names(tables.symbol_names)),
-      units_(core::split_names(tables.unit_names)),
-      states_(core::split_names(tables.state_names)),
-      requirements_(core::split_names(tables.requirement_names)),
-      lists_(core::split_names(tables.list_names)),
+      symbols_(tables::split_names(tables.symbol_names)),
+      units_(tables::split_names(tables.unit_names)),
+      states_(tables::split_names(tables.state_names)),
+      requirements_(tables::split_names(tables.requirement_names)),
+      lists_(tables::split_names(tables.list_names)),
       first_of_(tables.units.size() + 1) {
   symbols_.resize(2 * tables.symbols.size());
   units_.resize(tables.units.size());
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
-  for (const core::TypeRow& type : tables.types) {
+  for (const tables::TypeRow& type : tables.types) {
     first_states_.push_back(states);
     states += type.states;
   }
   states_.resize(states);
-  for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit != core::kNoUnit) ++first_of_[symbol.unit + 1];
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.unit != tables::kNoUnit) ++first_of_[symbol.unit + 1];
   }
   for (std::size_t u = 1; u < first_of_.size(); ++u) first_of_[u] += first_of_[u - 1];
   by_unit_.resize(first_of_.back());
   std::vector<std::uint32_t> at(first_of_.begin(), first_of_.end() - 1);
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) {
     const std::uint32_t unit = tables.symbols[s].unit;
-    if (unit != core::kNoUnit) by_unit_[at[unit]++] = s;
+    if (unit != tables::kNoUnit) by_unit_[at[unit]++] = s;
   }
 }
 
@@ -43,12 +43,12 @@ std::span<const std::string_view> PlantNames::states(std::uint32_t unit) const {
 std::string_view PlantNames::state(std::uint32_t unit, std::uint8_t state) const { return states(unit)[state]; }
 
 std::string_view PlantNames::task(std::uint32_t symbol) const {
-  const core::SymbolRow& row = tables_.symbols[symbol];
-  if (row.unit != core::kNoUnit && row.type() == core::DataType::boolean && is_operation(symbol)) {
-    const core::UnitRow& unit = tables_.units[row.unit];
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  if (row.unit != tables::kNoUnit && row.type() == tables::DataType::boolean && is_operation(symbol)) {
+    const tables::UnitRow& unit = tables_.units[row.unit];
     const std::uint32_t place = row.index - unit.operation_bit;
     const auto targets = tables_.types[unit.type].operation_targets;
-    if (place < targets.size() && targets[place] != core::kNoState) return state(row.unit, targets[place]);
+    if (place < targets.size() && targets[place] != tables::kNoState) return state(row.unit, targets[place]);
   }
   const std::string_view name = this->symbol(symbol);
   const std::size_t end = name.find_last_of("_.-: ");
@@ -56,7 +56,7 @@ std::string_view PlantNames::task(std::uint32_t symbol) const {
 }
 
 std::string_view PlantNames::list(std::uint32_t symbol) const {
-  return lists_.empty() ? std::string_view() : lists_[core::list_of(tables_, symbol)];
+  return lists_.empty() ? std::string_view() : lists_[tables::list_of(tables_, symbol)];
 }
 
 std::string PlantNames::cite(std::uint32_t symbol) const {

@@ -7,16 +7,16 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::trace {
 
 /// Views into the tables' blobs, which must outlive it. O(plant) to make; members are O(1) where nothing else is said.
 class PlantNames {
  public:
-  explicit PlantNames(const core::PlantTables& tables);
+  explicit PlantNames(const tables::PlantTables& tables);
 
-  const core::PlantTables& tables() const { return tables_; }
+  const tables::PlantTables& tables() const { return tables_; }
   std::string_view symbol(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol}]; }
   /// As the list writes it; empty where there is none.
   std::string_view address(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol} + 1]; }
@@ -42,11 +42,11 @@ class PlantNames {
   /// The symbols of a unit, in list order.
   std::span<const std::uint32_t> symbols_of(std::uint32_t unit) const;
   bool is_operation(std::uint32_t symbol) const {
-    return tables_.symbols[symbol].direction() == core::Direction::operation;
+    return tables_.symbols[symbol].direction() == tables::Direction::operation;
   }
 
  private:
-  const core::PlantTables& tables_;
+  const tables::PlantTables& tables_;
   std::vector<std::string_view> symbols_;  ///< name and address of each
   std::vector<std::string_view> units_;
   std::vector<std::string_view> states_;

@@ -7,43 +7,43 @@
 namespace symplant::trace {
 namespace {
 
-std::uint32_t initial_word(const core::UnitRow& unit) {
+std::uint32_t initial_word(const tables::UnitRow& unit) {
   return static_cast<std::uint32_t>(unit.initial | unit.initial << 8);
 }
 
 }  // namespace
 
-std::size_t Recorder::enough_for_an_instant(const core::PlantTables& tables) {
+std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
   // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
   return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 64;
 }
 
-Recorder::Recorder(const core::PlantTables& tables, std::size_t capacity)
+Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)
     : tables_(tables),
-      symbol_of_operation_(tables.operation_bits, core::kNoUnit),
-      symbol_of_event_(tables.event_bits, core::kNoUnit),
-      symbol_of_operation_slot_(tables.operation_slots, core::kNoUnit),
-      symbol_of_event_slot_(tables.event_slots, core::kNoUnit),
+      symbol_of_operation_(tables.operation_bits, tables::kNoUnit),
+      symbol_of_event_(tables.event_bits, tables::kNoUnit),
+      symbol_of_operation_slot_(tables.operation_slots, tables::kNoUnit),
+      symbol_of_event_slot_(tables.event_slots, tables::kNoUnit),
       changed_(tables.symbols.size()),
       ring_(std::bit_ceil(std::max<std::size_t>(capacity, 2))),
       mask_(ring_.size() - 1),
       end_(ring_.size()) {
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
-    const core::SymbolRow& symbol = tables.symbols[i];
-    const bool is_bit = symbol.type() == core::DataType::boolean;
-    const bool operation = symbol.direction() == core::Direction::operation;
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    const bool is_bit = symbol.type() == tables::DataType::boolean;
+    const bool operation = symbol.direction() == tables::Direction::operation;
     auto& map = is_bit ? (operation ? symbol_of_operation_ : symbol_of_event_)
                        : (operation ? symbol_of_operation_slot_ : symbol_of_event_slot_);
     map[symbol.index] = i;
   }
   units_.reserve(tables.units.size());
-  for (const core::UnitRow& unit : tables.units) units_.push_back(initial_word(unit));
+  for (const tables::UnitRow& unit : tables.units) units_.push_back(initial_word(unit));
 }
 
-void Recorder::note_bits(const core::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept {
+void Recorder::note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept {
   for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
     const std::uint32_t symbol = symbol_of_bit[change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (symbol != core::kNoUnit) changed_[changed_count_++] = symbol;
+    if (symbol != tables::kNoUnit) changed_[changed_count_++] = symbol;
   }
 }
 
@@ -62,10 +62,10 @@ void Recorder::publish() noexcept {
   written_.store(at_, std::memory_order_release);
 }
 
-void Recorder::record_symbols(const core::Instant& instant) noexcept {
+void Recorder::record_symbols(const engine::Instant& instant) noexcept {
   changed_count_ = 0;
-  for (const core::WordChange& change : instant.operations) note_bits(change, symbol_of_operation_);
-  for (const core::WordChange& change : instant.events) note_bits(change, symbol_of_event_);
+  for (const engine::WordChange& change : instant.operations) note_bits(change, symbol_of_operation_);
+  for (const engine::WordChange& change : instant.events) note_bits(change, symbol_of_event_);
   for (const std::uint32_t slot : instant.operation_slots) changed_[changed_count_++] = symbol_of_operation_slot_[slot];
   for (const std::uint32_t slot : instant.event_slots) changed_[changed_count_++] = symbol_of_event_slot_[slot];
   if (changed_count_ > 1) {
@@ -73,10 +73,10 @@ void Recorder::record_symbols(const core::Instant& instant) noexcept {
   }
   for (std::size_t i = 0; i < changed_count_; ++i) {
     const std::uint32_t index = changed_[i];
-    const core::SymbolRow& symbol = tables_.symbols[index];
-    const bool operation = symbol.direction() == core::Direction::operation;
+    const tables::SymbolRow& symbol = tables_.symbols[index];
+    const bool operation = symbol.direction() == tables::Direction::operation;
     std::uint64_t value = 0;
-    if (symbol.type() == core::DataType::boolean) {
+    if (symbol.type() == tables::DataType::boolean) {
       value = (operation ? plant_->operation(symbol.index) : plant_->event(symbol.index)) ? 1 : 0;
     } else {
       value = operation ? plant_->operation_value(symbol.index) : plant_->event_value(symbol.index);
@@ -88,7 +88,7 @@ void Recorder::record_symbols(const core::Instant& instant) noexcept {
   }
 }
 
-void Recorder::record_units(const core::Instant& instant) noexcept {
+void Recorder::record_units(const engine::Instant& instant) noexcept {
   for (const std::uint32_t unit : instant.units) {
     const auto word = static_cast<std::uint32_t>(pack_unit(plant_->unit(unit)));
     if (units_[unit] == word) continue;
@@ -99,24 +99,24 @@ void Recorder::record_units(const core::Instant& instant) noexcept {
   }
 }
 
-void Recorder::instant(const core::Instant& instant) noexcept {
+void Recorder::instant(const engine::Instant& instant) noexcept {
   record_symbols(instant);
   record_units(instant);
   publish();
 }
 
-void Recorder::finding(const core::Finding& finding) noexcept {
+void Recorder::finding(const tables::Finding& finding) noexcept {
   if (!put({finding.time, 0, finding.of, Record::Kind::finding, finding.kind, finding.more})) {
     lost_findings_.fetch_add(1, std::memory_order_relaxed);
   }
 }
 
-void Recorder::raise(core::Time time, core::FindingKind kind, std::uint32_t of) noexcept {
+void Recorder::raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept {
   finding({time, of, kind, false});
   publish();
 }
 
-bool Recorder::note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept {
+bool Recorder::note(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept {
   const bool noted = put({time, value, of, Record::Kind::note});
   publish();
   return noted;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 #include "symplant/trace/record.hpp"
 
 namespace symplant::trace {
@@ -14,22 +14,22 @@ namespace symplant::trace {
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains; wait-free between them.
 /// Of an instant its findings come first, in their order, then changes of symbols in the order of the symbol list,
 /// then units. All of an instant is there to be drained, or nothing.
-class Recorder final : public core::Observer {
+class Recorder final : public engine::Observer {
  public:
   /// Room for `capacity` records, rounded up to a power of two; what does not fit is counted as lost.
-  Recorder(const core::PlantTables& tables, std::size_t capacity);
+  Recorder(const tables::PlantTables& tables, std::size_t capacity);
   /// So many records loses nothing where the ring is drained after each instant.
-  static std::size_t enough_for_an_instant(const core::PlantTables& tables);
+  static std::size_t enough_for_an_instant(const tables::PlantTables& tables);
 
   /// The plant whose instants come; to be set before it is advanced.
-  void attach(const core::Plant& plant) { plant_ = &plant; }
+  void attach(const plant::Plant& plant) { plant_ = &plant; }
 
-  void instant(const core::Instant& instant) noexcept override;
-  void finding(const core::Finding& finding) noexcept override;
+  void instant(const engine::Instant& instant) noexcept override;
+  void finding(const tables::Finding& finding) noexcept override;
   /// A finding of the host, between instants, by the thread that runs the plant.
-  void raise(core::Time time, core::FindingKind kind, std::uint32_t of) noexcept;
+  void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept;
   /// Between instants, by the thread that runs the plant. False where there was no room.
-  bool note(core::Time time, std::uint32_t of, std::uint64_t value) noexcept;
+  bool note(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept;
 
   /// Hands every record made so far to `take(const Record&)`.
   template <class Take>
@@ -44,15 +44,15 @@ class Recorder final : public core::Observer {
   std::uint64_t lost_findings() const noexcept { return lost_findings_.load(std::memory_order_relaxed); }
 
  private:
-  void note_bits(const core::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
-  void record_symbols(const core::Instant& instant) noexcept;
-  void record_units(const core::Instant& instant) noexcept;
+  void note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
+  void record_symbols(const engine::Instant& instant) noexcept;
+  void record_units(const engine::Instant& instant) noexcept;
   bool put(const Record& record) noexcept;
   void publish() noexcept;
 
-  const core::PlantTables& tables_;
-  const core::Plant* plant_ = nullptr;
-  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or core::kNoUnit for a bit that none has
+  const tables::PlantTables& tables_;
+  const plant::Plant* plant_ = nullptr;
+  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or tables::kNoUnit for a bit that none has
   std::vector<std::uint32_t> symbol_of_event_;
   std::vector<std::uint32_t> symbol_of_operation_slot_;
   std::vector<std::uint32_t> symbol_of_event_slot_;

@@ -7,34 +7,34 @@ namespace symplant::trace {
 namespace {
 
 /// The requirement that a condition is part of, kNoUnit where it is none's.
-std::uint32_t reader_of(const core::PlantTables& tables, std::uint32_t condition) {
+std::uint32_t reader_of(const tables::PlantTables& tables, std::uint32_t condition) {
   for (;;) {
-    const core::ConditionRow& row = tables.conditions[condition];
-    if (row.reader_kind == core::ReaderKind::requirement) return row.reader;
-    if (row.reader_kind != core::ReaderKind::condition) return core::kNoUnit;
+    const tables::ConditionRow& row = tables.conditions[condition];
+    if (row.reader_kind == tables::ReaderKind::requirement) return row.reader;
+    if (row.reader_kind != tables::ReaderKind::condition) return tables::kNoUnit;
     condition = row.reader;
   }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> requirement_units(const core::PlantTables& tables, std::uint32_t requirement) {
+std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement) {
   const auto reads = [&](std::uint32_t condition) { return reader_of(tables, condition) == requirement; };
   std::set<std::uint32_t> units;
-  for (const core::UnitWatch& watch : tables.unit_watches) {
+  for (const tables::UnitWatch& watch : tables.unit_watches) {
     if (reads(watch.condition)) units.insert(watch.unit);
   }
   std::set<std::uint32_t> operations;
   std::set<std::uint32_t> events;
-  for (const core::BitWatch& watch : tables.operation_watches) {
+  for (const tables::BitWatch& watch : tables.operation_watches) {
     if (reads(watch.condition)) operations.insert(watch.bit);
   }
-  for (const core::BitWatch& watch : tables.event_watches) {
+  for (const tables::BitWatch& watch : tables.event_watches) {
     if (reads(watch.condition)) events.insert(watch.bit);
   }
-  for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.type() != core::DataType::boolean || symbol.unit == core::kNoUnit) continue;
-    const auto& bits = symbol.direction() == core::Direction::operation ? operations : events;
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.type() != tables::DataType::boolean || symbol.unit == tables::kNoUnit) continue;
+    const auto& bits = symbol.direction() == tables::Direction::operation ? operations : events;
     if (bits.contains(symbol.index)) units.insert(symbol.unit);
   }
   return {units.begin(), units.end()};

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::trace {
 
 /// By what its conditions name: units, and the units of symbols; each once, in the plant's order. O(watches).
-std::vector<std::uint32_t> requirement_units(const core::PlantTables& tables, std::uint32_t requirement);
+std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement);
 
 }  // namespace symplant::trace

@@ -5,17 +5,17 @@
 
 #include <utility>
 
-#include "symplant/core/names.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
 
-TraceFile::TraceFile(OutputFile file, const core::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed)
+TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed)
     : tables_(tables),
       file_(std::move(file)),
       head_(fmt::format(R"({{"symplant-trace":1,"plant":{},"model_hash":"{:016x}","seed":{})", json_string(tables.name),
                         model_hash, seed)) {
-  const auto texts = core::split_names(tables.symbol_names);
+  const auto texts = tables::split_names(tables.symbol_names);
   names_.reserve(tables.symbols.size());
   for (std::size_t i = 0; i + 1 < texts.size(); i += 2) {
     names_.push_back(",\"symbol\":" + json_string(texts[i]) + ",\"value\":");
@@ -33,8 +33,8 @@ void TraceFile::write(const Record& record) {
   }
   file_.put(time_);
   file_.put(names_[record.of]);
-  const core::DataType type = tables_.symbols[record.of].type();
-  if (type == core::DataType::boolean) {
+  const tables::DataType type = tables_.symbols[record.of].type();
+  if (type == tables::DataType::boolean) {
     file_.put(record.value != 0 ? "true}\n" : "false}\n");
   } else {
     file_.put(json_value(type, record.value));
@@ -42,7 +42,7 @@ void TraceFile::write(const Record& record) {
   }
 }
 
-void TraceFile::part(core::Time time, const History& history) {
+void TraceFile::part(tables::Time time, const History& history) {
   if (!file_.full() || !has_lines_) return;
   has_lines_ = false;
   file_.begin_anew();

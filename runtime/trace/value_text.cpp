@@ -10,7 +10,7 @@
 namespace symplant::trace {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 
 constexpr std::uint64_t kExactInDouble = std::uint64_t{1} << 53;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::trace {
 
@@ -14,15 +14,15 @@ std::string json_string(std::string_view text);
 
 /// The value of a symbol as JSON: true or false; a number, or a string where a number cannot say it (integers beyond
 /// 2^53, NaN, infinities). REAL and LREAL in the shortest form that reads back.
-std::string json_value(core::DataType type, std::uint64_t value);
+std::string json_value(tables::DataType type, std::uint64_t value);
 
 /// The value of a symbol as people read it: `on`, `off`, a number.
-std::string value_text(core::DataType type, std::uint64_t value);
+std::string value_text(tables::DataType type, std::uint64_t value);
 
 /// SINT, INT, DINT or LINT.
-bool is_signed(core::DataType type) noexcept;
-bool is_real(core::DataType type) noexcept;
+bool is_signed(tables::DataType type) noexcept;
+bool is_real(tables::DataType type) noexcept;
 /// Bits that a value of the type has: 1 to 64.
-int width(core::DataType type) noexcept;
+int width(tables::DataType type) noexcept;
 
 }  // namespace symplant::trace

@@ -17,15 +17,15 @@ VcdFile::VcdFile(OutputFile file, const PlantNames& names) : file_(std::move(fil
   for (std::size_t i = 0; i < count; ++i) identifiers_.push_back(vcd_identifier(i) + "\n");
 }
 
-void VcdFile::put_time(core::Time time) {
+void VcdFile::put_time(tables::Time time) {
   if (time == last_time_) return;
   last_time_ = time;
   file_.put("#" + std::to_string(time) + "\n");
 }
 
 void VcdFile::put_symbol(std::uint32_t symbol, std::uint64_t value) {
-  const core::DataType type = names_.tables().symbols[symbol].type();
-  if (type == core::DataType::boolean) {
+  const tables::DataType type = names_.tables().symbols[symbol].type();
+  if (type == tables::DataType::boolean) {
     file_.put(value != 0 ? "1" : "0");
   } else if (is_real(type)) {
     file_.put(fmt::format("r{:.17g} ", std::bit_cast<double>(value)));
@@ -36,7 +36,7 @@ void VcdFile::put_symbol(std::uint32_t symbol, std::uint64_t value) {
   file_.put(identifiers_[symbol]);
 }
 
-void VcdFile::put_unit(std::uint32_t unit, const core::UnitView& view) {
+void VcdFile::put_unit(std::uint32_t unit, const plant::UnitView& view) {
   file_.put("s");
   file_.put(vcd_string(names_.state(unit, view.state)));
   if (view.moving) {
@@ -47,13 +47,13 @@ void VcdFile::put_unit(std::uint32_t unit, const core::UnitView& view) {
   file_.put(identifiers_[names_.tables().symbols.size() + unit]);
 }
 
-void VcdFile::begin(core::Time time, const History& history) {
+void VcdFile::begin(tables::Time time, const History& history) {
   if (begun_) return;
   begun_ = true;
   file_.put(vcd_header(names_));
   put_time(time);
   file_.put("$dumpvars\n");
-  const core::PlantTables& tables = names_.tables();
+  const tables::PlantTables& tables = names_.tables();
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) put_symbol(s, history.value(s));
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) put_unit(u, history.unit(u));
   file_.put("$end\n");
@@ -71,7 +71,7 @@ void VcdFile::write(const Record& record) {
   }
 }
 
-void VcdFile::part(core::Time time, const History& history) {
+void VcdFile::part(tables::Time time, const History& history) {
   if (!begun_ || !has_lines_ || !file_.full()) return;
   file_.begin_anew();
   begun_ = has_lines_ = false;

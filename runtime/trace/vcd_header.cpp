@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "symplant/core/version.hpp"
+#include "symplant/tables/version.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
@@ -44,7 +44,7 @@ Scope scopes_of(const PlantNames& names) {
 }
 
 void write_symbol(std::string& text, const PlantNames& names, std::uint32_t symbol) {
-  const core::DataType type = names.tables().symbols[symbol].type();
+  const tables::DataType type = names.tables().symbols[symbol].type();
   text += fmt::format("$var {} {} {} {} $end\n", is_real(type) ? "real" : "wire", is_real(type) ? 64 : width(type),
                       vcd_identifier(symbol), vcd_name(names.symbol(symbol)));
 }
@@ -58,7 +58,7 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
     for (const std::uint32_t symbol : names.symbols_of(unit)) write_symbol(text, names, symbol);
   }
   for (std::uint32_t symbol = 0; is_root && symbol < symbols; ++symbol) {
-    if (names.tables().symbols[symbol].unit == core::kNoUnit) write_symbol(text, names, symbol);
+    if (names.tables().symbols[symbol].unit == tables::kNoUnit) write_symbol(text, names, symbol);
   }
   for (const Scope& child : scope.children) write_scope(text, names, child, false);
   text += "$upscope $end\n";
@@ -108,7 +108,7 @@ std::string vcd_string(std::string_view text) {
 }
 
 std::string vcd_header(const PlantNames& names) {
-  std::string text = fmt::format("$version symplant {} $end\n$timescale 1 ns $end\n", core::version());
+  std::string text = fmt::format("$version symplant {} $end\n$timescale 1 ns $end\n", tables::version());
   write_scope(text, names, scopes_of(names), true);
   return text + "$enddefinitions $end\n";
 }

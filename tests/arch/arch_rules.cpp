@@ -19,19 +19,27 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes included
 
-// Lowest first; a floor may use what stands before it.
-constexpr std::array<std::string_view, 11> kGenerator = {"base",  "diag",  "address", "read", "name", "model",
-                                                         "lower", "check", "emit",    "view", "app"};
-constexpr std::array<std::string_view, 9> kRuntime = {"core", "condition", "json",     "share", "exec",
-                                                      "link", "trace",     "scenario", "host"};
+// Lowest first; a floor may use those before it.
+constexpr std::array<std::string_view, 14> kGenerator = {"base",     "text",        "diag",  "address", "read",
+                                                         "name",     "description", "model", "lower",   "check",
+                                                         "findings", "emit",        "view",  "app"};
+constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
+                                                       "exec",   "link",   "trace", "scenario",  "host"};
 
-/// How much of the runtime a floor of the generator may use: its first so many floors.
+/// Which floors of the runtime a floor of the generator may use.
 struct RuntimeUse {
   std::string_view floor;
-  std::size_t floors;
+  std::string_view uses;  ///< with blanks between and around
 };
-constexpr std::array kRuntimeUse = {RuntimeUse{"model", 3}, RuntimeUse{"lower", 2}, RuntimeUse{"check", 3},
-                                    RuntimeUse{"emit", 1},  RuntimeUse{"view", 2},  RuntimeUse{"app", kRuntime.size()}};
+constexpr std::array kRuntimeUse = {
+    RuntimeUse{"description", " tables json link "},
+    RuntimeUse{"model", " tables condition link "},
+    RuntimeUse{"lower", " tables condition "},
+    RuntimeUse{"check", " tables condition "},
+    RuntimeUse{"emit", " tables plant "},
+    RuntimeUse{"view", " tables "},
+    RuntimeUse{"app", " tables json link scenario host "},
+};
 
 /// Where a third party's headers may be included.
 struct ThirdParty {
@@ -95,11 +103,11 @@ std::string_view behind_first_part(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(slash + 1);
 }
 
-std::size_t runtime_floors_for(std::string_view generator_floor) {
-  for (const RuntimeUse& use : kRuntimeUse) {
-    if (use.floor == generator_floor) return use.floors;
-  }
-  return 0;
+bool may_use_of_runtime(std::string_view generator_floor, std::string_view used) {
+  const std::string word = " " + std::string(used) + " ";
+  return std::any_of(kRuntimeUse.begin(), kRuntimeUse.end(), [&](const RuntimeUse& use) {
+    return use.floor == generator_floor && use.uses.find(word) != use.uses.npos;
+  });
 }
 
 /// What is wrong with an include, by a file of the floor given; nothing where all is well.
@@ -112,9 +120,10 @@ std::string fault_of(std::string_view what, bool in_generator, std::string_view 
   const auto at = of_runtime ? place(kRuntime, used) : place(kGenerator, used);
   if (!at) return "is on no floor";
   if (!of_runtime && !in_generator) return "is the generator's: the runtime stands alone";
-  const std::size_t allowed = of_runtime ? (in_generator ? runtime_floors_for(floor) : *place(kRuntime, floor) + 1)
-                                         : *place(kGenerator, floor) + 1;
-  return *at < allowed ? "" : "climbs: `" + std::string(floor) + "` may not use it";
+  const bool allowed = !of_runtime    ? *at <= *place(kGenerator, floor)
+                       : in_generator ? may_use_of_runtime(floor, used)
+                                      : *at <= *place(kRuntime, floor);
+  return allowed ? "" : "climbs: `" + std::string(floor) + "` may not use it";
 }
 
 std::string fault(const File& file, std::size_t line, std::string_view what) {

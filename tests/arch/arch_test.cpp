@@ -41,25 +41,25 @@ TEST_CASE("A climbing include is named with file and line") {
   CHECK(climbing_includes(tree_of("generator/base/file.hpp", "#include \"app/options.hpp\"")) ==
         Faults{"generator/base/file.hpp:3: \"app/options.hpp\" climbs: `base` may not use it"});
   CHECK(climbing_includes(tree_of("generator/read/deep/file.cpp", "  #  include \"name/rule.hpp\"")).size() == 1);
-  CHECK(climbing_includes(tree_of("runtime/core/file.cpp", "#include \"symplant/link/link.hpp\"")) ==
-        Faults{"runtime/core/file.cpp:3: \"symplant/link/link.hpp\" climbs: `core` may not use it"});
+  CHECK(climbing_includes(tree_of("runtime/tables/file.cpp", "#include \"symplant/link/link.hpp\"")) ==
+        Faults{"runtime/tables/file.cpp:3: \"symplant/link/link.hpp\" climbs: `tables` may not use it"});
 }
 
 TEST_CASE("A floor may use itself and what is below") {
   CHECK(climbing_includes(tree_of("generator/emit/file.cpp", "#include \"emit/keys.hpp\"")).empty());
-  CHECK(climbing_includes(tree_of("generator/emit/file.cpp", "#include \"base/ascii.hpp\"")).empty());
-  CHECK(climbing_includes(tree_of("runtime/host/file.cpp", "#include \"symplant/core/time.hpp\"")).empty());
-  CHECK(climbing_includes(tree_of("runtime/core/file.cpp", "#include \"symplant/core/time.hpp\"")).empty());
+  CHECK(climbing_includes(tree_of("generator/emit/file.cpp", "#include \"text/ascii.hpp\"")).empty());
+  CHECK(climbing_includes(tree_of("runtime/host/file.cpp", "#include \"symplant/tables/time.hpp\"")).empty());
+  CHECK(climbing_includes(tree_of("runtime/tables/file.cpp", "#include \"symplant/tables/time.hpp\"")).empty());
 }
 
 TEST_CASE("The generator's floors use of the runtime what the house lets them") {
-  const std::string core = "#include \"symplant/core/tables.hpp\"";
+  const std::string core = "#include \"symplant/tables/tables.hpp\"";
   const std::string condition = "#include \"symplant/condition/parser.hpp\"";
   const std::string host = "#include \"symplant/host/run.hpp\"";
-  for (const std::string floor : {"base", "diag", "address", "read", "name"}) {
+  for (const std::string floor : {"base", "text", "diag", "address", "read", "name", "findings"}) {
     CHECK(climbing_includes(tree_of("generator/" + floor + "/file.cpp", core)).size() == 1);
   }
-  for (const std::string floor : {"model", "lower", "check", "emit"}) {
+  for (const std::string floor : {"description", "model", "lower", "check", "emit"}) {
     CHECK(climbing_includes(tree_of("generator/" + floor + "/file.cpp", core)).empty());
     CHECK(climbing_includes(tree_of("generator/" + floor + "/file.cpp", host)).size() == 1);
   }
@@ -76,13 +76,13 @@ TEST_CASE("A file or an include on no floor is a fault") {
   CHECK(climbing_includes(tree_of("generator/attic/file.hpp", "")).size() == 1);
   CHECK(climbing_includes(tree_of("generator/base/file.hpp", "#include \"attic/file.hpp\"")).size() == 1);
   CHECK(climbing_includes(tree_of("generator/base/file.hpp", "#include \"beside.hpp\"")).size() == 1);
-  CHECK(climbing_includes(tree_of("generator/app/file.hpp", "#include <symplant/core/time.hpp>")).size() == 1);
+  CHECK(climbing_includes(tree_of("generator/app/file.hpp", "#include <symplant/tables/time.hpp>")).size() == 1);
 }
 
 TEST_CASE("A third party out of place is a fault") {
   CHECK(stray_third_parties(tree_of("generator/read/file.cpp", "#include <boost/spirit/home/x3.hpp>")).size() == 1);
   CHECK(stray_third_parties(tree_of("generator/name/file.cpp", "#include <boost/spirit/home/x3.hpp>")).empty());
-  CHECK(stray_third_parties(tree_of("runtime/core/file.cpp", "#include <CLI/App.hpp>")).size() == 1);
+  CHECK(stray_third_parties(tree_of("runtime/tables/file.cpp", "#include <CLI/App.hpp>")).size() == 1);
   CHECK(stray_third_parties(tree_of("runtime/trace/file.hpp", "#include <nlohmann/json.hpp>")).size() == 1);
   CHECK(stray_third_parties(tree_of("runtime/trace/file.cpp", "#include <nlohmann/json.hpp>")).empty());
 }

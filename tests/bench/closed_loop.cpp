@@ -21,15 +21,15 @@ void closed_loop(benchmark::State& state) {
 }
 
 void idle(benchmark::State& state) {
-  TwoStatePlant made(static_cast<std::uint32_t>(state.range(0)), {core::kSecond});
+  TwoStatePlant made(static_cast<std::uint32_t>(state.range(0)), {tables::kSecond});
   made.plant->advance_to(0);
-  core::Time now = 0;
+  tables::Time now = 0;
   for (auto _ : state) made.plant->advance_to(++now);
 }
 
 /// Saves a plant and puts it back; `copy_ns` is a plain copy of as many bytes there and back.
 void save_and_restore(benchmark::State& state) {
-  TwoStatePlant made(static_cast<std::uint32_t>(state.range(0)), {core::kSecond});
+  TwoStatePlant made(static_cast<std::uint32_t>(state.range(0)), {tables::kSecond});
   made.plant->advance_to(0);
   std::vector<std::byte> saved(made.plant->save().size());
   for (auto _ : state) {
@@ -59,11 +59,11 @@ void copy_there_and_back(benchmark::State& state) {
 template <class Made>
 void memory(benchmark::State& state) {
   const auto devices = static_cast<std::uint32_t>(state.range(0));
-  const Made made(devices, {core::kSecond});
-  for (auto _ : state) benchmark::DoNotOptimize(core::Plant::memory_size(made.tables));
+  const Made made(devices, {tables::kSecond});
+  for (auto _ : state) benchmark::DoNotOptimize(plant::Plant::memory_size(made.tables));
   const auto share = [&](std::size_t bytes) { return static_cast<double>(bytes) / devices; };
-  state.counters["row_and_block"] = share(made.plant->save().size()) + sizeof(core::UnitRow);
-  state.counters["with_index"] = share(core::Plant::memory_size(made.tables)) + sizeof(core::UnitRow);
+  state.counters["row_and_block"] = share(made.plant->save().size()) + sizeof(tables::UnitRow);
+  state.counters["with_index"] = share(plant::Plant::memory_size(made.tables)) + sizeof(tables::UnitRow);
 }
 
 BENCHMARK_TEMPLATE(closed_loop, LimitGrid)->Name("limit, grid")->Arg(1'000)->Arg(10'000)->Arg(100'000);

@@ -15,7 +15,7 @@
 namespace symplant::bench {
 
 inline constexpr std::uint32_t kTicks = 100;  // of 10 ms: every travel takes a second, arrivals spread over all of them
-inline constexpr core::Time kTick = 10 * core::kMillisecond;
+inline constexpr tables::Time kTick = 10 * tables::kMillisecond;
 
 /// Answers arrivals: `give(bit)` gives the command of that bit and takes back the other one of its device. Gives their
 /// number.
@@ -68,14 +68,14 @@ class LimitGrid {
 template <class Made>
 class EngineLoop {
  public:
-  EngineLoop(std::uint32_t devices, const std::vector<core::Time>& travels)
+  EngineLoop(std::uint32_t devices, const std::vector<tables::Time>& travels)
       : made_(devices, travels), seen_(made_.tables.event_bits / 64) {
     plant().advance_to(0);
     for (std::uint32_t word = 0; word < seen_.size(); ++word) seen_[word] = plant().events()[word];
   }
 
  protected:
-  core::Plant& plant() { return *made_.plant; }
+  plant::Plant& plant() { return *made_.plant; }
 
   std::int64_t answer_plant() {
     std::int64_t motions = 0;
@@ -115,7 +115,7 @@ class EngineScan : public EngineLoop<Made> {
   }
 
  private:
-  core::Time now_ = 0;
+  tables::Time now_ = 0;
 };
 using EngineGrid = EngineScan<TwoStatePlant>;
 /// *rich*: the same with a condition and an `after` a device, and disables.
@@ -127,7 +127,7 @@ class EngineDistinct : public EngineLoop<TwoStatePlant> {
   explicit EngineDistinct(std::uint32_t devices) : EngineLoop(devices, travels(devices)) {
     for (std::uint32_t d = 0; d < devices; ++d) {  // their arrivals spread over the time that a travel takes
       plant().set_operation(2 * d + 1, true);
-      plant().advance_to(1 + core::kSecond / devices * core::Time{d});
+      plant().advance_to(1 + tables::kSecond / devices * tables::Time{d});
       answer_plant();
     }
     for (std::uint32_t d = 0; d < 2 * devices; ++d) step();
@@ -142,9 +142,9 @@ class EngineDistinct : public EngineLoop<TwoStatePlant> {
 
  private:
   /// Travels that differ by a prime number of nanoseconds: hardly two arrivals coincide.
-  static std::vector<core::Time> travels(std::uint32_t devices) {
-    std::vector<core::Time> times;
-    for (std::uint32_t d = 0; d < devices; ++d) times.push_back(core::kSecond + 7919 * core::Time{d});
+  static std::vector<tables::Time> travels(std::uint32_t devices) {
+    std::vector<tables::Time> times;
+    for (std::uint32_t d = 0; d < devices; ++d) times.push_back(tables::kSecond + 7919 * tables::Time{d});
     return times;
   }
 };

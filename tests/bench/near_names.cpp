@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "check/device_classes.hpp"
-#include "check/slips.hpp"
+#include "check/spelling/device_classes.hpp"
+#include "check/spelling/slips.hpp"
 #include "model/build_plant.hpp"
 #include "name/named_table.hpp"
 #include "read/readers.hpp"

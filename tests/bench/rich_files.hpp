@@ -13,13 +13,13 @@
 #include "app/pipeline.hpp"
 #include "bench/two_state_plant.hpp"
 #include "support/memory_file_system.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 
 namespace symplant::bench {
 
 /// The devices, conditions, times and disables of RichPlant. Throws where the files are refused.
 struct RichFiles {
-  RichFiles(std::uint32_t devices, const std::vector<core::Time>& travel_times) {
+  RichFiles(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     test::MemoryFileSystem files;
     std::string& list = files.files["list.csv"];
     std::string& plant_json = files.files["plant.json"];
@@ -48,12 +48,12 @@ struct RichFiles {
     compiled = app::compile({"plant.json", {}, {}}, files, progress, diagnostics);
     if (!compiled) throw std::runtime_error(diagnostics.all()[0].message);
     tables = compiled->tables.tables();
-    plant = std::make_unique<core::OwnedPlant>(tables);
+    plant = std::make_unique<plant::OwnedPlant>(tables);
   }
 
   std::optional<app::Compiled> compiled;
-  core::PlantTables tables{};
-  std::unique_ptr<core::OwnedPlant> plant;
+  tables::PlantTables tables{};
+  std::unique_ptr<plant::OwnedPlant> plant;
 };
 
 }  // namespace symplant::bench

@@ -7,15 +7,15 @@
 #include <memory>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::bench {
 
 /// N devices of one type with two states; unit u travels times[u % times.size()] nanoseconds.
 struct TwoStatePlant {
-  TwoStatePlant(std::uint32_t devices, const std::vector<core::Time>& travel_times) {
-    types.push_back({2, 2, 2, core::kNoState, core::Actuation::latched, kTransitions, kEnter, kLeave, kTargets});
-    for (const core::Time travel : travel_times) {
+  TwoStatePlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, kEnter, kLeave, kTargets});
+    for (const tables::Time travel : travel_times) {
       times.push_back({0, travel});
       times.push_back({0, travel});
       times.push_back({0, travel});
@@ -28,36 +28,36 @@ struct TwoStatePlant {
     tables.units = units;
     tables.times = times;
     tables.operation_bits = tables.event_bits = (2 * devices + 63) / 64 * 64;
-    memory.resize(core::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
-    plant = std::make_unique<core::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
+    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }
 
-  static constexpr std::array<core::Transition, 2> kTransitions{{{0, 1, 1}, {1, 0, 0}}};
-  static constexpr std::array<core::EventMasks, 2> kEnter{{{1, 0}, {2, 0}}};
-  static constexpr std::array<core::EventMasks, 2> kLeave{{{0, 1}, {0, 2}}};
+  static constexpr std::array<tables::Transition, 2> kTransitions{{{0, 1, 1}, {1, 0, 0}}};
+  static constexpr std::array<tables::EventMasks, 2> kEnter{{{1, 0}, {2, 0}}};
+  static constexpr std::array<tables::EventMasks, 2> kLeave{{{0, 1}, {0, 2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
 
-  std::vector<core::TypeRow> types;
-  std::vector<core::UnitRow> units;
-  std::vector<core::TransitionTimes> times;
-  core::PlantTables tables{};
+  std::vector<tables::TypeRow> types;
+  std::vector<tables::UnitRow> units;
+  std::vector<tables::TransitionTimes> times;
+  tables::PlantTables tables{};
   std::vector<std::max_align_t> memory;
-  std::unique_ptr<core::Plant> plant;
+  std::unique_ptr<plant::Plant> plant;
 };
 
 /// The same with all that costs: each device leaves only while one device far from it is not settled in its first state
 /// or another one is, which must have held for 10 ms; one in eight, settled in its second state, disables its
 /// neighbour.
 struct RichPlant {
-  RichPlant(std::uint32_t devices, const std::vector<core::Time>& travel_times) {
-    types.push_back({2, 2, 2, core::kNoState, core::Actuation::latched, kTransitions, TwoStatePlant::kEnter,
+  RichPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, TwoStatePlant::kEnter,
                      TwoStatePlant::kLeave, TwoStatePlant::kTargets});
     times.push_back({0, travel_times.front()});
     times.push_back({kAfter, travel_times.front()});
     times.push_back({kAfter, travel_times.front()});
     for (std::uint32_t d = 0; d < devices; ++d) {
       units.push_back({0, 0, 1, 2 * d, 2 * d, 0});
-      conditions.push_back({0b1101, d, 0, core::ReaderKind::unit});
+      conditions.push_back({0b1101, d, 0, tables::ReaderKind::unit});
       conditioned.push_back({d, d});
       watches.push_back({d, (d + devices - kFar % devices) % devices, 0, 0});
       watches.push_back({d, (d + devices - kFarther % devices) % devices, 0, 1});
@@ -71,25 +71,26 @@ struct RichPlant {
     tables.unit_watches = watches;
     tables.disables = disables;
     tables.operation_bits = tables.event_bits = (2 * devices + 63) / 64 * 64;
-    memory.resize(core::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
-    plant = std::make_unique<core::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
+    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }
 
-  static constexpr core::Time kAfter = 10 * core::kMillisecond;
+  static constexpr tables::Time kAfter = 10 * tables::kMillisecond;
   static constexpr std::uint32_t kFar = 37;
   static constexpr std::uint32_t kFarther = 61;
-  static constexpr std::array<core::Transition, 2> kTransitions{{{0, 1, 1, false, 0, true}, {1, 0, 0, false, 0, true}}};
+  static constexpr std::array<tables::Transition, 2> kTransitions{
+      {{0, 1, 1, false, 0, true}, {1, 0, 0, false, 0, true}}};
 
-  std::vector<core::TypeRow> types;
-  std::vector<core::UnitRow> units;
-  std::vector<core::TransitionTimes> times;
-  std::vector<core::ConditionRow> conditions;
-  std::vector<core::ConditionedUnit> conditioned;
-  std::vector<core::UnitWatch> watches;
-  std::vector<core::DisableRow> disables;
-  core::PlantTables tables{};
+  std::vector<tables::TypeRow> types;
+  std::vector<tables::UnitRow> units;
+  std::vector<tables::TransitionTimes> times;
+  std::vector<tables::ConditionRow> conditions;
+  std::vector<tables::ConditionedUnit> conditioned;
+  std::vector<tables::UnitWatch> watches;
+  std::vector<tables::DisableRow> disables;
+  tables::PlantTables tables{};
   std::vector<std::max_align_t> memory;
-  std::unique_ptr<core::Plant> plant;
+  std::unique_ptr<plant::Plant> plant;
 };
 
 }  // namespace symplant::bench

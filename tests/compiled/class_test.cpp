@@ -29,7 +29,7 @@ static_assert(ROBOT::d_int(ROBOT::State::kDONE3) == ROBOT::State::kIDLE1);
 static_assert(ROBOT::d_int(ROBOT::State::kIDLE1) == ROBOT::State::kIDLE1);
 
 // A single solenoid rests where nothing commands it.
-static_assert(cylinder::CYL::row().actuation == core::Actuation::spring);
+static_assert(cylinder::CYL::row().actuation == tables::Actuation::spring);
 static_assert(cylinder::CYL::row().rest == static_cast<std::uint8_t>(cylinder::CYL::State::kRET));
 
 TEST_CASE("symbols alone disable nobody") {
@@ -44,8 +44,8 @@ TEST_CASE("the factory makes a plant whose devices and symbols go by name") {
   plant->advance_to(0);
   CHECK(static_cast<AGV::State>(plant->unit(device).state) == AGV::State::kP1);
   plant->set_operation(plant->tables().symbols[symbol].index, true);
-  plant->advance_to(core::kSecond);
-  plant->advance_to(2 * core::kSecond);
+  plant->advance_to(tables::kSecond);
+  plant->advance_to(2 * tables::kSecond);
   CHECK(static_cast<AGV::State>(plant->unit(device).state) == AGV::State::kP2);
 }
 

@@ -25,14 +25,14 @@ app::Compiled compile() {
 
 TEST_CASE("generated links have the maps and policies of the links made at run time") {
   const app::Compiled compiled = compile();
-  const core::PlantTables tables = compiled.tables.tables();
+  const tables::PlantTables tables = compiled.tables.tables();
   const auto generated = linked::link_settings();
   REQUIRE(generated.size() == 2);
   REQUIRE(compiled.plant.links.size() == 2);
   std::uint64_t before = 0;
   for (std::uint32_t controller = 0; controller < generated.size(); ++controller) {
-    const core::LinkSettings made = compiled.plant.links[controller].settings();
-    const core::LinkSettings& own = generated[controller];
+    const link::LinkSettings made = compiled.plant.links[controller].settings();
+    const link::LinkSettings& own = generated[controller];
     const link::IoMap map = link::make_io_map(linked::tables(), controller, own);
     CHECK(map.faults.empty());
     const std::uint64_t hash = link::map_hash(linked::tables(), map);
@@ -53,7 +53,7 @@ TEST_CASE("generated links have the maps and policies of the links made at run t
     CHECK(own.connections == made.connections);
     CHECK(own.idle == made.idle);
     CHECK(std::equal(own.keep.begin(), own.keep.end(), made.keep.begin(), made.keep.end()));
-    const auto same = [](const core::PlaceRow& a, const core::PlaceRow& b) {
+    const auto same = [](const link::PlaceRow& a, const link::PlaceRow& b) {
       return a.symbol == b.symbol && a.number == b.number && a.word_order == b.word_order && a.on_loss == b.on_loss;
     };
     CHECK(std::equal(own.places.begin(), own.places.end(), made.places.begin(), made.places.end(), same));

@@ -12,28 +12,28 @@
 #include "compiled_excell/plant_gen.hpp"
 #include "compiled_mixed/plant_gen.hpp"
 #include "support/catch.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 #include "symplant/trace/recorder.hpp"
 
 namespace altered_1 {
-const symplant::core::PlantTables& tables() noexcept;
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+const symplant::tables::PlantTables& tables() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 }  // namespace altered_1
 namespace altered_2 {
-const symplant::core::PlantTables& tables() noexcept;
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+const symplant::tables::PlantTables& tables() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 }  // namespace altered_2
 namespace altered_3 {
-const symplant::core::PlantTables& tables() noexcept;
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+const symplant::tables::PlantTables& tables() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 }  // namespace altered_3
 namespace altered_4 {
-const symplant::core::PlantTables& tables() noexcept;
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+const symplant::tables::PlantTables& tables() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 }  // namespace altered_4
 namespace altered_5 {
-const symplant::core::PlantTables& tables() noexcept;
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+const symplant::tables::PlantTables& tables() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 }  // namespace altered_5
 
 namespace symplant::test {
@@ -41,7 +41,7 @@ namespace {
 
 struct Case {
   std::string list;
-  const core::PlantTables& generated;
+  const tables::PlantTables& generated;
 };
 
 std::vector<Case> cases() {
@@ -61,25 +61,25 @@ app::Compiled compile(const std::string& list) {
   return std::move(*compiled);
 }
 
-using Trace = std::vector<std::tuple<core::Time, std::uint32_t, std::uint64_t>>;
+using Trace = std::vector<std::tuple<tables::Time, std::uint32_t, std::uint64_t>>;
 
 /// What a plant does under random operations, one at a random time after another.
-Trace random_trace(const core::PlantTables& tables, unsigned seed) {
-  core::OwnedPlant plant(tables);
+Trace random_trace(const tables::PlantTables& tables, unsigned seed) {
+  plant::OwnedPlant plant(tables);
   trace::Recorder recorder(tables, 1 << 16);
   recorder.attach(plant);
   Trace trace;
-  std::vector<const core::SymbolRow*> operations;
-  for (const core::SymbolRow& symbol : tables.symbols) {
-    if (symbol.direction() == core::Direction::operation) operations.push_back(&symbol);
+  std::vector<const tables::SymbolRow*> operations;
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.direction() == tables::Direction::operation) operations.push_back(&symbol);
   }
   std::mt19937_64 random(seed);
-  core::Time now = 0;
+  tables::Time now = 0;
   plant.advance_to(0, &recorder);
   for (int step = 0; step < 2000; ++step) {
-    now += static_cast<core::Time>(random() % (random() % 2 == 0 ? 400'000'000 : 3'000'000'000));
-    const core::SymbolRow& symbol = *operations[random() % operations.size()];
-    if (symbol.type() == core::DataType::boolean) {
+    now += static_cast<tables::Time>(random() % (random() % 2 == 0 ? 400'000'000 : 3'000'000'000));
+    const tables::SymbolRow& symbol = *operations[random() % operations.size()];
+    if (symbol.type() == tables::DataType::boolean) {
       plant.set_operation(symbol.index, random() % 2 == 0);
     } else {
       plant.set_operation_value(symbol.index, random() % 1000);
@@ -97,7 +97,7 @@ TEST_CASE("a generated plant has the hash of the plant made at run time") {
   for (const Case& c : cases()) {
     INFO(c.list);
     const app::Compiled compiled = compile(c.list);
-    CHECK(core::model_hash(c.generated) == core::model_hash(compiled.tables.tables()));
+    CHECK(tables::model_hash(c.generated) == tables::model_hash(compiled.tables.tables()));
     CHECK(c.generated.list_names == compiled.tables.tables().list_names);
     for (std::size_t i = 0; i < c.generated.symbols.size(); ++i) {
       CHECK(c.generated.symbols[i].row == compiled.tables.symbols[i].row);  // cited, though not in the hash
@@ -106,11 +106,11 @@ TEST_CASE("a generated plant has the hash of the plant made at run time") {
 }
 
 TEST_CASE("a generated plant with one row altered has another hash") {
-  std::set<std::uint64_t> hashes{core::model_hash(excell::tables())};
+  std::set<std::uint64_t> hashes{tables::model_hash(excell::tables())};
   for (const auto& tables :
        {std::cref(altered_1::tables()), std::cref(altered_2::tables()), std::cref(altered_3::tables()),
         std::cref(altered_4::tables()), std::cref(altered_5::tables())}) {
-    CHECK(hashes.insert(core::model_hash(tables)).second);
+    CHECK(hashes.insert(tables::model_hash(tables)).second);
   }
 }
 

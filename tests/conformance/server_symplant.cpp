@@ -3,8 +3,8 @@
 #include <iostream>
 #include <thread>
 
-#include "symplant/core/version.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/version.hpp"
 #include "unit/link/plant_server.hpp"
 #include "unit/link/symbol_list.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kBits = 2016;
 constexpr std::uint32_t kRegisters = 160;
-constexpr core::Time kCycle = 10 * core::kMillisecond;  // the default of a run
+constexpr tables::Time kCycle = 10 * tables::kMillisecond;  // the default of a run
 
 test::SymbolList symbols() {
   test::SymbolList list;
@@ -23,8 +23,8 @@ test::SymbolList symbols() {
     list.add("D" + std::to_string(i), test::SymbolList::kIn, i);
   }
   for (std::uint32_t i = 0; i < kRegisters; ++i) {
-    list.add("H" + std::to_string(i), test::SymbolList::kOut, i, core::DataType::word);
-    const std::uint32_t row = list.add("I" + std::to_string(i), test::SymbolList::kIn, i, core::DataType::word);
+    list.add("H" + std::to_string(i), test::SymbolList::kOut, i, tables::DataType::word);
+    const std::uint32_t row = list.add("I" + std::to_string(i), test::SymbolList::kIn, i, tables::DataType::word);
     list.start_at(row, 0xF000 + i);
   }
   return list;
@@ -34,7 +34,7 @@ test::SymbolList symbols() {
 
 int main() {
   const test::SymbolList list = symbols();
-  const core::PlantTables tables = list.tables();
+  const tables::PlantTables tables = list.tables();
   test::OwnedPlant plant(tables);
   // Rows go C0, D0, C1, D1 ...
   for (std::uint32_t i = 0; i < kBits; ++i) plant->set_input(2 * i + 1, i % 5 < 2 ? 1 : 0);
@@ -46,8 +46,8 @@ int main() {
   plant->forget_changed_events();
   std::cout << test::port_of(*link);
   for (const std::uint32_t size : link::make_io_map(tables, 0, settings).sizes) std::cout << ' ' << size;
-  std::cout << " symplant " << core::version() << std::endl;
-  for (core::Time time = kCycle;; time += kCycle) {
+  std::cout << " symplant " << tables::version() << std::endl;
+  for (tables::Time time = kCycle;; time += kCycle) {
     link->read_operations(*plant, time);
     plant->advance_to(time);
     link->write_events(*plant, {});

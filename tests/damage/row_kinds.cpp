@@ -1,8 +1,8 @@
 // Damage to whole rows, to types and to initial values.
 #include <algorithm>
 
-#include "base/ascii.hpp"
 #include "damage/kinds.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::damage {
 namespace {

@@ -3,9 +3,9 @@
 #include <variant>
 #include <vector>
 
+#include "description/faults.hpp"
 #include "fuzz/target.hpp"
 #include "model/condition_text.hpp"
-#include "model/faults.hpp"
 #include "model/plant_names.hpp"
 #include "symplant/condition/expression.hpp"
 #include "symplant/condition/resolve.hpp"
@@ -185,9 +185,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::require(std::holds_alternative<condition::Expression>(again), "what a condition is written as is no condition");
   fuzz::require(fuzz::same(expression, std::get<condition::Expression>(again)), "written and read, it is another");
 
-  static std::vector<model::DescriptionFault> found;
-  static std::vector<model::DescriptionFault> warned;
-  static const model::Faults faults{found, warned};
+  static std::vector<description::DescriptionFault> found;
+  static std::vector<description::DescriptionFault> warned;
+  static const description::Faults faults{found, warned};
   static const model::PlantNames names{fuzz::fixed_plant(), faults};
   fuzz::look_at_meaning(text, names);
   return 0;

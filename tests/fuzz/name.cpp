@@ -1,9 +1,9 @@
 // Any text as a symbol's name: what is read of it must be the name again.
 #include <algorithm>
 
-#include "base/utf8.hpp"
 #include "fuzz/target.hpp"
 #include "name/name_parser.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::fuzz {
 namespace {
@@ -40,7 +40,7 @@ void look_at_fault(std::string_view name, const NameReading& reading) {
   const auto separators = static_cast<std::size_t>(std::count(name.begin(), name.end(), '_'));
   if (reading.fault == NameFault::illegal_character) {
     require(reading.levels == 0 && end > begin, "an illegal character that is none");
-    require(base::code_point_at(name, begin).length == end - begin, "an illegal character is one character");
+    require(text::code_point_at(name, begin).length == end - begin, "an illegal character is one character");
   } else {
     require(reading.levels == separators + 1, "levels are miscounted");
   }

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
-#include "base/utf8.hpp"
 #include "diag/json.hpp"
 #include "diag/text.hpp"
 #include "emit/emit.hpp"
 #include "support/memory_file_system.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::fuzz {
 namespace {
@@ -69,7 +69,7 @@ void require(bool holds, std::string_view what) {
 
 bool is_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const base::CodePoint point = base::code_point_at(text, at);
+    const text::CodePoint point = text::code_point_at(text, at);
     if (!point.valid) return false;
     at += point.length;
   }
@@ -109,7 +109,7 @@ void compile_all(const std::string& plant, const base::FileSystem& files) {
   require(compiled.has_value() || diagnostics.has_errors(), "nothing was compiled, and no error says why");
   look_at_findings(diagnostics);
   if (!compiled || compiled->plant.symbols.size() > kMostEmitted) return;
-  const std::uint64_t hash = core::model_hash(compiled->tables.tables());
+  const std::uint64_t hash = tables::model_hash(compiled->tables.tables());
   if (hash % kOneEmittedIn == 0) require(emit_ascii(*compiled) == emit_ascii(*compiled), "generating twice differs");
 }
 

@@ -1,8 +1,8 @@
 // Hostile symbol lists.
 #include <array>
 
-#include "base/utf8.hpp"
 #include "inputs.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::hostile {
 namespace {

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "base/utf8.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::hostile {
 namespace {
@@ -47,7 +47,7 @@ void send(int descriptor, const std::string& path) {
 /// Line ends and tabs are none.
 void look_for_control_characters(const std::string& text, Run& run) {
   for (std::size_t at = 0; at < text.size();) {
-    const base::CodePoint point = base::code_point_at(text, at);
+    const text::CodePoint point = text::code_point_at(text, at);
     run.ill_formed = run.ill_formed || !point.valid || point.value == 0x7F ||
                      (point.value < 0x20 && point.value != '\n' && point.value != '\t');
     run.steers_terminal = run.steers_terminal || (point.value >= 0x80 && point.value < 0xA0);

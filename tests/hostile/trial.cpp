@@ -9,8 +9,8 @@
 #include <iterator>
 #include <map>
 
-#include "base/utf8.hpp"
 #include "process.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::hostile {
 namespace {
@@ -183,7 +183,7 @@ Outcome try_out(const std::string& tool, const Misuse& misuse, const Limits& lim
   constexpr std::size_t kShown = 120;
   if (line.size() > kShown) {
     std::size_t end = kShown;
-    while (base::is_continuation(line[end])) --end;
+    while (text::is_continuation(line[end])) --end;
     line = line.substr(0, end) + " ...";
   }
   Outcome outcome{"", fmt::format("{} | {}", run.code, line), {}};

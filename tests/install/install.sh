@@ -8,6 +8,6 @@ rm -rf "$prefix"
 "$cmake" --install "$build_dir" --prefix "$prefix" >"$work/log" || fail "cmake --install" "$work/log"
 "$prefix/bin/symplant" --version || fail "the installed tool does not run"
 [[ -n $(find "$prefix" -name symplantConfig.cmake) ]] || fail "no package file"
-[[ -n $(find "$prefix" -path '*/symplant/core/plant.hpp') ]] || fail "no headers"
+[[ -n $(find "$prefix" -path '*/symplant/plant/plant.hpp') ]] || fail "no headers"
 [[ -n $(find "$prefix" -name LICENSE) ]] || fail "no licence"
 if grep -rlF "$build_dir" "$prefix" --include='*.cmake' --include='*.hpp'; then fail "the package names the build's folder"; fi

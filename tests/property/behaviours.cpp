@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "symplant/core/names.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::property {
 namespace {
 
-using core::kMillisecond;
-using core::Time;
+using tables::kMillisecond;
+using tables::Time;
 
 /// Durations of its own, some of them drawn, some by what it sees.
 template <class View>
@@ -45,9 +45,9 @@ struct Counting {
   static constexpr std::uint32_t kMemory = sizeof(Memory);
   static std::uint8_t wanted(View& view) noexcept {
     const auto& memory = view.template memory<Memory>();
-    if (!view.quality()) return core::kNoState;
+    if (!view.quality()) return tables::kNoState;
     if (view.input(0)) return view.state();
-    return memory.entered % 3 == 2 ? static_cast<std::uint8_t>(memory.entered % 2) : core::kNoState;
+    return memory.entered % 3 == 2 ? static_cast<std::uint8_t>(memory.entered % 2) : tables::kNoState;
   }
   static void entered(View& view, std::uint8_t state) noexcept {
     ++view.template memory<Memory>().entered;
@@ -77,7 +77,7 @@ struct Waking {
   static constexpr std::uint32_t kMemory = sizeof(Memory);
   static std::uint8_t wanted(View& view) noexcept {
     const std::uint64_t wish = view.template memory<Memory>().wish;
-    return wish == 0 ? core::kNoState : static_cast<std::uint8_t>(wish % 2);
+    return wish == 0 ? tables::kNoState : static_cast<std::uint8_t>(wish % 2);
   }
   static void entered(View& view, std::uint8_t) noexcept { view.wake_at(view.now() + 20 * kMillisecond); }
   static void left(View& view, std::uint8_t) noexcept {
@@ -137,19 +137,19 @@ const std::vector<std::string>& behaviour_names() {
 
 bool is_behaviour(std::string_view name) { return place_of(name) < behaviour_names().size(); }
 
-std::vector<core::Behaviour> engine_behaviours(const core::PlantTables& tables) {
-  const auto all = all_behaviours<core::Behaviour, core::BehaviourView>();
-  std::vector<core::Behaviour> wanted;
-  for (const std::string_view name : core::split_names(tables.behaviour_names)) {
-    wanted.push_back(is_behaviour(name) ? all[place_of(name)] : core::Behaviour{});
+std::vector<engine::Behaviour> engine_behaviours(const tables::PlantTables& tables) {
+  const auto all = all_behaviours<engine::Behaviour, engine::BehaviourView>();
+  std::vector<engine::Behaviour> wanted;
+  for (const std::string_view name : tables::split_names(tables.behaviour_names)) {
+    wanted.push_back(is_behaviour(name) ? all[place_of(name)] : engine::Behaviour{});
   }
   return wanted;
 }
 
-std::map<std::string, reference::Behaviour> reference_behaviours(const core::PlantTables& tables) {
+std::map<std::string, reference::Behaviour> reference_behaviours(const tables::PlantTables& tables) {
   const auto all = all_behaviours<reference::Behaviour, reference::View>();
   std::map<std::string, reference::Behaviour> by_name;
-  for (const std::string_view name : core::split_names(tables.behaviour_names)) {
+  for (const std::string_view name : tables::split_names(tables.behaviour_names)) {
     if (is_behaviour(name)) by_name.emplace(name, all[place_of(name)]);
   }
   return by_name;

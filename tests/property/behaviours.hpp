@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "support/reference/behaviour.hpp"
-#include "symplant/core/behaviour.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::property {
 
@@ -24,8 +24,8 @@ const std::vector<std::string>& behaviour_names();
 /// One of these, perhaps with `_` and something behind it: `Counting`, `Counting_3`.
 bool is_behaviour(std::string_view name);
 
-/// For core::Plant, by the place of their names in the tables.
-std::vector<core::Behaviour> engine_behaviours(const core::PlantTables& tables);
-std::map<std::string, reference::Behaviour> reference_behaviours(const core::PlantTables& tables);
+/// For plant::Plant, by the place of their names in the tables.
+std::vector<engine::Behaviour> engine_behaviours(const tables::PlantTables& tables);
+std::map<std::string, reference::Behaviour> reference_behaviours(const tables::PlantTables& tables);
 
 }  // namespace symplant::property

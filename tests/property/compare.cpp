@@ -22,10 +22,10 @@ constexpr int kMostInstants = 300;
 
 class Run {
  public:
-  Run(const model::PlantModel& plant, const core::PlantTables& tables, bool with_behaviours, RunCounts& counts)
+  Run(const model::PlantModel& plant, const tables::PlantTables& tables, bool with_behaviours, RunCounts& counts)
       : plant_(plant),
         tables_(tables),
-        behaviours_(with_behaviours ? engine_behaviours(tables) : std::vector<core::Behaviour>()),
+        behaviours_(with_behaviours ? engine_behaviours(tables) : std::vector<engine::Behaviour>()),
         engine_(std::make_unique<EnginePlant>(tables, behaviours_)),
         reference_(plant,
                    with_behaviours ? reference_behaviours(tables) : std::map<std::string, reference::Behaviour>()),
@@ -86,7 +86,7 @@ class Run {
     const auto found = symbols_.find(action.what);
     if (found == symbols_.end()) return {};
     const std::uint32_t symbol = found->second;
-    const bool operation = plant_.symbols[symbol].direction == core::Direction::operation;
+    const bool operation = plant_.symbols[symbol].direction == tables::Direction::operation;
     if (action.kind == Kind::set) {
       if (!operation) return {};
       engine_->write(symbol, action.value);
@@ -141,13 +141,13 @@ class Run {
   /// The reference first, instant by instant, so that it can be cut short where there is no end of them.
   std::string advance(const Action& action) {
     ++counts_.advances;
-    const core::Time target = target_of(action);
+    const tables::Time target = target_of(action);
     const bool before = action.kind == Kind::advance_before;
     if (before && target == reference_.now()) return {};  // what was done shows in the instant that is still to run
-    core::Time reached = target;
+    tables::Time reached = target;
     reference_.clear_instants();
     for (int i = 0;; ++i) {
-      const core::Time due = reference_.next_due();
+      const tables::Time due = reference_.next_due();
       if (due >= target) break;
       if (i == kMostInstants) {
         reached = reference_.now();
@@ -168,7 +168,7 @@ class Run {
     return engine_follows(reached, before);
   }
 
-  std::string engine_follows(core::Time reached, bool before) {
+  std::string engine_follows(tables::Time reached, bool before) {
     const Shadow shadow(*engine_, plant_);
     engine_->forget();
     engine_->plant().forget_changed_events();
@@ -183,20 +183,20 @@ class Run {
     return text;
   }
 
-  core::Time target_of(const Action& action) {
-    const core::Time now = reference_.now();
-    core::Time step = action.time;
+  tables::Time target_of(const Action& action) {
+    const tables::Time now = reference_.now();
+    tables::Time step = action.time;
     if (action.kind == Kind::advance_to_due) {
-      const core::Time due = reference_.next_due();
-      if (due < core::kNever / 2) return due;
-      step = core::kSecond;
+      const tables::Time due = reference_.next_due();
+      if (due < tables::kNever / 2) return due;
+      step = tables::kSecond;
     }
-    return now > core::kNever - 1 - step ? core::kNever - 1 : now + step;
+    return now > tables::kNever - 1 - step ? tables::kNever - 1 : now + step;
   }
 
   const model::PlantModel& plant_;
-  const core::PlantTables& tables_;
-  std::vector<core::Behaviour> behaviours_;
+  const tables::PlantTables& tables_;
+  std::vector<engine::Behaviour> behaviours_;
   std::unique_ptr<EnginePlant> engine_;
   reference::Plant reference_;
   RunCounts& counts_;
@@ -225,7 +225,7 @@ RunCounts& RunCounts::operator+=(const RunCounts& other) {
   return *this;
 }
 
-std::optional<Difference> run_case(const model::PlantModel& plant, const core::PlantTables& tables,
+std::optional<Difference> run_case(const model::PlantModel& plant, const tables::PlantTables& tables,
                                    const std::vector<Action>& actions, bool with_behaviours,
                                    reference::Counters& counters, RunCounts& counts) {
   Run run(plant, tables, with_behaviours, counts);
@@ -244,7 +244,7 @@ std::optional<Difference> run_case(const Case& the_case, reference::Counters& co
   const model::PlantModel plant = build(the_case.plant);
   if (!runnable(plant)) return std::nullopt;
   const lower::EngineTables tables = lower::lower(plant);
-  const core::PlantTables rows = tables.tables();
+  const tables::PlantTables rows = tables.tables();
   return run_case(plant, rows, the_case.actions, true, counters, counts);
 }
 

@@ -8,7 +8,7 @@
 
 #include "property/plant_text.hpp"
 #include "support/reference/counters.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::property {
 
@@ -37,7 +37,7 @@ struct Difference {
 
 /// Does the actions to both and compares after every advance. The first difference, or nothing. `tables` must be the
 /// model's: lowered, or of its generated code.
-std::optional<Difference> run_case(const model::PlantModel& plant, const core::PlantTables& tables,
+std::optional<Difference> run_case(const model::PlantModel& plant, const tables::PlantTables& tables,
                                    const std::vector<Action>& actions, bool with_behaviours,
                                    reference::Counters& counters, RunCounts& counts);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "support/reference/reference.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::property {
 
@@ -15,11 +15,11 @@ namespace symplant::property {
 /// may miss of an event older than that within one cycle it does not tell (runtime/core/short_events.hpp).
 class CycleRises {
  public:
-  explicit CycleRises(const core::PlantTables& tables) : tables_(&tables) {}
+  explicit CycleRises(const tables::PlantTables& tables) : tables_(&tables) {}
 
   void clear() { times_.clear(); }
   /// Takes up what happened; true where the engine may have forgotten a rise.
-  bool too_many(const std::vector<reference::InstantRecord>& instants, core::Time cycle) {
+  bool too_many(const std::vector<reference::InstantRecord>& instants, tables::Time cycle) {
     constexpr std::size_t kRemembered = 64;
     if (cycle == 0) return false;
     for (const reference::InstantRecord& instant : instants) {
@@ -34,15 +34,15 @@ class CycleRises {
   std::size_t words_of(const reference::InstantRecord& instant) const {
     std::set<std::uint32_t> words;
     for (const auto& [symbol, value] : instant.changes) {
-      const core::SymbolRow& row = tables_->symbols[symbol];
-      const bool event = row.direction() == core::Direction::event && row.type() == core::DataType::boolean;
+      const tables::SymbolRow& row = tables_->symbols[symbol];
+      const bool event = row.direction() == tables::Direction::event && row.type() == tables::DataType::boolean;
       if (event && value != 0) words.insert(row.index / 64);
     }
     return words.size();
   }
 
-  const core::PlantTables* tables_;
-  std::deque<core::Time> times_;
+  const tables::PlantTables* tables_;
+  std::deque<tables::Time> times_;
 };
 
 }  // namespace symplant::property

@@ -10,8 +10,8 @@
 namespace symplant::property {
 namespace {
 
-std::string told_as(const core::Finding& finding, const model::PlantModel& plant) {
-  using Of = core::FindingKind;
+std::string told_as(const tables::Finding& finding, const model::PlantModel& plant) {
+  using Of = tables::FindingKind;
   std::string text(reference::finding_name(finding.kind));
   if (finding.more) text += "+";
   text += " of ";
@@ -31,7 +31,7 @@ std::string told_as(const reference::InstantRecord& record, const model::PlantMo
   for (const auto& [symbol, value] : record.changes) {
     text.append(" ").append(plant.symbols[symbol].name()).append("=").append(std::to_string(value));
   }
-  for (const core::Finding& finding : record.findings) {
+  for (const tables::Finding& finding : record.findings) {
     text += " {" + told_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
   }
   return text;
@@ -49,7 +49,7 @@ std::string told_as(const reference::UnitView& view, const model::Unit& unit) {
   return text;
 }
 
-reference::UnitView as_reference(const core::UnitView& view) {
+reference::UnitView as_reference(const plant::UnitView& view) {
   return {view.state, view.target, view.moving, view.standing, view.disabled, view.frozen, view.remaining};
 }
 
@@ -57,10 +57,10 @@ std::string both(std::string_view what, const std::string& engine, const std::st
   return std::string(what) + "\n  engine:    " + engine + "\n  reference: " + reference;
 }
 
-std::string units_difference(const core::Plant& engine, const reference::Plant& reference,
+std::string units_difference(const plant::Plant& engine, const reference::Plant& reference,
                              const model::PlantModel& plant) {
   for (std::uint32_t i = 0; i < plant.units.size(); ++i) {
-    const core::UnitView seen = engine.unit(i);
+    const plant::UnitView seen = engine.unit(i);
     const reference::UnitView view = as_reference(seen);
     if (view != reference.unit(i)) {
       return both("unit " + std::string(plant.units[i].path), told_as(view, plant.units[i]),
@@ -81,8 +81,8 @@ std::string symbols_difference(const EnginePlant& engine, const reference::Plant
       return both("value of " + name, std::to_string(engine.value(i)), std::to_string(reference.value(i)));
     }
     if (engine.plant().is_forced(i) != reference.is_forced(i)) return "is_forced of " + name;
-    const core::SymbolRow& row = engine.plant().tables().symbols[i];
-    if (row.direction() != core::Direction::operation || row.type() != core::DataType::boolean) continue;
+    const tables::SymbolRow& row = engine.plant().tables().symbols[i];
+    if (row.direction() != tables::Direction::operation || row.type() != tables::DataType::boolean) continue;
     const bool off = ((disarmed[row.index / 64] >> (row.index % 64)) & 1) != 0;
     if (off != reference.disarmed(i)) {
       return both("disarmed " + name, off ? "yes" : "no", off ? "no" : "yes");
@@ -108,14 +108,14 @@ std::string instants_difference(const EnginePlant& engine, const reference::Plan
   return {};
 }
 
-std::string next_due_difference(core::Plant& engine, const reference::Plant& reference) {
-  const core::Time due = engine.next_due();
+std::string next_due_difference(plant::Plant& engine, const reference::Plant& reference) {
+  const tables::Time due = engine.next_due();
   if (due == reference.next_due()) return {};
   return both("next_due", std::to_string(due), std::to_string(reference.next_due()));
 }
 
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant) {
-  core::Plant& it = engine.plant();
+  plant::Plant& it = engine.plant();
   if (it.now() != reference.now()) return both("now", std::to_string(it.now()), std::to_string(reference.now()));
   std::string text = units_difference(it, reference, plant);
   if (text.empty()) text = symbols_difference(engine, reference, plant);
@@ -134,7 +134,7 @@ Shadow::Shadow(const EnginePlant& engine, const model::PlantModel& plant) : plan
 }
 
 std::string Shadow::difference(const EnginePlant& engine) const {
-  const core::Plant& now = engine.plant();
+  const plant::Plant& now = engine.plant();
   for (std::uint32_t i = 0; i < units_.size(); ++i) {
     reference::UnitView old = as_reference(units_[i]);
     reference::UnitView view = as_reference(now.unit(i));

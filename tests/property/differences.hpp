@@ -15,7 +15,7 @@ namespace symplant::property {
 std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
                                 const model::PlantModel& plant);
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant);
-std::string next_due_difference(core::Plant& engine, const reference::Plant& reference);
+std::string next_due_difference(plant::Plant& engine, const reference::Plant& reference);
 
 /// What the engine showed before an advance, to see whether it tells all that has changed after it.
 class Shadow {
@@ -25,7 +25,7 @@ class Shadow {
 
  private:
   const model::PlantModel& plant_;
-  std::vector<core::UnitView> units_;
+  std::vector<plant::UnitView> units_;
   std::vector<std::uint64_t> events_;
   std::vector<std::uint64_t> values_;
 };

@@ -11,15 +11,15 @@ constexpr std::uint32_t kNoSymbol = 0xFFFF'FFFF;
 
 }  // namespace
 
-SymbolPlaces::SymbolPlaces(const core::PlantTables& tables)
+SymbolPlaces::SymbolPlaces(const tables::PlantTables& tables)
     : operation_bits(tables.operation_bits, kNoSymbol),
       event_bits(tables.event_bits, kNoSymbol),
       operation_slots(tables.operation_slots, kNoSymbol),
       event_slots(tables.event_slots, kNoSymbol) {
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
-    const core::SymbolRow& row = tables.symbols[i];
-    const bool operation = row.direction() == core::Direction::operation;
-    if (row.type() == core::DataType::boolean) {
+    const tables::SymbolRow& row = tables.symbols[i];
+    const bool operation = row.direction() == tables::Direction::operation;
+    if (row.type() == tables::DataType::boolean) {
       (operation ? operation_bits : event_bits)[row.index] = i;
     } else {
       (operation ? operation_slots : event_slots)[row.index] = i;
@@ -27,24 +27,24 @@ SymbolPlaces::SymbolPlaces(const core::PlantTables& tables)
   }
 }
 
-EnginePlant::EnginePlant(const core::PlantTables& tables, const std::vector<core::Behaviour>& behaviours)
+EnginePlant::EnginePlant(const tables::PlantTables& tables, const std::vector<engine::Behaviour>& behaviours)
     : tables_(tables), places_(tables), behaviours_(behaviours), units_told_(tables.units.size()) {
-  const std::size_t size = core::Plant::memory_size(tables, behaviours_);
+  const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   const std::size_t pieces = size / sizeof(std::max_align_t) + 1;
   memory_ = std::make_unique_for_overwrite<std::max_align_t[]>(pieces);
   // What the engine does not write itself must not matter.
   std::fill_n(reinterpret_cast<unsigned char*>(memory_.get()), pieces * sizeof(std::max_align_t), 0xA5);
   plant_ =
-      std::make_unique<core::Plant>(tables, std::span(reinterpret_cast<std::byte*>(memory_.get()), size), behaviours_);
+      std::make_unique<plant::Plant>(tables, std::span(reinterpret_cast<std::byte*>(memory_.get()), size), behaviours_);
 }
 
 void EnginePlant::write(std::uint32_t symbol, std::uint64_t value) {
-  const core::SymbolRow& row = tables_.symbols[symbol];
+  const tables::SymbolRow& row = tables_.symbols[symbol];
   const std::uint64_t bit = std::uint64_t{1} << (row.index % 64);
-  if (row.type() == core::DataType::boolean && ++writes_ % 3 == 0) {
+  if (row.type() == tables::DataType::boolean && ++writes_ % 3 == 0) {
     plant_->set_operations(row.index / 64, bit,
                            value != 0 ? ~std::uint64_t{0} : 0);  // bits outside the mask are nobody's
-  } else if (row.type() == core::DataType::boolean) {
+  } else if (row.type() == tables::DataType::boolean) {
     plant_->set_operation(row.index, value != 0);
   } else {
     plant_->set_operation_value(row.index, value);
@@ -52,9 +52,9 @@ void EnginePlant::write(std::uint32_t symbol, std::uint64_t value) {
 }
 
 std::uint64_t EnginePlant::value(std::uint32_t symbol) const {
-  const core::SymbolRow& row = tables_.symbols[symbol];
-  const bool operation = row.direction() == core::Direction::operation;
-  if (row.type() == core::DataType::boolean) {
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  if (row.type() == tables::DataType::boolean) {
     return (operation ? plant_->operation(row.index) : plant_->event(row.index)) ? 1 : 0;
   }
   return operation ? plant_->operation_value(row.index) : plant_->event_value(row.index);
@@ -67,9 +67,10 @@ void EnginePlant::forget() {
 
 std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was told, its instant was not"; }
 
-void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const core::WordChange> words, bool operations) {
+void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words,
+                           bool operations) {
   const std::span<const std::uint64_t> plane = operations ? plant_->operations() : plant_->events();
-  for (const core::WordChange& change : words) {
+  for (const engine::WordChange& change : words) {
     if (change.bits == 0) fault_ = "a word without a change was told";
     for (std::uint64_t rest = change.bits; rest != 0; rest &= rest - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(rest));
@@ -90,7 +91,7 @@ void EnginePlant::add_slots(reference::InstantRecord& record, std::span<const st
   }
 }
 
-void EnginePlant::instant(const core::Instant& instant) noexcept {
+void EnginePlant::instant(const engine::Instant& instant) noexcept {
   reference::InstantRecord record;
   record.time = instant.time;
   record.findings = std::move(pending_);

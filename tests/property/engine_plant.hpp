@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "support/reference/reference.hpp"
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::property {
 
 /// Which symbol stands at a bit or slot.
 struct SymbolPlaces {
-  explicit SymbolPlaces(const core::PlantTables& tables);
+  explicit SymbolPlaces(const tables::PlantTables& tables);
 
   std::vector<std::uint32_t> operation_bits;
   std::vector<std::uint32_t> event_bits;
@@ -22,16 +22,16 @@ struct SymbolPlaces {
   std::vector<std::uint32_t> event_slots;
 };
 
-class EnginePlant final : private core::Observer {
+class EnginePlant final : private engine::Observer {
  public:
-  EnginePlant(const core::PlantTables& tables, const std::vector<core::Behaviour>& behaviours);
+  EnginePlant(const tables::PlantTables& tables, const std::vector<engine::Behaviour>& behaviours);
 
-  core::Plant& plant() { return *plant_; }
-  const core::Plant& plant() const { return *plant_; }
+  plant::Plant& plant() { return *plant_; }
+  const plant::Plant& plant() const { return *plant_; }
 
   void write(std::uint32_t symbol, std::uint64_t value);
-  void advance_to(core::Time time) { plant_->advance_to(time, this); }
-  void advance_before(core::Time time) { plant_->advance_before(time, this); }
+  void advance_to(tables::Time time) { plant_->advance_to(time, this); }
+  void advance_before(tables::Time time) { plant_->advance_before(time, this); }
 
   std::uint64_t value(std::uint32_t symbol) const;  ///< effective
 
@@ -43,18 +43,18 @@ class EnginePlant final : private core::Observer {
   void forget();
 
  private:
-  void instant(const core::Instant& instant) noexcept override;
-  void finding(const core::Finding& finding) noexcept override { pending_.push_back(finding); }
-  void add_bits(reference::InstantRecord& record, std::span<const core::WordChange> words, bool operations);
+  void instant(const engine::Instant& instant) noexcept override;
+  void finding(const tables::Finding& finding) noexcept override { pending_.push_back(finding); }
+  void add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words, bool operations);
   void add_slots(reference::InstantRecord& record, std::span<const std::uint32_t> slots, bool operations);
 
-  const core::PlantTables& tables_;
+  const tables::PlantTables& tables_;
   SymbolPlaces places_;
-  std::vector<core::Behaviour> behaviours_;
+  std::vector<engine::Behaviour> behaviours_;
   std::unique_ptr<std::max_align_t[]> memory_;
-  std::unique_ptr<core::Plant> plant_;
+  std::unique_ptr<plant::Plant> plant_;
   std::vector<reference::InstantRecord> instants_;
-  std::vector<core::Finding> pending_;  ///< told before their instant
+  std::vector<tables::Finding> pending_;  ///< told before their instant
   std::vector<bool> units_told_;
   std::string fault_;
   unsigned writes_ = 0;  ///< every third one goes by the word

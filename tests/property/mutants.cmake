@@ -17,11 +17,11 @@ function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
   set(source ${source} PARENT_SCOPE)
 endfunction()
 
-# symplant_mutant(NAME FROM TO): the line FROM of runtime/core becomes TO, and the file that it stands in is linked in
+# symplant_mutant(NAME FROM TO): the line FROM of runtime/engine becomes TO, and the file that it stands in is linked in
 # place of the engine's own.
 function(symplant_mutant NAME FROM TO)
-  symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/core symplant/core "${FROM}" "${TO}")
-  set_target_properties(symplant_core PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
+  symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/engine symplant/engine "${FROM}" "${TO}")
+  set_target_properties(symplant_engine PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
   add_executable(property_mutant_${NAME} main.cpp ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)
@@ -58,7 +58,7 @@ symplant_mutant(rounding_up_in_turning_round
   "static_cast<Wide>(travelled) / static_cast<Wide>(forth) + (static_cast<Wide>(back) * static_cast<Wide>(travelled) % static_cast<Wide>(forth) != 0 ? 1 : 0));")
 
 symplant_mutant(once_does_not_disarm
-  "      if (fired.once && type.actuation == Actuation::latched) disarmed[word] |= on;"
+  "      if (fired.once && type.actuation == tables::Actuation::latched) disarmed[word] |= on;"
   "")
 
 symplant_mutant(draw_counter_shared_by_transitions
@@ -67,7 +67,7 @@ symplant_mutant(draw_counter_shared_by_transitions
 
 symplant_mutant(stopped_mover_still_disables
   "      state.flags |= kDisabled;"
-  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { rich_states[place].settled = state.state; for (const DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++rich_states[index.rich.place_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
+  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { rich_states[place].settled = state.state; for (const tables::DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++rich_states[index.rich.place_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
 
 symplant_mutant(no_round_after_enabling
   "      resume_times(unit);"

@@ -17,7 +17,7 @@ namespace {
 std::shared_ptr<const read::SymbolTable> table_of(const PlantText& text, std::size_t begin, std::size_t end) {
   auto table = std::make_shared<read::SymbolTable>();
   const std::string name = text.name + (begin == 0 ? ".csv" : "_2.csv");
-  table->source = std::make_shared<const base::SourceFile>(name, std::string());
+  table->source = std::make_shared<const text::SourceFile>(name, std::string());
   const auto cell = [&](const std::string& content) -> std::string_view { return table->arena.emplace_back(content); };
   std::uint32_t line = 1;
   for (std::size_t i = begin; i < end; ++i) {
@@ -53,7 +53,7 @@ model::PlantModel build(const PlantText& text) {
   if (text.two_lists()) add(first_end, text.rows.size(), text.second_controller);
   model::BuildOptions options;
   options.plant_name = text.name;
-  options.description = std::make_shared<const model::Description>(text.description);
+  options.description = std::make_shared<const description::Description>(text.description);
   return model::build_plant(lists, options);
 }
 

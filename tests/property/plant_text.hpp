@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/description.hpp"
+#include "description/description.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::property {
@@ -24,7 +24,7 @@ struct Row {
 struct PlantText {
   std::string name = "drawn";
   std::vector<Row> rows;
-  model::Description description;
+  description::Description description;
   std::size_t second_list = 0;  ///< the row with which a second list begins; 0 or beyond the last: there is one list
   std::string second_controller = {};  ///< whose list that is; empty: the one of the first
 
@@ -50,7 +50,7 @@ struct Action {
   Kind kind = Kind::advance;
   std::string what = {};
   std::uint64_t value = 0;
-  core::Time time = 0;
+  tables::Time time = 0;
 };
 
 struct Case {

@@ -103,7 +103,7 @@ int run(const Options& options) {
     }
     tally.add_plant(drawn);
     const lower::EngineTables tables = lower::lower(drawn.model);
-    const core::PlantTables rows = tables.tables();
+    const tables::PlantTables rows = tables.tables();
     const auto difference = run_case(drawn.model, rows, drawn_case.actions, true, tally.counters, tally.run);
     if (!difference) continue;
     if (options.wrong) {

@@ -10,9 +10,9 @@
 namespace symplant::property {
 namespace {
 
-using core::Actuation;
-using model::DeviceDescription;
-using model::GivenTransition;
+using description::DeviceDescription;
+using description::GivenTransition;
+using tables::Actuation;
 
 class DeviceWriter {
  public:
@@ -97,7 +97,7 @@ class DeviceWriter {
     if (events.empty() || (unit_.signals.empty() && !dice_.percent(12))) return;
     std::set<std::string> told;
     for (std::size_t i = 1 + dice_.below(3); i > 0; --i) {
-      model::GivenOutputs given;
+      description::GivenOutputs given;
       given.state = dice_.pick(states_);
       if (!told.insert(given.state).second) continue;
       const auto some = [&](std::vector<std::pair<std::string, bool>>& side) {
@@ -116,7 +116,7 @@ class DeviceWriter {
     if (plan_.units.size() < 2 || !dice_.percent(22)) return;
     std::set<std::string> told;
     for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
-      model::GivenDisables given;
+      description::GivenDisables given;
       given.state = dice_.pick(states_);
       if (!told.insert(given.state).second) continue;
       std::set<std::string> others;
@@ -143,8 +143,8 @@ class DeviceWriter {
   std::set<std::tuple<std::string, std::string, std::string, std::string>> taken_;  ///< from, to, on, when
 };
 
-model::GivenRequirement random_requirement(Dice& dice, const PlannedPlant& plan, std::size_t number) {
-  model::GivenRequirement given;
+description::GivenRequirement random_requirement(Dice& dice, const PlannedPlant& plan, std::size_t number) {
+  description::GivenRequirement given;
   given.name = "r" + std::to_string(number);
   const PlannedUnit& own = dice.pick(plan.units);
   if (dice.percent(45)) {
@@ -159,10 +159,10 @@ model::GivenRequirement random_requirement(Dice& dice, const PlannedPlant& plan,
 
 }  // namespace
 
-model::Description random_description(Dice& dice, const PlannedPlant& plan) {
-  model::Description description;
-  description.defaults.travel = dice.percent(25) ? core::kSecond : random_time(dice);
-  description.defaults.dwell = dice.percent(25) ? core::kSecond : random_time(dice);
+description::Description random_description(Dice& dice, const PlannedPlant& plan) {
+  description::Description description;
+  description.defaults.travel = dice.percent(25) ? tables::kSecond : random_time(dice);
+  description.defaults.dwell = dice.percent(25) ? tables::kSecond : random_time(dice);
   if (dice.percent(30)) description.defaults.actuation = static_cast<Actuation>(dice.below(4));
   for (const PlannedUnit& unit : plan.units) {
     const bool must = unit.behaves || !unit.added.empty() || !unit.commands.empty() || !unit.signals.empty();

@@ -45,7 +45,7 @@ PlantText ripple_plant(Dice& dice) {
     text.rows.push_back({path + "_I_A", "%IX" + number, "BOOL", ""});
     if (i == 0) text.rows.push_back({path + "_O_A", "%QX0", "BOOL", ""});
     if (i == 0) text.rows.push_back({path + "_O_B", "%QX1", "BOOL", ""});
-    model::DeviceDescription device;
+    description::DeviceDescription device;
     device.path = path;
     device.states = {i == 0 ? "C" : "B"};
     if (i > 0) {

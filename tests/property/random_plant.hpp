@@ -27,7 +27,7 @@ struct DrawOptions {
 DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options = {});
 
 /// A value that a symbol of the type may have: 0 or 1, two's complement, or the bits of a double.
-std::uint64_t random_content(Dice& dice, core::DataType type);
+std::uint64_t random_content(Dice& dice, tables::DataType type);
 
 /// What is done to a plant of this model, from a reset on.
 std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant);

@@ -10,13 +10,13 @@ namespace symplant::property {
 namespace {
 
 using Kind = Action::Kind;
-using core::kMillisecond;
+using tables::kMillisecond;
 
 class StimulusWriter {
  public:
   StimulusWriter(Dice& dice, const model::PlantModel& plant) : dice_(dice), plant_(plant), on_(plant.symbols.size()) {
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-      (plant.symbols[i].direction == core::Direction::operation ? operations_ : events_).push_back(i);
+      (plant.symbols[i].direction == tables::Direction::operation ? operations_ : events_).push_back(i);
     }
   }
 
@@ -33,13 +33,13 @@ class StimulusWriter {
   }
 
  private:
-  void add(Kind kind, std::string what, std::uint64_t value, core::Time time) {
+  void add(Kind kind, std::string what, std::uint64_t value, tables::Time time) {
     actions_.push_back({kind, std::move(what), value, time});
   }
   std::string name(std::uint32_t symbol) const { return std::string(plant_.symbols[symbol].name()); }
 
   void reset() {
-    static const std::vector<core::Time> kCycles = {0, 0, 0, 10 * kMillisecond, 15 * kMillisecond, 1};
+    static const std::vector<tables::Time> kCycles = {0, 0, 0, 10 * kMillisecond, 15 * kMillisecond, 1};
     add(Kind::reset, {}, dice_.below(4), dice_.pick(kCycles));
     std::fill(on_.begin(), on_.end(), false);
     forced_.clear();
@@ -73,7 +73,7 @@ class StimulusWriter {
   void operation() {
     if (operations_.empty()) return;
     const std::uint32_t symbol = dice_.pick(operations_);
-    if (plant_.symbols[symbol].type != core::DataType::boolean) return set(Kind::set, symbol);
+    if (plant_.symbols[symbol].type != tables::DataType::boolean) return set(Kind::set, symbol);
     write(symbol, dice_.percent(90) ? !on_[symbol] : on_[symbol]);
   }
 
@@ -123,20 +123,20 @@ class StimulusWriter {
 
   void keep() {
     if (dice_.percent(5)) add(Kind::save, {}, 0, 0);
-    if (dice_.percent(4)) add(Kind::restore, {}, dice_.below(8), static_cast<core::Time>(dice_.below(2)));
+    if (dice_.percent(4)) add(Kind::restore, {}, dice_.below(8), static_cast<tables::Time>(dice_.below(2)));
     if (dice_.one_in(80)) reset();
   }
 
   void advance() {
-    static const std::vector<core::Time> kTimes = {10 * kMillisecond,
-                                                   10 * kMillisecond,
-                                                   20 * kMillisecond,
-                                                   5 * kMillisecond,
-                                                   1,
-                                                   50 * kMillisecond,
-                                                   core::kSecond,
-                                                   33'333'333,
-                                                   0};
+    static const std::vector<tables::Time> kTimes = {10 * kMillisecond,
+                                                     10 * kMillisecond,
+                                                     20 * kMillisecond,
+                                                     5 * kMillisecond,
+                                                     1,
+                                                     50 * kMillisecond,
+                                                     tables::kSecond,
+                                                     33'333'333,
+                                                     0};
     const std::size_t kind = dice_.below(100);
     if (kind < 40) return add(Kind::advance_to_due, {}, 0, 0);
     add(kind < 50 ? Kind::advance_before : Kind::advance, {}, 0, dice_.pick(kTimes));
@@ -153,10 +153,10 @@ class StimulusWriter {
 
 }  // namespace
 
-std::uint64_t random_content(Dice& dice, core::DataType type) {
-  if (type == core::DataType::boolean) return dice.below(2);
+std::uint64_t random_content(Dice& dice, tables::DataType type) {
+  if (type == tables::DataType::boolean) return dice.below(2);
   const auto number = static_cast<std::int64_t>(dice.below(8));
-  if (type == core::DataType::real || type == core::DataType::lreal) {
+  if (type == tables::DataType::real || type == tables::DataType::lreal) {
     static const std::vector<double> kReals = {0.0,
                                                1.0,
                                                2.0,
@@ -169,7 +169,7 @@ std::uint64_t random_content(Dice& dice, core::DataType type) {
                                                std::numeric_limits<double>::quiet_NaN()};
     return std::bit_cast<std::uint64_t>(dice.pick(kReals));
   }
-  const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
+  const bool is_signed = type >= tables::DataType::sint && type <= tables::DataType::lint;
   if (is_signed && dice.percent(20)) return static_cast<std::uint64_t>(-number);
   if (dice.percent(5)) return is_signed ? 127 : 255;
   return static_cast<std::uint64_t>(number);

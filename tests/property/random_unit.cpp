@@ -125,24 +125,24 @@ PlannedUnit random_unit(Dice& dice, std::size_t number) {
   return unit;
 }
 
-core::Time random_time(Dice& dice) {
-  using core::kMillisecond;
-  static const std::vector<core::Time> kGrid = {10 * kMillisecond, 10 * kMillisecond, 20 * kMillisecond,
-                                                20 * kMillisecond, 50 * kMillisecond, core::kSecond};
-  static const std::vector<core::Time> kOdd = {1,          7,        10 * kMillisecond + 1, 20 * kMillisecond - 1,
-                                               33'333'333, 5'000'003};
-  if (dice.one_in(400)) return core::kNever - static_cast<core::Time>(dice.below(3));
+tables::Time random_time(Dice& dice) {
+  using tables::kMillisecond;
+  static const std::vector<tables::Time> kGrid = {10 * kMillisecond, 10 * kMillisecond, 20 * kMillisecond,
+                                                  20 * kMillisecond, 50 * kMillisecond, tables::kSecond};
+  static const std::vector<tables::Time> kOdd = {1,          7,        10 * kMillisecond + 1, 20 * kMillisecond - 1,
+                                                 33'333'333, 5'000'003};
+  if (dice.one_in(400)) return tables::kNever - static_cast<tables::Time>(dice.below(3));
   if (dice.percent(18)) return 0;
   return dice.percent(12) ? dice.pick(kOdd) : dice.pick(kGrid);
 }
 
-model::Duration random_duration(Dice& dice) {
-  model::Duration duration = model::Duration::fixed(random_time(dice));
+description::Duration random_duration(Dice& dice) {
+  description::Duration duration = description::Duration::fixed(random_time(dice));
   if (!dice.percent(15)) return duration;
   duration.b = random_time(dice);
-  duration.kind = dice.percent(50) ? model::Duration::Kind::uniform : model::Duration::Kind::normal;
-  constexpr core::Time kMost = 100 * core::kSecond;
-  if (duration.kind == model::Duration::Kind::normal) {
+  duration.kind = dice.percent(50) ? description::Duration::Kind::uniform : description::Duration::Kind::normal;
+  constexpr tables::Time kMost = 100 * tables::kSecond;
+  if (duration.kind == description::Duration::Kind::normal) {
     duration.a = std::min(duration.a, kMost);
     duration.b = std::min(duration.b, kMost);
   } else if (duration.a > duration.b) {

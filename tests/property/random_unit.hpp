@@ -49,13 +49,13 @@ PlannedValue random_value(Dice& dice, std::string name, bool operation);
 std::vector<Row> random_rows(Dice& dice, const PlannedPlant& plan);
 
 /// What the user says of the plan.
-model::Description random_description(Dice& dice, const PlannedPlant& plan);
+description::Description random_description(Dice& dice, const PlannedPlant& plan);
 
 /// A condition over the plan, seen from a unit of it.
 std::string random_condition(Dice& dice, const PlannedPlant& plan, const PlannedUnit& own);
 
 /// From a small grid, so that coincidences are frequent.
-core::Time random_time(Dice& dice);
-model::Duration random_duration(Dice& dice);
+tables::Time random_time(Dice& dice);
+description::Duration random_duration(Dice& dice);
 
 }  // namespace symplant::property

@@ -90,12 +90,12 @@ class Shrinker {
       Case candidate = best_;
       if (edit(described(candidate))) keep(std::move(candidate));
     };
-    without([](model::DeviceDescription& it) { return std::exchange(it.initial, std::nullopt).has_value(); });
-    without([](model::DeviceDescription& it) { return std::exchange(it.rest, std::nullopt).has_value(); });
-    without([](model::DeviceDescription& it) { return std::exchange(it.actuation, std::nullopt).has_value(); });
-    without([](model::DeviceDescription& it) { return std::exchange(it.only, false); });
-    without([](model::DeviceDescription& it) { return !std::exchange(it.type, "").empty(); });
-    without([](model::DeviceDescription& it) {
+    without([](description::DeviceDescription& it) { return std::exchange(it.initial, std::nullopt).has_value(); });
+    without([](description::DeviceDescription& it) { return std::exchange(it.rest, std::nullopt).has_value(); });
+    without([](description::DeviceDescription& it) { return std::exchange(it.actuation, std::nullopt).has_value(); });
+    without([](description::DeviceDescription& it) { return std::exchange(it.only, false); });
+    without([](description::DeviceDescription& it) { return !std::exchange(it.type, "").empty(); });
+    without([](description::DeviceDescription& it) {
       it.inputs.clear();
       return !std::exchange(it.behaviour, "").empty();
     });

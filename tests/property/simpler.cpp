@@ -9,9 +9,9 @@
 namespace symplant::property {
 namespace {
 
-using model::Duration;
+using description::Duration;
 
-constexpr core::Time kPlainTime = 10 * core::kMillisecond;
+constexpr tables::Time kPlainTime = 10 * tables::kMillisecond;
 
 std::string upper(std::string text) {
   for (char& c : text) {
@@ -63,23 +63,23 @@ class Edits {
   explicit Edits(std::optional<std::size_t> wanted) : wanted_(wanted) {}
 
   void plant(PlantText& plant) {
-    for (model::DeviceDescription& device : plant.description.devices) {
-      for (model::GivenTransition& given : device.transitions) transition(given);
-      for (model::GivenOutputs& given : device.outputs) {
+    for (description::DeviceDescription& device : plant.description.devices) {
+      for (description::GivenTransition& given : device.transitions) transition(given);
+      for (description::GivenOutputs& given : device.outputs) {
         pairs(given.enter);
         pairs(given.leave);
       }
-      for (model::GivenDisables& given : device.disables) pairs(given.devices);
+      for (description::GivenDisables& given : device.disables) pairs(given.devices);
       for (auto& [name, text] : device.inputs) condition(text, false);
     }
-    for (model::GivenRequirement& given : plant.description.requirements) {
+    for (description::GivenRequirement& given : plant.description.requirements) {
       condition(given.never, false);
       condition(given.after, false);
       condition(given.expect, false);
       if (given.within != 0) edit([&] { given.within = 0; });
     }
-    if (plant.description.defaults.actuation != core::Actuation::latched) {
-      edit([&] { plant.description.defaults.actuation = core::Actuation::latched; });
+    if (plant.description.defaults.actuation != tables::Actuation::latched) {
+      edit([&] { plant.description.defaults.actuation = tables::Actuation::latched; });
     }
   }
 
@@ -91,7 +91,7 @@ class Edits {
     if (wanted_ == count++) make();
   }
 
-  void transition(model::GivenTransition& given) {
+  void transition(description::GivenTransition& given) {
     condition(given.when, true);
     duration(given.after);
     duration(given.takes);
@@ -133,17 +133,17 @@ std::size_t duration_size(const std::optional<Duration>& given) {
 std::size_t plant_size(const PlantText& plant) {
   std::size_t size = 10 * plant.rows.size();
   for (const Row& row : plant.rows) size += row.initial.size();
-  for (const model::DeviceDescription& device : plant.description.devices) {
+  for (const description::DeviceDescription& device : plant.description.devices) {
     size += 10 + device.states.size() + device.inputs.size() + (device.initial ? 1 : 0) + (device.rest ? 1 : 0) +
             (device.actuation ? 1 : 0) + (device.only ? 1 : 0) + device.type.size() + device.behaviour.size();
-    for (const model::GivenTransition& given : device.transitions) {
+    for (const description::GivenTransition& given : device.transitions) {
       size += 5 + given.when.size() + duration_size(given.after) + duration_size(given.takes) + (given.once ? 1 : 0);
     }
-    for (const model::GivenOutputs& given : device.outputs) size += 1 + given.enter.size() + given.leave.size();
-    for (const model::GivenDisables& given : device.disables) size += 1 + given.devices.size();
+    for (const description::GivenOutputs& given : device.outputs) size += 1 + given.enter.size() + given.leave.size();
+    for (const description::GivenDisables& given : device.disables) size += 1 + given.devices.size();
     for (const auto& [name, text] : device.inputs) size += text.size();
   }
-  for (const model::GivenRequirement& given : plant.description.requirements) {
+  for (const description::GivenRequirement& given : plant.description.requirements) {
     size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1);
   }
   return size;
@@ -166,9 +166,9 @@ void remove_unit(PlantText& plant, const std::string& path) {
   std::erase_if(plant.rows, [&](const Row& row) { return of_unit(row.name); });
   auto& description = plant.description;
   std::erase_if(description.devices, [&](const auto& device) { return upper(device.path) == upper(path); });
-  for (model::DeviceDescription& device : description.devices) {
+  for (description::DeviceDescription& device : description.devices) {
     std::erase_if(device.transitions, [&](const auto& given) { return names(given.when, path); });
-    for (model::GivenDisables& given : device.disables) std::erase(given.devices, path);
+    for (description::GivenDisables& given : device.disables) std::erase(given.devices, path);
     std::erase_if(device.disables, [](const auto& given) { return given.devices.empty(); });
   }
   std::erase_if(description.requirements, [&](const auto& given) {

@@ -13,19 +13,19 @@ class Writer {
   void line(std::string_view text) { text_.append(text).append("\n"); }
   std::string take() { return std::move(text_); }
 
-  void device(const model::DeviceDescription& device) {
+  void device(const description::DeviceDescription& device) {
     line("device " + device.path);
     for (const std::string& state : device.states) line("  state " + state);
     if (device.initial) line("  initial " + *device.initial);
     if (device.rest) line("  rest " + *device.rest);
     if (device.actuation) line("  actuation " + std::string(word_of(*device.actuation)));
     if (device.only) line("  only");
-    for (const model::GivenTransition& given : device.transitions) transition(given);
-    for (const model::GivenOutputs& given : device.outputs) {
+    for (const description::GivenTransition& given : device.transitions) transition(given);
+    for (const description::GivenOutputs& given : device.outputs) {
       for (const auto& [task, on] : given.enter) output(given.state, "enter", task, on);
       for (const auto& [task, on] : given.leave) output(given.state, "leave", task, on);
     }
-    for (const model::GivenDisables& given : device.disables) {
+    for (const description::GivenDisables& given : device.disables) {
       for (const std::string& other : given.devices) line("  disables " + given.state + " " + other);
     }
     if (!device.type.empty()) line("  type " + device.type);
@@ -33,7 +33,7 @@ class Writer {
     for (const auto& [name, condition] : device.inputs) line("  input " + name + " " + condition);
   }
 
-  void requirement(const model::GivenRequirement& given) {
+  void requirement(const description::GivenRequirement& given) {
     line("requirement " + given.name);
     if (!given.never.empty()) return line("  never " + given.never);
     line("  after " + given.after);
@@ -42,7 +42,7 @@ class Writer {
   }
 
  private:
-  void transition(const model::GivenTransition& given) {
+  void transition(const description::GivenTransition& given) {
     std::string text = "  transition " + given.from + " " + given.to;
     if (!given.on.empty()) text += " on " + given.on;
     if (given.automatic) text += " automatic";
@@ -78,11 +78,11 @@ std::string write_case(const Case& the_case) {
   for (const Row& row : plant.rows) {
     writer.line("row " + row.name + " " + cell(row.address) + " " + cell(row.type) + " " + cell(row.initial));
   }
-  const model::Defaults& defaults = plant.description.defaults;
+  const description::Defaults& defaults = plant.description.defaults;
   writer.line("defaults " + std::to_string(defaults.travel) + " " + std::to_string(defaults.dwell) + " " +
               std::string(word_of(defaults.actuation)));
-  for (const model::DeviceDescription& device : plant.description.devices) writer.device(device);
-  for (const model::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
+  for (const description::DeviceDescription& device : plant.description.devices) writer.device(device);
+  for (const description::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
   for (const Action& action : the_case.actions) writer.line(text_of(action));
   return writer.take();
 }

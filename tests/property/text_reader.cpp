@@ -46,23 +46,23 @@ class Line {
     }
     return number;
   }
-  core::Actuation actuation() {
+  tables::Actuation actuation() {
     const std::string text = word();
     const auto at = std::find(kActuationWords.begin(), kActuationWords.end(), text);
     if (at == kActuationWords.end()) throw std::runtime_error("`" + text + "` is no actuation");
-    return static_cast<core::Actuation>(at - kActuationWords.begin());
+    return static_cast<tables::Actuation>(at - kActuationWords.begin());
   }
-  model::Duration duration() {
+  description::Duration duration() {
     const std::string text = word();
     const std::size_t first = text.find(':');
-    if (first == text.npos) return model::Duration::fixed(number_of<core::Time>(text));
+    if (first == text.npos) return description::Duration::fixed(number_of<tables::Time>(text));
     const std::size_t second = text.find(':', first + 1);
     if (second == text.npos) throw std::runtime_error("`" + text + "` is no duration");
-    model::Duration made;
-    made.kind = text[0] == 'u' ? model::Duration::Kind::uniform : model::Duration::Kind::normal;
+    description::Duration made;
+    made.kind = text[0] == 'u' ? description::Duration::Kind::uniform : description::Duration::Kind::normal;
     const std::string_view view = text;
-    made.a = number_of<core::Time>(view.substr(first + 1, second - first - 1));
-    made.b = number_of<core::Time>(view.substr(second + 1));
+    made.a = number_of<tables::Time>(view.substr(first + 1, second - first - 1));
+    made.b = number_of<tables::Time>(view.substr(second + 1));
     return made;
   }
 
@@ -87,8 +87,8 @@ class Reader {
       result.plant.rows.push_back(std::move(row));
     } else if (word == "defaults") {
       auto& defaults = result.plant.description.defaults;
-      defaults.travel = line.number<core::Time>();
-      defaults.dwell = line.number<core::Time>();
+      defaults.travel = line.number<tables::Time>();
+      defaults.dwell = line.number<tables::Time>();
       defaults.actuation = line.actuation();
     } else if (word == "device") {
       result.plant.description.devices.emplace_back().path = line.word();
@@ -105,9 +105,9 @@ class Reader {
 
  private:
   void of_requirement(const std::string& word, Line& line) {
-    model::GivenRequirement& given = result.plant.description.requirements.back();
+    description::GivenRequirement& given = result.plant.description.requirements.back();
     if (word == "within") {
-      given.within = line.number<core::Time>();
+      given.within = line.number<tables::Time>();
       return;
     }
     if (word != "never" && word != "after" && word != "expect") throw std::runtime_error("`" + word + "`");
@@ -116,7 +116,7 @@ class Reader {
 
   void of_device(const std::string& word, Line& line) {
     if (result.plant.description.devices.empty()) throw std::runtime_error("`" + word + "` without a device");
-    model::DeviceDescription& device = result.plant.description.devices.back();
+    description::DeviceDescription& device = result.plant.description.devices.back();
     if (word == "state") {
       device.states.push_back(line.word());
     } else if (word == "initial") {
@@ -145,7 +145,7 @@ class Reader {
     }
   }
 
-  void transition(model::GivenTransition& given, Line& line) {
+  void transition(description::GivenTransition& given, Line& line) {
     given.from = line.word();
     given.to = line.word();
     while (!line.at_end()) {
@@ -159,7 +159,7 @@ class Reader {
     }
   }
 
-  void output(model::DeviceDescription& device, Line& line) {
+  void output(description::DeviceDescription& device, Line& line) {
     const std::string state = line.word();
     if (device.outputs.empty() || device.outputs.back().state != state) device.outputs.emplace_back().state = state;
     auto& side = line.word() == "enter" ? device.outputs.back().enter : device.outputs.back().leave;
@@ -167,7 +167,7 @@ class Reader {
     side.emplace_back(std::move(task), line.word() == "on");
   }
 
-  void disables(model::DeviceDescription& device, Line& line) {
+  void disables(description::DeviceDescription& device, Line& line) {
     const std::string state = line.word();
     if (device.disables.empty() || device.disables.back().state != state) device.disables.emplace_back().state = state;
     device.disables.back().devices.push_back(line.word());
@@ -182,7 +182,7 @@ class Reader {
     action.kind = static_cast<Action::Kind>(at - kActionWords.begin());
     if (at->what) action.what = line.word();
     if (at->value) action.value = line.number<std::uint64_t>();
-    if (at->time) action.time = line.number<core::Time>();
+    if (at->time) action.time = line.number<tables::Time>();
     result.actions.push_back(std::move(action));
   }
 };

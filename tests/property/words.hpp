@@ -33,7 +33,7 @@ inline constexpr std::array<ActionWord, 12> kActionWords = {{{"reset", false, tr
                                                              {"save", false, false, false},
                                                              {"restore", false, true, true}}};
 
-inline std::string_view word_of(core::Actuation actuation) {
+inline std::string_view word_of(tables::Actuation actuation) {
   return kActuationWords[static_cast<std::size_t>(actuation)];
 }
 inline const ActionWord& row_of(Action::Kind kind) { return kActionWords[static_cast<std::size_t>(kind)]; }
@@ -43,10 +43,10 @@ inline bool takes_value(Action::Kind kind) { return row_of(kind).value; }
 inline bool takes_time(Action::Kind kind) { return row_of(kind).time; }
 
 /// `5`, `uniform:1:2` or `normal:1:2`.
-inline std::string text_of(const model::Duration& duration) {
+inline std::string text_of(const description::Duration& duration) {
   const std::string a = std::to_string(duration.a);
-  if (duration.kind == model::Duration::Kind::fixed) return a;
-  return (duration.kind == model::Duration::Kind::uniform ? "uniform:" : "normal:") + a + ":" +
+  if (duration.kind == description::Duration::Kind::fixed) return a;
+  return (duration.kind == description::Duration::Kind::uniform ? "uniform:" : "normal:") + a + ":" +
          std::to_string(duration.b);
 }
 

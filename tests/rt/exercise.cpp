@@ -30,8 +30,8 @@ Happened& Happened::operator+=(const Happened& other) {
   return *this;
 }
 
-Exercise::Exercise(const model::PlantModel& model, const core::PlantTables& tables,
-                   std::vector<core::Behaviour> behaviours, const std::vector<Action>& actions)
+Exercise::Exercise(const model::PlantModel& model, const tables::PlantTables& tables,
+                   std::vector<engine::Behaviour> behaviours, const std::vector<Action>& actions)
     : tables_(tables), behaviours_(std::move(behaviours)) {
   std::unordered_map<std::string_view, std::uint32_t> symbols;
   std::unordered_map<std::string_view, std::uint32_t> units;
@@ -43,12 +43,12 @@ Exercise::Exercise(const model::PlantModel& model, const core::PlantTables& tabl
     const auto found = names.find(action.what);
     std::uint32_t what = found == names.end() ? kNothing : found->second;
     if (!action.what.empty() && what == kNothing) continue;
-    if (action.kind == Kind::set && tables.symbols[what].direction() != core::Direction::operation) continue;
+    if (action.kind == Kind::set && tables.symbols[what].direction() != tables::Direction::operation) continue;
     if (action.kind == Kind::set_state && action.value >= model.units[what].states.size()) continue;
     if (action.kind == Kind::save) ++saves;
     steps_.push_back({action.kind, what, action.value, action.time, false});
   }
-  const std::size_t size = core::Plant::memory_size(tables, behaviours_);
+  const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   for (Memory& memory : memory_) memory.resize(size / sizeof(std::max_align_t) + 1);
   saves_.resize(saves, std::vector<std::byte>(size));  // a block is a part of the memory
 }
@@ -57,7 +57,7 @@ void Exercise::run() noexcept {
   happened_ = {};
   saved_ = 0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t size = core::Plant::memory_size(tables_, behaviours_);
+    const std::size_t size = plant::Plant::memory_size(tables_, behaviours_);
     plants_[i].emplace(tables_, bytes(memory_[i]).first(size), behaviours_);
   }
   plant_ = &*plants_[0];
@@ -95,8 +95,8 @@ void Exercise::act(Step& step) noexcept {
 }
 
 void Exercise::set(const Step& step) noexcept {
-  const core::SymbolRow& row = tables_.symbols[step.what];
-  if (row.type() != core::DataType::boolean) return plant_->set_operation_value(row.index, step.value);
+  const tables::SymbolRow& row = tables_.symbols[step.what];
+  if (row.type() != tables::DataType::boolean) return plant_->set_operation_value(row.index, step.value);
   if (happened_.digest % 2 == 0) return plant_->set_operation(row.index, step.value != 0);
   plant_->set_operations(row.index / 64, std::uint64_t{1} << (row.index % 64), step.value != 0 ? ~std::uint64_t{0} : 0);
 }
@@ -120,10 +120,10 @@ void Exercise::restore(const Step& step) noexcept {
 }
 
 void Exercise::advance(Step& step) noexcept {
-  const core::Time now = plant_->now();
-  core::Time target = now > core::kNever - 1 - step.time ? core::kNever - 1 : now + step.time;
+  const tables::Time now = plant_->now();
+  tables::Time target = now > tables::kNever - 1 - step.time ? tables::kNever - 1 : now + step.time;
   if (step.kind == Kind::advance_to_due) {
-    target = plant_->next_due() == core::kNever ? now + core::kSecond : plant_->next_due();
+    target = plant_->next_due() == tables::kNever ? now + tables::kSecond : plant_->next_due();
   }
   for (int i = 0; !step.at_once && plant_->next_due() < target; ++i) {
     if (i == kMostInstants) return;
@@ -138,7 +138,7 @@ void Exercise::advance(Step& step) noexcept {
 }
 
 void Exercise::read_all() noexcept {
-  const core::Plant& plant = *plant_;
+  const plant::Plant& plant = *plant_;
   add(plant.state_hash());
   add(plant.model_hash());
   add(static_cast<std::uint64_t>(plant.now()));
@@ -147,35 +147,35 @@ void Exercise::read_all() noexcept {
   for (const std::uint64_t word : plant.events()) add(word);
   for (const std::uint64_t word : plant.disarmed()) add(word);
   for (std::uint32_t i = 0; i < tables_.symbols.size(); ++i) {
-    const core::SymbolRow& row = tables_.symbols[i];
-    const bool operation = row.direction() == core::Direction::operation;
+    const tables::SymbolRow& row = tables_.symbols[i];
+    const bool operation = row.direction() == tables::Direction::operation;
     add(plant.is_forced(i) ? 1 : 0);
-    if (row.type() == core::DataType::boolean) {
+    if (row.type() == tables::DataType::boolean) {
       add((operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0);
     } else {
       add(operation ? plant.operation_value(row.index) : plant.event_value(row.index));
     }
   }
   for (std::uint32_t u = 0; u < tables_.units.size(); ++u) {
-    const core::UnitView view = plant.unit(u);
+    const plant::UnitView view = plant.unit(u);
     add(static_cast<std::uint64_t>(view.remaining) ^ std::bit_cast<std::uint64_t>(view.progress) ^ view.target);
   }
   add(plant.changed_events().size() + plant.changed_event_values().size() + plant.lost_findings());
   plant_->forget_changed_events();
-  core::Finding finding{};
+  tables::Finding finding{};
   while (plant_->take_finding(finding)) ++happened_.findings[static_cast<std::size_t>(finding.kind)];
 }
 
-void Exercise::instant(const core::Instant& instant) noexcept {
+void Exercise::instant(const engine::Instant& instant) noexcept {
   ++happened_.instants;
   add(static_cast<std::uint64_t>(instant.time) + instant.units.size());
-  for (const core::WordChange& change : instant.operations) add(change.bits);
-  for (const core::WordChange& change : instant.events) add(change.bits);
+  for (const engine::WordChange& change : instant.operations) add(change.bits);
+  for (const engine::WordChange& change : instant.events) add(change.bits);
   for (const std::uint32_t slot : instant.operation_slots) add(slot);
   for (const std::uint32_t slot : instant.event_slots) add(slot);
 }
 
-void Exercise::finding(const core::Finding& finding) noexcept {
+void Exercise::finding(const tables::Finding& finding) noexcept {
   ++happened_.findings_told[static_cast<std::size_t>(finding.kind)];
 }
 

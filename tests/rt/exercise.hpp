@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "property/plant_text.hpp"
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::test {
 
@@ -20,17 +20,17 @@ struct Happened {
   long restores = 0;
   long restores_elsewhere = 0;
   long refused_blocks = 0;
-  std::array<long, core::kFindingKinds> findings{};
-  std::array<long, core::kFindingKinds> findings_told{};
+  std::array<long, tables::kFindingKinds> findings{};
+  std::array<long, tables::kFindingKinds> findings_told{};
   std::uint64_t digest = 0;  ///< of every read-out after every action
 
   Happened& operator+=(const Happened& other);
 };
 
-class Exercise final : private core::Observer {
+class Exercise final : private engine::Observer {
  public:
   /// `tables` and `model` must outlive it.
-  Exercise(const model::PlantModel& model, const core::PlantTables& tables, std::vector<core::Behaviour> behaviours,
+  Exercise(const model::PlantModel& model, const tables::PlantTables& tables, std::vector<engine::Behaviour> behaviours,
            const std::vector<property::Action>& actions);
 
   /// Makes two plants in the memory that was laid out, does the actions to the one or the other, and calls every
@@ -45,15 +45,15 @@ class Exercise final : private core::Observer {
     property::Action::Kind kind;
     std::uint32_t what;
     std::uint64_t value;
-    core::Time time;
+    tables::Time time;
     bool at_once;  ///< an advance of which is known that it ends
   };
   using Memory = std::vector<std::max_align_t>;
 
   static std::span<std::byte> bytes(Memory& memory) { return std::as_writable_bytes(std::span(memory)); }
 
-  void instant(const core::Instant& instant) noexcept override;
-  void finding(const core::Finding& finding) noexcept override;
+  void instant(const engine::Instant& instant) noexcept override;
+  void finding(const tables::Finding& finding) noexcept override;
   void act(Step& step) noexcept;
   void set(const Step& step) noexcept;
   void save() noexcept;
@@ -62,14 +62,14 @@ class Exercise final : private core::Observer {
   void read_all() noexcept;
   void add(std::uint64_t value) noexcept;
 
-  const core::PlantTables& tables_;
-  std::vector<core::Behaviour> behaviours_;
+  const tables::PlantTables& tables_;
+  std::vector<engine::Behaviour> behaviours_;
   std::vector<Step> steps_;
   std::array<Memory, 2> memory_;
   std::vector<std::vector<std::byte>> saves_;
   std::size_t saved_ = 0;
-  std::array<std::optional<core::Plant>, 2> plants_;
-  core::Plant* plant_ = nullptr;
+  std::array<std::optional<plant::Plant>, 2> plants_;
+  plant::Plant* plant_ = nullptr;
   Happened happened_;
 };
 

@@ -14,7 +14,7 @@ struct Controller {
   std::vector<std::uint64_t> seen;
   long motions = 0;
 
-  void answer(core::Plant& plant) noexcept {
+  void answer(plant::Plant& plant) noexcept {
     for (const std::uint32_t word : plant.changed_events()) {
       const std::uint64_t now = plant.events()[word];
       std::uint64_t arrived = now & ~seen[word];
@@ -32,8 +32,8 @@ struct Controller {
 
 template <class Made>
 void runs_clean(long least_motions) {
-  Made made(kDevices, {100 * core::kMillisecond, 137 * core::kMillisecond, 1'000'003});
-  core::Plant& plant = *made.plant;
+  Made made(kDevices, {100 * tables::kMillisecond, 137 * tables::kMillisecond, 1'000'003});
+  plant::Plant& plant = *made.plant;
   Controller controller{std::vector<std::uint64_t>(made.tables.event_bits / 64)};
   std::vector<std::byte> saved(plant.save().size());
   bool restored = false;
@@ -41,8 +41,8 @@ void runs_clean(long least_motions) {
     plant.reset(1);
     plant.advance_to(0);
     controller.answer(plant);
-    for (core::Time scan = 1; scan <= 100; ++scan) {
-      plant.advance_to(scan * 10 * core::kMillisecond);
+    for (tables::Time scan = 1; scan <= 100; ++scan) {
+      plant.advance_to(scan * 10 * tables::kMillisecond);
       controller.answer(plant);
       if (scan == 50) {
         const auto block = plant.save();
@@ -52,7 +52,7 @@ void runs_clean(long least_motions) {
     const std::uint64_t hash = plant.state_hash();
     restored = plant.restore(saved) && plant.state_hash() != hash;
     for (std::uint32_t unit = 0; unit < kDevices; unit += 7) plant.set_state(unit, 1);
-    plant.advance_to(plant.now() + core::kSecond);
+    plant.advance_to(plant.now() + tables::kSecond);
   });
   REQUIRE(restored);
   REQUIRE(controller.motions > least_motions);

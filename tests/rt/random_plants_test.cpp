@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kPlants = 300;
 
 /// Looks at what the behaviours of the random plants do not look at.
-void look_round(core::BehaviourView& view, std::uint8_t) noexcept {
+void look_round(engine::BehaviourView& view, std::uint8_t) noexcept {
   static_cast<void>(view.quality());
   static_cast<void>(view.target());
 }
@@ -22,9 +22,9 @@ TEST_CASE("no member of Plant uses heap, lock or system call, whatever the plant
   for (std::uint64_t seed = 1; seed <= kPlants; ++seed) {
     const property::DrawnPlant drawn = property::random_plant(seed);
     const lower::EngineTables lowered = lower::lower(drawn.model);
-    const core::PlantTables tables = lowered.tables();
-    std::vector<core::Behaviour> behaviours = property::engine_behaviours(tables);
-    for (core::Behaviour& behaviour : behaviours) {
+    const tables::PlantTables tables = lowered.tables();
+    std::vector<engine::Behaviour> behaviours = property::engine_behaviours(tables);
+    for (engine::Behaviour& behaviour : behaviours) {
       if (behaviour.entered == nullptr) behaviour.entered = look_round;
     }
     Exercise exercise(drawn.model, tables, behaviours, property::random_stimulus(seed, drawn.model));

@@ -16,8 +16,8 @@
 namespace symplant::test {
 namespace {
 
-using core::Behaviour;
-using core::BehaviourView;
+using engine::Behaviour;
+using engine::BehaviourView;
 
 void* kept = nullptr;
 std::mutex mutex;
@@ -55,11 +55,11 @@ const BenchTables& two_arms() {
 }
 
 /// Both arms go to B2, each cycle under the guard.
-exec::GuardReport there(core::Plant& plant) {
+exec::GuardReport there(plant::Plant& plant) {
   plant.set_operation(1, true);
   plant.set_operation(3, true);
   return exec::run_watched([&] {
-    for (core::Time now = 0; now <= 2 * core::kSecond; now += 100 * kMs) {
+    for (tables::Time now = 0; now <= 2 * tables::kSecond; now += 100 * kMs) {
       const exec::Guard guard;
       plant.advance_to(now);
     }
@@ -69,7 +69,7 @@ exec::GuardReport there(core::Plant& plant) {
 TEST_CASE("who breaks the rules is named: act, function, behaviour and device") {
   const Behaviour code[] = {kSound, kFaulty};
   const exec::WatchedBehaviours watched(two_arms().rows, code);
-  core::OwnedPlant plant(two_arms().rows, watched.watched());
+  plant::OwnedPlant plant(two_arms().rows, watched.watched());
   const exec::GuardReport report = there(plant);
   CHECK(plant.unit(0).state == 1);
   CHECK(plant.unit(1).state == 1);
@@ -87,8 +87,8 @@ TEST_CASE("who breaks the rules is named: act, function, behaviour and device") 
 TEST_CASE("watched behaviours do what those do that they stand for, and sound ones are clean") {
   const Behaviour code[] = {kSound, kSound};
   const exec::WatchedBehaviours watched(two_arms().rows, code);
-  core::OwnedPlant plant(two_arms().rows, watched.watched());
-  core::OwnedPlant plain(two_arms().rows, code);
+  plant::OwnedPlant plant(two_arms().rows, watched.watched());
+  plant::OwnedPlant plain(two_arms().rows, code);
   const exec::GuardReport report = there(plant);
   there(plain);
   CHECK(plant.state_hash() == plain.state_hash());

@@ -21,7 +21,7 @@
 namespace symplant::test {
 namespace {
 
-using core::kMillisecond;
+using tables::kMillisecond;
 using Fault = void (*)();
 
 /// A link that does in one cycle what it must not do.
@@ -29,10 +29,10 @@ class FaultyLink final : public exec::Exchange {
  public:
   FaultyLink(Fault reading, Fault writing) : reading_(reading), writing_(writing) {}
 
-  void read_operations(core::Plant&, core::Time) noexcept override {
+  void read_operations(plant::Plant&, tables::Time) noexcept override {
     if (++reads_ == 5 && reading_ != nullptr) reading_();
   }
-  void write_events(const core::Plant&, const exec::CycleStatus&) noexcept override {
+  void write_events(const plant::Plant&, const exec::CycleStatus&) noexcept override {
     if (reads_ == 5 && writing_ != nullptr) writing_();
   }
   void leave() noexcept override { free(malloc(100)); }  // the end is no cycle
@@ -44,9 +44,9 @@ class FaultyLink final : public exec::Exchange {
 };
 
 /// Looks at instants, and takes memory in one of them.
-class FaultyObserver final : public core::Observer {
-  void instant(const core::Instant&) noexcept override { kept_page = std::realloc(kept_page, 100); }
-  void finding(const core::Finding&) noexcept override {}
+class FaultyObserver final : public engine::Observer {
+  void instant(const engine::Instant&) noexcept override { kept_page = std::realloc(kept_page, 100); }
+  void finding(const tables::Finding&) noexcept override {}
 
   void* kept_page = nullptr;
 };
@@ -64,9 +64,9 @@ struct Watched {
 };
 
 /// 20 cycles of 1 ms on the real clock.
-Watched watched(std::vector<exec::Exchange*> links, core::Observer* observer = nullptr) {
+Watched watched(std::vector<exec::Exchange*> links, engine::Observer* observer = nullptr) {
   static const BenchTables tables({"ARM_O_A1", "ARM_I_A1", "ARM_O_B2", "ARM_I_B2"}, {});
-  core::OwnedPlant plant(tables.rows);
+  plant::OwnedPlant plant(tables.rows);
   exec::MonotonicClock clock;
   const auto meter = std::make_unique<exec::CycleMeter>();
   const std::atomic<bool> stop{false};

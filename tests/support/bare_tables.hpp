@@ -5,13 +5,14 @@
 #include <span>
 #include <string_view>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::test {
 
-inline core::PlantTables bare_tables(std::string_view name, std::uint32_t operation_bits, std::uint32_t event_bits,
-                                     std::uint32_t operation_slots = 0, std::span<const core::SymbolRow> symbols = {}) {
-  core::PlantTables tables{};
+inline tables::PlantTables bare_tables(std::string_view name, std::uint32_t operation_bits, std::uint32_t event_bits,
+                                       std::uint32_t operation_slots = 0,
+                                       std::span<const tables::SymbolRow> symbols = {}) {
+  tables::PlantTables tables{};
   tables.name = name;
   tables.symbols = symbols;
   tables.operation_bits = operation_bits;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
-#include "check/causes.hpp"
 #include "check/check_plant.hpp"
-#include "check/settings.hpp"
+#include "findings/causes.hpp"
+#include "findings/settings.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
 #include "name/named_table.hpp"
@@ -108,7 +108,7 @@ struct GivenList {
 
 /// Reads lists and their names, builds their plant with a description, checks it: analyse() with what plant.json would
 /// say.
-inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Description description = {},
+inline Analysed analyse_lists(const std::vector<GivenList>& given, description::Description description = {},
                               std::string_view today = {}) {
   MemoryFileSystem files;
   Analysed result;
@@ -120,19 +120,19 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, model::Descri
     lists.push_back({table, name::read_names(*table, name::built_in_rule()), list.controller, list.xy});
   }
   result.plant =
-      model::build_plant(lists, {"symbols", std::make_shared<const model::Description>(std::move(description))});
+      model::build_plant(lists, {"symbols", std::make_shared<const description::Description>(std::move(description))});
   check::check_plant(*result.plant, result.diagnostics);
-  result.diagnostics = check::apply_settings(result.diagnostics, result.plant->description->check, today);
-  check::fold_consequences(*result.plant, result.diagnostics);
+  result.diagnostics = findings::apply_settings(result.diagnostics, result.plant->description->check, today);
+  findings::fold_consequences(*result.plant, result.diagnostics);
   result.diagnostics.sort_by_place(result.plant->sources());
   return result;
 }
 
-inline Analysed analyse_described(const std::string& text, model::Description description) {
+inline Analysed analyse_described(const std::string& text, description::Description description) {
   return analyse_lists({{"symbols.csv", text}}, std::move(description));
 }
 
-inline Analysed analyse_described(const std::vector<Row>& rows, model::Description description) {
+inline Analysed analyse_described(const std::vector<Row>& rows, description::Description description) {
   return analyse_described(list_text(rows), std::move(description));
 }
 
@@ -167,11 +167,11 @@ inline CompiledText lower_analysed(Analysed analysed) {
 }
 
 /// compile() with a description; nothing where it, or the list, has a fault.
-inline CompiledText compile_described(const std::vector<Row>& rows, model::Description description) {
+inline CompiledText compile_described(const std::vector<Row>& rows, description::Description description) {
   return lower_analysed(analyse_described(rows, std::move(description)));
 }
 
-inline CompiledText compile_lists(const std::vector<GivenList>& given, model::Description description = {}) {
+inline CompiledText compile_lists(const std::vector<GivenList>& given, description::Description description = {}) {
   return lower_analysed(analyse_lists(given, std::move(description)));
 }
 

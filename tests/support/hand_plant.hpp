@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 
 namespace symplant::test {
 
@@ -17,20 +17,20 @@ namespace symplant::test {
 struct Way {
   std::uint8_t from;
   std::uint8_t to;
-  std::uint8_t on;  ///< core::kNoOperation: automatic
-  core::Time after;
-  core::Time takes;
+  std::uint8_t on;  ///< tables::kNoOperation: automatic
+  tables::Time after;
+  tables::Time takes;
 };
 
 /// A unit whose states 0 .. n-1 have an event each, of the same number.
 struct HandUnit {
   std::uint8_t states;
-  std::vector<std::uint8_t> operation_targets;  ///< an operation each: the state of its name, or core::kNoState
+  std::vector<std::uint8_t> operation_targets;  ///< an operation each: the state of its name, or tables::kNoState
   std::vector<Way> ways;
-  core::Actuation actuation = core::Actuation::latched;
-  std::uint8_t rest = core::kNoState;
+  tables::Actuation actuation = tables::Actuation::latched;
+  std::uint8_t rest = tables::kNoState;
   std::uint8_t initial = 0;
-  core::Time travel = core::kSecond;
+  tables::Time travel = tables::kSecond;
 };
 
 /// Every unit has a type of its own and begins a word of its own: unit u has bits 64 u ... in both planes.
@@ -49,22 +49,22 @@ class HandPlant {
     tables.units = rows_;
     tables.times = times_;
     tables.operation_bits = tables.event_bits = static_cast<std::uint32_t>(64 * units.size());
-    plant = std::make_unique<core::OwnedPlant>(tables);
+    plant = std::make_unique<plant::OwnedPlant>(tables);
   }
 
   void set(std::uint32_t unit, std::uint32_t operation, bool on) { plant->set_operation(64 * unit + operation, on); }
   bool event(std::uint32_t unit, std::uint32_t event) const { return plant->event(64 * unit + event); }
-  core::UnitView unit(std::uint32_t u) const { return plant->unit(u); }
-  void to(core::Time time, core::Observer* observer = nullptr) { plant->advance_to(time, observer); }
+  plant::UnitView unit(std::uint32_t u) const { return plant->unit(u); }
+  void to(tables::Time time, engine::Observer* observer = nullptr) { plant->advance_to(time, observer); }
 
-  core::PlantTables tables{};
-  std::unique_ptr<core::OwnedPlant> plant;
+  tables::PlantTables tables{};
+  std::unique_ptr<plant::OwnedPlant> plant;
 
  private:
   struct Parts {
-    std::vector<core::Transition> transitions;
-    std::vector<core::EventMasks> enter;
-    std::vector<core::EventMasks> leave;
+    std::vector<tables::Transition> transitions;
+    std::vector<tables::EventMasks> enter;
+    std::vector<tables::EventMasks> leave;
     std::vector<std::uint8_t> targets;
   };
 
@@ -76,7 +76,7 @@ class HandPlant {
     times_.push_back({0, unit.travel});
     Parts& parts = parts_[rows_.size() - 1];
     for (const Way& way : unit.ways) {
-      parts.transitions.push_back({way.from, way.to, way.on, false, core::kNoCondition, timed});
+      parts.transitions.push_back({way.from, way.to, way.on, false, tables::kNoCondition, timed});
       times_.push_back({way.after, way.takes});
     }
     for (std::uint8_t s = 0; s < unit.states; ++s) {
@@ -87,9 +87,9 @@ class HandPlant {
   }
 
   std::map<std::size_t, Parts> parts_;  // nodes stay where they are
-  std::vector<core::TypeRow> types_;
-  std::vector<core::UnitRow> rows_;
-  std::vector<core::TransitionTimes> times_;
+  std::vector<tables::TypeRow> types_;
+  std::vector<tables::UnitRow> rows_;
+  std::vector<tables::TransitionTimes> times_;
 };
 
 }  // namespace symplant::test

@@ -10,39 +10,39 @@
 
 #include "support/catch.hpp"
 #include "support/compile.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 
 namespace symplant::test {
 
-inline constexpr core::Time kMs = core::kMillisecond;
+inline constexpr tables::Time kMs = tables::kMillisecond;
 
 /// A plant description, device by device.
 struct Told {
-  model::Description description = {};
+  description::Description description = {};
 
-  model::DeviceDescription& device(const std::string& name) {
-    for (model::DeviceDescription& device : description.devices) {
+  description::DeviceDescription& device(const std::string& name) {
+    for (description::DeviceDescription& device : description.devices) {
       if (device.path == "L_P_" + name) return device;
     }
     description.devices.emplace_back().path = "L_P_" + name;
     return description.devices.back();
   }
   /// An automatic transition; `takes` is 0.
-  Told& by_itself(const std::string& device_name, std::string from, std::string to, model::Duration after,
+  Told& by_itself(const std::string& device_name, std::string from, std::string to, description::Duration after,
                   std::string when = "") {
-    model::GivenTransition given;
+    description::GivenTransition given;
     given.from = std::move(from);
     given.to = std::move(to);
     given.when = std::move(when);
     given.automatic = true;
     given.after = after;
-    given.takes = model::Duration::fixed(0);
+    given.takes = description::Duration::fixed(0);
     device(device_name).transitions.push_back(std::move(given));
     return *this;
   }
   /// A commanded one, by the operation of its target.
-  Told& on_command(const std::string& device_name, std::string from, std::string to, model::Duration takes) {
-    model::GivenTransition given;
+  Told& on_command(const std::string& device_name, std::string from, std::string to, description::Duration takes) {
+    description::GivenTransition given;
     given.from = std::move(from);
     given.to = std::move(to);
     given.takes = takes;
@@ -55,7 +55,7 @@ struct Told {
   }
 };
 
-inline model::Duration fixed(core::Time time) { return model::Duration::fixed(time); }
+inline description::Duration fixed(tables::Time time) { return description::Duration::fixed(time); }
 
 /// Tables that plants can be made of, and the places of names in them. Names go without `L_P_`, the line and process
 /// that all share.
@@ -100,7 +100,7 @@ class BenchTables {
   }
   std::string unit_name(std::uint32_t unit) const { return std::string(model().units[unit].path.substr(4)); }
   /// "lost AGV_O_P2"; with a `+` behind it where the next finding belongs to it.
-  std::string words(const core::Finding& finding) const {
+  std::string words(const tables::Finding& finding) const {
     static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
                                                     "started",     "short",   "loop",     "violated"};
     const auto kind = static_cast<std::size_t>(finding.kind);
@@ -115,7 +115,7 @@ class BenchTables {
     return kKinds[kind] + " " + of + (finding.more ? "+" : "");
   }
 
-  core::PlantTables rows{};
+  tables::PlantTables rows{};
 
  private:
   static std::vector<std::string> prefixed(std::vector<std::string> names) {
@@ -127,13 +127,13 @@ class BenchTables {
 };
 
 /// One plant of such tables, with a record of what it told. Times are in ms.
-class BenchPlant final : private core::Observer {
+class BenchPlant final : private engine::Observer {
  public:
   explicit BenchPlant(const BenchTables& tables) : tables_(tables), plant(tables.rows) {}
 
   BenchPlant& set(const std::string& name, std::uint64_t value) {
-    const core::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
-    if (row.type() == core::DataType::boolean) {
+    const tables::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
+    if (row.type() == tables::DataType::boolean) {
       plant.set_operation(row.index, value != 0);
     } else {
       plant.set_operation_value(row.index, value);
@@ -154,19 +154,19 @@ class BenchPlant final : private core::Observer {
     plant.set_state(tables_.place(device), tables_.state_place(device, state));
     return *this;
   }
-  BenchPlant& to(core::Time milliseconds) {
+  BenchPlant& to(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs, this);
     return *this;
   }
-  BenchPlant& before(core::Time milliseconds) {
+  BenchPlant& before(tables::Time milliseconds) {
     plant.advance_before(milliseconds * kMs, this);
     return *this;
   }
 
   std::uint64_t value(const std::string& name) const {
-    const core::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
-    const bool operation = row.direction() == core::Direction::operation;
-    if (row.type() == core::DataType::boolean) {
+    const tables::SymbolRow& row = tables_.rows.symbols[tables_.symbol(name)];
+    const bool operation = row.direction() == tables::Direction::operation;
+    if (row.type() == tables::DataType::boolean) {
       return (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
     }
     return operation ? plant.operation_value(row.index) : plant.event_value(row.index);
@@ -176,11 +176,11 @@ class BenchPlant final : private core::Observer {
     const std::uint32_t bit = tables_.rows.symbols[tables_.symbol(name)].index;
     return (plant.disarmed()[bit / 64] >> (bit % 64) & 1) != 0;
   }
-  core::UnitView unit(const std::string& device) const { return plant.unit(tables_.place(device)); }
+  plant::UnitView unit(const std::string& device) const { return plant.unit(tables_.place(device)); }
   /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled; with a `#` where it is frozen.
   std::string state(const std::string& device) const {
     const auto& states = tables_.model().units[tables_.place(device)].states;
-    const core::UnitView view = unit(device);
+    const plant::UnitView view = unit(device);
     std::string text = states[view.state].name;
     if (view.moving) text += "->" + states[view.target].name;
     if (view.standing) text += "!";
@@ -196,39 +196,39 @@ class BenchPlant final : private core::Observer {
   /// Findings from the ring, likewise.
   std::string findings() {
     std::string text;
-    core::Finding finding{};
+    tables::Finding finding{};
     while (plant.take_finding(finding)) add(text, finding.time, tables_.words(finding));
     return text;
   }
 
  private:
-  static void add(std::string& text, core::Time time, const std::string& more) {
+  static void add(std::string& text, tables::Time time, const std::string& more) {
     text += (text.empty() ? "" : " ") + std::to_string(time / kMs) + ":" + more;
   }
-  static bool holds(std::span<const core::WordChange> changes, std::uint32_t bit) {
-    for (const core::WordChange& change : changes) {
+  static bool holds(std::span<const engine::WordChange> changes, std::uint32_t bit) {
+    for (const engine::WordChange& change : changes) {
       if (change.word == bit / 64 && (change.bits >> (bit % 64) & 1) != 0) return true;
     }
     return false;
   }
-  void instant(const core::Instant& instant) noexcept override {
+  void instant(const engine::Instant& instant) noexcept override {
     for (std::uint32_t i = 0; i < tables_.rows.symbols.size(); ++i) {
-      const core::SymbolRow& row = tables_.rows.symbols[i];
-      if (row.type() != core::DataType::boolean) continue;
-      const bool operation = row.direction() == core::Direction::operation;
+      const tables::SymbolRow& row = tables_.rows.symbols[i];
+      if (row.type() != tables::DataType::boolean) continue;
+      const bool operation = row.direction() == tables::Direction::operation;
       if (!holds(operation ? instant.operations : instant.events, row.index)) continue;
       const bool on = operation ? plant.operation(row.index) : plant.event(row.index);
       add(changes_, instant.time, tables_.symbol_name(i) + (on ? "=1" : "=0"));
     }
   }
-  void finding(const core::Finding& finding) noexcept override { add(told_, finding.time, tables_.words(finding)); }
+  void finding(const tables::Finding& finding) noexcept override { add(told_, finding.time, tables_.words(finding)); }
 
   const BenchTables& tables_;
   std::string changes_;
   std::string told_;
 
  public:
-  core::OwnedPlant plant;
+  plant::OwnedPlant plant;
 };
 
 }  // namespace symplant::test

@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "support/catch.hpp"
-#include "symplant/core/names.hpp"
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/recorder.hpp"
 
 namespace symplant::test {
 
 struct ExampleRow {
-  core::Time milliseconds;
+  tables::Time milliseconds;
   std::vector<std::pair<std::string_view, bool>> writes;
   std::string_view changes;  ///< all net changes, in list order, without EXLINE_MB_: "AGV_I_P1=1 MC_I_IDLE1=1"
   std::string_view agv;
@@ -41,8 +41,8 @@ inline std::vector<ExampleRow> worked_example() {
 inline constexpr std::string_view kExamplePrefix = "EXLINE_MB_";
 
 /// A unit's place by its path; fails the test where there is none.
-inline std::uint32_t unit_index(const core::PlantTables& tables, std::string_view path) {
-  const auto names = core::split_names(tables.unit_names);
+inline std::uint32_t unit_index(const tables::PlantTables& tables, std::string_view path) {
+  const auto names = tables::split_names(tables.unit_names);
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     if (names[i] == path) return i;
   }
@@ -51,12 +51,12 @@ inline std::uint32_t unit_index(const core::PlantTables& tables, std::string_vie
 }
 
 /// "P1", or "P1->P2" while it moves.
-inline std::string state_text(const core::Plant& plant, std::uint32_t unit) {
-  const core::PlantTables& tables = plant.tables();
+inline std::string state_text(const plant::Plant& plant, std::uint32_t unit) {
+  const tables::PlantTables& tables = plant.tables();
   std::size_t first = 0;
   for (std::uint32_t type = 0; type < tables.units[unit].type; ++type) first += tables.types[type].states;
-  const auto names = core::split_names(tables.state_names);
-  const core::UnitView view = plant.unit(unit);
+  const auto names = tables::split_names(tables.state_names);
+  const plant::UnitView view = plant.unit(unit);
   std::string text(names[first + view.state]);
   if (view.moving) text.append("->").append(names[first + view.target]);
   return text;
@@ -65,16 +65,16 @@ inline std::string state_text(const core::Plant& plant, std::uint32_t unit) {
 /// Plays the table on a plant at time 0 and checks every change, at its time, and every state after it. `seen` takes
 /// each change that the recorder handed out.
 template <class Seen>
-void check_worked_example(core::Plant& plant, Seen seen) {
-  const core::PlantTables& tables = plant.tables();
-  const auto names = core::split_names(tables.symbol_names);
+void check_worked_example(plant::Plant& plant, Seen seen) {
+  const tables::PlantTables& tables = plant.tables();
+  const auto names = tables::split_names(tables.symbol_names);
   const std::uint32_t agv = unit_index(tables, "EXLINE_MB_AGV");
   const std::uint32_t mc = unit_index(tables, "EXLINE_MB_MC");
   trace::Recorder recorder(tables, 256);
   recorder.attach(plant);
 
   for (const ExampleRow& row : worked_example()) {
-    const core::Time time = row.milliseconds * core::kMillisecond;
+    const tables::Time time = row.milliseconds * tables::kMillisecond;
     INFO("at " << row.milliseconds << " ms");
     // Nothing may happen between the rows.
     if (time > 0) plant.advance_to(time - 1, &recorder);
@@ -102,10 +102,10 @@ void check_worked_example(core::Plant& plant, Seen seen) {
     CHECK(state_text(plant, mc) == row.mc);
   }
   CHECK(recorder.lost_changes() == 0);
-  CHECK(plant.next_due() == core::kNever);
+  CHECK(plant.next_due() == tables::kNever);
 }
 
-inline void check_worked_example(core::Plant& plant) {
+inline void check_worked_example(plant::Plant& plant) {
   check_worked_example(plant, [](const trace::Record&) {});
 }
 

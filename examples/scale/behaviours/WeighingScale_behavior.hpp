@@ -42,7 +42,7 @@ class WeighingScale : public Scale {
   }
 
   static void entered(View& view, State state) noexcept {
-    view.wake_at(symplant::core::kNever);
+    view.wake_at(symplant::tables::kNever);
     if (state == State::kEMPTY1) {
       show(view, 0);
       return;
@@ -54,8 +54,8 @@ class WeighingScale : public Scale {
   }
 
  private:
-  static constexpr Time kMillisecond = symplant::core::kMillisecond;
-  static constexpr Time kSecond = symplant::core::kSecond;
+  static constexpr Time kMillisecond = symplant::tables::kMillisecond;
+  static constexpr Time kSecond = symplant::tables::kSecond;
   static constexpr Time kShown = 100 * kMillisecond;
 
   /// What the PLC wants, in g: at most 1 t, whatever it writes.

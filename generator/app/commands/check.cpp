@@ -14,14 +14,14 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "check/catalogue.hpp"
-#include "check/selection.hpp"
 #include "diag/json.hpp"
 #include "diag/junit.hpp"
 #include "diag/sarif.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
-#include "symplant/core/version.hpp"
+#include "findings/selection.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/tables/version.hpp"
 
 namespace symplant::app {
 namespace {
@@ -36,8 +36,8 @@ struct CheckOptions {
   std::vector<std::string> ignore;
 };
 
-check::Selection selection_of(const CheckOptions& options) {
-  const auto selection = check::Selection::of(options.select, options.ignore);
+findings::Selection selection_of(const CheckOptions& options) {
+  const auto selection = findings::Selection::of(options.select, options.ignore);
   if (!selection) throw CLI::ValidationError("--select/--ignore", diag::visible(selection.error()));
   return *selection;
 }
@@ -135,20 +135,20 @@ class Check {
           "all\n",
           results - diag::kMostSarifResults, results);
     }
-    return diag::render_sarif(reports_, {core::version(), context_.folder, context_.exit_code});
+    return diag::render_sarif(reports_, {tables::version(), context_.folder, context_.exit_code});
   }
 
   std::string as_junit() const {
     diag::JunitOptions options{fail_on_, {}};
     for (const diag::RuleInfo* rule : check::catalogue()) {
-      if (selection_.verdict(*rule) == check::Selection::Verdict::told) options.rules.push_back(rule);
+      if (selection_.verdict(*rule) == findings::Selection::Verdict::told) options.rules.push_back(rule);
     }
     return diag::render_junit(reports_, options);
   }
 
   const CheckOptions& options_;
   Context& context_;
-  check::Selection selection_;
+  findings::Selection selection_;
   diag::Severity fail_on_;
   std::vector<std::string> inputs_;
   std::vector<diag::Report> reports_;

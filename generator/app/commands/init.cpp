@@ -10,9 +10,9 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "base/encoding.hpp"
 #include "emit/skeleton.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "text/encoding.hpp"
 
 namespace symplant::app {
 namespace {
@@ -38,7 +38,7 @@ emit::SkeletonList reference(const InitOptions& options) {
   emit::SkeletonList list;
   list.file = options.output.empty() ? options.list : list_from(options.output, options.list);
   list.format = given.read.input_format;
-  if (given.read.encoding) list.encoding = base::encoding_name(*given.read.encoding);
+  if (given.read.encoding) list.encoding = text::encoding_name(*given.read.encoding);
   if (given.xy) list.xy = *given.xy == address::Radix::hexadecimal ? "hex" : "octal";
   return list;
 }

@@ -14,12 +14,12 @@
 #include "app/commands.hpp"
 #include "app/map_notes.hpp"
 #include "app/options.hpp"
-#include "base/utf8.hpp"
 #include "diag/visible_text.hpp"
-#include "symplant/core/names.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/choice.hpp"
 #include "symplant/link/io_map.hpp"
+#include "symplant/tables/names.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::app {
 namespace {
@@ -36,7 +36,7 @@ struct Row {
 std::size_t width_of(std::string_view text) {
   std::size_t width = 0;
   for (std::size_t at = 0; at < text.size();) {
-    const base::CodePoint point = base::code_point_at(text, at);
+    const text::CodePoint point = text::code_point_at(text, at);
     width += static_cast<std::size_t>(diag::display_width(point.value));
     at += point.length;
   }
@@ -63,11 +63,11 @@ std::string table_text(const std::vector<Row>& rows, const std::array<bool, kCol
 }
 
 /// Who moves a symbol.
-std::string mover(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t index) {
+std::string mover(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t index) {
   const model::Symbol& symbol = plant.symbols[index];
   const auto unit_of = [&](const model::Symbol& of) { return std::string(plant.units[of.unit].path); };
   const bool moved = tables.symbols[index].moved();
-  if (symbol.direction == core::Direction::operation) {
+  if (symbol.direction == tables::Direction::operation) {
     return moved ? "the PLC, moves " + unit_of(symbol) : "the PLC, moves nothing";
   }
   if (moved) return unit_of(symbol);
@@ -82,7 +82,7 @@ bool is_operation(const link::IoPoint& point) {
 }
 
 /// Which columns say something in this map.
-std::array<bool, kColumns> columns_of(const link::IoMap& map, const core::LinkSettings& settings) {
+std::array<bool, kColumns> columns_of(const link::IoMap& map, const link::LinkSettings& settings) {
   std::array<bool, kColumns> shown{};
   shown.fill(true);
   const auto any = [&](auto has) { return std::any_of(map.points.begin(), map.points.end(), has); };
@@ -93,8 +93,8 @@ std::array<bool, kColumns> columns_of(const link::IoMap& map, const core::LinkSe
 }
 
 /// The map of one controller: what a link to it carries.
-std::string map_text(const model::PlantModel& plant, const core::PlantTables& tables, std::uint32_t controller) {
-  const core::LinkSettings settings = plant.links[controller].settings();
+std::string map_text(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller) {
+  const link::LinkSettings settings = plant.links[controller].settings();
   const link::IoMap map = link::make_io_map(tables, controller, settings);
   std::vector<const link::IoPoint*> points(tables.symbols.size());
   for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
@@ -112,7 +112,7 @@ std::string map_text(const model::PlantModel& plant, const core::PlantTables& ta
                      point == nullptr ? "-" : place_text(*point), point == nullptr ? "-" : modicon_text(*point),
                      wide ? word_order_text(point->word_order) : "",
                      !operation                             ? ""
-                     : point->on_loss == core::OnLoss::hold ? "holds"
+                     : point->on_loss == link::OnLoss::hold ? "holds"
                                                             : "off",
                      mover(plant, tables, i)}});
   }
@@ -121,8 +121,8 @@ std::string map_text(const model::PlantModel& plant, const core::PlantTables& ta
 
 /// The controllers whose maps are wanted: all, or those that the links name. Nothing, and an error, where a link is
 /// none that has a map.
-std::optional<std::vector<std::uint32_t>> wanted(const core::PlantTables& tables, const std::vector<std::string>& links,
-                                                 Context& context) {
+std::optional<std::vector<std::uint32_t>> wanted(const tables::PlantTables& tables,
+                                                 const std::vector<std::string>& links, Context& context) {
   std::vector<std::uint32_t> controllers;
   std::vector<link::LinkRequest> requests;
   requests.reserve(links.size());
@@ -144,7 +144,7 @@ std::optional<std::vector<std::uint32_t>> wanted(const core::PlantTables& tables
     controllers.push_back(choice.controller);
   }
   if (links.empty()) {
-    controllers.resize(std::max<std::size_t>(1, core::split_names(tables.controller_names).size()));
+    controllers.resize(std::max<std::size_t>(1, tables::split_names(tables.controller_names).size()));
     std::iota(controllers.begin(), controllers.end(), 0U);
   }
   return controllers;
@@ -160,7 +160,7 @@ void show(const MapOptions& options, Context& context) {
   const auto compiled = compile_for(context, options.plant, options.plant_options);
   if (!compiled) return;
   const model::PlantModel& plant = compiled->plant;
-  const core::PlantTables tables = compiled->tables.tables();
+  const tables::PlantTables tables = compiled->tables.tables();
   const auto controllers = wanted(tables, options.links, context);
   if (!controllers) return;
   for (const std::uint32_t controller : *controllers) {

@@ -7,8 +7,8 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "base/pattern.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "text/pattern.hpp"
 #include "view/formats.hpp"
 
 namespace symplant::app {
@@ -27,7 +27,7 @@ void show(const ModelOptions& options, Context& context) {
   if (!compiled) return;
   std::vector<std::uint32_t> units;
   for (std::uint32_t u = 0; u < compiled->plant.units.size(); ++u) {
-    if (base::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
+    if (text::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
   }
   if (units.empty() && options.device != "*") {
     context.err << "error: no device matches `" << options.device

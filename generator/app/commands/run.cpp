@@ -66,16 +66,16 @@ void add_run(CLI::App& app, Context& context) {
   command->callback([options, &context] {
     const auto compiled = compile_for(context, options->plant, options->plant_options);
     if (!compiled) return;
-    const core::PlantTables tables = compiled->tables.tables();
+    const tables::PlantTables tables = compiled->tables.tables();
     host::PlantProgram program{.tables = tables};
     program.more = more(compiled->plant);
     program.inputs = compiled->plant.input_files();
     std::vector<host::DefaultLink> links;
-    for (const model::LinkDescription& link : compiled->plant.description->links) {
+    for (const description::LinkDescription& link : compiled->plant.description->links) {
       links.push_back({link.controller, link.url});
     }
     program.links = links;
-    std::vector<core::LinkSettings> settings;
+    std::vector<link::LinkSettings> settings;
     for (const model::ControllerLink& link : compiled->plant.links) settings.push_back(link.settings());
     program.link_settings = settings;
     context.exit_code = host::run(program, options->run, context.out, context.err);

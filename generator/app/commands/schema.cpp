@@ -9,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "model/plant_file.hpp"
+#include "description/plant_file.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "view/model_json.hpp"
@@ -22,7 +22,7 @@ struct Schema {
   std::string_view (*text)();  ///< null: this version does not know the format yet
 };
 constexpr std::array kSchemas{
-    Schema{"plant", &model::plant_schema},
+    Schema{"plant", &description::plant_schema},
     Schema{"scenario", &scenario::scenario_schema},
     Schema{"naming", nullptr},
     Schema{"model", &view::model_schema},

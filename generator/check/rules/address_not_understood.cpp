@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "address/address.hpp"
-#include "base/ascii.hpp"
 #include "check/rules.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -20,7 +20,7 @@ of its name, and it is on no link.
 
 /// An address of X or Y whose digits are hexadecimal, in a list that is read in octal.
 bool is_hexadecimal(std::string_view cell) {
-  const char first = cell.empty() ? ' ' : base::upper(cell.front());
+  const char first = cell.empty() ? ' ' : text::upper(cell.front());
   return (first == 'X' || first == 'Y') && address::parse_melsec(cell, address::Radix::hexadecimal).has_value();
 }
 

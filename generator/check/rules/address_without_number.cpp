@@ -49,13 +49,13 @@ class AddressesOfLink {
   std::vector<PackedTable> run() {
     std::vector<bool> given(plant_.symbols.size());
     for (const model::ControllerLink& link : plant_.links) {
-      for (const core::PlaceRow& row : link.places) given[row.symbol] = row.number != core::PlaceRow::kDefault;
+      for (const link::PlaceRow& row : link.places) given[row.symbol] = row.number != link::PlaceRow::kDefault;
     }
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const model::Symbol& symbol = plant_.symbols[i];
       if (given[i] || !is_on_link(symbol)) continue;
-      const std::size_t kind = (symbol.direction == core::Direction::operation ? 2U : 0U) +
-                               (symbol.type == core::DataType::boolean ? 1U : 0U);
+      const std::size_t kind = (symbol.direction == tables::Direction::operation ? 2U : 0U) +
+                               (symbol.type == tables::DataType::boolean ? 1U : 0U);
       PackedTable& table = tables_[4 * plant_.controller_of(symbol) + kind];
       if (has_place(symbol)) {
         ++table.placed;

@@ -23,8 +23,8 @@ void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::D
   const model::PlantModel& plant = subject.plant;
   std::vector<bool> placed(plant.symbols.size());
   for (const model::ControllerLink& link : plant.links) {
-    for (const core::PlaceRow& row : link.places) {
-      if (row.number != core::PlaceRow::kDefault) placed[row.symbol] = true;
+    for (const link::PlaceRow& row : link.places) {
+      if (row.number != link::PlaceRow::kDefault) placed[row.symbol] = true;
     }
   }
   for (std::size_t i = 0; i < plant.symbols.size(); ++i) {

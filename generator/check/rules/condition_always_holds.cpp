@@ -1,8 +1,8 @@
 // SP615 condition-always-holds: a condition says nothing.
 #include <fmt/format.h>
 
-#include "check/conditions.hpp"
-#include "check/decide.hpp"
+#include "check/reachability/conditions.hpp"
+#include "check/reachability/decide.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {

@@ -1,8 +1,8 @@
 // SP614 condition-never-holds: a condition contradicts itself.
 #include <fmt/format.h>
 
-#include "check/conditions.hpp"
-#include "check/decide.hpp"
+#include "check/reachability/conditions.hpp"
+#include "check/reachability/decide.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {

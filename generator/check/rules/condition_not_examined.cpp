@@ -1,8 +1,8 @@
 // SP617 condition-not-examined: a condition has too many parts that depend on each other.
 #include <fmt/format.h>
 
-#include "check/conditions.hpp"
-#include "check/decide.hpp"
+#include "check/reachability/conditions.hpp"
+#include "check/reachability/decide.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/ascii.hpp"
 #include "check/rules.hpp"
-#include "check/strong_parts.hpp"
+#include "check/spelling/strong_parts.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -73,11 +73,12 @@ Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t uni
     const auto& disabled = from.disables[s];
     if (!std::binary_search(disabled.begin(), disabled.end(), unit)) continue;
     std::string written = from.states[s].name;
-    for (const model::GivenDisables& given : from.described->disables) {
-      if (base::equal_ignoring_case(given.state, written)) written = given.state;
+    for (const description::GivenDisables& given : from.described->disables) {
+      if (text::equal_ignoring_case(given.state, written)) written = given.state;
     }
     return {from.states[s].name,
-            described_place(plant, from, model::key_pointer(*from.described, model::DeviceKey::disables) / written)};
+            described_place(plant, from,
+                            description::key_pointer(*from.described, description::DeviceKey::disables) / written)};
   }
   return {};  // never: there is an edge
 }

@@ -23,7 +23,7 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address || symbol.reading.fault != name::NameFault::none) continue;
     const bool name_says_operation = symbol.reading.direction == name::Direction::operation;
-    if (name_says_operation == (symbol.direction == core::Direction::operation)) continue;
+    if (name_says_operation == (symbol.direction == tables::Direction::operation)) continue;
     if (told.count(&symbol) != 0) continue;
     diagnostics.add(
         rule.info, about(symbol),

@@ -27,7 +27,7 @@ void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diag
                     fmt::format("`{}` says `{}` where its direction should stand, `{}` wants `I` or `O`: {}; "
                                 "write {}",
                                 symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol),
-                                symbol.direction == core::Direction::event
+                                symbol.direction == tables::Direction::event
                                     ? fmt::format("`I`, as its address `{}` says", symbol.address_cell)
                                     : fmt::format("`O`, as its address `{}` says", symbol.address_cell)),
                     place);

@@ -14,7 +14,7 @@ rest when the operation goes off. Where plant.json gives it another actuation, i
 
 /// What the unit does with it. A description may have said another actuation, rest or initial state.
 std::string_view more(const model::Unit& unit) {
-  if (!unit.operations.empty() && unit.actuation == core::Actuation::spring && unit.rest == 0) {
+  if (!unit.operations.empty() && unit.actuation == tables::Actuation::spring && unit.rest == 0) {
     return " and returns to it like a spring";
   }
   const bool given_actuation = unit.described != nullptr && unit.described->actuation;

@@ -16,11 +16,11 @@ operation goes off. What plant.json says of `actuation`, `rest` and `initial` wi
 
 /// What was inferred of actuation, rest and initial state; empty where the description says all of it.
 std::string taken_as(const model::Unit& unit) {
-  const model::DeviceDescription* given = unit.described;
+  const description::DeviceDescription* given = unit.described;
   const std::string& rest = unit.states[unit.rest].name;
   if (given == nullptr || !given->actuation)
     return fmt::format("was taken as a single solenoid that returns to `{}`", rest);
-  if (unit.actuation == core::Actuation::spring)
+  if (unit.actuation == tables::Actuation::spring)
     return given->rest ? "" : fmt::format("was taken to rest in `{}`", rest);
   return unit.initial_from == model::InitialFrom::rest_state ? fmt::format("was taken to start in `{}`", rest) : "";
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/ascii.hpp"
 #include "check/rules.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -21,7 +21,7 @@ constexpr std::string_view kInitialAmbiguousPage =
 /// Else it only reports, as the description says, and starts as its Initial has it.
 bool is_state(const model::Unit& unit, const model::Symbol& symbol) {
   return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
-    return base::equal_ignoring_case(state.name, symbol.reading.task);
+    return text::equal_ignoring_case(state.name, symbol.reading.task);
   });
 }
 

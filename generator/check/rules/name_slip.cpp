@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
-#include "check/slips.hpp"
+#include "check/spelling/slips.hpp"
 
 namespace symplant::check {
 namespace {

@@ -1,9 +1,9 @@
 // SP413 one-task-alone: a device has one task, where those named like it have more.
 #include <fmt/format.h>
 
-#include "base/ascii.hpp"
-#include "check/odd_devices.hpp"
 #include "check/rules.hpp"
+#include "check/spelling/odd_devices.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -29,7 +29,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
     std::vector<std::string> names{std::string(unit.path)};
     for (const Lacking& lacking : odd.lacks) {
       names.push_back(lacking.name);
-      const bool elsewhere = !base::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
+      const bool elsewhere = !text::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
       if (other == nullptr && elsewhere) other = &lacking;
     }
     if (other == nullptr) continue;

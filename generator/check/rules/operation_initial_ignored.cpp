@@ -18,7 +18,7 @@ until a PLC, a scenario or a person sets them.
 void check_operation_initial_ignored(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.direction != core::Direction::operation || symbol.type != core::DataType::boolean) continue;
+    if (symbol.direction != tables::Direction::operation || symbol.type != tables::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",

@@ -1,7 +1,7 @@
 // SP616 requirement-decided: a requirement is met or violated whatever the PLC does.
 #include <fmt/format.h>
 
-#include "check/reach.hpp"
+#include "check/reachability/reach.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -45,9 +45,9 @@ class Requirements {
 
   void look_at(std::size_t index) {
     const model::Requirement& requirement = plant_.requirements[index];
-    const model::GivenRequirement& given = plant_.description->requirements[index];
+    const description::GivenRequirement& given = plant_.description->requirements[index];
     const Verdict first = decide(requirement.condition, plant_, reach_);
-    if (requirement.kind == core::RequirementRow::Kind::never) {
+    if (requirement.kind == tables::RequirementRow::Kind::never) {
       tell(index, "never", given.never, requirement.condition, first, consequence_of_never(first));
       return;
     }
@@ -66,7 +66,7 @@ class Requirements {
         rule_.info, {name},
         fmt::format("requirement `{}`: `{}` {}{}: {}", name, text, verdict.never() ? "can never hold" : "always holds",
                     by_states ? ", since nothing leads to a state that it names" : "", consequence),
-        place_of({}, model::Pointer("/requirements") / index / key));
+        place_of({}, description::Pointer("/requirements") / index / key));
   }
 
   const Rule& rule_;

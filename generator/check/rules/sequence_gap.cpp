@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "check/rules.hpp"
-#include "check/sequence_numbers.hpp"
+#include "check/spelling/sequence_numbers.hpp"
 
 namespace symplant::check {
 namespace {

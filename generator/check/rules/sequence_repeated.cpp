@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
-#include "check/sequence_numbers.hpp"
+#include "check/spelling/sequence_numbers.hpp"
 
 namespace symplant::check {
 namespace {

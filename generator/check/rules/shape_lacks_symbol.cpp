@@ -1,10 +1,10 @@
 // SP414 shape-lacks-symbol: a device lacks a symbol that those named like it have.
 #include <fmt/format.h>
 
-#include "base/ascii.hpp"
-#include "check/device_classes.hpp"
-#include "check/odd_devices.hpp"
 #include "check/rules.hpp"
+#include "check/spelling/device_classes.hpp"
+#include "check/spelling/odd_devices.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -29,7 +29,7 @@ const model::Symbol& nearest_symbol(const Subject& subject, std::uint32_t device
     const model::Unit& unit = plant.units[device];
     for (const auto* side : {&unit.operations, &unit.events}) {
       for (const std::uint32_t s : *side) {
-        if (base::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
+        if (text::equal_ignoring_case(plant.symbols[s].reading.task, task)) return plant.symbols[s];
       }
     }
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "check/reach.hpp"
+#include "check/reachability/reach.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "check/bent_words.hpp"
-#include "check/device_classes.hpp"
 #include "check/rules.hpp"
+#include "check/spelling/bent_words.hpp"
+#include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
 namespace {
@@ -61,7 +61,7 @@ bool are_two_states(const Subject& subject, const model::Unit& unit) {
   const auto place = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
   return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
     const bool commanded = state.operation != model::kNone;
-    const auto other = commanded ? core::Direction::event : core::Direction::operation;
+    const auto other = commanded ? tables::Direction::event : tables::Direction::operation;
     return subject.classes.expects(place, other, state.name, false) == Expected::yes;
   });
 }

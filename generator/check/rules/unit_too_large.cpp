@@ -22,8 +22,8 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
         rule.info, {std::string(large.path)},
         fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "
                     "symbols are in no device; see whether the device level of their names tells devices apart",
-                    large.path, large.operations, large.events, large.states, core::kMaxOperations, core::kMaxEvents,
-                    core::kMaxStates),
+                    large.path, large.operations, large.events, large.states, tables::kMaxOperations,
+                    tables::kMaxEvents, tables::kMaxStates),
         place_of(plant, plant.symbols[large.symbols.front()]));
   }
 }

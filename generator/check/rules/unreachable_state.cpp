@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "base/ascii.hpp"
-#include "check/reach.hpp"
+#include "check/reachability/reach.hpp"
 #include "check/rules.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::check {
 namespace {
@@ -41,8 +41,9 @@ std::string_view reason(Blocked blocked) {
 
 diag::Place place_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
   for (std::size_t i = 0; i < unit.described->states.size(); ++i) {
-    if (base::equal_ignoring_case(unit.described->states[i], state.name)) {
-      return described_place(plant, unit, model::key_pointer(*unit.described, model::DeviceKey::states) / i);
+    if (text::equal_ignoring_case(unit.described->states[i], state.name)) {
+      return described_place(plant, unit,
+                             description::key_pointer(*unit.described, description::DeviceKey::states) / i);
     }
   }
   diag::Place place = state.event != model::kNone       ? place_of(plant, event_of(plant, unit, state.event))

@@ -25,7 +25,7 @@ std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) 
 
 std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
 
-std::vector<std::uint32_t> places_of_events(const core::PlantTables& tables, const IoMap& map) {
+std::vector<std::uint32_t> places_of_events(const tables::PlantTables& tables, const IoMap& map) {
   std::vector<std::uint32_t> places(tables.event_bits, kNoPlace);
   for (const IoPoint& point : map.points) {
     if (point.table == Table::discrete_input) places[tables.symbols[point.symbol].index] = point.number;
@@ -58,7 +58,7 @@ Images::ByPlace Images::by_place(const IoMap& map, Table table) {
   return result;
 }
 
-Images::Images(const core::PlantTables& tables, const IoMap& map, WordOrder word_order)
+Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order)
     : tables_(tables),
       points_(map.points),
       sizes_(map.sizes),
@@ -110,8 +110,8 @@ NumberPlace Images::number_place(const IoPoint& point) const noexcept {
 
 std::vector<std::uint64_t> Images::initial_operations() const {
   std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
-  for (const core::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
-  for (const core::SharedAddress& shared : tables_.shared_addresses) initial[shared.symbol] = initial[shared.leader];
+  for (const tables::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
+  for (const tables::SharedAddress& shared : tables_.shared_addresses) initial[shared.symbol] = initial[shared.leader];
   const std::uint32_t size = sizes_[static_cast<std::size_t>(Table::holding_register)];
   std::vector<bool> seen(size);
   std::vector<std::uint64_t> words(coil_words_ + register_words(size), 0);
@@ -125,7 +125,7 @@ std::vector<std::uint64_t> Images::initial_operations() const {
   return words;
 }
 
-void Images::apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now,
+void Images::apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t now,
                          std::uint64_t changed) const noexcept {
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
@@ -136,7 +136,7 @@ void Images::apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now
   }
 }
 
-void Images::apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept {
+void Images::apply_registers(plant::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept {
   const auto registers = now.subspan(coil_words_);
   const auto before = std::span(applied_).subspan(coil_words_);
   const auto changed = [&](std::uint32_t place) {
@@ -161,7 +161,7 @@ void Images::apply_registers(core::Plant& plant, std::size_t word, std::span<con
 }
 
 /// Gives the plant all that differs between the image and what it has.
-void Images::change_operations(core::Plant& plant, std::span<const std::uint64_t> image) noexcept {
+void Images::change_operations(plant::Plant& plant, std::span<const std::uint64_t> image) noexcept {
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t changed = image[word] ^ applied_[word];
     if (changed == 0) continue;
@@ -174,7 +174,7 @@ void Images::change_operations(core::Plant& plant, std::span<const std::uint64_t
   std::copy(image.begin(), image.end(), applied_.begin());
 }
 
-void Images::read_operations(core::Plant& plant) noexcept {
+void Images::read_operations(plant::Plant& plant) noexcept {
   take_operations();
   apply_operations(plant);
 }
@@ -188,13 +188,13 @@ bool Images::is_complete(std::uint32_t losses) const noexcept {
   return control[kLossesSeen] == losses && control[kRewritten] != 0;
 }
 
-void Images::apply_operations(core::Plant& plant) noexcept {
+void Images::apply_operations(plant::Plant& plant) noexcept {
   if (!behind_) return;
   behind_ = false;
   change_operations(plant, operations_.latest().first(applied_.size()));
 }
 
-void Images::zero_operations(core::Plant& plant) noexcept {
+void Images::zero_operations(plant::Plant& plant) noexcept {
   for (std::size_t word = 0; word < scratch_.size(); ++word) scratch_[word] = applied_[word] & ~zeroed_[word];
   change_operations(plant, scratch_);
   behind_ = true;
@@ -236,7 +236,7 @@ void Images::write_status(const StatusBlock& status) noexcept {
   events_.publish();
 }
 
-void Images::write_events(const core::Plant& plant, const StatusBlock& status) noexcept {
+void Images::write_events(const plant::Plant& plant, const StatusBlock& status) noexcept {
   const auto bits = plant.events();
   if (first_write_) {
     for (std::uint32_t word = 0; word < events_written_.size(); ++word) write_event_word(word, bits[word]);

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/modbus/codec.hpp"
 #include "symplant/link/modbus/numbers.hpp"
@@ -15,6 +14,7 @@
 #include "symplant/link/modbus/places.hpp"
 #include "symplant/link/modbus/rewriting.hpp"
 #include "symplant/link/modbus/status_block.hpp"
+#include "symplant/plant/plant.hpp"
 #include "symplant/share/shared_words.hpp"
 
 namespace symplant::link::modbus {
@@ -24,15 +24,15 @@ namespace symplant::link::modbus {
 class Images {
  public:
   /// `word_order`: of the status block.
-  Images(const core::PlantTables& tables, const IoMap& map, WordOrder word_order = WordOrder::high_first);
+  Images(const tables::PlantTables& tables, const IoMap& map, WordOrder word_order = WordOrder::high_first);
 
   // --- the cycle's thread
 
   /// Gives the plant the operations that changed since the last call. Costs a comparison of the image, where a newer
   /// one is there, and what changed.
-  void read_operations(core::Plant& plant) noexcept;
+  void read_operations(plant::Plant& plant) noexcept;
   /// Takes the plant's changed events, all of them at the first call, and the status; hands them over.
-  void write_events(const core::Plant& plant, const StatusBlock& status = {}) noexcept;
+  void write_events(const plant::Plant& plant, const StatusBlock& status = {}) noexcept;
 
   // The parts of read_operations(), where a link may be lost.
 
@@ -40,10 +40,10 @@ class Images {
   void take_operations() noexcept;
   /// Whether in what was taken all has been written again that was written before the loss of this number.
   bool is_complete(std::uint32_t losses) const noexcept;
-  void apply_operations(core::Plant& plant) noexcept;
+  void apply_operations(plant::Plant& plant) noexcept;
   /// Puts operations to zero whose policy it is when their link is lost. What is there acts again with the next
   /// apply_operations(). Costs a look at every word of the image.
-  void zero_operations(core::Plant& plant) noexcept;
+  void zero_operations(plant::Plant& plant) noexcept;
   /// Hands over the status alone.
   void write_status(const StatusBlock& status) noexcept;
 
@@ -80,13 +80,13 @@ class Images {
   NumberPlace number_place(const IoPoint& point) const noexcept;
   std::vector<std::uint64_t> zero_masks() const;
   void hand_over() noexcept;
-  void change_operations(core::Plant& plant, std::span<const std::uint64_t> image) noexcept;
-  void apply_coils(core::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
-  void apply_registers(core::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
+  void change_operations(plant::Plant& plant, std::span<const std::uint64_t> image) noexcept;
+  void apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t now, std::uint64_t changed) const noexcept;
+  void apply_registers(plant::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept;
   void write_event_word(std::uint32_t word, std::uint64_t bits) noexcept;
   void write_input_register(std::uint32_t slot, std::uint64_t value) noexcept;
 
-  const core::PlantTables& tables_;
+  const tables::PlantTables& tables_;
   std::vector<IoPoint> points_;
   std::array<std::uint32_t, kTables> sizes_;
   std::size_t coil_words_;      ///< holding registers follow them

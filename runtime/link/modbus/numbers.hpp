@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/core/tables.hpp"
 #include "symplant/link/link_settings.hpp"
 #include "symplant/link/modbus/places.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::link::modbus {
 
@@ -17,7 +17,7 @@ struct NumberPlace {
   std::uint32_t first;
   std::uint32_t registers;  ///< 1, 2 or 4
   WordOrder word_order;
-  core::DataType type;
+  tables::DataType type;
 };
 
 /// By how many bits a register is shifted within the number: the k-th of them.
@@ -38,16 +38,16 @@ inline std::uint64_t number_at(std::span<const std::uint64_t> registers, const N
     bits |= std::uint64_t{get_register(registers, place.first + k)} << shift_of(place, k);
   }
   switch (place.type) {
-    case core::DataType::sint:
+    case tables::DataType::sint:
       return extended<std::int8_t>(bits);
-    case core::DataType::int_:
+    case tables::DataType::int_:
       return extended<std::int16_t>(bits);
-    case core::DataType::dint:
+    case tables::DataType::dint:
       return extended<std::int32_t>(bits);
-    case core::DataType::usint:
-    case core::DataType::byte:
+    case tables::DataType::usint:
+    case tables::DataType::byte:
       return bits & 0xFF;
-    case core::DataType::real:
+    case tables::DataType::real:
       return std::bit_cast<std::uint64_t>(double{std::bit_cast<float>(static_cast<std::uint32_t>(bits))});
     default:
       return bits;
@@ -56,7 +56,7 @@ inline std::uint64_t number_at(std::span<const std::uint64_t> registers, const N
 
 /// Writes a slot's number into its registers. A REAL beyond the range of 32 bits becomes infinite.
 inline void set_number(std::span<std::uint64_t> registers, const NumberPlace& place, std::uint64_t value) noexcept {
-  if (place.type == core::DataType::real) {
+  if (place.type == tables::DataType::real) {
     value = std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<double>(value)));
   }
   for (std::uint32_t k = 0; k < place.registers; ++k) {

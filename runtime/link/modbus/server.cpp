@@ -22,11 +22,11 @@ namespace {
 /// How long no client is accepted after the system had no descriptor or memory for one.
 constexpr int kPauseMilliseconds = 100;
 /// Who asked within it gives no descriptor away to a new client.
-constexpr core::Time kQuiet = 10 * core::kSecond;
+constexpr tables::Time kQuiet = 10 * tables::kSecond;
 /// How many clients are accepted before those that are there have their turn.
 constexpr int kAcceptsATurn = 64;
 
-core::Time steady_now() {
+tables::Time steady_now() {
   const auto since = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
 }
@@ -86,8 +86,8 @@ struct Server::Client {
   Descriptor socket;
   Connection connection;
   std::uint64_t last_use = 0;
-  core::Time last_request = 0;  ///< or when it was accepted
-  core::Time frame_begun = 0;   ///< when the frame began that is not whole yet; 0: there is none
+  tables::Time last_request = 0;  ///< or when it was accepted
+  tables::Time frame_begun = 0;   ///< when the frame began that is not whole yet; 0: there is none
   std::uint32_t watched = EPOLLIN;
   bool kept = false;
   bool ended = false;  ///< it sends no more, but still gets its answers
@@ -138,8 +138,8 @@ void Server::serve() {
 int Server::milliseconds_to_wait() const noexcept {
   if (!listening_) return kPauseMilliseconds;
   if (clients_.empty()) return -1;
-  const core::Time left = std::max<core::Time>(next_sweep_ - now_, 0);
-  return static_cast<int>((left + core::kMillisecond - 1) / core::kMillisecond);
+  const tables::Time left = std::max<tables::Time>(next_sweep_ - now_, 0);
+  return static_cast<int>((left + tables::kMillisecond - 1) / tables::kMillisecond);
 }
 
 void Server::accept_clients() {
@@ -246,7 +246,7 @@ void Server::close_client(int fd) {
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);
 }
 
-bool Server::make_room(core::Time quiet) {
+bool Server::make_room(tables::Time quiet) {
   const auto rank = [](const Client& client) { return std::pair(client.connection.requests() != 0, client.last_use); };
   Client* victim = nullptr;
   for (const auto& [fd, client] : clients_) {
@@ -260,9 +260,9 @@ bool Server::make_room(core::Time quiet) {
 }
 
 void Server::close_overdue() {
-  core::Time shortest = options_.frame;
+  tables::Time shortest = options_.frame;
   if (options_.idle > 0) shortest = std::min(shortest, options_.idle);
-  next_sweep_ = now_ + std::clamp<core::Time>(shortest / 4, 5 * core::kMillisecond, core::kSecond);
+  next_sweep_ = now_ + std::clamp<tables::Time>(shortest / 4, 5 * tables::kMillisecond, tables::kSecond);
   std::vector<int> overdue;
   for (const auto& [fd, client] : clients_) {
     const bool idle = options_.idle > 0 && now_ - client->last_request > options_.idle;

@@ -10,18 +10,19 @@
 #include <thread>
 #include <vector>
 
-#include "symplant/core/time.hpp"
 #include "symplant/link/modbus/connection.hpp"
 #include "symplant/link/modbus/socket.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::link::modbus {
 
 /// How many clients a server has, and for how long.
 struct ServerOptions {
-  std::size_t connections = 32;           ///< at once; 0 counts as 1
-  core::Time idle = 300 * core::kSecond;  ///< a client without a request for so long is closed; 0: never
-  core::Time frame = 10 * core::kSecond;  ///< a frame that was begun is whole within it, or its client is closed; > 0
-  std::vector<std::string> keep = {};     ///< numeric addresses of clients that never give way to a new one
+  std::size_t connections = 32;               ///< at once; 0 counts as 1
+  tables::Time idle = 300 * tables::kSecond;  ///< a client without a request for so long is closed; 0: never
+  tables::Time frame =
+      10 * tables::kSecond;            ///< a frame that was begun is whole within it, or its client is closed; > 0
+  std::vector<std::string> keep = {};  ///< numeric addresses of clients that never give way to a new one
 };
 
 /// Serves clients from its construction to its destruction, in a thread of its own that takes no signals.
@@ -59,7 +60,7 @@ class Server {
   bool rearm(Client& client);
   void close_client(int fd);
   /// Closes who gives way; none that asked within `quiet`. False where there is none.
-  bool make_room(core::Time quiet);
+  bool make_room(tables::Time quiet);
   void close_overdue();
   void listen(bool on);
 
@@ -70,8 +71,8 @@ class Server {
   Descriptor wake_;                                 ///< an eventfd: written once, to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
   std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to tell who was used last
-  core::Time now_ = 0;                              ///< of the steady clock, as the latest events came
-  core::Time next_sweep_ = 0;                       ///< when clients are looked at next for what is overdue
+  tables::Time now_ = 0;                            ///< of the steady clock, as the latest events came
+  tables::Time next_sweep_ = 0;                     ///< when clients are looked at next for what is overdue
   bool listening_ = true;
   bool gave_way_ = false;  ///< a client was closed for want of descriptors, and no other was accepted since
   std::atomic<std::uint32_t> open_{0};

@@ -5,11 +5,11 @@
 #include <system_error>
 #include <utility>
 
-#include "symplant/core/version.hpp"
 #include "symplant/link/health.hpp"
 #include "symplant/link/modbus/images.hpp"
 #include "symplant/link/modbus/listener.hpp"
 #include "symplant/link/modbus/server.hpp"
+#include "symplant/tables/version.hpp"
 
 namespace symplant::link::modbus {
 
@@ -97,19 +97,19 @@ class ImageResponder final : public Responder {
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const core::PlantTables& tables, const IoMap& map, const LinkSettings& settings, Listener listener,
-             const core::Plant* plant)
+  ServerLink(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings, Listener listener,
+             const plant::Plant* plant)
       : bound_(std::move(listener.bound)),
         freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
         health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
         images_(tables, map, settings.word_order),
         responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
-                   {"symplant", tables.name, core::version()}, map),
+                   {"symplant", tables.name, tables::version()}, map),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
   std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
 
-  void read_operations(core::Plant& plant, core::Time now) noexcept override {
+  void read_operations(plant::Plant& plant, tables::Time now) noexcept override {
     const bool heard = is_heard();
     switch (health_.look(now, heard, images_.is_complete(health_.losses()))) {
       case Verdict::apply:
@@ -125,7 +125,7 @@ class ServerLink final : public Link {
     if (health_.state() == exec::LinkState::lost) ++status_.lost_exchanges;
   }
 
-  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+  void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override {
     status_.cycles = status.cycles + 1;  // this one included
     status_.overruns = status.overruns;
     status_.live = status.live;
@@ -157,7 +157,7 @@ class ServerLink final : public Link {
   }
 
   /// The images with the plant's events, before the server's thread begins to answer from them.
-  static Images& filled(Images& images, const core::Plant* plant, std::uint64_t map_hash) {
+  static Images& filled(Images& images, const plant::Plant* plant, std::uint64_t map_hash) {
     if (plant != nullptr) images.write_events(*plant, {.map_hash = map_hash});
     return images;
   }
@@ -194,8 +194,8 @@ std::string address_fault(std::string_view rest) {
   return error == nullptr ? std::string() : error->message;
 }
 
-LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
-                            const core::Plant* plant) {
+LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
+                            const plant::Plant* plant) {
   auto address = address_of(rest);
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
   const IoMap map = make_io_map(tables, link.controller, link.settings);

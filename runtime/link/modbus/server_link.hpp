@@ -12,7 +12,7 @@ namespace symplant::link::modbus {
 std::string address_fault(std::string_view rest);
 
 /// Makes and starts the server on it. Tables must outlive it. A map with a fault is a usage error.
-LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const core::PlantTables& tables,
-                            const core::Plant* plant);
+LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
+                            const plant::Plant* plant);
 
 }  // namespace symplant::link::modbus

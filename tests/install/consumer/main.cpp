@@ -6,7 +6,7 @@
 #include "press/devices_gen.hpp"
 #include "press/plant_gen.hpp"
 #include "press/types_gen.hpp"
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ void expect(bool holds, const char* what) {
   if (!holds) ++failures;
 }
 
-std::uint32_t bit_of(const symplant::core::Plant& plant, press_line::Symbol symbol) {
+std::uint32_t bit_of(const symplant::plant::Plant& plant, press_line::Symbol symbol) {
   return plant.tables().symbols[static_cast<std::size_t>(symbol)].index;
 }
 
@@ -25,11 +25,11 @@ std::uint32_t bit_of(const symplant::core::Plant& plant, press_line::Symbol symb
 
 int main() {
   using press_line::Symbol;
-  using symplant::core::kSecond;
+  using symplant::tables::kSecond;
   using State = press_line::RAM::State;
 
   const std::unique_ptr<press_line::Plant> owned = press_line::make_plant();
-  symplant::core::Plant& plant = *owned;
+  symplant::plant::Plant& plant = *owned;
   const auto ram = static_cast<std::uint32_t>(press_line::Device::kHALL2_PRESS_RAM);
   const auto state = [&] { return static_cast<State>(plant.unit(ram).state); };
 

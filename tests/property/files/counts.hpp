@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "symplant/core/finding.hpp"
+#include "symplant/tables/finding.hpp"
 
 namespace symplant::property::files {
 
@@ -46,9 +46,9 @@ enum class Seen : std::size_t {
   until_cut,
   runs_good,
   runs_failed,
-  /// The first of core::FindingKind, in its order.
+  /// The first of tables::FindingKind, in its order.
   first_finding,
-  number_of = first_finding + core::kFindingKinds,
+  number_of = first_finding + tables::kFindingKinds,
 };
 inline constexpr std::size_t kSeen = static_cast<std::size_t>(Seen::number_of);
 
@@ -103,7 +103,7 @@ struct Counts {
   std::array<long, kSeen> counts{};
 
   long& operator[](Seen what) { return counts[static_cast<std::size_t>(what)]; }
-  long& of(core::FindingKind kind) {
+  long& of(tables::FindingKind kind) {
     return counts[static_cast<std::size_t>(Seen::first_finding) + static_cast<std::size_t>(kind)];
   }
   Counts& operator+=(const Counts& other) {

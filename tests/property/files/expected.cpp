@@ -9,7 +9,7 @@
 #include "property/files/resolved_steps.hpp"
 #include "property/files/scenario_json.hpp"
 #include "support/reference/lines.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::property::files {
 namespace {
@@ -21,7 +21,7 @@ bool is_case(const model::PlantModel& plant) { return plant.description_faults.e
 std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
   const lower::EngineTables tables = lower::lower(plant);
   char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(core::model_hash(tables.tables())));
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(tables::model_hash(tables.tables())));
   return "{\"symplant-trace\":1,\"plant\":\"" + plant.name + "\",\"model_hash\":\"" + hash +
          "\",\"seed\":" + std::to_string(seed) + "}";
 }
@@ -30,7 +30,7 @@ void count_actions(const Step& step, const model::PlantModel& plant, Counts& cou
   counts[Seen::sets] += std::ssize(step.set);
   for (const auto& [name, value] : step.set) {
     for (const model::Symbol& symbol : plant.symbols) {
-      counts[Seen::sets_of_inputs] += symbol.name() == name && symbol.direction == core::Direction::event ? 1 : 0;
+      counts[Seen::sets_of_inputs] += symbol.name() == name && symbol.direction == tables::Direction::event ? 1 : 0;
     }
   }
   counts[Seen::states] += std::ssize(step.states);
@@ -38,7 +38,7 @@ void count_actions(const Step& step, const model::PlantModel& plant, Counts& cou
   counts[Seen::releases] += std::ssize(step.release);
 }
 
-void count_verdict(const Step& step, const reference::Verdict& verdict, core::Time start, Counts& counts) {
+void count_verdict(const Step& step, const reference::Verdict& verdict, tables::Time start, Counts& counts) {
   if (!verdict.reached) {
     ++counts[Seen::never_reached];
   } else if (step.when == When::wait) {
@@ -64,7 +64,7 @@ class CountingRun {
     for (const Step& step : it_.steps) {
       const auto resolved = resolver_.resolve(step);
       if (!resolved) return std::nullopt;
-      const core::Time start = reference_.now();
+      const tables::Time start = reference_.now();
       const std::size_t before = player.verdicts().size();
       player.play(*resolved);
       count(step, start, player.cut());
@@ -77,7 +77,7 @@ class CountingRun {
   }
 
  private:
-  void count(const Step& step, core::Time start, bool cut) {
+  void count(const Step& step, tables::Time start, bool cut) {
     if (cut || step.when == When::wait) return;
     ++(step.when == When::at ? counts_[Seen::at] : counts_[Seen::plus]);
     if (step.when == When::at && *step.time < start) ++counts_[Seen::at_past];
@@ -116,9 +116,9 @@ std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
   for (const reference::Verdict& verdict : *verdicts) add("step " + std::to_string(verdict.step + 1), verdict.held);
   std::vector<bool> violated(plant.requirements.size());
   for (const reference::InstantRecord& instant : reference.instants()) {
-    for (const core::Finding& finding : instant.findings) {
+    for (const tables::Finding& finding : instant.findings) {
       ++counts.of(finding.kind);
-      if (finding.kind == core::FindingKind::requirement_violated) violated[finding.of] = true;
+      if (finding.kind == tables::FindingKind::requirement_violated) violated[finding.of] = true;
     }
   }
   for (std::size_t i = 0; i < violated.size(); ++i) add("requirement: " + plant.requirements[i].name, !violated[i]);

@@ -18,8 +18,8 @@ using Setting = std::pair<std::string, std::uint64_t>;
 struct Step {
   enum class When : std::uint8_t { at, plus, wait };
   When when = When::plus;
-  std::optional<core::Time> time;  ///< of `at` and `plus`: always there; of `wait`: its `within`
-  std::string wait;                ///< a condition
+  std::optional<tables::Time> time;  ///< of `at` and `plus`: always there; of `wait`: its `within`
+  std::string wait;                  ///< a condition
   std::vector<Setting> set;
   std::vector<std::pair<std::string, std::string>> states;  ///< device and state
   std::vector<Setting> force;
@@ -40,7 +40,7 @@ struct FileCase {
   Style style;
   std::vector<Step> steps;
   std::uint64_t seed = 0;  ///< of the run
-  std::optional<core::Time> until;
+  std::optional<tables::Time> until;
 };
 
 /// What a run of the tool is given.
@@ -49,7 +49,7 @@ struct Files {
   std::string plant;
   std::string scenario;
   std::uint64_t seed = 0;
-  std::optional<core::Time> until;
+  std::optional<tables::Time> until;
 };
 
 }  // namespace symplant::property::files

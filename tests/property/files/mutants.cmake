@@ -21,15 +21,15 @@ symplant_files_mutant(pattern_beats_exact_name generator/model model
   "      if (exact != nullptr && exact->gives(key)) {"
   "      if (exact != nullptr && exact->gives(key) && best_of(unit, patterns, key) == nullptr) {")
 
-symplant_files_mutant(array_of_a_pattern_stays_where_it_is_empty generator/model model
+symplant_files_mutant(array_of_a_pattern_stays_where_it_is_empty generator/description description
   "  if (given[static_cast<std::size_t>(key)]) return true;"
   "")
 
-symplant_files_mutant(random_times_of_one_kind generator/model model
+symplant_files_mutant(random_times_of_one_kind generator/description description
   "  if (mean && sigma) return Duration{Duration::Kind::normal, *mean, *sigma};"
   "  if (mean && sigma) return Duration{Duration::Kind::uniform, *mean, *mean + *sigma};")
 
-symplant_files_mutant(once_is_not_read generator/model model
+symplant_files_mutant(once_is_not_read generator/description description
   "    given.once = flag_member(value, \"once\");"
   "")
 

@@ -22,7 +22,7 @@ PlannedPlant plan_of(const model::PlantModel& plant) {
   }
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.unit != model::kNone) continue;
-    if (symbol.type == core::DataType::boolean) {
+    if (symbol.type == tables::DataType::boolean) {
       plan.spare_bits.emplace_back(symbol.name());
     } else {
       plan.spare_values.push_back({std::string(symbol.name()), {}, false});

@@ -16,9 +16,9 @@ namespace {
 
 using nlohmann::json;
 
-void clip(core::Time& time) { time = std::min(time, core::kNever - 1); }
+void clip(tables::Time& time) { time = std::min(time, tables::kNever - 1); }
 
-void clip(std::optional<model::Duration>& duration) {
+void clip(std::optional<description::Duration>& duration) {
   if (!duration) return;
   clip(duration->a);
   clip(duration->b);
@@ -29,19 +29,20 @@ void clip(std::vector<std::pair<std::string, bool>>& events) {
   events.assign(by_name.begin(), by_name.end());
 }
 
-void add_behaviour(Dice& dice, const PlantText& plant, model::DeviceDescription& device) {
+void add_behaviour(Dice& dice, const PlantText& plant, description::DeviceDescription& device) {
   // A name of each device's own: devices of one behaviour would have to be alike.
   const auto& devices = plant.description.devices;
-  const auto same = [&](const model::DeviceDescription& other) { return other.path == device.path; };
+  const auto same = [&](const description::DeviceDescription& other) { return other.path == device.path; };
   device.behaviour = "MyOwnCode" + std::to_string(std::find_if(devices.begin(), devices.end(), same) - devices.begin());
   // Conditions that stand elsewhere in the description are sure to name what is there.
-  for (const model::GivenRequirement& requirement : plant.description.requirements) {
+  for (const description::GivenRequirement& requirement : plant.description.requirements) {
     const std::string& text = requirement.never.empty() ? requirement.expect : requirement.never;
     if (dice.percent(50)) device.inputs.emplace_back("in_" + requirement.name, text);
   }
 }
 
-std::set<std::string> tasks_of(const PlantText& plant, const std::string& path, const model::DeviceDescription* said) {
+std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
+                               const description::DeviceDescription* said) {
   std::set<std::string> tasks;
   const auto upper = [](std::string text) {
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -85,9 +86,9 @@ json list_of(Sayer& sayer, bool decorated, const char* name, const std::string& 
   return list;
 }
 
-json defaults_of(const model::Defaults& defaults, Sayer& sayer) {
+json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   json said = json::object();
-  const model::Defaults without;
+  const description::Defaults without;
   if (defaults.travel != without.travel) said["travel"] = sayer.time(defaults.travel);
   if (defaults.dwell != without.dwell) said["dwell"] = sayer.time(defaults.dwell);
   if (defaults.actuation != without.actuation || sayer.dice.percent(10)) {
@@ -100,20 +101,20 @@ json defaults_of(const model::Defaults& defaults, Sayer& sayer) {
 
 void make_sayable(PlantText& plant, std::uint64_t seed) {
   Dice dice(seed ^ 0xF11E5);
-  model::Description& description = plant.description;
+  description::Description& description = plant.description;
   clip(description.defaults.travel);
   clip(description.defaults.dwell);
-  for (model::GivenRequirement& requirement : description.requirements) clip(requirement.within);
+  for (description::GivenRequirement& requirement : description.requirements) clip(requirement.within);
   if (dice.percent(15)) {
     plant.second_list = dice.below(plant.rows.size());
     if (dice.percent(50)) plant.second_controller = "PLC2";
   }
-  for (model::DeviceDescription& device : description.devices) {
-    for (model::GivenTransition& transition : device.transitions) {
+  for (description::DeviceDescription& device : description.devices) {
+    for (description::GivenTransition& transition : device.transitions) {
       clip(transition.after);
       clip(transition.takes);
     }
-    for (model::GivenOutputs& outputs : device.outputs) {
+    for (description::GivenOutputs& outputs : device.outputs) {
       clip(outputs.enter);
       clip(outputs.leave);
     }
@@ -136,7 +137,7 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   json devices = json::object();
   for (const Entry& entry : spread(wishes_of(plant, style, counts), style, counts)) devices[entry.name] = entry.keys;
   if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
-  for (const model::GivenRequirement& requirement : plant.description.requirements) {
+  for (const description::GivenRequirement& requirement : plant.description.requirements) {
     said["requirements"].push_back(sayer.requirement(requirement));
   }
   if (style.decorated) {

@@ -14,7 +14,7 @@ namespace symplant::property::files {
 namespace {
 
 using When = Step::When;
-using core::kMillisecond;
+using tables::kMillisecond;
 
 class ScenarioDrawer {
  public:
@@ -28,7 +28,7 @@ class ScenarioDrawer {
         fails_(dice.percent(55) ? 12 : 0) {
     reference_.reset(seed);
     for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-      if (plant.symbols[i].direction == core::Direction::operation) {
+      if (plant.symbols[i].direction == tables::Direction::operation) {
         operations_.push_back(i);
         continue;
       }
@@ -74,7 +74,7 @@ class ScenarioDrawer {
     player_ = before;
     return false;
   }
-  void take(Step step, core::Time nominal) {
+  void take(Step step, tables::Time nominal) {
     if (!play(step)) {
       ended_ = ++refused_ == 4;
       return;
@@ -88,21 +88,21 @@ class ScenarioDrawer {
     if (dice_.percent(12)) return wait();
     Step step;
     timing(step);
-    const core::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
+    const tables::Time nominal = step.when == When::at ? *step.time : earliest_ + *step.time;
     actions(step);
     if (dice_.percent(35)) expect(step);
     take(std::move(step), nominal);
   }
 
   void timing(Step& step) {
-    static const std::vector<core::Time> kPlus = {
+    static const std::vector<tables::Time> kPlus = {
         10 * kMillisecond, 10 * kMillisecond, 20 * kMillisecond, 50 * kMillisecond,
-        5 * kMillisecond,  core::kSecond,     33'333'333,        1};
+        5 * kMillisecond,  tables::kSecond,   33'333'333,        1};
     step.time = dice_.percent(40) ? 0 : dice_.pick(kPlus);
-    const core::Time now = reference_.now();
-    const core::Time due = reference_.next_due();
+    const tables::Time now = reference_.now();
+    const tables::Time due = reference_.next_due();
     // The very moment at which something happens.
-    if (dice_.percent(25) && due < now + 100 * core::kSecond) step.time = due - now;
+    if (dice_.percent(25) && due < now + 100 * tables::kSecond) step.time = due - now;
     if (!dice_.percent(30)) return;
     step.when = When::at;
     // Past where a wait took long, but never before what the file itself says above.
@@ -183,7 +183,7 @@ class ScenarioDrawer {
     std::set<std::uint32_t> told;
     for (std::size_t i = 1 + dice_.below(4); i > 0; --i) {
       const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
-      const bool is_bit = plant_.symbols[symbol].type == core::DataType::boolean;
+      const bool is_bit = plant_.symbols[symbol].type == tables::DataType::boolean;
       if (!told.insert(symbol).second) continue;
       std::uint64_t value = reference_.value(symbol);
       if (fails && i == 1) value = is_bit ? 1 - value : random_content(dice_, plant_.symbols[symbol].type);
@@ -211,17 +211,17 @@ class ScenarioDrawer {
   }
 
   /// Long, short, just enough, or one nanosecond too little.
-  core::Time wait_time(Step step) {
-    if (dice_.percent(40)) return random_time(dice_) % (100 * core::kSecond);
-    const core::Time start = reference_.now();
+  tables::Time wait_time(Step step) {
+    if (dice_.percent(40)) return random_time(dice_) % (100 * tables::kSecond);
+    const tables::Time start = reference_.now();
     const reference::World world = reference_.save();
     const reference::ScenarioPlayer before = player_;
-    step.time = 10 * core::kSecond;
+    step.time = 10 * tables::kSecond;
     const bool met = play(step) && player_.verdicts().back().held;
-    const core::Time took = reference_.now() - start;
+    const tables::Time took = reference_.now() - start;
     reference_.restore(world);
     player_ = before;
-    if (!met) return static_cast<core::Time>(dice_.below(3)) * 15 * kMillisecond;
+    if (!met) return static_cast<tables::Time>(dice_.below(3)) * 15 * kMillisecond;
     return took > 0 && dice_.percent(25) ? took - 1 : took;
   }
 
@@ -234,18 +234,18 @@ class ScenarioDrawer {
     return {};
   }
 
-  core::Time until() {
+  tables::Time until() {
     const std::size_t kind = dice_.below(100);
-    const core::Time last = times_.empty() ? 0 : times_.back();
-    if (kind < 40 || times_.empty()) return last + static_cast<core::Time>(dice_.below(6)) * 10 * kMillisecond;
-    const core::Time some = dice_.pick(times_);
+    const tables::Time last = times_.empty() ? 0 : times_.back();
+    if (kind < 40 || times_.empty()) return last + static_cast<tables::Time>(dice_.below(6)) * 10 * kMillisecond;
+    const tables::Time some = dice_.pick(times_);
     if (kind < 70) return some;
-    return kind < 85 ? some + 1 : std::max<core::Time>(some - 1, 0);
+    return kind < 85 ? some + 1 : std::max<tables::Time>(some - 1, 0);
   }
 
   std::string name(std::uint32_t symbol) const { return std::string(plant_.symbols[symbol].name()); }
   std::uint64_t new_value(std::uint32_t symbol) {
-    if (plant_.symbols[symbol].type != core::DataType::boolean) {
+    if (plant_.symbols[symbol].type != tables::DataType::boolean) {
       return random_content(dice_, plant_.symbols[symbol].type);
     }
     return written_[symbol] = dice_.percent(90) ? 1 - written_[symbol] : written_[symbol];
@@ -263,8 +263,8 @@ class ScenarioDrawer {
   std::vector<std::uint64_t> written_;
   std::vector<std::string> forced_;
   std::vector<Step> steps_;
-  std::vector<core::Time> times_;  ///< when each step was over
-  core::Time earliest_ = 0;        ///< of the next `at`, as far as the file alone can tell
+  std::vector<tables::Time> times_;  ///< when each step was over
+  tables::Time earliest_ = 0;        ///< of the next `at`, as far as the file alone can tell
   int refused_ = 0;
   bool ended_ = false;
 };

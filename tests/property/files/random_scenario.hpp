@@ -14,7 +14,7 @@ inline constexpr long kMostInstants = 3000;
 
 struct DrawnScenario {
   std::vector<Step> steps;
-  std::optional<core::Time> until;
+  std::optional<tables::Time> until;
 };
 
 /// Steps for a run under `seed`: most expect what is there, some do not; a wait may be met at its last instant.

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "property/words.hpp"
-#include "symplant/core/digest.hpp"
-#include "symplant/core/wide.hpp"
+#include "symplant/engine/wide.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::property::files {
 namespace {
@@ -17,17 +17,17 @@ using nlohmann::json;
 
 struct Unit {
   const char* name;
-  core::Time length;
+  tables::Time length;
 };
 constexpr std::array<Unit, 6> kUnits{{{"ns", 1},
                                       {"us", 1000},
-                                      {"ms", core::kMillisecond},
-                                      {"s", core::kSecond},
-                                      {"min", 60 * core::kSecond},
-                                      {"h", 3600 * core::kSecond}}};
+                                      {"ms", tables::kMillisecond},
+                                      {"s", tables::kSecond},
+                                      {"min", 60 * tables::kSecond},
+                                      {"h", 3600 * tables::kSecond}}};
 
 std::uint64_t seed_of(const Style& style, std::string_view of) {
-  core::Fnv1a64 hash;
+  tables::Fnv1a64 hash;
   hash.u64(style.seed);
   hash.text(of);
   return hash.value();
@@ -52,10 +52,10 @@ bool fits_from(const std::string& text, std::size_t t, const std::string& patter
 Sayer::Sayer(const Style& style, std::string_view of, Counts& counts)
     : dice(seed_of(style, of)), decorated_(style.decorated), counts_(counts) {}
 
-std::string Sayer::time(core::Time time) {
+std::string Sayer::time(tables::Time time) {
   const Unit& unit = kUnits[decorated_ ? dice.below(kUnits.size()) : 0];
   for (int decimals = 0; decimals <= 9; ++decimals) {
-    core::SignedWide scaled = time;
+    engine::SignedWide scaled = time;
     for (int i = 0; i < decimals; ++i) scaled *= 10;
     if (scaled % unit.length != 0) continue;
     std::string digits = std::to_string(static_cast<std::int64_t>(scaled / unit.length));
@@ -71,8 +71,8 @@ std::string Sayer::time(core::Time time) {
   return std::to_string(time) + "ns";
 }
 
-json Sayer::duration(const model::Duration& duration) {
-  using Kind = model::Duration::Kind;
+json Sayer::duration(const description::Duration& duration) {
+  using Kind = description::Duration::Kind;
   if (duration.kind == Kind::fixed) return time(duration.a);
   ++counts_[Seen::random_times];
   if (duration.kind == Kind::uniform) return {{"min", time(duration.a)}, {"max", time(duration.b)}};
@@ -92,7 +92,7 @@ std::string Sayer::condition(const std::string& text) {
   return text;
 }
 
-json Sayer::transition(const model::GivenTransition& given) {
+json Sayer::transition(const description::GivenTransition& given) {
   json said = {{"from", name(given.from)}, {"to", name(given.to)}};
   if (given.from == "*") ++counts_[Seen::stars];
   if (!given.on.empty()) said["on"] = name(given.on);
@@ -134,21 +134,21 @@ json Sayer::disabled(const std::string& own, const std::vector<std::string>& dev
   return said;
 }
 
-Keys Sayer::keys(const model::DeviceDescription& device, const std::vector<std::string>& units) {
+Keys Sayer::keys(const description::DeviceDescription& device, const std::vector<std::string>& units) {
   Keys keys;
   if (!device.states.empty()) keys["states"] = device.states;
   if (device.initial) keys["initial"] = name(*device.initial);
   if (device.rest) keys["rest"] = name(*device.rest);
   if (device.actuation) keys["actuation"] = word_of(*device.actuation);
   if (device.only) keys["only"] = true;
-  for (const model::GivenTransition& given : device.transitions) keys["transitions"].push_back(transition(given));
-  for (const model::GivenOutputs& given : device.outputs) {
+  for (const description::GivenTransition& given : device.transitions) keys["transitions"].push_back(transition(given));
+  for (const description::GivenOutputs& given : device.outputs) {
     json said = json::object();
     if (!given.enter.empty()) said["enter"] = switched(given.enter);
     if (!given.leave.empty()) said["leave"] = switched(given.leave);
     keys["outputs"][name(given.state)] = said;
   }
-  for (const model::GivenDisables& given : device.disables) {
+  for (const description::GivenDisables& given : device.disables) {
     keys["disables"][name(given.state)] = disabled(device.path, given.devices, units);
   }
   if (!device.type.empty()) keys["type"] = device.type;
@@ -158,7 +158,7 @@ Keys Sayer::keys(const model::DeviceDescription& device, const std::vector<std::
   return keys;
 }
 
-json Sayer::requirement(const model::GivenRequirement& given) {
+json Sayer::requirement(const description::GivenRequirement& given) {
   if (!given.never.empty()) return {{"name", given.name}, {"never", condition(given.never)}};
   return {{"name", given.name},
           {"after", condition(given.after)},

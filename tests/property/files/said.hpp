@@ -19,19 +19,19 @@ class Sayer {
  public:
   Sayer(const Style& style, std::string_view of, Counts& counts);
 
-  std::string time(core::Time time);
-  nlohmann::json duration(const model::Duration& duration);
+  std::string time(tables::Time time);
+  nlohmann::json duration(const description::Duration& duration);
   std::string name(const std::string& name);
   /// All that is not as it is without a word. `units`: the paths of all devices.
-  Keys keys(const model::DeviceDescription& device, const std::vector<std::string>& units);
-  nlohmann::json requirement(const model::GivenRequirement& requirement);
+  Keys keys(const description::DeviceDescription& device, const std::vector<std::string>& units);
+  nlohmann::json requirement(const description::GivenRequirement& requirement);
   /// As it is; counts what it uses.
   std::string condition(const std::string& text);
 
   Dice dice;
 
  private:
-  nlohmann::json transition(const model::GivenTransition& given);
+  nlohmann::json transition(const description::GivenTransition& given);
   nlohmann::json switched(const std::vector<std::pair<std::string, bool>>& events);
   nlohmann::json disabled(const std::string& own, const std::vector<std::string>& devices,
                           const std::vector<std::string>& units);

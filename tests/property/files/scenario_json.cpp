@@ -45,10 +45,10 @@ class ScenarioWriter {
     return said;
   }
 
-  json number(core::DataType type, std::uint64_t value) {
-    if (type == core::DataType::boolean) return value != 0;
-    if (type == core::DataType::real || type == core::DataType::lreal) return real(std::bit_cast<double>(value));
-    const bool is_signed = type >= core::DataType::sint && type <= core::DataType::lint;
+  json number(tables::DataType type, std::uint64_t value) {
+    if (type == tables::DataType::boolean) return value != 0;
+    if (type == tables::DataType::real || type == tables::DataType::lreal) return real(std::bit_cast<double>(value));
+    const bool is_signed = type >= tables::DataType::sint && type <= tables::DataType::lint;
     const json number = is_signed ? json(static_cast<std::int64_t>(value)) : json(value);
     if (sayer_.dice.percent(5)) return number.dump();  // what a trace writes of large ones
     return number;
@@ -62,7 +62,7 @@ class ScenarioWriter {
   }
 
   Sayer sayer_;
-  std::unordered_map<std::string_view, core::DataType> types_;
+  std::unordered_map<std::string_view, tables::DataType> types_;
 };
 
 }  // namespace

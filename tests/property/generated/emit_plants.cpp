@@ -38,7 +38,7 @@ std::string table_of_all(std::uint64_t count) {
   std::string rows;
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const std::string name = "drawn_" + std::to_string(seed);
-    text += "namespace " + name + " {\nconst symplant::core::PlantTables& tables() noexcept;\n}\n";
+    text += "namespace " + name + " {\nconst symplant::tables::PlantTables& tables() noexcept;\n}\n";
     rows += "      {" + std::to_string(seed) + ", ::" + name + "::tables()},\n";
   }
   return text + "\nnamespace symplant::property {\n\nstd::vector<GeneratedPlant> generated_plants() {\n  return {\n" +

@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::property {
 
 struct GeneratedPlant {
   std::uint64_t seed;
-  const core::PlantTables& tables;
+  const tables::PlantTables& tables;
 };
 
 /// Written by emit_plants.

@@ -10,35 +10,35 @@
 #include "property/dice.hpp"
 #include "property/engine_plant.hpp"
 #include "support/catch.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::property {
 namespace {
 
 /// Brings a plant to a time, or through many instants on the way: plants whose instants follow each other by
 /// nanoseconds would take forever.
-void bring_to(EnginePlant& it, core::Time target) {
+void bring_to(EnginePlant& it, tables::Time target) {
   for (int i = 0; i < 300; ++i) {
-    const core::Time due = it.plant().next_due();
+    const tables::Time due = it.plant().next_due();
     it.advance_to(std::min(due, target));
     if (due >= target) return;
   }
 }
 
 /// Writes and waits, the same for plants of the same symbols.
-std::vector<reference::InstantRecord> trace_of(const core::PlantTables& tables, std::uint64_t seed) {
+std::vector<reference::InstantRecord> trace_of(const tables::PlantTables& tables, std::uint64_t seed) {
   EnginePlant it(tables, {});
   Dice dice(seed);
   it.plant().reset(seed);
   it.advance_to(0);
   for (int step = 0; step < 300; ++step) {
     const auto symbol = static_cast<std::uint32_t>(dice.below(tables.symbols.size()));
-    if (tables.symbols[symbol].direction() == core::Direction::operation) {
+    if (tables.symbols[symbol].direction() == tables::Direction::operation) {
       it.write(symbol, dice.below(2));
     } else {
       it.plant().set_input(symbol, dice.below(2));
     }
-    bring_to(it, it.plant().now() + static_cast<core::Time>(dice.below(4)) * 5 * core::kMillisecond);
+    bring_to(it, it.plant().now() + static_cast<tables::Time>(dice.below(4)) * 5 * tables::kMillisecond);
   }
   return it.instants();
 }
@@ -55,7 +55,7 @@ TEST_CASE("generated code of random plants has the hash of the tables made at ru
     INFO("seed " << generated.seed);
     const DrawnPlant drawn = draw_generated(generated.seed);
     const lower::EngineTables tables = lower::lower(drawn.model);
-    CHECK(core::model_hash(generated.tables) == core::model_hash(tables.tables()));
+    CHECK(tables::model_hash(generated.tables) == tables::model_hash(tables.tables()));
   }
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("generated code of random plants does what the tables made at run time
     INFO("seed " << generated.seed);
     const DrawnPlant drawn = draw_generated(generated.seed);
     const lower::EngineTables tables = lower::lower(drawn.model);
-    const core::PlantTables rows = tables.tables();
+    const tables::PlantTables rows = tables.tables();
     const auto trace = trace_of(generated.tables, generated.seed);
     CHECK(same(trace, trace_of(rows, generated.seed)));
     for (const auto& instant : trace) changes += instant.changes.size();

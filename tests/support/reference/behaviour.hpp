@@ -1,21 +1,21 @@
-// A user's own code for units of the reference: the same members as core::Behaviour and core::BehaviourView, so that
-// one templated test behaviour serves both.
+// A user's own code for units of the reference: the same members as engine::Behaviour and engine::BehaviourView, so
+// that one templated test behaviour serves both.
 #pragma once
 
 #include <cstdint>
 
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::reference {
 
 struct Round;
 
-/// A unit as its behaviour sees it. Members as in core::BehaviourView.
+/// A unit as its behaviour sees it. Members as in engine::BehaviourView.
 class View {
  public:
   View(Round& round, std::uint32_t unit) : round_(round), unit_(unit) {}
 
-  core::Time now() const noexcept;
+  tables::Time now() const noexcept;
   std::uint8_t state() const noexcept;
   std::uint8_t target() const noexcept;
   bool moving() const noexcept;
@@ -27,7 +27,7 @@ class View {
 
   void set_event(std::uint8_t event, bool on) noexcept;
   void set_value(std::uint32_t value, std::uint64_t bits) noexcept;
-  void wake_at(core::Time time) noexcept;
+  void wake_at(tables::Time time) noexcept;
   std::uint64_t draw() noexcept;
   template <class Memory>
   Memory& memory() noexcept {
@@ -43,10 +43,10 @@ class View {
 
 /// Null: the model's own rule.
 struct Behaviour {
-  std::uint32_t memory_size = 0;                                            ///< a multiple of 8
-  core::Time (*takes)(View&, std::uint16_t transition) noexcept = nullptr;  ///< 0xFFFF: a spring's own way
-  core::Time (*after)(View&, std::uint16_t transition) noexcept = nullptr;
-  std::uint8_t (*wanted)(View&) noexcept = nullptr;  ///< core::kNoState: none
+  std::uint32_t memory_size = 0;                                              ///< a multiple of 8
+  tables::Time (*takes)(View&, std::uint16_t transition) noexcept = nullptr;  ///< 0xFFFF: a spring's own way
+  tables::Time (*after)(View&, std::uint16_t transition) noexcept = nullptr;
+  std::uint8_t (*wanted)(View&) noexcept = nullptr;  ///< tables::kNoState: none
   void (*entered)(View&, std::uint8_t state) noexcept = nullptr;
   void (*left)(View&, std::uint8_t state) noexcept = nullptr;
   void (*woken)(View&) noexcept = nullptr;

@@ -7,17 +7,17 @@ namespace symplant::reference {
 namespace {
 
 template <class Number>
-bool compares(Number value, core::Comparison comparison, Number operand) {
+bool compares(Number value, tables::Comparison comparison, Number operand) {
   switch (comparison) {
-    case core::Comparison::less:
+    case tables::Comparison::less:
       return value < operand;
-    case core::Comparison::less_equal:
+    case tables::Comparison::less_equal:
       return value <= operand;
-    case core::Comparison::equal:
+    case tables::Comparison::equal:
       return value == operand;
-    case core::Comparison::greater_equal:
+    case tables::Comparison::greater_equal:
       return value >= operand;
-    case core::Comparison::greater:
+    case tables::Comparison::greater:
       return value > operand;
   }
   return false;
@@ -25,11 +25,11 @@ bool compares(Number value, core::Comparison comparison, Number operand) {
 
 bool number_holds(const condition::Atom& atom, std::uint64_t value) {
   switch (atom.number) {
-    case core::NumberKind::signed_integer:
+    case tables::NumberKind::signed_integer:
       return compares(static_cast<std::int64_t>(value), atom.comparison, static_cast<std::int64_t>(atom.operand));
-    case core::NumberKind::unsigned_integer:
+    case tables::NumberKind::unsigned_integer:
       return compares(value, atom.comparison, atom.operand);
-    case core::NumberKind::real:
+    case tables::NumberKind::real:
       return compares(std::bit_cast<double>(value), atom.comparison, std::bit_cast<double>(atom.operand));
   }
   return false;

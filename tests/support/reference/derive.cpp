@@ -19,13 +19,13 @@ UnitRules gather(const Rules& rules, std::uint32_t place) {
   const model::PlantModel& model = *rules.model;
   UnitRules unit;
   unit.path = model.units[place].path;
-  for (const model::DeviceDescription& device : model.description->devices) {
+  for (const description::DeviceDescription& device : model.description->devices) {
     if (same_name(device.path, unit.path)) unit.described = &device;
   }
   for (std::uint32_t i = 0; i < model.symbols.size(); ++i) {
     const model::Symbol& symbol = model.symbols[i];
     if (symbol.unit == place) {
-      (symbol.direction == core::Direction::operation ? unit.operations : unit.events).push_back(i);
+      (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
     }
     const bool named = symbol.reading.fault == name::NameFault::none;
     if (unit.described != nullptr && !unit.described->behaviour.empty() && named && !rules.is_bool(i) &&
@@ -49,7 +49,7 @@ void derive_outputs(Rules& rules, UnitRules& unit) {
     state.leave.emplace_back(state.event, false);
   }
   if (unit.described == nullptr) return;
-  for (const model::GivenOutputs& given : unit.described->outputs) {
+  for (const description::GivenOutputs& given : unit.described->outputs) {
     const std::uint32_t state = find_state(unit, given.state);
     if (state == kNone) {
       rules.fault = unit.path + ": outputs of " + given.state + ", which is no state";
@@ -74,7 +74,7 @@ void derive_outputs(Rules& rules, UnitRules& unit) {
 void derive_disables(Rules& rules, std::uint32_t place) {
   UnitRules& unit = rules.units[place];
   if (unit.described == nullptr) return;
-  for (const model::GivenDisables& given : unit.described->disables) {
+  for (const description::GivenDisables& given : unit.described->disables) {
     const std::uint32_t state = find_state(unit, given.state);
     if (state == kNone) {
       rules.fault = unit.path + ": disables of " + given.state + ", which is no state";

@@ -7,17 +7,17 @@ namespace symplant::reference {
 namespace {
 
 /// Whether the description names a task as a state anywhere.
-bool told_as_state(const model::DeviceDescription& device, std::string_view task) {
-  for (const model::GivenTransition& given : device.transitions) {
+bool told_as_state(const description::DeviceDescription& device, std::string_view task) {
+  for (const description::GivenTransition& given : device.transitions) {
     if (same_name(given.from, task) || same_name(given.to, task)) return true;
   }
   for (const std::string& state : device.states) {
     if (same_name(state, task)) return true;
   }
-  for (const model::GivenOutputs& given : device.outputs) {
+  for (const description::GivenOutputs& given : device.outputs) {
     if (same_name(given.state, task)) return true;
   }
-  for (const model::GivenDisables& given : device.disables) {
+  for (const description::GivenDisables& given : device.disables) {
     if (same_name(given.state, task)) return true;
   }
   return (device.initial && same_name(*device.initial, task)) || (device.rest && same_name(*device.rest, task));
@@ -25,7 +25,7 @@ bool told_as_state(const model::DeviceDescription& device, std::string_view task
 
 bool is_only_a_command(const UnitRules& unit, const StateRules& state) {
   if (unit.described == nullptr || state.event != kNone || told_as_state(*unit.described, state.name)) return false;
-  for (const model::GivenTransition& given : unit.described->transitions) {
+  for (const description::GivenTransition& given : unit.described->transitions) {
     if (same_name(given.on, state.name)) return true;
   }
   return false;
@@ -33,7 +33,7 @@ bool is_only_a_command(const UnitRules& unit, const StateRules& state) {
 
 bool is_only_a_report(const UnitRules& unit, const StateRules& state) {
   if (unit.described == nullptr || state.operation != kNone || told_as_state(*unit.described, state.name)) return false;
-  for (const model::GivenOutputs& given : unit.described->outputs) {
+  for (const description::GivenOutputs& given : unit.described->outputs) {
     for (const auto* list : {&given.enter, &given.leave}) {
       for (const auto& [task, on] : *list) {
         if (same_name(task, state.name)) return true;
@@ -128,7 +128,7 @@ void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
     inferred_spring = inferred_rest != kNone;
   }
 
-  unit.actuation = inferred_spring ? core::Actuation::spring : rules.model->description->defaults.actuation;
+  unit.actuation = inferred_spring ? tables::Actuation::spring : rules.model->description->defaults.actuation;
   std::uint32_t rest = inferred_rest;
   std::uint32_t initial = kNone;
   if (unit.described != nullptr) {

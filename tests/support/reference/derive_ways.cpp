@@ -4,12 +4,12 @@
 namespace symplant::reference {
 namespace {
 
-using model::Duration;
+using description::Duration;
 
 /// The number of a `when` among the distinct texts of the unit's given transitions, by first appearance.
 std::uint32_t condition_place(const UnitRules& unit, const std::string& text) {
   std::vector<std::string> texts;
-  for (const model::GivenTransition& given : unit.described->transitions) {
+  for (const description::GivenTransition& given : unit.described->transitions) {
     bool known = given.when.empty();
     for (const std::string& other : texts) known = known || other == given.when;
     if (!known) texts.push_back(given.when);
@@ -23,7 +23,7 @@ std::uint32_t condition_place(const UnitRules& unit, const std::string& text) {
 std::uint32_t distinct_conditions(const UnitRules& unit) {
   std::uint32_t count = 0;
   if (unit.described == nullptr) return 0;
-  for (const model::GivenTransition& given : unit.described->transitions) {
+  for (const description::GivenTransition& given : unit.described->transitions) {
     if (given.when.empty()) continue;
     const std::uint32_t place = condition_place(unit, given.when);
     count = place + 1 > count ? place + 1 : count;
@@ -31,7 +31,7 @@ std::uint32_t distinct_conditions(const UnitRules& unit) {
   return count;
 }
 
-void add_given(Rules& rules, UnitRules& unit, const model::GivenTransition& given) {
+void add_given(Rules& rules, UnitRules& unit, const description::GivenTransition& given) {
   const std::uint32_t to = find_state(unit, given.to);
   const std::uint32_t from = given.from == "*" ? kNone : find_state(unit, given.from);
   if (to == kNone || (given.from != "*" && from == kNone)) {
@@ -108,7 +108,7 @@ std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
 }
 
 void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Way>& given) {
-  if (unit.actuation != core::Actuation::latched) return;
+  if (unit.actuation != tables::Actuation::latched) return;
   bool some_operation = false;
   for (const StateRules& state : unit.states) {
     some_operation = some_operation || (!sequence_number(state.name).empty() && state.operation != kNone);
@@ -137,7 +137,7 @@ void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Way>& g
 void derive_ways(Rules& rules, UnitRules& unit) {
   unit.first_input = distinct_conditions(unit);
   if (unit.described != nullptr) {
-    for (const model::GivenTransition& given : unit.described->transitions) add_given(rules, unit, given);
+    for (const description::GivenTransition& given : unit.described->transitions) add_given(rules, unit, given);
     if (unit.described->only) return;
   }
   const std::vector<Way> given = unit.ways;

@@ -6,16 +6,16 @@
 namespace symplant::reference {
 namespace {
 
-std::string text(const model::Duration& duration) {
+std::string text(const description::Duration& duration) {
   std::ostringstream out;
   switch (duration.kind) {
-    case model::Duration::Kind::fixed:
+    case description::Duration::Kind::fixed:
       out << duration.a;
       break;
-    case model::Duration::Kind::uniform:
+    case description::Duration::Kind::uniform:
       out << "min " << duration.a << " max " << duration.b;
       break;
-    case model::Duration::Kind::normal:
+    case description::Duration::Kind::normal:
       out << "mean " << duration.a << " sigma " << duration.b;
       break;
   }
@@ -25,7 +25,7 @@ std::string text(const model::Duration& duration) {
 std::string number(std::uint32_t place) { return place == kNone ? "-" : std::to_string(place); }
 
 std::string text(std::uint32_t from, std::uint32_t to, std::uint32_t on, std::uint32_t when, bool spring_way, bool once,
-                 const model::Duration& after, const model::Duration& takes) {
+                 const description::Duration& after, const description::Duration& takes) {
   std::ostringstream out;
   out << from << "->" << to << " on " << number(on) << " when " << number(when) << (spring_way ? " spring's way" : "")
       << (once ? " once" : "") << " after " << text(after) << " takes " << text(takes);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "support/reference/round.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -24,7 +24,7 @@ struct SplitMix64 {
 };
 
 SplitMix64 started(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k) {
-  core::Fnv1a64 name;
+  tables::Fnv1a64 name;
   name.text(upper(unit));
   return {seed ^ name.value() ^ (n << 32) ^ k};
 }
@@ -42,15 +42,15 @@ Time normal(SplitMix64 random, Time mean, Time sigma) {
   Wide off = product / one;
   if (product % one < 0) --off;  // floor
   // A time beyond what a Time tells never comes.
-  return static_cast<Time>(std::clamp<Wide>(mean + off, 0, core::kNever));
+  return static_cast<Time>(std::clamp<Wide>(mean + off, 0, tables::kNever));
 }
 
 /// Without code: fixed, or drawn.
-Time duration_of(Round& round, std::uint32_t unit, std::uint16_t way, const model::Duration& duration) {
-  if (duration.kind == model::Duration::Kind::fixed) return duration.a;
+Time duration_of(Round& round, std::uint32_t unit, std::uint16_t way, const description::Duration& duration) {
+  if (duration.kind == description::Duration::Kind::fixed) return duration.a;
   const std::uint32_t k = round.next.units[unit].transitions[way].draws++;
   const SplitMix64 random = started(round.next.seed, round.of(unit).path, way, k);
-  if (duration.kind == model::Duration::Kind::uniform) {
+  if (duration.kind == description::Duration::Kind::uniform) {
     ++round.counters[Counted::draw_uniform];
     return uniform(random, duration.a, duration.b);
   }
@@ -83,7 +83,7 @@ Time takes_of(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t 
   }
   const std::uint16_t source = way != kNoTransition ? way : first_not_automatic(rules, from, to);
   if (source == kNoTransition) return rules.travel;
-  if (rules.ways[source].takes.kind != model::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
+  if (rules.ways[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
   return duration_of(round, unit, source, rules.ways[source].takes);
 }
 
@@ -93,7 +93,7 @@ Time after_of(Round& round, std::uint32_t unit, std::uint16_t way) {
     View view(round, unit);
     return std::max<Time>(0, rules.behaviour->after(view, way));
   }
-  if (rules.ways[way].after.kind != model::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
+  if (rules.ways[way].after.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
   return duration_of(round, unit, way, rules.ways[way].after);
 }
 

@@ -6,14 +6,14 @@
 namespace symplant::reference {
 namespace {
 
-using core::FindingKind;
+using tables::FindingKind;
 
 struct Finder {
   const Rules& rules;
   World& world;
   const InstantNotes& notes;
   Counters& counters;
-  std::vector<core::Finding> found;
+  std::vector<tables::Finding> found;
 
   void add(FindingKind kind, std::uint32_t of, Counted counted, bool more = false) {
     ++counters[counted];
@@ -132,7 +132,7 @@ void find_of_requirement(Finder& finder, std::uint32_t i) {
   const bool truth = holds(rules.condition, finder.world);
   const bool risen = truth && !monitor.truth;
   monitor.truth = truth;
-  if (rules.kind == core::RequirementRow::Kind::never) {
+  if (rules.kind == tables::RequirementRow::Kind::never) {
     if (!risen) return;
     ++finder.counters[Counted::never_violated];
     finder.add(FindingKind::requirement_violated, i, Counted::found_requirement_violated);
@@ -142,7 +142,7 @@ void find_of_requirement(Finder& finder, std::uint32_t i) {
     ++finder.counters[Counted::watch_started];
     monitor.running = true;
     const Time now = finder.world.time;
-    monitor.deadline = rules.within > core::kNever - now ? core::kNever : now + rules.within;
+    monitor.deadline = rules.within > tables::kNever - now ? tables::kNever : now + rules.within;
   }
   if (!monitor.running) return;
   if (holds(rules.expected, finder.world)) {
@@ -159,8 +159,8 @@ void find_of_requirement(Finder& finder, std::uint32_t i) {
 
 }  // namespace
 
-std::vector<core::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
-                                       Counters& counters) {
+std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
+                                         Counters& counters) {
   Finder finder{rules, world, notes, counters, {}};
   find_of_units(finder);
   for (std::uint32_t i = 0; i < rules.units.size(); ++i) {
@@ -172,7 +172,7 @@ std::vector<core::Finding> findings_of(const Rules& rules, World& world, const I
   find_of_loops(finder);
   for (std::uint32_t i = 0; i < world.monitors.size(); ++i) find_of_requirement(finder, i);
   // By the page's table, then by unit, symbol or requirement. Loops stand already as they must.
-  std::stable_sort(finder.found.begin(), finder.found.end(), [](const core::Finding& a, const core::Finding& b) {
+  std::stable_sort(finder.found.begin(), finder.found.end(), [](const tables::Finding& a, const tables::Finding& b) {
     if (a.kind != b.kind) return a.kind < b.kind;
     return a.kind != FindingKind::instantaneous_loop && a.of < b.of;
   });

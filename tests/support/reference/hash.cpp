@@ -2,12 +2,12 @@
 #include "support/reference/hash.hpp"
 
 #include "support/reference/round.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::reference {
 namespace {
 
-struct Digest : core::Fnv1a64 {
+struct Digest : tables::Fnv1a64 {
   void flag(bool value) { byte(value ? 1 : 0); }
   void u16(std::uint16_t value) {
     byte(static_cast<std::uint8_t>(value & 0xFF));
@@ -33,7 +33,7 @@ void add_operations(Digest& digest, const Rules& rules, const World& world, std:
     const OperationWorld& its = world.units[place].operations[i];
     const bool on = effective(world.symbols[symbol]) != 0;
     digest.flag(level_of(rules, world, symbol) != 0);
-    digest.flag(!on || its.armed || unit.actuation != core::Actuation::latched);
+    digest.flag(!on || its.armed || unit.actuation != tables::Actuation::latched);
     digest.byte(force_of(world.symbols[symbol]));
     // Both keep the command from being lost, and the digest has one flag for them.
     digest.flag(on && (its.served || its.reached));

@@ -17,10 +17,10 @@ std::string shortest(Number number) {
   return {text.data(), end};
 }
 
-std::string real_text(core::DataType type, double number) {
+std::string real_text(tables::DataType type, double number) {
   if (std::isnan(number)) return "\"nan\"";
   if (std::isinf(number)) return number > 0 ? "\"inf\"" : "\"-inf\"";
-  return type == core::DataType::real ? shortest(static_cast<float>(number)) : shortest(number);
+  return type == tables::DataType::real ? shortest(static_cast<float>(number)) : shortest(number);
 }
 
 /// What a double cannot hold exactly is a string.
@@ -32,15 +32,15 @@ std::string whole_text(bool is_signed, std::uint64_t value) {
   return magnitude > kExact ? '"' + text + '"' : text;
 }
 
-std::string value_text(core::DataType type, std::uint64_t value) {
-  using core::DataType;
+std::string value_text(tables::DataType type, std::uint64_t value) {
+  using tables::DataType;
   if (type == DataType::boolean) return value != 0 ? "true" : "false";
   if (type == DataType::real || type == DataType::lreal) return real_text(type, std::bit_cast<double>(value));
   return whole_text(type >= DataType::sint && type <= DataType::lint, value);
 }
 
-std::string name_of(const model::PlantModel& model, const core::Finding& finding) {
-  using core::FindingKind;
+std::string name_of(const model::PlantModel& model, const tables::Finding& finding) {
+  using tables::FindingKind;
   switch (finding.kind) {
     case FindingKind::conflicting_operations:
     case FindingKind::stopped_under_another_command:
@@ -56,16 +56,16 @@ std::string name_of(const model::PlantModel& model, const core::Finding& finding
 
 }  // namespace
 
-std::string_view finding_name(core::FindingKind kind) {
-  static constexpr std::array<std::string_view, core::kFindingKinds> kNames = {"conflicting operations",
-                                                                               "stopped under another command",
-                                                                               "command to a disabled unit",
-                                                                               "command without effect",
-                                                                               "lost command",
-                                                                               "started on enabling",
-                                                                               "event too short",
-                                                                               "instantaneous loop",
-                                                                               "requirement violated"};
+std::string_view finding_name(tables::FindingKind kind) {
+  static constexpr std::array<std::string_view, tables::kFindingKinds> kNames = {"conflicting operations",
+                                                                                 "stopped under another command",
+                                                                                 "command to a disabled unit",
+                                                                                 "command without effect",
+                                                                                 "lost command",
+                                                                                 "started on enabling",
+                                                                                 "event too short",
+                                                                                 "instantaneous loop",
+                                                                                 "requirement violated"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -85,7 +85,7 @@ std::vector<std::string> finding_lines(const model::PlantModel& model, const std
   std::vector<std::string> lines;
   for (const InstantRecord& instant : instants) {
     std::vector<std::string> names;
-    for (const core::Finding& finding : instant.findings) {
+    for (const tables::Finding& finding : instant.findings) {
       names.push_back(name_of(model, finding));
       if (finding.more) continue;
       std::sort(names.begin(), names.end());

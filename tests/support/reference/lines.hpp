@@ -10,7 +10,7 @@
 namespace symplant::reference {
 
 /// As the page's table has it: `lost command`.
-std::string_view finding_name(core::FindingKind kind);
+std::string_view finding_name(tables::FindingKind kind);
 
 /// The lines of a trace behind its header.
 std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants);

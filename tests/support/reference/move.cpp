@@ -30,7 +30,7 @@ Command command_of(Round& round, std::uint32_t unit) {
     if (operation_on(round, unit, i) && is_on_of(rules, i, from, to)) command.forth = true;
   }
   const std::uint8_t wanted =
-      rules.actuation == core::Actuation::latched ? core::kNoState : wanted_by_behaviour(round, unit);
+      rules.actuation == tables::Actuation::latched ? tables::kNoState : wanted_by_behaviour(round, unit);
   if (wanted == to) command.forth = true;
   if (wanted == from) command.back = true;
   for (std::uint16_t i = 0; i < rules.ways.size(); ++i) {
@@ -146,14 +146,14 @@ bool step_moving(Round& round, std::uint32_t unit) {
   }
   const Command command = command_of(round, unit);
   switch (round.of(unit).actuation) {
-    case core::Actuation::latched:
+    case tables::Actuation::latched:
       ++round.counters[latched_cell(command)];
       return false;
-    case core::Actuation::bistable:
+    case tables::Actuation::bistable:
       return bistable(round, unit, command);
-    case core::Actuation::held:
+    case tables::Actuation::held:
       return held(round, unit, command);
-    case core::Actuation::spring:
+    case tables::Actuation::spring:
       return spring(round, unit, command);
   }
   return false;

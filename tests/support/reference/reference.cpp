@@ -73,9 +73,9 @@ void pass(World& world, Time time) {
   world.time = time;
   for (UnitWorld& unit : world.units) {
     if (unit.disabled || unit.frozen) continue;
-    if (unit.moving && !unit.standing && unit.remaining != core::kNever) unit.remaining -= gone;
+    if (unit.moving && !unit.standing && unit.remaining != tables::kNever) unit.remaining -= gone;
     for (TransitionWorld& transition : unit.transitions) {
-      if (transition.left == 0 || transition.left == core::kNever) continue;
+      if (transition.left == 0 || transition.left == tables::kNever) continue;
       transition.left -= gone;
       if (transition.left == 0) world.instant_pending = true;
     }
@@ -83,7 +83,7 @@ void pass(World& world, Time time) {
   }
 }
 
-Time later(Time now, Time left) { return left > core::kNever - now ? core::kNever : now + left; }
+Time later(Time now, Time left) { return left > tables::kNever - now ? tables::kNever : now + left; }
 
 void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
                  std::vector<InstantRecord>& instants) {
@@ -105,7 +105,7 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
     symbol.shown = effective(symbol);
   }
   for (UnitWorld& unit : world.units) {
-    unit.shown_settled = unit.moving ? core::kNoState : unit.state;
+    unit.shown_settled = unit.moving ? tables::kNoState : unit.state;
     unit.shown_moving = unit.moving;
   }
   if (!record.changes.empty() || !record.findings.empty()) instants.push_back(std::move(record));
@@ -220,7 +220,7 @@ Time Plant::now() const { return world_.time; }
 
 Time Plant::next_due() const {
   if (world_.instant_pending) return world_.time;
-  Time due = core::kNever;
+  Time due = tables::kNever;
   for (const UnitWorld& unit : world_.units) {
     if (unit.disabled || unit.frozen) continue;
     if (unit.moving && !unit.standing) due = std::min(due, later(world_.time, unit.remaining));

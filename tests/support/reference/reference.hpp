@@ -16,8 +16,8 @@
 #include "support/reference/behaviour.hpp"
 #include "support/reference/counters.hpp"
 #include "support/reference/world.hpp"
-#include "symplant/core/finding.hpp"
-#include "symplant/core/time.hpp"
+#include "symplant/tables/finding.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::reference {
 
@@ -29,7 +29,7 @@ struct InstantRecord {
   /// Symbol and value, in list order: what differs from the end of the instant before. At the first instant after a
   /// reset: bits that are on, and numbers that differ from their initial values.
   std::vector<std::pair<std::uint32_t, std::uint64_t>> changes;
-  std::vector<core::Finding> findings;  ///< in their order
+  std::vector<tables::Finding> findings;  ///< in their order
 };
 
 struct UnitView {
@@ -44,7 +44,7 @@ struct UnitView {
   friend bool operator==(const UnitView&, const UnitView&) = default;
 };
 
-/// Units, symbols, states and requirements count as in the model; members mean what those of core::Plant mean. BOOL
+/// Units, symbols, states and requirements count as in the model; members mean what those of plant::Plant mean. BOOL
 /// values are 0 or 1, numbers are two's complement or the bits of a double.
 class Plant {
  public:

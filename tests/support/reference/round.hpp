@@ -65,7 +65,7 @@ void end_holds(UnitWorld& unit);
 bool step(Round& round, std::uint32_t unit);
 /// Step 2 of the page: a move under way, time remaining.
 bool step_moving(Round& round, std::uint32_t unit);
-/// The behaviour's wanted state, or core::kNoState.
+/// The behaviour's wanted state, or tables::kNoState.
 std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit);
 /// The unit's first transition in that direction that is not automatic, or kNoTransition.
 std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to);

@@ -33,12 +33,12 @@ void note_events(const Rules& rules, const World& old, const World& next, Counte
 /// What lies beyond all time never comes, and what is left of it is not counted down. Times that stand still are not
 /// looked at.
 void never_comes(World& world) {
-  const auto beyond = [&](Time left) { return left >= core::kNever - world.time; };
+  const auto beyond = [&](Time left) { return left >= tables::kNever - world.time; };
   for (UnitWorld& unit : world.units) {
     if (unit.disabled || unit.frozen) continue;
-    if (unit.moving && !unit.standing && beyond(unit.remaining)) unit.remaining = core::kNever;
+    if (unit.moving && !unit.standing && beyond(unit.remaining)) unit.remaining = tables::kNever;
     for (TransitionWorld& transition : unit.transitions) {
-      if (beyond(transition.left)) transition.left = core::kNever;
+      if (beyond(transition.left)) transition.left = tables::kNever;
     }
     if (beyond(unit.until_woken)) unit.until_woken = -1;
   }

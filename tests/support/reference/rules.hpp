@@ -10,7 +10,7 @@
 
 #include "model/plant_model.hpp"
 #include "support/reference/behaviour.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::reference {
 
@@ -23,8 +23,8 @@ struct Way {
   std::uint32_t on = kNone;  ///< a place in UnitRules::operations
   bool automatic = false;
   bool once = false;
-  model::Duration after;
-  model::Duration takes;
+  description::Duration after;
+  description::Duration takes;
   std::uint32_t when = kNone;  ///< a place in UnitRules::conditions
 
   bool commanded() const { return on != kNone; }
@@ -41,7 +41,7 @@ struct StateRules {
 
 struct UnitRules {
   std::string path;
-  const model::DeviceDescription* described = nullptr;
+  const description::DeviceDescription* described = nullptr;
   const Behaviour* behaviour = nullptr;
   std::vector<std::uint32_t> operations;  ///< symbols
   std::vector<std::uint32_t> events;      ///< symbols
@@ -50,12 +50,12 @@ struct UnitRules {
   std::vector<Way> ways;
   std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when`, then of the inputs
   std::uint32_t first_input = 0;
-  core::Actuation actuation = core::Actuation::latched;
+  tables::Actuation actuation = tables::Actuation::latched;
   std::uint32_t rest = kNone;  ///< of a spring
   std::uint8_t initial = 0;
-  core::Time travel = core::kSecond;
+  tables::Time travel = tables::kSecond;
 
-  bool spring() const { return actuation == core::Actuation::spring; }
+  bool spring() const { return actuation == tables::Actuation::spring; }
   /// The operation is named like the state, or commands a way to it.
   bool leads_to(std::uint32_t operation, std::uint8_t state) const;
   bool event_is_a_state(std::uint32_t event) const;
@@ -70,9 +70,9 @@ struct Rules {
   std::uint32_t leader(std::uint32_t symbol) const;
   /// All symbols of one address that are kept equal, itself included.
   std::vector<std::uint32_t> together(std::uint32_t symbol) const;
-  bool is_bool(std::uint32_t symbol) const { return model->symbols[symbol].type == core::DataType::boolean; }
+  bool is_bool(std::uint32_t symbol) const { return model->symbols[symbol].type == tables::DataType::boolean; }
   bool is_operation(std::uint32_t symbol) const {
-    return model->symbols[symbol].direction == core::Direction::operation;
+    return model->symbols[symbol].direction == tables::Direction::operation;
   }
   /// An event that its unit switches, or one that follows such a one.
   bool moved(std::uint32_t symbol) const;

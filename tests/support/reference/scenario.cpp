@@ -10,12 +10,12 @@
 namespace symplant::reference {
 namespace {
 
-constexpr Time kWaits = 10 * core::kSecond;  ///< a `wait` without `within`
+constexpr Time kWaits = 10 * tables::kSecond;  ///< a `wait` without `within`
 
-Time plus(Time time, Time further) { return further > core::kNever - 1 - time ? core::kNever - 1 : time + further; }
+Time plus(Time time, Time further) { return further > tables::kNever - 1 - time ? tables::kNever - 1 : time + further; }
 
-bool equal(core::DataType type, std::uint64_t a, std::uint64_t b) {
-  if (type != core::DataType::real && type != core::DataType::lreal) return a == b;
+bool equal(tables::DataType type, std::uint64_t a, std::uint64_t b) {
+  if (type != tables::DataType::real && type != tables::DataType::lreal) return a == b;
   // 0 and -0 are one number; who expects none (`nan`) is right where none is there.
   const auto x = std::bit_cast<double>(a);
   const auto y = std::bit_cast<double>(b);
@@ -48,7 +48,7 @@ bool ScenarioPlayer::go_to(Time time) {
 
 void ScenarioPlayer::act(const ScenarioStep& step) {
   for (const auto& [symbol, value] : step.set) {
-    if (model_->symbols[symbol].direction == core::Direction::operation) {
+    if (model_->symbols[symbol].direction == tables::Direction::operation) {
       plant_->set_operation(symbol, value);
     } else {
       plant_->set_input(symbol, value);

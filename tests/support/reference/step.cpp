@@ -80,7 +80,7 @@ void fire(Round& round, std::uint32_t unit, std::uint16_t number) {
   const UnitRules& rules = round.of(unit);
   const Way& way = rules.ways[number];
   const Time takes = takes_of(round, unit, number, way.from, way.to);
-  const bool latched = rules.actuation == core::Actuation::latched;
+  const bool latched = rules.actuation == tables::Actuation::latched;
   ++round.counters[way.automatic ? Counted::automatic_fired : Counted::commanded_fired];
   if (way.automatic && latched) disarm_leading_to(round, unit, way.from);
   if (way.commanded() && way.once && latched) {
@@ -105,7 +105,7 @@ std::set<std::uint8_t> wanted_states(Round& round, std::uint32_t unit, const std
     if (rules.leads_to(i, own) && operation_on(round, unit, i) && commanding.count(i) == 0) wanted.insert(own);
   }
   const std::uint8_t more = wanted_by_behaviour(round, unit);
-  if (more != core::kNoState) wanted.insert(more);
+  if (more != tables::kNoState) wanted.insert(more);
   return wanted;
 }
 
@@ -171,11 +171,11 @@ bool when_holds(const Round& round, std::uint32_t unit, const Way& way) {
 
 std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit) {
   const UnitRules& rules = round.of(unit);
-  if (!behaves(rules) || rules.behaviour->wanted == nullptr) return core::kNoState;
+  if (!behaves(rules) || rules.behaviour->wanted == nullptr) return tables::kNoState;
   View view(round, unit);
   const std::uint8_t wanted = rules.behaviour->wanted(view);
   // What is no state of the unit counts as none.
-  return wanted < rules.states.size() ? wanted : core::kNoState;
+  return wanted < rules.states.size() ? wanted : tables::kNoState;
 }
 
 void serve(Round& round, std::uint32_t unit, std::uint32_t operation) { round.notes.served[unit][operation] = true; }

@@ -3,7 +3,7 @@
 
 namespace symplant::reference {
 
-core::Time View::now() const noexcept { return round_.next.time; }
+tables::Time View::now() const noexcept { return round_.next.time; }
 std::uint8_t View::state() const noexcept { return round_.next.units[unit_].state; }
 std::uint8_t View::target() const noexcept { return round_.next.units[unit_].target; }
 bool View::moving() const noexcept { return round_.next.units[unit_].moving; }
@@ -40,9 +40,9 @@ void View::set_value(std::uint32_t value, std::uint64_t bits) noexcept {
   if (!round_.rules.is_operation(symbol)) write_event(round_.rules, round_.next, symbol, bits);
 }
 
-void View::wake_at(core::Time time) noexcept {
+void View::wake_at(tables::Time time) noexcept {
   const Time left = time <= now() ? 0 : time - now();
-  round_.next.units[unit_].until_woken = time == core::kNever ? -1 : left;
+  round_.next.units[unit_].until_woken = time == tables::kNever ? -1 : left;
 }
 
 std::uint64_t View::draw() noexcept {

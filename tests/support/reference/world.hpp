@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/core/time.hpp"
+#include "symplant/tables/time.hpp"
 
 namespace symplant::reference {
 
-using core::Time;
+using tables::Time;
 
 inline constexpr std::uint16_t kNoTransition = 0xFFFF;  ///< under way: settled, or a way without a command
 

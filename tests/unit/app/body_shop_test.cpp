@@ -5,7 +5,7 @@
 
 #include "app/pipeline.hpp"
 #include "app_support.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 
 namespace symplant::test {
 namespace {
@@ -24,7 +24,7 @@ app::Compiled body_shop() {
 std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 /// Commands each device out of the state it stands in, and counts the motions that arrive.
-class Drive final : public core::Observer {
+class Drive final : public engine::Observer {
  public:
   explicit Drive(const app::Compiled& line)
       : model_(line.plant), tables_(line.tables.tables()), plant_(tables_), motions_(model_.units.size()) {
@@ -32,9 +32,9 @@ class Drive final : public core::Observer {
     plant_.advance_to(0, this);
   }
 
-  void instant(const core::Instant& instant) noexcept override {
+  void instant(const engine::Instant& instant) noexcept override {
     for (const std::uint32_t u : instant.units) {
-      const core::UnitView unit = plant_.unit(u);
+      const plant::UnitView unit = plant_.unit(u);
       if (unit.moving || unit.state == settled_[u]) continue;
       settled_[u] = unit.state;
       ++motions_[u];
@@ -64,7 +64,7 @@ class Drive final : public core::Observer {
       }
     }
     plant_.advance_to(plant_.now(), this);  // the PLC wrote before the minute, not at its end
-    plant_.advance_to(plant_.now() + 60 * core::kSecond, this);
+    plant_.advance_to(plant_.now() + 60 * tables::kSecond, this);
   }
 
   /// Those that can move and have completed fewer motions, a name a line.
@@ -78,8 +78,8 @@ class Drive final : public core::Observer {
 
  private:
   const model::PlantModel& model_;
-  core::PlantTables tables_;
-  core::OwnedPlant plant_;
+  tables::PlantTables tables_;
+  plant::OwnedPlant plant_;
   std::vector<std::uint32_t> settled_;
   std::vector<int> motions_;
 };

@@ -168,10 +168,10 @@ TEST_CASE("generate: the settings of the links stand in the tables") {
   MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "number": 7}], "status": "off", "keep": ["::1"])");
   CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);
   const std::string& tables = files.files["out/tables_gen.cpp"];
-  CHECK(contains(tables, "    {2, 7, core::WordOrder::low_first, core::OnLoss::as_link},  // SPEED\n"));
+  CHECK(contains(tables, "    {2, 7, link::WordOrder::low_first, link::OnLoss::as_link},  // SPEED\n"));
   CHECK(contains(tables,
-                 "    {.places = links::kPlaces0, .word_order = core::WordOrder::low_first, .status_block = "
-                 "core::kNowhere, .keep = links::kKeep0},\n"));
+                 "    {.places = links::kPlaces0, .word_order = link::WordOrder::low_first, .status_block = "
+                 "link::kNowhere, .keep = links::kKeep0},\n"));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
-#include "model/plant_file.hpp"
+#include "description/plant_file.hpp"
 
 namespace symplant::test {
 namespace {
@@ -154,7 +154,7 @@ TEST_CASE("No output may take the place of a plant's own files") {
 TEST_CASE("schema prints the schema of plant.json, and says what it does not know") {
   const ToolRun run = run_tool({"schema", "plant"});
   CHECK(run.code == 0);
-  CHECK(run.out == model::plant_schema());
+  CHECK(run.out == description::plant_schema());
   CHECK(json::parse(run.out).at("$schema") == "http://json-schema.org/draft-07/schema#");
   CHECK(run_tool({"schema", "naming"}).code == 2);
   CHECK(contains(run_tool({"schema", "naming"}).err, "not yet known"));
@@ -201,11 +201,11 @@ TEST_CASE("What a damaged file should be is said of a plant.json, not of a list"
 }
 
 TEST_CASE("Every key of the schema is read, and every key that is read stands in it") {
-  const json schema = json::parse(model::plant_schema());
+  const json schema = json::parse(description::plant_schema());
   const json& device = schema.at("definitions").at("device").at("properties");
-  CHECK(device.size() == model::kDeviceKeys);
-  for (std::size_t k = 0; k < model::kDeviceKeys; ++k) {
-    CHECK(device.contains(std::string(model::device_key_name(static_cast<model::DeviceKey>(k)))));
+  CHECK(device.size() == description::kDeviceKeys);
+  for (std::size_t k = 0; k < description::kDeviceKeys; ++k) {
+    CHECK(device.contains(std::string(description::device_key_name(static_cast<description::DeviceKey>(k)))));
   }
 }
 

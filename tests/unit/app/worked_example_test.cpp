@@ -3,8 +3,8 @@
 
 #include "app_support.hpp"
 #include "support/temporary_folder.hpp"
-#include "symplant/core/digest.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
+#include "symplant/tables/digest.hpp"
 #include "symplant/trace/trace_file.hpp"
 
 namespace symplant::test {
@@ -14,7 +14,7 @@ namespace {
 std::string expected_lines() {
   std::string expected;
   for (const ExampleRow& row : worked_example()) {
-    const std::string time = std::to_string(row.milliseconds * core::kMillisecond);
+    const std::string time = std::to_string(row.milliseconds * tables::kMillisecond);
     std::string_view changes = row.changes;
     while (!changes.empty()) {
       const std::string_view change = changes.substr(0, changes.find(' '));
@@ -30,12 +30,12 @@ std::string expected_lines() {
 TEST_CASE("The paper's cell runs as the worked example has it, every change and every state") {
   const CompiledText text = compile_text(excell(), "excell.csv");
   REQUIRE(text.compiled);
-  const core::PlantTables tables = text.tables().tables();
-  core::OwnedPlant plant(tables);
+  const tables::PlantTables tables = text.tables().tables();
+  plant::OwnedPlant plant(tables);
 
   const TemporaryFolder folder;
   {
-    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, core::model_hash(tables), 0);
+    trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, tables::model_hash(tables), 0);
     check_worked_example(plant, [&](const trace::Record& change) { file.write(change); });
     CHECK(file.error().empty());
   }
@@ -61,8 +61,8 @@ TEST_CASE("The scenario of the worked example leaves its very trace, byte by byt
 TEST_CASE("The worked example runs alike after a reset") {
   const CompiledText text = compile_text(excell(), "excell.csv");
   REQUIRE(text.compiled);
-  const core::PlantTables tables = text.tables().tables();
-  core::OwnedPlant plant(tables);
+  const tables::PlantTables tables = text.tables().tables();
+  plant::OwnedPlant plant(tables);
   check_worked_example(plant);
   plant.reset();
   check_worked_example(plant);

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/ascii.hpp"
 #include "support/catch.hpp"
+#include "text/ascii.hpp"
 
 using namespace symplant::base;
+using namespace symplant::text;
 
 TEST_CASE("A table of places finds what a map finds, whatever the hashes") {
   std::mt19937 random(1);

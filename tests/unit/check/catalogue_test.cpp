@@ -6,7 +6,7 @@
 
 #include "app/tool.hpp"
 #include "check/rules.hpp"
-#include "model/description_rules.hpp"
+#include "description/description_rules.hpp"
 #include "read/rules.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -26,7 +26,8 @@ TEST_CASE("Rules stand by id, each id and slug once") {
     CHECK(slugs.insert(rule->slug).second);
   }
   const std::size_t of_lower = 1;
-  CHECK(check::catalogue().size() == check::kRules.size() + read::rules().size() + model::rules().size() + of_lower);
+  CHECK(check::catalogue().size() ==
+        check::kRules.size() + read::rules().size() + description::rules().size() + of_lower);
 }
 
 TEST_CASE("Every rule has a summary without a full stop and a page that says what to do") {

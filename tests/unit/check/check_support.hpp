@@ -19,28 +19,28 @@ inline std::vector<Row> two_devices() {
   return rows;
 }
 
-inline model::DeviceDescription device(std::string path = "L_P_D") {
-  model::DeviceDescription described;
+inline description::DeviceDescription device(std::string path = "L_P_D") {
+  description::DeviceDescription described;
   described.path = std::move(path);
   return described;
 }
 
-inline model::GivenTransition way(std::string from, std::string to, std::string when = "") {
-  model::GivenTransition given;
+inline description::GivenTransition way(std::string from, std::string to, std::string when = "") {
+  description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
   given.when = std::move(when);
   return given;
 }
 
-inline model::GivenTransition by_itself(std::string from, std::string to, std::string when = "") {
-  model::GivenTransition given = way(std::move(from), std::move(to), std::move(when));
+inline description::GivenTransition by_itself(std::string from, std::string to, std::string when = "") {
+  description::GivenTransition given = way(std::move(from), std::move(to), std::move(when));
   given.automatic = true;
   return given;
 }
 
-inline model::Description describing(std::vector<model::DeviceDescription> devices) {
-  model::Description description;
+inline description::Description describing(std::vector<description::DeviceDescription> devices) {
+  description::Description description;
   description.devices = std::move(devices);
   return description;
 }

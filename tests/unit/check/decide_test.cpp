@@ -1,5 +1,5 @@
 // Whether conditions can hold and fail.
-#include "check/decide.hpp"
+#include "check/reachability/decide.hpp"
 
 #include "check_support.hpp"
 
@@ -10,7 +10,7 @@ using check::Answer;
 using check::Verdict;
 
 Verdict verdict(const std::string& when) {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", when)};
   const Analysed list = analyse_described(two_devices(), describing({d}));
   REQUIRE(list.model().description_faults.empty());
@@ -68,7 +68,7 @@ std::vector<Row> many_bits() {
 }
 
 Verdict of_many(const std::string& when) {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", when)};
   const Analysed list = analyse_described(many_bits(), describing({d}));
   REQUIRE(list.model().description_faults.empty());

@@ -6,20 +6,20 @@ namespace {
 
 const std::vector<std::string> kCylinder = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
 
-std::string inference_2(const model::DeviceDescription& d) {
+std::string inference_2(const description::DeviceDescription& d) {
   return told(analyse_described(bits(kCylinder), describing({d})), "inferred-single-solenoid");
 }
 
 TEST_CASE("Inference 2 tells only what the description left open") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   CHECK(inference_2(d) ==
         ": `L_P_D` has an operation for `ADV` alone: it was taken as a single solenoid that returns to `RET` "
         "(inference 2)");
-  d.actuation = core::Actuation::held;
+  d.actuation = tables::Actuation::held;
   CHECK(inference_2(d) == ": `L_P_D` has an operation for `ADV` alone: it was taken to start in `RET` (inference 2)");
   d.initial = "ADV";
   CHECK(inference_2(d) == "");
-  d.actuation = core::Actuation::spring;
+  d.actuation = tables::Actuation::spring;
   CHECK(inference_2(d) == ": `L_P_D` has an operation for `ADV` alone: it was taken to rest in `RET` (inference 2)");
   d.rest = "ADV";
   CHECK(inference_2(d) == "");
@@ -30,27 +30,27 @@ TEST_CASE("Inference 2 tells only what the description left open") {
 }
 
 TEST_CASE("Inference 1 speaks of a spring only where it is one") {
-  const auto told_of = [](const model::DeviceDescription& d) {
+  const auto told_of = [](const description::DeviceDescription& d) {
     return told(analyse_described(bits({"L_P_D_O_RUN", "L_P_D_I_RUN"}), describing({d})), "inferred-rest-state");
   };
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   CHECK(told_of(d) ==
         ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` and returns to it like a spring "
         "(inference 1)");
-  d.actuation = core::Actuation::held;
+  d.actuation = tables::Actuation::held;
   CHECK(told_of(d) ==
         ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN`, in which it starts (inference 1)");
   d.initial = "RUN";
   CHECK(told_of(d) == ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` (inference 1)");
 }
 
-std::string nobody(const std::vector<std::string>& names, const model::DeviceDescription& d) {
+std::string nobody(const std::vector<std::string>& names, const description::DeviceDescription& d) {
   return told(analyse_described(bits(names), describing({d})), "nobody-moves");
 }
 
 TEST_CASE("Nobody moves what no automatic transition, output or behaviour does") {
   const std::vector<std::string> names{"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_I_P3"};
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   CHECK(nobody(names, d) ==
         ": `L_P_D_I_P1` and 2 more of `L_P_D`: nobody moves them, since the device has no operation; they stay as they "
         "start");
@@ -66,7 +66,7 @@ TEST_CASE("Nobody moves what no automatic transition, output or behaviour does")
 }
 
 TEST_CASE("An event that nobody moves stands as the description has it start") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.initial = "ON";
   CHECK_THAT(
       nobody({"L_P_D_I_ON"}, d),
@@ -77,7 +77,7 @@ TEST_CASE("An event that nobody moves stands as the description has it start") {
 TEST_CASE("An operation without an event is none where the state reports otherwise, or is never entered") {
   const std::vector<std::string> names{"L_P_D_O_P1",   "L_P_D_I_P1", "L_P_D_O_P2",
                                        "L_P_D_I_BUSY", "L_P_D_O_P3", "L_P_D_I_P3"};
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   const auto count = [&] { return analyse_described(bits(names), describing({d})).count("operation-without-event"); };
   CHECK(count() == 1);
   d.outputs = {{"P2", {{"BUSY", true}}, {{"BUSY", false}}}};
@@ -93,7 +93,7 @@ TEST_CASE("An operation without an event is none where the state reports otherwi
 }
 
 TEST_CASE("With a description, its `initial` mends a start by the order of rows") {
-  const auto text = [](std::vector<model::DeviceDescription> devices) {
+  const auto text = [](std::vector<description::DeviceDescription> devices) {
     return told(analyse_described(bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET", "L_P_D_I_RET"}),
                                   describing(std::move(devices))),
                 "initial-by-row-order");
@@ -107,7 +107,7 @@ TEST_CASE("With a description, its `initial` mends a start by the order of rows"
 
 TEST_CASE("Of several events that start TRUE only states' are counted") {
   std::vector<std::string> names{"L_P_D_O_P1", "L_P_D_I_P1*", "L_P_D_O_P2", "L_P_D_I_P2*", "L_P_D_I_READY*"};
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.outputs = {{"P1", {{"READY", true}}, {}}};
   const Analysed list = analyse_described(bits(names), describing({d}));
   for (const diag::Diagnostic& finding : list.diagnostics.all()) {
@@ -119,7 +119,7 @@ TEST_CASE("Of several events that start TRUE only states' are counted") {
 TEST_CASE("A sequence that is ambiguous is none where the description leads to the state") {
   const std::vector<std::string> names{"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B1", "L_P_D_I_B1",
                                        "L_P_D_I_C2", "L_P_D_O_D2", "L_P_D_I_D2"};
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   CHECK(analyse_described(bits(names), describing({d})).count("sequence-ambiguous") == 1);
   d.transitions = {by_itself("A1", "C2")};
   CHECK(analyse_described(bits(names), describing({d})).count("sequence-ambiguous") == 0);

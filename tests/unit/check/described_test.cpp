@@ -7,21 +7,21 @@ namespace {
 // Unreachable states.
 
 TEST_CASE("A state is reached by a chain of commanded and automatic transitions, and a spring's way") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.states = {"MID", "END"};
   d.only = true;
   d.transitions = {way("P1", "P2"), by_itself("P2", "MID", "L_P_E.A2"), by_itself("MID", "END"), way("END", "P1")};
   CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") == "");
-  model::DeviceDescription s = device();
+  description::DeviceDescription s = device();
   s.only = true;
-  s.actuation = core::Actuation::spring;
+  s.actuation = tables::Actuation::spring;
   s.rest = "P1";
   s.initial = "P2";
   CHECK(told(analyse_described(two_devices(), describing({s})), "unreachable-state") == "");
 }
 
 TEST_CASE("A state without a way to it is told where the description adds it, or at `only`") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
   d.transitions = {way("MID", "P2"), way("P2", "MID"), way("P2", "P1")};
@@ -36,9 +36,9 @@ TEST_CASE("A state without a way to it is told where the description adds it, or
 }
 
 TEST_CASE("Two devices that wait for each other reach neither state") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", "L_P_E.A2")};
-  model::DeviceDescription e = device("L_P_E");
+  description::DeviceDescription e = device("L_P_E");
   e.transitions = {way("A1", "A2", "L_P_D.P2")};
   const Analysed list = analyse_described(two_devices(), describing({d, e}));
   CHECK(list.count("unreachable-state") == 2);
@@ -49,10 +49,10 @@ TEST_CASE("Two devices that wait for each other reach neither state") {
 }
 
 TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so may one with the user's code") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", "L_P_B.ON")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
-  model::DeviceDescription e = device("L_P_E");
+  description::DeviceDescription e = device("L_P_E");
   e.only = true;
   e.behaviour = "MyMachine";
   d.transitions = {way("P1", "P2", "L_P_E.A2")};
@@ -60,7 +60,7 @@ TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so m
 }
 
 TEST_CASE("What stands behind an automatic transition without condition and time is never taken") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
   d.transitions = {by_itself("P1", "MID"), way("P1", "P2"), way("MID", "P1")};
@@ -68,7 +68,7 @@ TEST_CASE("What stands behind an automatic transition without condition and time
         "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
         "the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but an automatic transition leaves "
         "its state before]");
-  d.transitions[0].after = model::Duration::fixed(1);
+  d.transitions[0].after = description::Duration::fixed(1);
   CHECK(analyse_described(two_devices(), describing({d})).count("unreachable-state") == 0);
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("A symbol that is missing in the list is told as that, and not once mo
 // States that cannot be left.
 
 TEST_CASE("A state that is commanded away and has no way out is told") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.only = true;
   d.transitions = {way("P1", "P2")};
   CHECK(told(analyse_described(two_devices(), describing({d})), "state-never-left") ==
@@ -94,9 +94,9 @@ TEST_CASE("A state that is commanded away and has no way out is told") {
 }
 
 TEST_CASE("A state that no operation commands away may be the last") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.only = true;
-  d.actuation = core::Actuation::latched;
+  d.actuation = tables::Actuation::latched;
   d.transitions = {way("NOT_ON", "ON")};
   CHECK(analyse_described(bits({"L_P_D_O_ON", "L_P_D_I_ON"}), describing({d})).count("state-never-left") == 0);
 }
@@ -104,7 +104,7 @@ TEST_CASE("A state that no operation commands away may be the last") {
 // Zero-time loops.
 
 TEST_CASE("A circle of automatic transitions is told once, whatever leads into it") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.states = {"A", "B"};
   d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
   CHECK(told(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
@@ -114,14 +114,14 @@ TEST_CASE("A circle of automatic transitions is told once, whatever leads into i
 }
 
 TEST_CASE("A time or a condition in the circle, or code of the user's, makes it none") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {by_itself("P1", "P2"), by_itself("P2", "P1")};
   const auto count = [&] { return analyse_described(two_devices(), describing({d})).count("zero-time-loop"); };
   CHECK(count() == 1);
-  d.transitions[0].takes = model::Duration::fixed(1);
+  d.transitions[0].takes = description::Duration::fixed(1);
   CHECK(count() == 0);
   d.transitions[0].takes.reset();
-  d.transitions[1].after = model::Duration{model::Duration::Kind::uniform, 0, 1};
+  d.transitions[1].after = description::Duration{description::Duration::Kind::uniform, 0, 1};
   CHECK(count() == 0);
   d.transitions[1].after.reset();
   d.transitions[1].when = "L_P_E.A1";
@@ -141,8 +141,8 @@ std::vector<Row> ring(int devices) {
   return bits(names);
 }
 
-model::DeviceDescription disabling(const std::string& path, std::vector<std::string> others) {
-  model::DeviceDescription d = device(path);
+description::DeviceDescription disabling(const std::string& path, std::vector<std::string> others) {
+  description::DeviceDescription d = device(path);
   d.disables = {{"P2", std::move(others)}};
   return d;
 }
@@ -173,7 +173,7 @@ TEST_CASE("Two circles apart are two findings, two that share a device are one")
 // Conditions.
 
 TEST_CASE("A condition that stands in several transitions of a device is told once") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P2", "P1", "L_P_E.A1 and L_P_E.A2")};
   CHECK(told(analyse_described(two_devices(), describing({d})), "condition-never-holds") ==
         "/devices/L_P_D/transitions/0/when: `L_P_E.A1 and L_P_E.A2` can never hold, so that the transition is never "
@@ -181,7 +181,7 @@ TEST_CASE("A condition that stands in several transitions of a device is told on
 }
 
 TEST_CASE("Inputs of a behaviour are looked at, too") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.behaviour = "MyOwn";
   d.inputs = {{"fast", "L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6"}, {"part", "L_P_E.A1"}};
   CHECK(told(analyse_described(two_devices(), describing({d})), "condition-always-holds") ==
@@ -190,15 +190,16 @@ TEST_CASE("Inputs of a behaviour are looked at, too") {
 }
 
 TEST_CASE("A description with faults is not looked at further") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P1", "P9")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
 }
 
 // Requirements.
 
-std::string of_requirement(model::GivenRequirement given, std::vector<model::DeviceDescription> devices = {}) {
-  model::Description description = describing(std::move(devices));
+std::string of_requirement(description::GivenRequirement given,
+                           std::vector<description::DeviceDescription> devices = {}) {
+  description::Description description = describing(std::move(devices));
   description.requirements = {std::move(given)};
   return told(analyse_described(two_devices(), std::move(description)), "requirement-decided");
 }
@@ -214,7 +215,7 @@ TEST_CASE("A requirement that cannot be violated, or always is, is told") {
 }
 
 TEST_CASE("A requirement that names a state that nothing leads to is told") {
-  model::DeviceDescription d = device();
+  description::DeviceDescription d = device();
   d.states = {"FAULT"};
   CHECK(of_requirement({"r", "", "L_P_D.FAULT", "L_P_E.A1", 0}, {d}) ==
         "/requirements/0/after: requirement `r`: `L_P_D.FAULT` can never hold, since nothing leads to a state that it "

@@ -1,5 +1,5 @@
 // Devices whose names differ in digits alone, and what they expect of each other.
-#include "check/device_classes.hpp"
+#include "check/spelling/device_classes.hpp"
 
 #include "support/catch.hpp"
 #include "support/compile.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using check::DeviceClasses;
 using check::Expected;
-using core::Direction;
+using tables::Direction;
 
 Analysed four_clamps() {
   return analyse_text(list_text(bits({

@@ -1,5 +1,5 @@
 // Words that differ by a slip of the hand.
-#include "check/near_words.hpp"
+#include "check/spelling/near_words.hpp"
 
 #include "support/catch.hpp"
 

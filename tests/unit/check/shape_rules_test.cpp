@@ -1,5 +1,5 @@
 // Sequences, devices named alike, and words that look like one: what is told, and what is meant to be.
-#include "check/bent_words.hpp"
+#include "check/spelling/bent_words.hpp"
 #include "check_support.hpp"
 
 namespace symplant::test {

@@ -1,5 +1,5 @@
 // Names that differ by a slip from those that are meant.
-#include "check/slips.hpp"
+#include "check/spelling/slips.hpp"
 
 #include "support/catch.hpp"
 #include "support/compile.hpp"

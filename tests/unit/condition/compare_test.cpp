@@ -8,8 +8,8 @@
 namespace symplant::test {
 namespace {
 
-using core::Comparison;
-using core::DataType;
+using tables::Comparison;
+using tables::DataType;
 
 constexpr Comparison kAll[] = {Comparison::less, Comparison::less_equal, Comparison::equal, Comparison::greater_equal,
                                Comparison::greater};
@@ -89,7 +89,7 @@ TEST_CASE("Of every value of 8 bits a folded comparison says what the exact one 
 TEST_CASE("Reals are compared as doubles, and a number that a double cannot hold is none") {
   const auto result = condition::fold(DataType::real, Comparison::less, *condition::Number::read("0.1"));
   const auto& found = std::get<condition::FoldedComparison>(*result);
-  CHECK(found.number == core::NumberKind::real);
+  CHECK(found.number == tables::NumberKind::real);
   CHECK(found.operand == std::bit_cast<std::uint64_t>(0.1));
   CHECK(folded(DataType::lreal, Comparison::less, "1e999") == "none");
 }

@@ -9,7 +9,7 @@
 
 namespace symplant::test {
 
-inline std::string comparison_text(core::Comparison comparison) {
+inline std::string comparison_text(tables::Comparison comparison) {
   constexpr const char* kTexts[] = {"<", "<=", "=", ">=", ">"};
   return kTexts[static_cast<std::size_t>(comparison)];
 }

@@ -3,14 +3,14 @@
 #include <vector>
 
 #include "condition_support.hpp"
-#include "symplant/condition/nearest.hpp"
+#include "symplant/tables/nearest.hpp"
 
 namespace symplant::test {
 namespace {
 
 using condition::Atom;
 using condition::Tree;
-using core::DataType;
+using tables::DataType;
 
 /// Devices AGV (0), DOOR (1) with a state `moving`, and a facet DOOR.LOCK (2); some symbols.
 class SmallPlant final : public condition::Names {
@@ -44,7 +44,7 @@ class SmallPlant final : public condition::Names {
 
  private:
   static std::string near(std::string_view wanted, const std::vector<std::string_view>& names) {
-    condition::NearestName nearest(wanted);
+    tables::NearestName nearest(wanted);
     for (const std::string_view name : names) nearest.offer(name);
     return std::string(nearest.name());
   }

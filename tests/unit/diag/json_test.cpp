@@ -15,7 +15,7 @@ constexpr diag::RuleInfo kJsonRule{"SP201", "wrong-number-of-levels", diag::Seve
 }  // namespace
 
 TEST_CASE("JSON has the rule, the place and the related places of each finding") {
-  const auto source = std::make_shared<const base::SourceFile>("list.csv", "\xC3\x84,X1\nA,X2\n");
+  const auto source = std::make_shared<const text::SourceFile>("list.csv", "\xC3\x84,X1\nA,X2\n");
   diag::Diagnostics found;
   std::vector<diag::Related> related(1);
   related[0].place = {source, {0, 2}};
@@ -43,7 +43,7 @@ TEST_CASE("JSON of no findings is whole") {
 
 TEST_CASE("Bytes that are no UTF-8 do not break the report") {
   diag::Diagnostics found;
-  found.add(kJsonRule, "bad \xFF", {std::make_shared<base::SourceFile>("\xFE.csv", ""), {}});
+  found.add(kJsonRule, "bad \xFF", {std::make_shared<text::SourceFile>("\xFE.csv", ""), {}});
   const json document = json::parse(diag::render_json(found.all()));
   CHECK(document["findings"][0]["message"] == "bad \xEF\xBF\xBD");
   CHECK_FALSE(document["findings"][0].contains("line"));

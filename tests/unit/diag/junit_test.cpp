@@ -14,7 +14,7 @@ constexpr diag::RuleInfo kRest{"SP501", "inferred-rest-state", diag::Severity::n
 constexpr diag::RuleInfo kTwice{"SP302", "symbol-declared-differently", diag::Severity::error, "", ""};
 
 std::vector<diag::Report> one_plant(bool readable = true) {
-  const auto source = std::make_shared<const base::SourceFile>("list.csv", "A<B,X1\nSTART,X2\n");
+  const auto source = std::make_shared<const text::SourceFile>("list.csv", "A<B,X1\nSTART,X2\n");
   diag::Diagnostics findings;
   findings.add(kNames, {"A<B"}, "say `A<B`", {source, {0, 3}});
   findings.add(kNames, {"START"}, "say more", {source, {7, 12}});

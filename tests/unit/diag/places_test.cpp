@@ -10,8 +10,8 @@ constexpr diag::RuleInfo kSomeRule{"SP999", "some-rule", diag::Severity::warning
 diag::Place at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
 
 TEST_CASE("Pointers of all places are listed once, sorted, and each place gets its span") {
-  const auto list = std::make_shared<const base::SourceFile>("symbols.csv", "A\n");
-  const auto file = std::make_shared<const base::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
+  const auto list = std::make_shared<const text::SourceFile>("symbols.csv", "A\n");
+  const auto file = std::make_shared<const text::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
   diag::Diagnostics found;
   found.add(kSomeRule, "first", at("/b"), {{at("/a"), "other"}});
   found.add(kSomeRule, "second", at("/b"));
@@ -19,7 +19,7 @@ TEST_CASE("Pointers of all places are listed once, sorted, and each place gets i
   found.add(kSomeRule, "fourth", {list, {0, 1}, "/c"});
   CHECK(found.pointers() == std::vector<std::string>{"/a", "/b", "/c"});
 
-  const std::vector<std::optional<base::Span>> spans{base::Span{2, 5}, base::Span{10, 13}, std::nullopt};
+  const std::vector<std::optional<text::Span>> spans{text::Span{2, 5}, text::Span{10, 13}, std::nullopt};
   found.locate(file, spans);
   const auto all = found.all();
   CHECK(all[0].place.source == file);

@@ -18,12 +18,12 @@ constexpr diag::RuleInfo kSarifNames{"SP201", "wrong-number-of-levels", diag::Se
 constexpr diag::RuleInfo kSarifRest{"SP501", "inferred-rest-state", diag::Severity::note, "a rest", "Given.\n"};
 constexpr diag::RuleInfo kSarifTwice{"SP302", "symbol-declared-differently", diag::Severity::error, "twice", "Two.\n"};
 
-std::shared_ptr<const base::SourceFile> list(std::string text, std::string path = "line 1/list.csv") {
-  return std::make_shared<const base::SourceFile>(std::move(path), std::move(text));
+std::shared_ptr<const text::SourceFile> list(std::string text, std::string path = "line 1/list.csv") {
+  return std::make_shared<const text::SourceFile>(std::move(path), std::move(text));
 }
 
 /// The first place of a word in a list.
-diag::Place at(const std::shared_ptr<const base::SourceFile>& source, std::string_view word) {
+diag::Place at(const std::shared_ptr<const text::SourceFile>& source, std::string_view word) {
   const std::size_t begin = source->text().find(word);
   return {source, {begin, begin + word.size()}};
 }

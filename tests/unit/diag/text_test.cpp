@@ -13,18 +13,18 @@ namespace {
 constexpr diag::RuleInfo kRule{"SP201", "wrong-number-of-levels", diag::Severity::warning, "", ""};
 constexpr diag::RuleInfo kError{"SP101", "cannot-read-file", diag::Severity::error, "", ""};
 
-std::shared_ptr<const base::SourceFile> source_of(std::string text) {
-  return std::make_shared<base::SourceFile>("list.csv", std::move(text));
+std::shared_ptr<const text::SourceFile> source_of(std::string text) {
+  return std::make_shared<text::SourceFile>("list.csv", std::move(text));
 }
 
-std::string rendered(const std::string& text, base::Span span) {
+std::string rendered(const std::string& text, text::Span span) {
   Diagnostics found;
   found.add(kRule, "odd", {source_of(text), span});
   return render_text(found.all());
 }
 
 /// The last line: the underline.
-std::string underline(const std::string& text, base::Span span) {
+std::string underline(const std::string& text, text::Span span) {
   std::string all = rendered(text, span);
   all.pop_back();
   return all.substr(all.rfind('\n') + 1);
@@ -121,7 +121,7 @@ TEST_CASE("A finding in an empty text has no line, one without a source no file"
 
 TEST_CASE("User text in messages and paths cannot steer the terminal") {
   Diagnostics found;
-  found.add(kError, "name `\x1b[2J`", {std::make_shared<base::SourceFile>("a\nb.csv", ""), {}});
+  found.add(kError, "name `\x1b[2J`", {std::make_shared<text::SourceFile>("a\nb.csv", ""), {}});
   CHECK(render_text(found.all()) == "a<U+000A>b.csv: error: name `<U+001B>[2J` [SP101 cannot-read-file]\n");
 }
 

@@ -9,8 +9,8 @@
 #include "dosing/devices_gen.hpp"
 #include "dosing/plant_gen.hpp"
 #include "dosing/types_gen.hpp"
-#include "symplant/core/digest.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
+#include "symplant/tables/digest.hpp"
 #include "symplant/trace/recorder.hpp"
 
 namespace symplant::test {
@@ -18,14 +18,14 @@ namespace {
 
 using ::dosing::Scale;
 using ::dosing::Symbol;
-constexpr core::Time kMs = core::kMillisecond;
+constexpr tables::Time kMs = tables::kMillisecond;
 
-const core::SymbolRow& row(Symbol symbol) { return ::dosing::tables().symbols[static_cast<std::size_t>(symbol)]; }
+const tables::SymbolRow& row(Symbol symbol) { return ::dosing::tables().symbols[static_cast<std::size_t>(symbol)]; }
 
 /// A plant, and what its symbols do.
 class Watched {
  public:
-  explicit Watched(core::Plant& plant) : plant_(plant), recorder_(plant.tables(), 1 << 12) { recorder_.attach(plant); }
+  explicit Watched(plant::Plant& plant) : plant_(plant), recorder_(plant.tables(), 1 << 12) { recorder_.attach(plant); }
 
   void set(Symbol symbol, bool on) { plant_.set_operation(row(symbol).index, on); }
   void set(Symbol symbol, double number) {
@@ -33,23 +33,23 @@ class Watched {
   }
   double number(Symbol symbol) const { return std::bit_cast<double>(plant_.event_value(row(symbol).index)); }
   bool event(Symbol symbol) const { return plant_.event(row(symbol).index); }
-  void to(core::Time time) {
+  void to(tables::Time time) {
     plant_.advance_to(time, &recorder_);
     recorder_.drain([&](const trace::Record& record) {
       if (record.kind == trace::Record::Kind::change) trace.emplace_back(record.time, record.of, record.value);
     });
   }
 
-  std::vector<std::tuple<core::Time, std::uint32_t, std::uint64_t>> trace;
+  std::vector<std::tuple<tables::Time, std::uint32_t, std::uint64_t>> trace;
 
  private:
-  core::Plant& plant_;
+  plant::Plant& plant_;
   trace::Recorder recorder_;
 };
 
 /// Scale 1 is filled with 2.5 kg and emptied, again and again, scale 2 beside it.
-void work(Watched& plant, core::Time from, core::Time until) {
-  for (core::Time now = from; now < until; now += 500 * kMs) {
+void work(Watched& plant, tables::Time from, tables::Time until) {
+  for (tables::Time now = from; now < until; now += 500 * kMs) {
     const bool fill = (now / (3000 * kMs)) % 2 == 0;
     plant.set(Symbol::kL1_DOSE_HOPPER_O_OPEN, (now / (7000 * kMs)) % 2 == 0);
     plant.set(Symbol::kL1_DOSE_SCALE1_O_TARGET, 2.5);
@@ -106,11 +106,11 @@ TEST_CASE("a condition among its inputs lets a scale fill five times as fast") {
 TEST_CASE("a generated plant with behaviours is the plant that was lowered, and does the same with the same code") {
   const CompiledText text = dosing();
   REQUIRE(text.compiled);
-  const core::PlantTables lowered = text.tables().tables();
-  CHECK(core::model_hash(::dosing::tables()) == core::model_hash(lowered));
+  const tables::PlantTables lowered = text.tables().tables();
+  CHECK(tables::model_hash(::dosing::tables()) == tables::model_hash(lowered));
   const auto generated = ::dosing::make_plant();
-  core::OwnedPlant interpreted(lowered, ::dosing::behaviours());
-  core::OwnedPlant without(lowered);
+  plant::OwnedPlant interpreted(lowered, ::dosing::behaviours());
+  plant::OwnedPlant without(lowered);
   Watched a(*generated);
   Watched b(interpreted);
   Watched c(without);
@@ -159,7 +159,7 @@ TEST_CASE("a behaviour's memory is part of the state's digest") {
   for (const auto state : {Scale::State::kFULL2, Scale::State::kEMPTY1}) {
     b->set_state(static_cast<std::uint32_t>(::dosing::Device::kL1_DOSE_SCALE2), static_cast<std::uint8_t>(state));
   }
-  for (auto* plant : {a.get(), b.get()}) plant->advance_to(core::kSecond);
+  for (auto* plant : {a.get(), b.get()}) plant->advance_to(tables::kSecond);
   CHECK(a->state_hash() != b->state_hash());
 }
 

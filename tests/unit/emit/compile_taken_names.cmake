@@ -5,7 +5,7 @@ set(devices
     kTargets kTransitions kTypes kUnits kTimes kRandomTimes kSymbols kTables kInitialValues kSharedAddresses kDisables
     kConditions kConditionedUnits kUnitWatches kOperationWatches kEventWatches kOperationValueWatches kEventValueWatches
     kRequirements kBehaviourUnits kBehaviourValues kUnitNames kStateNames kSymbolNames kRequirementNames kBehaviourNames
-    kOperation kEvent kNone kNumber kOther kFree T core tables symplant std row array span string 1ST 2ND
+    kOperation kEvent kNone kNumber kOther kFree T link tables symplant std row array span string 1ST 2ND
     time index signal uint8 OwnedPlant main)
 set(list "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n")
 set(number 0)

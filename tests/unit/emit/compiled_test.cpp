@@ -7,8 +7,8 @@
 #include "support/compile.hpp"
 #include "support/golden.hpp"
 #include "support/temporary_folder.hpp"
-#include "symplant/core/digest.hpp"
-#include "symplant/core/names.hpp"
+#include "symplant/tables/digest.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/trace_file.hpp"
 
 namespace symplant::test {
@@ -21,21 +21,21 @@ CompiledText hostile() {
 TEST_CASE("Every name of a hostile list reads back from the generated tables") {
   const CompiledText text = hostile();
   REQUIRE(text.compiled);
-  const auto names = core::split_names(::hostile::tables().symbol_names);
+  const auto names = tables::split_names(::hostile::tables().symbol_names);
   REQUIRE(names.size() == 2 * text.plant().symbols.size());
   for (std::size_t i = 0; i < text.plant().symbols.size(); ++i) {
     CHECK((names[2 * i] == text.plant().symbols[i].name()));
     CHECK((names[2 * i + 1] == text.plant().symbols[i].written_address()));
   }
-  const auto units = core::split_names(::hostile::tables().unit_names);
+  const auto units = tables::split_names(::hostile::tables().unit_names);
   REQUIRE(units.size() == text.plant().units.size());
   for (std::size_t i = 0; i < units.size(); ++i) CHECK((units[i] == text.plant().units[i].path));
-  CHECK(core::model_hash(::hostile::tables()) == core::model_hash(text.tables().tables()));
+  CHECK(tables::model_hash(::hostile::tables()) == tables::model_hash(text.tables().tables()));
 }
 
 TEST_CASE("Every name of a hostile list reads back from a trace") {
-  const core::PlantTables& tables = ::hostile::tables();
-  const auto names = core::split_names(tables.symbol_names);
+  const tables::PlantTables& tables = ::hostile::tables();
+  const auto names = tables::split_names(tables.symbol_names);
   const TemporaryFolder folder;
   {
     trace::TraceFile file({"trace", folder / "trace.jsonl"}, tables, 0, 0);

@@ -8,18 +8,18 @@
 
 namespace symplant::test {
 
-inline model::Description dosing_description() {
-  model::Description description;
+inline description::Description dosing_description() {
+  description::Description description;
   for (const char* path : {"L1_DOSE_SCALE1", "L1_DOSE_SCALE2"}) {
-    model::DeviceDescription scale;
+    description::DeviceDescription scale;
     scale.path = path;
     scale.type = "Scale";
     scale.behaviour = "WeighingScale";
     scale.inputs = {{"hopper_open", "L1_DOSE_HOPPER.OPEN"}};
-    model::GivenTransition emptying;
+    description::GivenTransition emptying;
     emptying.from = "FULL2";
     emptying.to = "EMPTY1";
-    emptying.takes = model::Duration::fixed(1500 * core::kMillisecond);
+    emptying.takes = description::Duration::fixed(1500 * tables::kMillisecond);
     scale.transitions = {emptying};
     description.devices.push_back(std::move(scale));
   }

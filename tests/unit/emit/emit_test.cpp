@@ -36,7 +36,7 @@ TEST_CASE("Every file says that it is the user's own and is written anew") {
 TEST_CASE("A class has the eight elements by the paper's names, each signal citing list and row") {
   const std::string types = file_of(emit_list(excell(), "excell.csv"), "types_gen.hpp");
   for (const char* part : {"enum class State", "kI{", "kO{", "kS{", "d_ext(", "d_int(", "l_enter(", "l_leave(",
-                           "l_disable(", "excell.csv:4", "static_assert(symplant::core::kTablesVersion == "}) {
+                           "l_disable(", "excell.csv:4", "static_assert(symplant::tables::kTablesVersion == "}) {
     INFO(part);
     CHECK(contains(types, part));
   }

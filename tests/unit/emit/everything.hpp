@@ -9,31 +9,31 @@ inline constexpr const char* kEverythingName = "everything";
 
 /// The model and the description that it points to.
 struct Everything {
-  model::DeviceDescription described;
+  description::DeviceDescription described;
   model::PlantModel plant;
 };
 
-inline void add_units(model::PlantModel& plant, const model::DeviceDescription& described) {
-  using model::Duration;
+inline void add_units(model::PlantModel& plant, const description::DeviceDescription& described) {
+  using description::Duration;
   using model::kNone;
   model::Unit& agv = plant.units[0];  // AGV: P1, P2
-  agv.transitions[0].takes = {Duration::Kind::uniform, core::kSecond, 2 * core::kSecond};
+  agv.transitions[0].takes = {Duration::Kind::uniform, tables::kSecond, 2 * tables::kSecond};
   agv.transitions[1].once = true;
-  agv.travel = 3 * core::kSecond;
+  agv.travel = 3 * tables::kSecond;
 
   model::Unit& machine = plant.units[1];  // MC: IDLE1, RUN2, BUSY3
   machine.states.pop_back();              // BUSY3 is an event alone
   machine.initial = 0;
   machine.transitions = {
-      {0, 1, 1, {}, Duration::fixed(core::kSecond), model::Origin::given, false, false, 0},
+      {0, 1, 1, {}, Duration::fixed(tables::kSecond), model::Origin::given, false, false, 0},
       {1, 0, kNone, {Duration::Kind::normal, 500, 20}, {}, model::Origin::given, false, false, 1},
   };
   const std::uint32_t level = symbol_of(plant, "LEVEL");
   const std::uint32_t speed = symbol_of(plant, "SPEED");
   machine.conditions = {
       settled(0, 1) && !(moving(2) || bit(symbol_of(plant, "STOP?\?/"))),
-      number(level, core::Comparison::less, core::NumberKind::signed_integer, static_cast<std::uint64_t>(-5)) ||
-          number(speed, core::Comparison::greater_equal, core::NumberKind::real, 0x3FF8'0000'0000'0000)};
+      number(level, tables::Comparison::less, tables::NumberKind::signed_integer, static_cast<std::uint64_t>(-5)) ||
+          number(speed, tables::Comparison::greater_equal, tables::NumberKind::real, 0x3FF8'0000'0000'0000)};
   machine.outputs = {{}, {{{2, true}}, {{2, false}}}};
   machine.disables = {{}, {0, 2}};
 
@@ -75,8 +75,8 @@ inline std::unique_ptr<const Everything> everything() {
   made->plant = std::move(*analysed.plant);
   add_units(made->plant, made->described);
   made->plant.requirements = {
-      {"never both\\\n\"}; //", core::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
-      {"answers", core::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * core::kSecond}};
+      {"never both\\\n\"}; //", tables::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
+      {"answers", tables::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * tables::kSecond}};
   return made;
 }
 

@@ -4,7 +4,7 @@
 #include "everything/plant_gen.hpp"
 #include "everything/types_gen.hpp"
 #include "lower/lower.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::test {
 namespace {
@@ -12,11 +12,11 @@ namespace {
 TEST_CASE("Generated tables have the hash of the lowered ones, whatever they hold") {
   const auto made = everything();
   const lower::EngineTables lowered = lower::lower(made->plant);
-  CHECK(core::model_hash(::everything::tables()) == core::model_hash(lowered.tables()));
+  CHECK(tables::model_hash(::everything::tables()) == tables::model_hash(lowered.tables()));
 }
 
 TEST_CASE("Every table of the golden has rows") {
-  const core::PlantTables& tables = ::everything::tables();
+  const tables::PlantTables& tables = ::everything::tables();
   for (const std::size_t size : {tables.types.size(),
                                  tables.units.size(),
                                  tables.times.size(),

@@ -87,10 +87,10 @@ TEST_CASE("Rows cite what they are, conditions as a description writes them") {
 TEST_CASE("A class says what guards its transitions and what its states switch") {
   const std::string types = file_of(emit_model(everything()->plant), "types_gen.hpp");
   for (const char* row : {
-           ", true, symplant::core::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
+           ", true, symplant::tables::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
            "{0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds\n",
            ", false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds\n",
-           ", symplant::core::kSpringWay",
+           ", symplant::tables::kSpringWay",
            "// the spring's own way: ADV to RET\n",
            "{0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on\n",
            "{0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off\n",
@@ -102,7 +102,7 @@ TEST_CASE("A class says what guards its transitions and what its states switch")
 
 TEST_CASE("A class has the name that the description gives, before any device is called so") {
   model::PlantModel plant = model_of({"L_P_STOP_O_A1", "L_P_STOP_I_A1", "L_P_D_O_B1", "L_P_D_I_B1", "L_P_E_I_ON"});
-  model::DeviceDescription described;
+  description::DeviceDescription described;
   described.type = "STOP";
   plant.units[1].described = &described;
   plant.units[2].described = &described;

@@ -7,23 +7,23 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/core/plant.hpp"
+#include "symplant/plant/plant.hpp"
 
 namespace symplant::test {
 
 /// A plant with memory of its own.
 class OwnedPlant {
  public:
-  explicit OwnedPlant(const core::PlantTables& tables)
-      : memory_(core::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1),
+  explicit OwnedPlant(const tables::PlantTables& tables)
+      : memory_(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1),
         plant_(tables, std::as_writable_bytes(std::span(memory_))) {}
 
-  core::Plant& operator*() noexcept { return plant_; }
-  core::Plant* operator->() noexcept { return &plant_; }
+  plant::Plant& operator*() noexcept { return plant_; }
+  plant::Plant* operator->() noexcept { return &plant_; }
 
  private:
   std::vector<std::max_align_t> memory_;
-  core::Plant plant_;
+  plant::Plant plant_;
 };
 
 namespace cell {
@@ -32,30 +32,31 @@ namespace cell {
 enum Operation : std::uint32_t { kAgvToP2, kAgvToP1, kMachineToIdle1, kMachineToRun2 };
 enum Event : std::uint32_t { kAgvAtP1, kAgvAtP2, kMachineIdle1, kMachineRun2 };
 
-inline constexpr std::array<core::EventMasks, 2> kEnter = {{{1, 0}, {2, 0}}};
-inline constexpr std::array<core::EventMasks, 2> kLeave = {{{0, 1}, {0, 2}}};
-inline constexpr std::array kAgvWays = {core::Transition{0, 1, 0}, core::Transition{1, 0, 1}};
+inline constexpr std::array<tables::EventMasks, 2> kEnter = {{{1, 0}, {2, 0}}};
+inline constexpr std::array<tables::EventMasks, 2> kLeave = {{{0, 1}, {0, 2}}};
+inline constexpr std::array kAgvWays = {tables::Transition{0, 1, 0}, tables::Transition{1, 0, 1}};
 inline constexpr std::array<std::uint8_t, 2> kAgvTargets = {1, 0};
-inline constexpr std::array kMachineWays = {core::Transition{0, 1, 1}, core::Transition{1, 0, 0}};
+inline constexpr std::array kMachineWays = {tables::Transition{0, 1, 1}, tables::Transition{1, 0, 0}};
 inline constexpr std::array<std::uint8_t, 2> kMachineTargets = {0, 1};
 inline constexpr std::array kTypes = {
-    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kAgvWays, kEnter, kLeave, kAgvTargets},
-    core::TypeRow{2, 2, 2, core::kNoState, core::Actuation::latched, kMachineWays, kEnter, kLeave, kMachineTargets},
+    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kAgvWays, kEnter, kLeave, kAgvTargets},
+    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kMachineWays, kEnter, kLeave,
+                    kMachineTargets},
 };
-inline constexpr std::array kUnits = {core::UnitRow{0, 0, 0, 0, 0, 0}, core::UnitRow{1, 0, 0, 2, 2, 0}};
-inline constexpr core::TransitionTimes kTravel = {0, core::kSecond};
+inline constexpr std::array kUnits = {tables::UnitRow{0, 0, 0, 0, 0, 0}, tables::UnitRow{1, 0, 0, 2, 2, 0}};
+inline constexpr tables::TransitionTimes kTravel = {0, tables::kSecond};
 inline constexpr std::array kTimes = {kTravel, kTravel, kTravel};
 
-constexpr core::SymbolRow symbol(std::uint32_t index, std::uint32_t unit, core::Direction direction,
-                                 std::uint32_t row) {
+constexpr tables::SymbolRow symbol(std::uint32_t index, std::uint32_t unit, tables::Direction direction,
+                                   std::uint32_t row) {
   return {.index = index,
           .unit = unit,
           .number = index + 1,  // X0001 and Y0001 are the first
           .row = row,
-          .kind = core::symbol_kind(core::DataType::boolean, direction, core::AddressForm::number, true)};
+          .kind = tables::symbol_kind(tables::DataType::boolean, direction, tables::AddressForm::number, true)};
 }
-inline constexpr auto kIn = core::Direction::event;
-inline constexpr auto kOut = core::Direction::operation;
+inline constexpr auto kIn = tables::Direction::event;
+inline constexpr auto kOut = tables::Direction::operation;
 inline constexpr std::array kSymbols = {symbol(0, 0, kIn, 2),  symbol(1, 0, kIn, 3), symbol(0, 0, kOut, 4),
                                         symbol(1, 0, kOut, 5), symbol(2, 1, kIn, 6), symbol(3, 1, kIn, 7),
                                         symbol(2, 1, kOut, 8), symbol(3, 1, kOut, 9)};
@@ -67,8 +68,8 @@ constexpr std::string_view blob(const char (&text)[N]) {
 
 }  // namespace cell
 
-inline core::PlantTables cell_tables() {
-  core::PlantTables tables{};
+inline tables::PlantTables cell_tables() {
+  tables::PlantTables tables{};
   tables.name = "cell";
   tables.types = cell::kTypes;
   tables.units = cell::kUnits;

@@ -13,9 +13,9 @@
 
 namespace symplant::test {
 
-using core::kMillisecond;
-using core::kSecond;
-using core::Time;
+using tables::kMillisecond;
+using tables::kSecond;
+using tables::Time;
 
 /// Time passes only when somebody sleeps or says so. Its zero is not the plant's.
 class FakeClock final : public exec::Clock {
@@ -51,12 +51,12 @@ class FakeLink final : public exec::Exchange {
     std::size_t changed_words;
   };
 
-  void read_operations(core::Plant& plant, core::Time now) noexcept override {
+  void read_operations(plant::Plant& plant, tables::Time now) noexcept override {
     entries.push_back({Call::read, plant.now(), 0});
     read_at.push_back(now);
     if (on_read) on_read(plant);
   }
-  void write_events(const core::Plant& plant, const exec::CycleStatus& status) noexcept override {
+  void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override {
     entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
     told.push_back(status);
     if (on_write) on_write(plant);
@@ -81,12 +81,12 @@ class FakeLink final : public exec::Exchange {
   int left = 0;
   exec::LinkState stands = exec::LinkState::live;
   bool freezes = false;
-  std::function<void(core::Plant&)> on_read;
-  std::function<void(const core::Plant&)> on_write;
+  std::function<void(plant::Plant&)> on_read;
+  std::function<void(const plant::Plant&)> on_write;
 };
 
 struct Bench {
-  core::PlantTables tables = cell_tables();
+  tables::PlantTables tables = cell_tables();
   OwnedPlant plant{tables};
   FakeClock clock;
   FakeLink link;

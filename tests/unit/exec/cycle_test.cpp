@@ -20,7 +20,7 @@ TEST_CASE("a link gets the events of the first instant before the first cycle") 
   Bench bench;
   bool at_p1 = false;
   bool idle = false;
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (bench.link.entries.size() > 1) return;
     at_p1 = plant.event(test::cell::kAgvAtP1);
     idle = plant.event(test::cell::kMachineIdle1);
@@ -56,8 +56,8 @@ TEST_CASE("an operation read in a cycle belongs to that cycle's instant") {
   Bench bench;
   std::vector<Time> left;
   std::vector<Time> arrived;
-  bench.link.on_read = [](core::Plant& plant) { plant.set_operation(test::cell::kAgvToP2, true); };
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_read = [](plant::Plant& plant) { plant.set_operation(test::cell::kAgvToP2, true); };
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (left.empty() && !plant.event(test::cell::kAgvAtP1)) left.push_back(plant.now());
     if (arrived.empty() && plant.event(test::cell::kAgvAtP2)) arrived.push_back(plant.now());
   };
@@ -98,7 +98,7 @@ TEST_CASE("a run on time counts its cycles and nothing else") {
 TEST_CASE("work that takes part of the cycle moves no deadline") {
   Bench bench;
   const Time begin = bench.clock.now();
-  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(9 * kMillisecond); };
+  bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(9 * kMillisecond); };
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(statistics.overruns == 0);
   CHECK(statistics.lateness.max == 0);
@@ -107,7 +107,7 @@ TEST_CASE("work that takes part of the cycle moves no deadline") {
 
 TEST_CASE("a plant that is late catches up in order, each cycle at its own time") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
   };
   const auto statistics = bench.run({.until = 100 * kMillisecond});
@@ -120,7 +120,7 @@ TEST_CASE("a plant that is late catches up in order, each cycle at its own time"
 TEST_CASE("exactly ten cycles are caught up without a slip") {
   Bench bench;
   const Time begin = bench.clock.now();
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(119 * kMillisecond);
   };
   const auto statistics = bench.run({.until = 200 * kMillisecond});
@@ -132,7 +132,7 @@ TEST_CASE("exactly ten cycles are caught up without a slip") {
 TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
   Bench bench;
   const Time begin = bench.clock.now();
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(500 * kMillisecond);
   };
   const auto statistics = bench.run({.until = kSecond});
@@ -145,7 +145,7 @@ TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
 
 TEST_CASE("without catching up every whole cycle of delay is slipped") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
   };
   const auto statistics = bench.run({.until = 100 * kMillisecond, .max_catch_up = 0});
@@ -155,7 +155,7 @@ TEST_CASE("without catching up every whole cycle of delay is slipped") {
 
 TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(20 * kMillisecond); };
+  bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(20 * kMillisecond); };
   const auto statistics = bench.run({.until = kSecond});
   CHECK(statistics.cycles == 100);
   CHECK(statistics.overruns == 100);
@@ -166,7 +166,7 @@ TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
 TEST_CASE("a link that freezes the plant has its turns while plant time stands still, and none is caught up") {
   Bench bench;
   int reads = 0;
-  bench.link.on_read = [&](core::Plant&) {
+  bench.link.on_read = [&](plant::Plant&) {
     ++reads;
     bench.link.freezes = reads >= 3 && reads < 8;
     bench.link.stands = bench.link.freezes ? exec::LinkState::lost : exec::LinkState::live;
@@ -206,7 +206,7 @@ TEST_CASE("the last cycle ends at the end asked for, even within a cycle") {
 
 TEST_CASE("a stop ends the run after the cycle under way") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant& plant) { bench.stop = plant.now() == 50 * kMillisecond; };
+  bench.link.on_write = [&](const plant::Plant& plant) { bench.stop = plant.now() == 50 * kMillisecond; };
   const auto statistics = bench.run({});
   CHECK(statistics.cycles == 5);
   CHECK(bench.link.written() == every_10_ms(0, 5));
@@ -224,7 +224,7 @@ TEST_CASE("a sleep that ends early starts no cycle early") {
   Bench bench;
   bench.clock.wakes_early = true;
   const Time begin = bench.clock.now();
-  bench.link.on_write = [&](const core::Plant& plant) { CHECK(bench.clock.now() - begin == plant.now()); };
+  bench.link.on_write = [&](const plant::Plant& plant) { CHECK(bench.clock.now() - begin == plant.now()); };
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(statistics.cycles == 10);
 }

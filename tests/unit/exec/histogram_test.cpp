@@ -9,9 +9,9 @@
 #include "symplant/exec/cycle_meter.hpp"
 
 using namespace symplant;
-using core::Time;
 using exec::Durations;
 using exec::Histogram;
+using tables::Time;
 
 namespace {
 
@@ -36,7 +36,7 @@ TEST_CASE("an empty histogram is all 0") {
 
 TEST_CASE("one duration is every quantile, exactly, from 0 to the longest that there is") {
   for (const Time time :
-       {Time{0}, Time{1}, Time{63}, Time{64}, Time{65}, Time{1'000'003}, core::kNever - 1, core::kNever}) {
+       {Time{0}, Time{1}, Time{63}, Time{64}, Time{65}, Time{1'000'003}, tables::kNever - 1, tables::kNever}) {
     Histogram histogram;
     histogram.add(time);
     const Durations durations = histogram.durations();

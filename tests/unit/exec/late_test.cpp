@@ -9,7 +9,7 @@ namespace {
 
 /// A cycle at plant time `at` takes `work`, all others nothing.
 void work_once(Bench& bench, Time at, Time work) {
-  bench.link.on_write = [&bench, at, work](const core::Plant& plant) {
+  bench.link.on_write = [&bench, at, work](const plant::Plant& plant) {
     if (plant.now() == at) bench.clock.pass(work);
   };
 }
@@ -37,7 +37,7 @@ TEST_CASE(
     "cycles that are each three cycles long are each an overrun, run at most the catch-up late, and lose the rest") {
   Bench bench;
   const Time begin = bench.clock.now();
-  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(30 * kMillisecond); };
+  bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(30 * kMillisecond); };
   const auto statistics = bench.run({.until = kSecond, .max_catch_up = 2});
   CHECK(statistics.cycles == 100);
   CHECK(statistics.overruns == 100);
@@ -67,7 +67,7 @@ TEST_CASE("a process that stood still for 5 s takes its PLCs to have been silent
 
 TEST_CASE("a process that is always too slow counts the silence of its PLCs in true time, up to two cycles each") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant&) { bench.clock.pass(15 * kMillisecond); };
+  bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(15 * kMillisecond); };
   bench.run({.until = kSecond, .max_catch_up = 0});
   const std::vector<Time>& read_at = bench.link.read_at;
   CHECK(read_at[50] - read_at[40] == 150 * kMillisecond);
@@ -82,7 +82,7 @@ TEST_CASE("a process that stood still for 5 s runs no more than the catch-up at 
     stood = true;
     bench.clock.pass(5 * kSecond);
   };
-  bench.link.on_read = [&](core::Plant&) { starts.push_back(bench.clock.now()); };
+  bench.link.on_read = [&](plant::Plant&) { starts.push_back(bench.clock.now()); };
   const auto statistics = bench.run({.until = kSecond});
   std::size_t at_once = 0;
   for (std::size_t i = 1; i < starts.size(); ++i) at_once += starts[i] == starts[i - 1] ? 1U : 0U;
@@ -97,7 +97,7 @@ TEST_CASE("the last microseconds of a wait are awake: one sleep up to them, then
   std::vector<Time> wakes;
   bench.clock.costs = 100;
   bench.clock.on_sleep = [&] { wakes.push_back(bench.clock.now() - 100); };
-  const auto statistics = bench.run({.until = 50 * kMillisecond, .spin = 50 * core::kMicrosecond});
+  const auto statistics = bench.run({.until = 50 * kMillisecond, .spin = 50 * tables::kMicrosecond});
   CHECK(wakes.size() == 5);
   for (std::size_t i = 1; i < wakes.size(); ++i) CHECK(wakes[i] - wakes[i - 1] == 10 * kMillisecond);
   CHECK(statistics.lateness.max < 100);
@@ -114,7 +114,7 @@ TEST_CASE("a stop is seen while the wait is awake") {
 
 TEST_CASE("a stop is seen in the middle of a catch-up, however long that is") {
   Bench bench;
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 10 * kMillisecond) bench.clock.pass(3600 * kSecond);
     bench.stop = plant.now() == 50 * kMillisecond;
   };
@@ -143,7 +143,7 @@ TEST_CASE("a last cycle that is planned to be shorter is no jitter") {
 TEST_CASE("the meter of a run can be read in the middle of it") {
   Bench bench;
   bench.link.stands = exec::LinkState::lost;
-  bench.link.on_write = [&](const core::Plant& plant) {
+  bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() != 50 * kMillisecond) return;
     CHECK(bench.meter.statistics().cycles == 4);
     CHECK(bench.meter.state(0) == exec::LinkState::lost);

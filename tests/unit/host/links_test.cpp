@@ -13,8 +13,8 @@ constexpr std::string_view kOne{"PLC1\0", 5};
 constexpr std::string_view kTwo{"PLC1\0PLC2\0", 10};
 
 /// A plant of these controllers.
-core::PlantTables tables_of(std::string_view controllers) {
-  core::PlantTables tables = bare_tables("p", 0, 0);
+tables::PlantTables tables_of(std::string_view controllers) {
+  tables::PlantTables tables = bare_tables("p", 0, 0);
   tables.controller_names = controllers;
   return tables;
 }
@@ -31,7 +31,7 @@ std::string chosen(const host::PlantProgram& program, const host::RunOptions& op
 }
 
 TEST_CASE("links come from the command line, else from the plant, else from what it was built with") {
-  const core::PlantTables tables = tables_of(kTwo);
+  const tables::PlantTables tables = tables_of(kTwo);
   const std::array<host::DefaultLink, 2> described{{{"PLC2", "loop:"}, {"PLC1", "modbus-tcp-server://127.0.0.1:1"}}};
   host::PlantProgram program{.tables = tables};
   host::RunOptions options;
@@ -45,25 +45,25 @@ TEST_CASE("links come from the command line, else from the plant, else from what
 }
 
 TEST_CASE("a controller's settings hold whichever URL links it, and --on-loss takes the place of the links' policy") {
-  const core::PlantTables tables = tables_of(kTwo);
-  std::array<core::LinkSettings, 2> settings{};
+  const tables::PlantTables tables = tables_of(kTwo);
+  std::array<link::LinkSettings, 2> settings{};
   settings[1].resync = 7;
   host::PlantProgram program{.tables = tables, .link_settings = settings};
   host::RunOptions options;
   options.links = {"PLC2=modbus-tcp-server://127.0.0.1:3", "PLC1=loop:"};
   const auto links = [&] { return std::get<host::LinkChoices>(host::links_of(program, options)); };
   CHECK(links().at(0).settings.resync == 7);
-  CHECK(links().at(1).settings.resync == core::kSecond);
-  CHECK(links().at(0).settings.on_loss == core::OnLoss::hold);
-  options.on_loss = core::OnLoss::zero;
-  CHECK(links().at(0).settings.on_loss == core::OnLoss::zero);
-  CHECK(links().at(1).settings.on_loss == core::OnLoss::zero);
+  CHECK(links().at(1).settings.resync == tables::kSecond);
+  CHECK(links().at(0).settings.on_loss == link::OnLoss::hold);
+  options.on_loss = link::OnLoss::zero;
+  CHECK(links().at(0).settings.on_loss == link::OnLoss::zero);
+  CHECK(links().at(1).settings.on_loss == link::OnLoss::zero);
   program.link_settings = {};
-  CHECK(links().at(1).settings.on_loss == core::OnLoss::zero);
+  CHECK(links().at(1).settings.on_loss == link::OnLoss::zero);
 }
 
 TEST_CASE("a link whose controller the plant has not is told") {
-  const core::PlantTables tables = tables_of(kTwo);
+  const tables::PlantTables tables = tables_of(kTwo);
   host::PlantProgram program{.tables = tables};
   host::RunOptions options;
   options.links = {"PLC3=loop:"};
@@ -71,7 +71,7 @@ TEST_CASE("a link whose controller the plant has not is told") {
 }
 
 TEST_CASE("virtual time leaves out the links that the plant brings, and not those that were asked for") {
-  const core::PlantTables tables = tables_of(kOne);
+  const tables::PlantTables tables = tables_of(kOne);
   host::PlantProgram program{.tables = tables};
   program.default_link = "modbus-tcp-server://127.0.0.1:2";
   host::RunOptions options;
@@ -85,7 +85,7 @@ TEST_CASE("virtual time leaves out the links that the plant brings, and not thos
 }
 
 TEST_CASE("a scenario leaves them out, too, unless real time is asked for") {
-  const core::PlantTables tables = tables_of(kOne);
+  const tables::PlantTables tables = tables_of(kOne);
   host::PlantProgram program{.tables = tables};
   program.default_link = "modbus-tcp-server://127.0.0.1:2";
   host::RunOptions options;
@@ -97,10 +97,10 @@ TEST_CASE("a scenario leaves them out, too, unless real time is asked for") {
 
 TEST_CASE("a link carries the operations of its controller alone, and the loop none") {
   const auto kind =
-      core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, false);
-  const std::array<core::SymbolRow, 2> symbols{{{0, core::kNoUnit, 1, 1, kind}, {1, core::kNoUnit, 1, 1, kind}}};
-  const std::array<core::SymbolListRow, 2> lists{{{0, 0}, {1, 1}}};
-  core::PlantTables tables = tables_of(kTwo);
+      tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, false);
+  const std::array<tables::SymbolRow, 2> symbols{{{0, tables::kNoUnit, 1, 1, kind}, {1, tables::kNoUnit, 1, 1, kind}}};
+  const std::array<tables::SymbolListRow, 2> lists{{{0, 0}, {1, 1}}};
+  tables::PlantTables tables = tables_of(kTwo);
   tables.symbols = symbols;
   tables.lists = lists;
   CHECK(host::carried_operations({{"modbus-tcp-server://127.0.0.1:0", 1}}, tables) == std::vector<bool>{false, true});

@@ -15,17 +15,18 @@ namespace {
 
 /// One unit that goes round by itself, a second a state.
 struct Clockwork {
-  std::vector<core::Transition> transitions{{0, 1, core::kNoOperation, false, core::kNoCondition, true},
-                                            {1, 0, core::kNoOperation, false, core::kNoCondition, true}};
-  std::vector<core::EventMasks> enter{{1, 0}, {2, 0}};
-  std::vector<core::EventMasks> leave{{0, 1}, {0, 2}};
-  std::vector<core::TypeRow> types{{0, 2, 2, core::kNoState, core::Actuation::latched, transitions, enter, leave, {}}};
-  std::vector<core::UnitRow> units{{0, 0, 1, 0, 0, 0}};
-  std::vector<core::TransitionTimes> times{{0, core::kSecond}, {core::kSecond, 0}, {core::kSecond, 0}};
-  core::PlantTables tables = rows();
+  std::vector<tables::Transition> transitions{{0, 1, tables::kNoOperation, false, tables::kNoCondition, true},
+                                              {1, 0, tables::kNoOperation, false, tables::kNoCondition, true}};
+  std::vector<tables::EventMasks> enter{{1, 0}, {2, 0}};
+  std::vector<tables::EventMasks> leave{{0, 1}, {0, 2}};
+  std::vector<tables::TypeRow> types{
+      {0, 2, 2, tables::kNoState, tables::Actuation::latched, transitions, enter, leave, {}}};
+  std::vector<tables::UnitRow> units{{0, 0, 1, 0, 0, 0}};
+  std::vector<tables::TransitionTimes> times{{0, tables::kSecond}, {tables::kSecond, 0}, {tables::kSecond, 0}};
+  tables::PlantTables tables = rows();
 
-  core::PlantTables rows() const {
-    core::PlantTables all = bare_tables("clockwork", 0, 64);
+  tables::PlantTables rows() const {
+    tables::PlantTables all = bare_tables("clockwork", 0, 64);
     all.types = types;
     all.units = units;
     all.times = times;
@@ -40,7 +41,7 @@ struct Outcome {
   std::string err;
 };
 
-Outcome run(const core::PlantTables& tables, const host::RunOptions& options) {
+Outcome run(const tables::PlantTables& tables, const host::RunOptions& options) {
   std::ostringstream out;
   std::ostringstream err;
   const int code = host::run({.tables = tables}, options, out, err);
@@ -58,12 +59,12 @@ TEST_CASE("virtual time without an end goes on for an hour of plant time, and sa
 TEST_CASE("virtual time ends where it was asked to") {
   const Clockwork plant;
   host::RunOptions options;
-  options.until = 2500 * core::kMillisecond;
+  options.until = 2500 * tables::kMillisecond;
   CHECK(contains(run(plant.tables, options).out, "ended at 2.5 s, as asked"));
 }
 
 TEST_CASE("virtual time ends when nothing more is due") {
-  core::PlantTables empty = bare_tables("empty", 0, 0);
+  tables::PlantTables empty = bare_tables("empty", 0, 0);
   empty.list_names = {"none", 5};
   CHECK(contains(run(empty, {}).out, "nothing more is due"));
 }
@@ -75,7 +76,7 @@ TEST_CASE("virtual time with a link is refused, with the loop it is not") {
   options.links = {"modbus-tcp-server://127.0.0.1:0"};
   CHECK(run(plant.tables, options).code == host::kBadInput);
   options.links = {"loop:"};
-  options.until = core::kSecond;
+  options.until = tables::kSecond;
   CHECK(run(plant.tables, options).code == host::kGood);
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("real time keeps its end, and tells of its cycles") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
-  options.until = 50 * core::kMillisecond;
+  options.until = 50 * tables::kMillisecond;
   const Outcome outcome = run(plant.tables, options);
   CHECK(outcome.code == host::kGood);
   CHECK(contains(outcome.out, "ended at 0.05 s"));
@@ -102,7 +103,7 @@ TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
-  options.until = 20 * core::kMillisecond;
+  options.until = 20 * tables::kMillisecond;
   options.spin = options.cycle;
   const Outcome outcome = run(plant.tables, options);
   CHECK(outcome.code == host::kBadInput);
@@ -114,14 +115,14 @@ TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
 TEST_CASE("options of real time are said to have no effect in virtual time, each that was given") {
   const Clockwork plant;
   host::RunOptions options;
-  options.until = core::kSecond;
+  options.until = tables::kSecond;
   CHECK(run(plant.tables, options).err.empty());
   options.real_time.priority = 50;
   const Outcome outcome = run(plant.tables, options);
   CHECK(outcome.code == host::kGood);
   CHECK(outcome.err == "warning: in virtual time `--priority` has no effect: `--clock real` runs in real time\n");
   options.real_time = {};
-  options.on_loss = core::OnLoss::zero;
+  options.on_loss = link::OnLoss::zero;
   options.cycle_given = true;
   options.late_given = true;
   CHECK(run(plant.tables, options).err ==
@@ -140,8 +141,8 @@ TEST_CASE("what to do on loss is said to have no effect where no link can be los
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
-  options.until = 20 * core::kMillisecond;
-  options.on_loss = core::OnLoss::zero;
+  options.until = 20 * tables::kMillisecond;
+  options.on_loss = link::OnLoss::zero;
   options.cycle_given = true;
   CHECK(contains(run(plant.tables, options).err, "warning: `--on-loss` has no effect without a link"));
   options.links = {"modbus-tcp-server://127.0.0.1:0"};
@@ -151,7 +152,7 @@ TEST_CASE("what to do on loss is said to have no effect where no link can be los
 TEST_CASE("a limit of files is said to have no effect where none is written") {
   const Clockwork plant;
   host::RunOptions options;
-  options.until = core::kSecond;
+  options.until = tables::kSecond;
   options.trace_limit = 4096;
   CHECK(contains(run(plant.tables, options).err, "warning: `--trace-limit` has no effect without `--trace`"));
   options.trace = "/dev/null";

@@ -34,7 +34,7 @@ struct Cell {
     Told told;
     told.disables("DOOR", "OPEN2", "AGV");
     told.description.requirements.push_back({"both <at> \"once\" \x01", "L_P_AGV_O_P1 and L_P_AGV_O_P2", "", "", 0});
-    told.description.requirements.push_back({"arrives", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 60 * core::kSecond});
+    told.description.requirements.push_back({"arrives", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 60 * tables::kSecond});
     return told;
   }
   Outcome run(const std::string& steps) {
@@ -71,7 +71,7 @@ TEST_CASE("a failed expectation is 1 and told with its place; one that is not re
   CHECK(failed.code == host::kFindings);
   CHECK(contains(failed.err, "s.json:1: error: expected `L_P_AGV.P2` at 1 s\n    L_P_AGV is in P1 since the start"));
   CHECK(contains(failed.out, "expectations: 0 held, 1 failed, 0 not reached"));
-  cell.options.until = core::kSecond;
+  cell.options.until = tables::kSecond;
   const Outcome cut = cell.run(kDrive);
   CHECK(cut.code == host::kFindings);
   CHECK(contains(cut.err, "`L_P_AGV.P2` was not reached, since the run ended at 1 s"));

@@ -67,9 +67,9 @@ TEST_CASE("the service manager hears by a path and by an abstract name") {
   const TemporaryFolder folder;
   for (const std::string& name : {folder / "notify", abstract_name()}) {
     FakeManager systemd(name);
-    const host::ServiceManager manager(name, 5 * core::kSecond);
+    const host::ServiceManager manager(name, 5 * tables::kSecond);
     CHECK(manager.listens());
-    CHECK(manager.watchdog() == 5 * core::kSecond);
+    CHECK(manager.watchdog() == 5 * tables::kSecond);
     manager.tell("READY=1");
     CHECK(systemd.next() == "READY=1");
   }
@@ -78,7 +78,7 @@ TEST_CASE("the service manager hears by a path and by an abstract name") {
 TEST_CASE("without a service manager nothing is told and nothing goes wrong") {
   for (const std::string& name : {std::string(), std::string("@"), std::string("vsock:2:1"),
                                   std::string("/no/such/socket"), std::string(200, '/')}) {
-    const host::ServiceManager manager(name, core::kSecond);
+    const host::ServiceManager manager(name, tables::kSecond);
     CHECK_FALSE(manager.listens());
     CHECK(manager.watchdog() == 0);
     manager.tell("READY=1");
@@ -114,7 +114,7 @@ TEST_CASE("the watchdog's time is taken from the environment where it is meant f
     const Environment environment(abstract_name(), time, pid);
     return host::ServiceManager::of_environment().watchdog();
   };
-  CHECK(watchdog("2000000", own) == 2 * core::kSecond);
+  CHECK(watchdog("2000000", own) == 2 * tables::kSecond);
   CHECK(watchdog("2000000", "1") == 0);
   CHECK(watchdog("", own) == 0);
   CHECK(watchdog("2s", own) == 0);
@@ -147,11 +147,11 @@ TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, t
 TEST_CASE("a run in real time is ready when its cycle goes, and says when it ends") {
   FakeManager systemd(abstract_name());
   const Environment environment(abstract_name(), "", "");
-  core::PlantTables tables = bare_tables("bare", 0, 0);
+  tables::PlantTables tables = bare_tables("bare", 0, 0);
   tables.list_names = {"none", 5};
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
-  options.until = GENERATE(50, 300) * core::kMillisecond;
+  options.until = GENERATE(50, 300) * tables::kMillisecond;
   std::ostringstream out;
   CHECK(host::run({.tables = tables}, options, out, out) == host::kGood);
   CHECK(systemd.next().rfind("READY=1\n", 0) == 0);

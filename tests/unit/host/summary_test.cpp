@@ -6,28 +6,28 @@
 #include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/strings.hpp"
-#include "symplant/core/digest.hpp"
+#include "symplant/tables/digest.hpp"
 
 namespace symplant::test {
 namespace {
 
-using core::AddressForm;
-using core::DataType;
-using core::Direction;
+using tables::AddressForm;
+using tables::DataType;
+using tables::Direction;
 
 TEST_CASE("the summary says what can move and names what nobody moves") {
-  const std::vector<core::UnitRow> units{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 0}};
+  const std::vector<tables::UnitRow> units{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 0}};
   const auto event = [](std::uint32_t index, std::uint32_t unit, bool moved) {
-    return core::SymbolRow{index, unit, 0, 2,
-                           core::symbol_kind(DataType::boolean, Direction::event, AddressForm::none, moved)};
+    return tables::SymbolRow{index, unit, 0, 2,
+                             tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::none, moved)};
   };
-  const std::vector<core::SymbolRow> symbols{
-      {0, 0, 0, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, true)},
+  const std::vector<tables::SymbolRow> symbols{
+      {0, 0, 0, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, true)},
       event(0, 0, true),
       event(1, 1, false),
-      event(2, core::kNoUnit, false)};
+      event(2, tables::kNoUnit, false)};
   const std::string names{"OP\0\0EV\0\0PB\0\0\x1b[31m\xE2\x80\xAE!\0\0", 24};
-  core::PlantTables tables = bare_tables("cell", 64, 64, 0, symbols);
+  tables::PlantTables tables = bare_tables("cell", 64, 64, 0, symbols);
   tables.units = units;
   tables.symbol_names = names;
   tables.list_names = {"cell.csv", 9};
@@ -39,11 +39,11 @@ TEST_CASE("the summary says what can move and names what nobody moves") {
 }
 
 TEST_CASE("behaviours without code are told, with how many devices they are of") {
-  const std::vector<core::BehaviourUnit> units{{0, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}, {3, 1, 0, 0, 0, 0}};
-  core::PlantTables tables = bare_tables("cell", 64, 64);
+  const std::vector<tables::BehaviourUnit> units{{0, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}, {3, 1, 0, 0, 0, 0}};
+  tables::PlantTables tables = bare_tables("cell", 64, 64);
   tables.behaviour_units = units;
   tables.behaviour_names = std::string_view("Lift\0Stop\x1b\0", 11);
-  const std::vector<core::Behaviour> code(2);
+  const std::vector<engine::Behaviour> code(2);
   CHECK(host::absent_behaviours(tables, code).empty());
   CHECK(host::absent_behaviours(tables, {}) ==
         "behaviour `Lift` of 1 device absent: the model's own rules serve it\n"

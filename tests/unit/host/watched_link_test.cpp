@@ -4,7 +4,7 @@
 #include <array>
 
 #include "support/plant_bench.hpp"
-#include "symplant/core/behaviour.hpp"
+#include "symplant/engine/behaviour.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::test {
@@ -17,8 +17,8 @@ class SetLink final : public link::Link {
  public:
   std::string url() const override { return "set:"; }
   link::LinkStatus status() const noexcept override { return {}; }
-  void read_operations(core::Plant&, core::Time) noexcept override {}
-  void write_events(const core::Plant&, const exec::CycleStatus&) noexcept override {}
+  void read_operations(plant::Plant&, tables::Time) noexcept override {}
+  void write_events(const plant::Plant&, const exec::CycleStatus&) noexcept override {}
   LinkState state() const noexcept override { return stands; }
 
   LinkState stands = LinkState::waiting;
@@ -27,9 +27,9 @@ class SetLink final : public link::Link {
 constexpr std::uint8_t kP2 = 1;
 
 /// Without a link that is well, the device goes to P2 by itself.
-std::uint8_t safe_place(core::BehaviourView& view) noexcept { return view.quality() ? core::kNoState : kP2; }
+std::uint8_t safe_place(engine::BehaviourView& view) noexcept { return view.quality() ? tables::kNoState : kP2; }
 
-constexpr std::array<core::Behaviour, 1> kBehaviours = {core::Behaviour{.wanted = safe_place}};
+constexpr std::array<engine::Behaviour, 1> kBehaviours = {engine::Behaviour{.wanted = safe_place}};
 
 /// A device with a behaviour, and a link that carries a controller's symbols; the plant's only controller is 0.
 struct Bench {
@@ -62,7 +62,7 @@ struct Bench {
   }
 
   BenchTables tables{{"A_O_P1", "A_I_P1", "A_O_P2", "A_I_P2"}, told()};
-  core::OwnedPlant plant{tables.rows, kBehaviours};
+  plant::OwnedPlant plant{tables.rows, kBehaviours};
   trace::Recorder recorder{tables.rows, 256};
   SetLink* link = nullptr;
   host::Links links;

@@ -28,7 +28,7 @@ SymbolList plant_of(const std::vector<std::string>& controllers) {
 std::string chosen(const SymbolList& list, const std::vector<std::string>& texts) {
   std::vector<link::LinkRequest> requests;
   for (const std::string& text : texts) requests.push_back(link::parse_request(text));
-  const core::PlantTables tables = list.tables();
+  const tables::PlantTables tables = list.tables();
   const auto result = link::choose_links(tables, requests);
   if (const auto* error = std::get_if<link::LinkError>(&result)) {
     CHECK(error->kind == link::LinkError::Kind::usage);
@@ -104,7 +104,7 @@ TEST_CASE("the loop without a name is that of all controllers") {
 
 TEST_CASE("a loop carries the symbols of its controller alone") {
   const SymbolList list = plant_of({"PLC1", "PLC2"});
-  const core::PlantTables tables = list.tables();
+  const tables::PlantTables tables = list.tables();
   test::OwnedPlant plant(tables);
   link::LoopLink first(tables, 0);
   link::LoopLink second(tables, 1);
@@ -121,7 +121,7 @@ TEST_CASE("a loop carries the symbols of its controller alone") {
 
 TEST_CASE("two Modbus links serve two controllers' equal addresses as two places") {
   const SymbolList list = plant_of({"PLC1", "PLC2"});
-  const core::PlantTables tables = list.tables();
+  const tables::PlantTables tables = list.tables();
   test::OwnedPlant plant(tables);
   plant->advance_to(0);
   std::vector<std::unique_ptr<link::Link>> links;
@@ -130,7 +130,7 @@ TEST_CASE("two Modbus links serve two controllers' equal addresses as two places
     REQUIRE(std::holds_alternative<std::unique_ptr<link::Link>>(opened));
     links.push_back(std::get<std::unique_ptr<link::Link>>(std::move(opened)));
   }
-  const auto cycle = [&](core::Time time) {
+  const auto cycle = [&](tables::Time time) {
     for (const auto& link : links) link->read_operations(*plant, 0);
     plant->advance_to(time);
     for (const auto& link : links) link->write_events(*plant, {});

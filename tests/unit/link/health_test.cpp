@@ -5,21 +5,21 @@
 #include <vector>
 
 using namespace symplant;
-using core::kMillisecond;
-using core::kSecond;
 using exec::LinkState;
 using link::LinkHealth;
 using link::Verdict;
+using tables::kMillisecond;
+using tables::kSecond;
 
 namespace {
 
-constexpr core::Time kCycle = 10 * kMillisecond;
+constexpr tables::Time kCycle = 10 * kMillisecond;
 
 /// A link that is looked at every 10 ms.
 struct HealthBench {
   LinkHealth health{kSecond, kSecond};
-  core::Time now = 1234;
-  std::vector<core::Time> lost_at;
+  tables::Time now = 1234;
+  std::vector<tables::Time> lost_at;
 
   Verdict look(bool heard, bool complete = true) {
     now += kCycle;
@@ -28,9 +28,9 @@ struct HealthBench {
     return verdict;
   }
   /// Looks for a time without anything to be heard; the last verdict.
-  Verdict silent(core::Time time) {
+  Verdict silent(tables::Time time) {
     Verdict last = Verdict::hold;
-    for (core::Time t = 0; t < time; t += kCycle) last = look(false);
+    for (tables::Time t = 0; t < time; t += kCycle) last = look(false);
     return last;
   }
 };
@@ -55,12 +55,12 @@ TEST_CASE("what a PLC wrote first acts at once, without waiting for a complete i
 TEST_CASE("a link is lost when nothing has come for its time, and not a cycle earlier") {
   HealthBench bench;
   bench.look(true);
-  const core::Time heard = bench.now;
+  const tables::Time heard = bench.now;
   CHECK(bench.silent(kSecond - kCycle) == Verdict::apply);
   CHECK(bench.health.state() == LinkState::live);
   CHECK(bench.look(false) == Verdict::lose);
   CHECK(bench.health.state() == LinkState::lost);
-  CHECK(bench.lost_at == std::vector<core::Time>{heard + kSecond});
+  CHECK(bench.lost_at == std::vector<tables::Time>{heard + kSecond});
   CHECK(bench.health.losses() == 1);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("after a loss an image that stays incomplete acts when the time for it
   bench.look(true);
   bench.silent(2 * kSecond);
   CHECK(bench.look(true, false) == Verdict::hold);
-  const core::Time returned = bench.now;
+  const tables::Time returned = bench.now;
   Verdict verdict = Verdict::hold;
   while (verdict == Verdict::hold && bench.now < returned + 5 * kSecond) verdict = bench.look(true, false);
   CHECK(verdict == Verdict::apply);
@@ -127,5 +127,5 @@ TEST_CASE("a PLC that comes back and goes before its image is complete is lost a
 
 TEST_CASE("a cycle longer than the time for a loss is no loss while its PLC is heard between two of them") {
   LinkHealth health(kSecond, kSecond);
-  for (core::Time hour = 1; hour < 5; ++hour) CHECK(health.look(hour * 3600 * kSecond, true, true) == Verdict::apply);
+  for (tables::Time hour = 1; hour < 5; ++hour) CHECK(health.look(hour * 3600 * kSecond, true, true) == Verdict::apply);
 }

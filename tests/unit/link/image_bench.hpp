@@ -13,13 +13,13 @@ namespace symplant::test {
 using Bytes = std::vector<std::uint8_t>;
 
 struct ImageBench {
-  core::PlantTables tables;
+  tables::PlantTables tables;
   OwnedPlant plant;
   link::modbus::Images images;
   std::uint32_t gaps = 0;
-  core::Time time = 0;
+  tables::Time time = 0;
 
-  explicit ImageBench(const core::PlantTables& given, const link::LinkSettings& settings = {})
+  explicit ImageBench(const tables::PlantTables& given, const link::LinkSettings& settings = {})
       : tables(given), plant(tables), images(tables, link::make_io_map(tables, 0, settings)) {
     plant->advance_to(0);
     write();
@@ -35,7 +35,7 @@ struct ImageBench {
     images.write_events(*plant);
     plant->forget_changed_events();
   }
-  void cycle(core::Time duration = 10 * core::kMillisecond) {
+  void cycle(tables::Time duration = 10 * tables::kMillisecond) {
     images.read_operations(*plant);
     plant->advance_to(time += duration);
     write();

@@ -8,7 +8,7 @@
 
 using namespace symplant;
 using namespace symplant::link::modbus;
-using core::DataType;
+using tables::DataType;
 using test::Bytes;
 using test::ImageBench;
 using test::SymbolList;
@@ -22,7 +22,7 @@ TEST_CASE("a server drives the paper's cell by coils and sees it by discrete inp
   bench.cycle();
   CHECK(bench.plant->operation(test::cell::kAgvToP2));
   CHECK(bench.ask({2, 0, 1, 0, 4}) == Bytes{2, 1, 0b0100});
-  bench.cycle(core::kSecond);
+  bench.cycle(tables::kSecond);
   CHECK(bench.ask({2, 0, 1, 0, 4}) == Bytes{2, 1, 0b0110});
   CHECK(bench.ask({15, 0, 1, 0, 4, 1, 0b1000}) == Bytes{15, 0, 1, 0, 4});
   bench.cycle();

@@ -8,9 +8,9 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using core::AddressForm;
-using core::DataType;
 using link::Table;
+using tables::AddressForm;
+using tables::DataType;
 using test::SymbolList;
 
 namespace {
@@ -48,7 +48,7 @@ TEST_CASE("the paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
 }
 
 TEST_CASE("an empty list has an empty map") {
-  const auto map = link::make_io_map(core::PlantTables{}, 0, kBare);
+  const auto map = link::make_io_map(tables::PlantTables{}, 0, kBare);
   CHECK(map.points.empty());
   CHECK(map.sizes == Sizes{});
 }
@@ -163,11 +163,11 @@ TEST_CASE("Modicon numbers count from one behind their table's digit") {
 TEST_CASE("a map has the symbols of one controller alone, and packs them by themselves") {
   test::SymbolList list;
   list.controller("PLC1");
-  list.add("A", test::SymbolList::kOut, core::AddressForm::other);
+  list.add("A", test::SymbolList::kOut, tables::AddressForm::other);
   list.add("B", test::SymbolList::kIn, 7);
   list.controller("PLC2");
-  list.add("C", test::SymbolList::kOut, core::AddressForm::other);
-  list.add("D", test::SymbolList::kIn, core::AddressForm::none);
+  list.add("C", test::SymbolList::kOut, tables::AddressForm::other);
+  list.add("D", test::SymbolList::kIn, tables::AddressForm::none);
   list.add("E", test::SymbolList::kIn, 7);
   CHECK(points(link::make_io_map(list.tables(), 0, kBare)) ==
         Points{{0, Table::coil, 0}, {1, Table::discrete_input, 7}});

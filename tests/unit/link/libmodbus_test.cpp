@@ -44,16 +44,16 @@ TEST_CASE("libmodbus reads and writes the paper's cell") {
   CHECK(modbus_write_bits(client, 2, 3, more.data()) == 3);
   REQUIRE(modbus_read_bits(client, 1, 4, bits.data()) == 4);
   CHECK(bits == std::array<std::uint8_t, 4>{1, 0, 0, 1});
-  server.cycle(10 * core::kMillisecond);
-  server.cycle(core::kSecond);
+  server.cycle(10 * tables::kMillisecond);
+  server.cycle(tables::kSecond);
   REQUIRE(modbus_read_input_bits(client, 1, 4, bits.data()) == 4);
   CHECK(bits == std::array<std::uint8_t, 4>{0, 1, 0, 1});
 }
 
 TEST_CASE("libmodbus reads and writes registers") {
   SymbolList list;
-  list.add("SPEED", SymbolList::kOut, 3, core::DataType::int_);
-  list.add("LEVEL", SymbolList::kIn, 2, core::DataType::word);
+  list.add("SPEED", SymbolList::kOut, 3, tables::DataType::int_);
+  list.add("LEVEL", SymbolList::kIn, 2, tables::DataType::word);
   list.start_at(1, 0xBEEF);
   const auto tables = list.tables();
   test::OwnedPlant plant(tables);
@@ -70,7 +70,7 @@ TEST_CASE("libmodbus reads and writes registers") {
   REQUIRE(modbus_read_registers(client, 4, 1, &value) == 1);
   CHECK(value == 7);
   link->read_operations(*plant, 0);
-  plant->advance_to(core::kMillisecond);
+  plant->advance_to(tables::kMillisecond);
   CHECK(static_cast<std::int64_t>(plant->operation_value(0)) == -1);
   CHECK(link->status().writes_to_gaps == 1);
 }

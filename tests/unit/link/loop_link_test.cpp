@@ -6,14 +6,14 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using core::kMillisecond;
-using core::kSecond;
+using tables::kMillisecond;
+using tables::kSecond;
 using test::SymbolList;
 
 namespace {
 
 /// One cycle, as run_cycles() makes it.
-void cycle(core::Plant& plant, link::Link& link, core::Time time) {
+void cycle(plant::Plant& plant, link::Link& link, tables::Time time) {
   link.read_operations(plant, 0);
   plant.advance_to(time);
   link.write_events(plant, {});
@@ -54,8 +54,8 @@ TEST_CASE("the PLC's end says when a symbol is not of the kind asked for") {
 
 TEST_CASE("numbers of any width go through the loop, and a written zero is one") {
   SymbolList list;
-  list.add("SPEED", SymbolList::kOut, core::AddressForm::none, 0, core::DataType::lreal);
-  list.add("LEVEL", SymbolList::kIn, core::AddressForm::none, 0, core::DataType::dint);
+  list.add("SPEED", SymbolList::kOut, tables::AddressForm::none, 0, tables::DataType::lreal);
+  list.add("LEVEL", SymbolList::kIn, tables::AddressForm::none, 0, tables::DataType::dint);
   list.start_at(0, 5);
   list.start_at(1, 77);
   const auto tables = list.tables();

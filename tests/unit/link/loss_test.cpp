@@ -4,12 +4,12 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using core::kMillisecond;
-using core::kSecond;
 using exec::LinkState;
 using link::LinkSettings;
 using link::OnLoss;
 using link::PlaceRow;
+using tables::kMillisecond;
+using tables::kSecond;
 using test::Bytes;
 
 namespace {
@@ -24,10 +24,10 @@ struct LossBench {
     link->write_events(*plant, {});
     client = std::make_unique<test::RawClient>(test::port_of(*link));
   }
-  const core::PlantTables& made() {
+  const tables::PlantTables& made() {
     list.add("A", test::SymbolList::kOut, 0);
     list.add("B", test::SymbolList::kOut, 1);
-    list.add("N", test::SymbolList::kOut, 2, core::DataType::int_);
+    list.add("N", test::SymbolList::kOut, 2, tables::DataType::int_);
     list.add("E", test::SymbolList::kIn, 0);
     owned = list.tables();
     return owned;
@@ -41,8 +41,8 @@ struct LossBench {
                        {.cycles = cycles++, .live = link->state() == LinkState::live ? 1U : 0U, .frozen = frozen});
     plant->forget_changed_events();
   }
-  void silence(core::Time time) {
-    for (core::Time t = 0; t < time; t += 10 * kMillisecond) cycle();
+  void silence(tables::Time time) {
+    for (tables::Time t = 0; t < time; t += 10 * kMillisecond) cycle();
   }
   bool a() { return plant->operation(0); }
   bool b() { return plant->operation(1); }
@@ -62,12 +62,12 @@ struct LossBench {
   }
 
   test::SymbolList list;
-  core::PlantTables owned{};
-  core::PlantTables tables;
+  tables::PlantTables owned{};
+  tables::PlantTables tables;
   test::OwnedPlant plant;
   std::unique_ptr<link::Link> link;
   std::unique_ptr<test::RawClient> client;
-  core::Time now = 77;
+  tables::Time now = 77;
   std::uint64_t cycles = 0;
 };
 
@@ -163,7 +163,7 @@ TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live
   bench.write_coil(1, true);
   bench.cycle();
   bench.silence(2 * kSecond);
-  core::Time waited = 0;
+  tables::Time waited = 0;
   while (bench.link->state() == LinkState::lost && waited < 5 * kSecond) {
     bench.client->ask({2, 0, 0, 0, 1});
     bench.cycle();

@@ -5,12 +5,12 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
-using core::AddressForm;
-using core::DataType;
 using link::LinkSettings;
 using link::PlaceRow;
 using link::Table;
 using link::WordOrder;
+using tables::AddressForm;
+using tables::DataType;
 using test::SymbolList;
 
 namespace {
@@ -28,7 +28,7 @@ std::vector<int> numbers(const link::IoMap& map) {
 }
 
 std::vector<std::string> faults(const SymbolList& list, const LinkSettings& settings = {}) {
-  const core::PlantTables tables = list.tables();
+  const tables::PlantTables tables = list.tables();
   const auto map = link::make_io_map(tables, 0, settings);
   std::vector<std::string> texts;
   for (const link::MapFault& fault : map.faults) texts.push_back(link::fault_text(tables, map, fault));
@@ -58,7 +58,7 @@ TEST_CASE("of a number of several registers the last one counts for the status b
 }
 
 TEST_CASE("the status block of a map without symbols stands on 100") {
-  CHECK(link::make_io_map(core::PlantTables{}, 0, {}).status_block == 100);
+  CHECK(link::make_io_map(tables::PlantTables{}, 0, {}).status_block == 100);
 }
 
 TEST_CASE("where there is no room above the map there is no status block, and the map says so") {
@@ -214,7 +214,7 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
     std::string_view name = "SPEED";
     std::uint32_t number = 5;
     DataType type = DataType::dint;
-    core::Direction direction = kOperation;
+    tables::Direction direction = kOperation;
     LinkSettings settings = {};
   };
   const auto hash = [](const Wanted& wanted, bool other_way_round = false) {

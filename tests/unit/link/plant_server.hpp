@@ -15,7 +15,7 @@
 
 namespace symplant::test {
 
-inline std::unique_ptr<link::Link> open_or_throw(const std::string& url, const core::PlantTables& tables,
+inline std::unique_ptr<link::Link> open_or_throw(const std::string& url, const tables::PlantTables& tables,
                                                  const link::LinkSettings& settings = {}) {
   auto result = link::open_link({url, 0, settings}, tables);
   if (auto* error = std::get_if<link::LinkError>(&result)) throw std::runtime_error(error->message);
@@ -40,7 +40,7 @@ class CellServer {
   CellServer(const CellServer&) = delete;
   CellServer& operator=(const CellServer&) = delete;
 
-  void cycle(core::Time duration) {
+  void cycle(tables::Time duration) {
     link_->read_operations(*plant_, 0);
     plant_->advance_to(plant_->now() + duration);
     link_->write_events(*plant_, {});
@@ -51,7 +51,7 @@ class CellServer {
   void start_cycling() {
     cycling_ = std::thread([this] {
       while (!stop_) {
-        cycle(core::kMillisecond);
+        cycle(tables::kMillisecond);
         std::this_thread::yield();
       }
     });
@@ -61,12 +61,12 @@ class CellServer {
     if (cycling_.joinable()) cycling_.join();
   }
 
-  core::Plant& plant() { return *plant_; }
+  plant::Plant& plant() { return *plant_; }
   link::Link& link() { return *link_; }
   std::uint16_t port() const { return port_of(*link_); }
 
  private:
-  core::PlantTables tables_;
+  tables::PlantTables tables_;
   OwnedPlant plant_;
   std::unique_ptr<link::Link> link_;
   std::atomic<bool> stop_{false};

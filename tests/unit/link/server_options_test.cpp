@@ -81,7 +81,7 @@ int option(int socket, int level, int name) {
 }  // namespace
 
 TEST_CASE("a client that asks nothing for the idle time is closed, one that asks is kept") {
-  const EchoServer bench({.idle = 3 * core::kSecond});
+  const EchoServer bench({.idle = 3 * tables::kSecond});
   RawClient idle(bench.port);
   RawClient busy(bench.port);
   for (int i = 0; i < 70; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("a client that asks nothing for the idle time is closed, one that asks
 }
 
 TEST_CASE("an idle time of 0 keeps a silent client") {
-  const EchoServer bench({.idle = 0, .frame = 20 * core::kMillisecond});
+  const EchoServer bench({.idle = 0, .frame = 20 * tables::kMillisecond});
   RawClient client(bench.port);
   REQUIRE(client.ask(kAsked) == kAsked);
   ::poll(nullptr, 0, 300);
@@ -101,7 +101,7 @@ TEST_CASE("an idle time of 0 keeps a silent client") {
 }
 
 TEST_CASE("who sends a frame a byte at a time, for ever, is closed, as a byte does not start the time anew") {
-  const EchoServer bench({.frame = 300 * core::kMillisecond});
+  const EchoServer bench({.frame = 300 * tables::kMillisecond});
   const RawClient slow(bench.port);
   const Bytes frame = RawClient::frame(1, Bytes(200, 3));
   pollfd waiting{slow.descriptor(), POLLIN, 0};
@@ -112,7 +112,7 @@ TEST_CASE("who sends a frame a byte at a time, for ever, is closed, as a byte do
 }
 
 TEST_CASE("a frame that comes slowly, but in time, is answered, and so are many one behind the other") {
-  const EchoServer bench({.frame = 3 * core::kSecond});
+  const EchoServer bench({.frame = 3 * tables::kSecond});
   const RawClient slow(bench.port);
   const Bytes frame = RawClient::frame(1, kAsked);
   // Each segment ends one frame and begins the next: bytes are always left over, for longer than the time of one.

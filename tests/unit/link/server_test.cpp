@@ -28,9 +28,9 @@ TEST_CASE("a client drives the cell over TCP") {
   REQUIRE(client.connected());
   CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
   CHECK(client.ask({5, 0, 1, 0xFF, 0}) == Bytes{5, 0, 1, 0xFF, 0});
-  server.cycle(10 * core::kMillisecond);
+  server.cycle(10 * tables::kMillisecond);
   CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0100});
-  server.cycle(core::kSecond);
+  server.cycle(tables::kSecond);
   CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0110});
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a client that never reads does not keep others from their answers") {
 TEST_CASE("a client that reads late gets an answer to every request, in their order") {
   constexpr std::size_t kRequests = 60'000;
   test::SymbolList list;
-  list.add("LAST", test::SymbolList::kOut, 124, core::DataType::word);
+  list.add("LAST", test::SymbolList::kOut, 124, tables::DataType::word);
   const auto tables = list.tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   RawClient client(test::port_of(*link));

@@ -6,32 +6,32 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/core/tables.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::test {
 
 class SymbolList {
  public:
-  using Row = core::SymbolRow;
-  static constexpr auto kIn = core::Direction::event;
-  static constexpr auto kOut = core::Direction::operation;
+  using Row = tables::SymbolRow;
+  static constexpr auto kIn = tables::Direction::event;
+  static constexpr auto kOut = tables::Direction::operation;
 
   /// A symbol whose address is a plain number. Returns its row.
-  std::uint32_t add(std::string_view name, core::Direction direction, std::uint32_t number,
-                    core::DataType type = core::DataType::boolean) {
-    return add(name, direction, core::AddressForm::number, number, type);
+  std::uint32_t add(std::string_view name, tables::Direction direction, std::uint32_t number,
+                    tables::DataType type = tables::DataType::boolean) {
+    return add(name, direction, tables::AddressForm::number, number, type);
   }
 
-  std::uint32_t add(std::string_view name, core::Direction direction, core::AddressForm form, std::uint32_t number = 0,
-                    core::DataType type = core::DataType::boolean) {
-    const bool bit = type == core::DataType::boolean;
+  std::uint32_t add(std::string_view name, tables::Direction direction, tables::AddressForm form,
+                    std::uint32_t number = 0, tables::DataType type = tables::DataType::boolean) {
+    const bool bit = type == tables::DataType::boolean;
     std::uint32_t& next = direction == kOut ? (bit ? bits_out_ : slots_out_) : (bit ? bits_in_ : slots_in_);
     const auto row = static_cast<std::uint32_t>(rows_.size());
     rows_.push_back({.index = next++,
-                     .unit = core::kNoUnit,
+                     .unit = tables::kNoUnit,
                      .number = number,
                      .row = row + 1,
-                     .kind = core::symbol_kind(type, direction, form, false)});
+                     .kind = tables::symbol_kind(type, direction, form, false)});
     names_ += name;
     names_ += '\0';
     names_ += '\0';
@@ -52,8 +52,8 @@ class SymbolList {
   void share(std::uint32_t row, std::uint32_t leader) { shared_.push_back({row, leader}); }
 
   /// Valid while the list is there and nothing more is added.
-  core::PlantTables tables() const {
-    core::PlantTables tables{};
+  tables::PlantTables tables() const {
+    tables::PlantTables tables{};
     tables.name = "list";
     tables.symbols = rows_;
     tables.lists = lists_;
@@ -70,10 +70,10 @@ class SymbolList {
 
  private:
   std::vector<Row> rows_;
-  std::vector<core::SymbolListRow> lists_;
+  std::vector<tables::SymbolListRow> lists_;
   std::string controllers_;
-  std::vector<core::InitialValue> initial_;
-  std::vector<core::SharedAddress> shared_;
+  std::vector<tables::InitialValue> initial_;
+  std::vector<tables::SharedAddress> shared_;
   std::string names_;
   std::uint32_t bits_in_ = 0;
   std::uint32_t bits_out_ = 0;

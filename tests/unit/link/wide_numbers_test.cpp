@@ -10,8 +10,8 @@
 
 using namespace symplant;
 using namespace symplant::link::modbus;
-using core::DataType;
 using link::WordOrder;
+using tables::DataType;
 using test::Bytes;
 using test::ImageBench;
 using test::SymbolList;
@@ -78,7 +78,7 @@ TEST_CASE("a number written in one request reaches the plant whole, whatever its
     INFO("type " << int(sample.type) << ", slot " << sample.slot);
     SymbolList list;
     list.add("BEFORE", SymbolList::kOut, 2, DataType::int_);
-    list.add("NUMBER", SymbolList::kOut, core::AddressForm::none, 0, sample.type);
+    list.add("NUMBER", SymbolList::kOut, tables::AddressForm::none, 0, sample.type);
     const std::array<link::PlaceRow, 1> places{{{1, 3, order}}};  // registers 3 and 4 lie in different words
     ImageBench bench(list.tables(), {.places = places});
     const Bytes data = wire(sample, order);
@@ -99,7 +99,7 @@ TEST_CASE("the plant's numbers stand in their registers, whatever their type and
     INFO("type " << int(sample.type) << ", slot " << sample.slot);
     SymbolList list;
     list.add("BEFORE", SymbolList::kIn, 2, DataType::int_);
-    list.add("NUMBER", SymbolList::kIn, core::AddressForm::none, 0, sample.type);
+    list.add("NUMBER", SymbolList::kIn, tables::AddressForm::none, 0, sample.type);
     list.add("AFTER", SymbolList::kIn, 7, DataType::int_);
     const std::array<link::PlaceRow, 1> places{{{1, 3, order}}};
     ImageBench bench(list.tables(), {.places = places});
@@ -152,9 +152,9 @@ TEST_CASE("symbols of one address and size read the same registers each in its o
 
 TEST_CASE("a number of 8 bits lies in the lower half of its register") {
   SymbolList list;
-  list.add("A", SymbolList::kOut, core::AddressForm::none, 0, DataType::sint);
-  list.add("B", SymbolList::kOut, core::AddressForm::none, 0, DataType::byte);
-  list.add("C", SymbolList::kIn, core::AddressForm::none, 0, DataType::sint);
+  list.add("A", SymbolList::kOut, tables::AddressForm::none, 0, DataType::sint);
+  list.add("B", SymbolList::kOut, tables::AddressForm::none, 0, DataType::byte);
+  list.add("C", SymbolList::kIn, tables::AddressForm::none, 0, DataType::sint);
   const std::array<link::PlaceRow, 3> places{{{0, 0}, {1, 1}, {2, 0}}};
   ImageBench bench(list.tables(), {.places = places});
   bench.ask({16, 0, 0, 0, 2, 4, 0x00, 0xFE, 0x12, 0xFE});

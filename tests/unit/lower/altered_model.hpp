@@ -35,7 +35,8 @@ inline Tree settled(std::uint32_t unit, std::uint8_t state) {
 }
 inline Tree moving(std::uint32_t unit) { return {Tree::Kind::atom, false, {Atom::Kind::moving, unit}, {}}; }
 inline Tree bit(std::uint32_t symbol) { return {Tree::Kind::atom, false, {Atom::Kind::bit, symbol}, {}}; }
-inline Tree number(std::uint32_t symbol, core::Comparison comparison, core::NumberKind kind, std::uint64_t operand) {
+inline Tree number(std::uint32_t symbol, tables::Comparison comparison, tables::NumberKind kind,
+                   std::uint64_t operand) {
   return {Tree::Kind::atom, false, {Atom::Kind::number, symbol, 0, comparison, kind, operand}, {}};
 }
 inline Tree constant(bool value) { return {Tree::Kind::constant, value, {}, {}}; }
@@ -45,9 +46,9 @@ inline Tree operator||(Tree a, Tree b) { return {Tree::Kind::any, false, {}, {st
 
 /// On and off, a state each.
 using Masks = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
-inline Masks masks(const std::vector<core::EventMasks>& rows) {
+inline Masks masks(const std::vector<tables::EventMasks>& rows) {
   Masks masks;
-  for (const core::EventMasks& row : rows) masks.emplace_back(row.on, row.off);
+  for (const tables::EventMasks& row : rows) masks.emplace_back(row.on, row.off);
   return masks;
 }
 

@@ -3,14 +3,14 @@
 
 #include "lower/lower.hpp"
 #include "symplant/condition/truth_table.hpp"
-#include "symplant/core/names.hpp"
+#include "symplant/tables/names.hpp"
 #include "unit/lower/altered_model.hpp"
 
 namespace symplant::test {
 namespace {
 
-using core::ReaderKind;
 using lower::EngineTables;
+using tables::ReaderKind;
 
 /// Three devices of two states each: A1 and B2, every one with operation and event.
 model::PlantModel three_devices() {
@@ -25,7 +25,7 @@ model::PlantModel three_devices() {
 using Conditions = std::vector<std::tuple<std::uint64_t, std::uint32_t, int, ReaderKind>>;
 Conditions conditions(const EngineTables& tables) {
   Conditions rows;
-  for (const core::ConditionRow& row : tables.conditions) {
+  for (const tables::ConditionRow& row : tables.conditions) {
     rows.emplace_back(row.truth, row.reader, row.reader_input, row.reader_kind);
   }
   return rows;
@@ -33,14 +33,14 @@ Conditions conditions(const EngineTables& tables) {
 
 /// Unit or bit, condition, state (-1: a bit), input.
 using Watches = std::vector<std::tuple<std::uint32_t, std::uint32_t, int, int>>;
-Watches watches(const std::vector<core::UnitWatch>& rows) {
+Watches watches(const std::vector<tables::UnitWatch>& rows) {
   Watches all;
-  for (const core::UnitWatch& row : rows) all.emplace_back(row.unit, row.condition, row.state, row.input);
+  for (const tables::UnitWatch& row : rows) all.emplace_back(row.unit, row.condition, row.state, row.input);
   return all;
 }
-Watches watches(const std::vector<core::BitWatch>& rows) {
+Watches watches(const std::vector<tables::BitWatch>& rows) {
   Watches all;
-  for (const core::BitWatch& row : rows) all.emplace_back(row.bit, row.condition, -1, row.input);
+  for (const tables::BitWatch& row : rows) all.emplace_back(row.bit, row.condition, -1, row.input);
   return all;
 }
 
@@ -57,8 +57,8 @@ TEST_CASE("The conditions of a unit lie side by side, in the model's order; then
   plant.units[0].conditions = {settled(1, 1), !settled(2, 0)};
   plant.units[2].conditions = {moving(0)};
   plant.requirements = {
-      {"never both", core::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
-      {"answers", core::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * core::kSecond}};
+      {"never both", tables::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},
+      {"answers", tables::RequirementRow::Kind::expect, settled(0, 1), settled(1, 1), 5 * tables::kSecond}};
   const EngineTables tables = lower::lower(plant);
   CHECK(conditions(tables) == Conditions{{0b10, 0, 0, ReaderKind::unit},
                                          {0b01, 0, 0, ReaderKind::unit},
@@ -72,14 +72,14 @@ TEST_CASE("The conditions of a unit lie side by side, in the model's order; then
   CHECK(tables.conditioned_units[1].unit == 2);
   CHECK(tables.conditioned_units[1].first_condition == 2);
   REQUIRE(tables.requirements.size() == 2);
-  CHECK(tables.requirements[0].kind == core::RequirementRow::Kind::never);
+  CHECK(tables.requirements[0].kind == tables::RequirementRow::Kind::never);
   CHECK(tables.requirements[0].condition == 3);
   CHECK(tables.requirements[0].expected == 0);
-  CHECK(tables.requirements[1].kind == core::RequirementRow::Kind::expect);
+  CHECK(tables.requirements[1].kind == tables::RequirementRow::Kind::expect);
   CHECK(tables.requirements[1].condition == 4);
   CHECK(tables.requirements[1].expected == 5);
-  CHECK(tables.requirements[1].within == 5 * core::kSecond);
-  CHECK(core::split_names(tables.requirement_names) == std::vector<std::string_view>{"never both", "answers"});
+  CHECK(tables.requirements[1].within == 5 * tables::kSecond);
+  CHECK(tables::split_names(tables.requirement_names) == std::vector<std::string_view>{"never both", "answers"});
 }
 
 TEST_CASE("Watches stand by what they watch, whoever asked first") {
@@ -88,7 +88,7 @@ TEST_CASE("Watches stand by what they watch, whoever asked first") {
   plant.units[1].conditions = {settled(2, 0)};
   const EngineTables tables = lower::lower(plant);
   CHECK(watches(tables.unit_watches) ==
-        Watches{{1, 1, 0, 1}, {2, 0, core::kMovingState, 0}, {2, 1, 1, 0}, {2, 2, 0, 0}});
+        Watches{{1, 1, 0, 1}, {2, 0, tables::kMovingState, 0}, {2, 1, 1, 0}, {2, 2, 0, 0}});
 }
 
 TEST_CASE("A symbol is watched at its bit, on the side that it is on") {
@@ -124,25 +124,26 @@ TEST_CASE("Numbers are compared at their slot") {
   model::PlantModel plant = std::move(*analysed.plant);
   const auto minus_two = static_cast<std::uint64_t>(-2);
   plant.units[0].conditions = {
-      number(symbol_of(plant, "HEAT"), core::Comparison::greater, core::NumberKind::real, 0x3FF8'0000'0000'0000),
-      number(symbol_of(plant, "LEVEL"), core::Comparison::less_equal, core::NumberKind::signed_integer, minus_two) &&
-          number(symbol_of(plant, "SPEED"), core::Comparison::equal, core::NumberKind::unsigned_integer, 7)};
+      number(symbol_of(plant, "HEAT"), tables::Comparison::greater, tables::NumberKind::real, 0x3FF8'0000'0000'0000),
+      number(symbol_of(plant, "LEVEL"), tables::Comparison::less_equal, tables::NumberKind::signed_integer,
+             minus_two) &&
+          number(symbol_of(plant, "SPEED"), tables::Comparison::equal, tables::NumberKind::unsigned_integer, 7)};
   const EngineTables tables = lower::lower(plant);
   REQUIRE(tables.operation_value_watches.size() == 1);
-  const core::ValueWatch& speed = tables.operation_value_watches[0];
+  const tables::ValueWatch& speed = tables.operation_value_watches[0];
   CHECK(speed.operand == 7);
   CHECK(speed.slot == 0);
   CHECK(speed.condition == 1);
   CHECK(speed.input == 1);
-  CHECK(speed.comparison == core::Comparison::equal);
-  CHECK(speed.kind == core::NumberKind::unsigned_integer);
+  CHECK(speed.comparison == tables::Comparison::equal);
+  CHECK(speed.kind == tables::NumberKind::unsigned_integer);
   REQUIRE(tables.event_value_watches.size() == 2);
   CHECK(tables.event_value_watches[0].slot == 0);
   CHECK(tables.event_value_watches[0].condition == 1);
   CHECK(tables.event_value_watches[0].operand == minus_two);
   CHECK(tables.event_value_watches[1].slot == 1);
   CHECK(tables.event_value_watches[1].condition == 0);
-  CHECK(tables.event_value_watches[1].kind == core::NumberKind::real);
+  CHECK(tables.event_value_watches[1].kind == tables::NumberKind::real);
 }
 
 TEST_CASE("A condition that is always the same watches nothing") {
@@ -162,7 +163,7 @@ TEST_CASE("A condition of many inputs is a network whose inner tables stand behi
   const std::vector<std::string> names{"L_P_D1_I_A1", "L_P_D1_I_B2", "L_P_D2_I_A1", "L_P_D2_I_B2", "L_P_D3_I_A1",
                                        "L_P_D3_I_B2", "L_P_D1_O_A1", "L_P_D2_O_A1", "START"};
   plant.units[1].conditions = {all_of(plant, names), settled(0, 0)};
-  plant.requirements = {{"never all", core::RequirementRow::Kind::never, all_of(plant, names), {}, 0}};
+  plant.requirements = {{"never all", tables::RequirementRow::Kind::never, all_of(plant, names), {}, 0}};
   const EngineTables tables = lower::lower(plant);
   REQUIRE(tables.conditions.size() > 3);
   CHECK(tables.conditions[0].reader_kind == ReaderKind::unit);
@@ -173,11 +174,11 @@ TEST_CASE("A condition of many inputs is a network whose inner tables stand behi
 
   // Every input of every table is fed by one watch or one inner table, and each inner table leads to a whole.
   std::vector<std::vector<int>> feeds(tables.conditions.size(), std::vector<int>(condition::kMostInputs));
-  for (const core::BitWatch& row : tables.event_watches) ++feeds[row.condition][row.input];
-  for (const core::BitWatch& row : tables.operation_watches) ++feeds[row.condition][row.input];
-  for (const core::UnitWatch& row : tables.unit_watches) ++feeds[row.condition][row.input];
+  for (const tables::BitWatch& row : tables.event_watches) ++feeds[row.condition][row.input];
+  for (const tables::BitWatch& row : tables.operation_watches) ++feeds[row.condition][row.input];
+  for (const tables::UnitWatch& row : tables.unit_watches) ++feeds[row.condition][row.input];
   for (std::size_t i = 3; i < tables.conditions.size(); ++i) {
-    const core::ConditionRow& row = tables.conditions[i];
+    const tables::ConditionRow& row = tables.conditions[i];
     CHECK(row.reader_kind == ReaderKind::condition);
     CHECK(row.reader != i);
     ++feeds[row.reader][row.reader_input];

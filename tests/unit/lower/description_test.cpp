@@ -2,14 +2,14 @@
 #include <array>
 
 #include "lower/lower.hpp"
-#include "symplant/core/names.hpp"
+#include "symplant/tables/names.hpp"
 #include "unit/lower/altered_model.hpp"
 
 namespace symplant::test {
 namespace {
 
+using description::Duration;
 using lower::EngineTables;
-using model::Duration;
 using model::kNone;
 
 /// Devices of one type: states A1 and B2, each with operation and event.
@@ -22,26 +22,26 @@ model::PlantModel devices(int count) {
   return model_of(names);
 }
 
-const core::Transition& transition(const EngineTables& tables, std::uint32_t unit, std::size_t t) {
+const tables::Transition& transition(const EngineTables& tables, std::uint32_t unit, std::size_t t) {
   return tables.types[tables.units[unit].type].transitions[t];
 }
 
 TEST_CASE("A transition keeps its operation, or that it has none, or that it is a spring's own way") {
   model::PlantModel plant = devices(1);
   model::Unit& unit = plant.units[0];
-  unit.actuation = core::Actuation::spring;
+  unit.actuation = tables::Actuation::spring;
   unit.rest = 1;
   unit.transitions = {{0, 1, 1, {}, Duration::fixed(7), model::Origin::given},
                       {1, 0, kNone, Duration::fixed(8), {}, model::Origin::given},
                       {0, 1, kNone, {}, Duration::fixed(9), model::Origin::given, true}};
   const EngineTables tables = lower::lower(plant);
-  CHECK(tables.types[0].actuation == core::Actuation::spring);
+  CHECK(tables.types[0].actuation == tables::Actuation::spring);
   CHECK(tables.types[0].rest == 1);
   CHECK(transition(tables, 0, 0).on == 1);
-  CHECK(transition(tables, 0, 1).on == core::kNoOperation);
-  CHECK(transition(tables, 0, 2).on == core::kSpringWay);
+  CHECK(transition(tables, 0, 1).on == tables::kNoOperation);
+  CHECK(transition(tables, 0, 2).on == tables::kSpringWay);
   CHECK_FALSE(transition(tables, 0, 0).once);
-  CHECK(transition(tables, 0, 0).when == core::kNoCondition);
+  CHECK(transition(tables, 0, 0).when == tables::kNoCondition);
 }
 
 TEST_CASE("Units that differ in once, when, outputs, or the name of their class share no type") {
@@ -53,7 +53,7 @@ TEST_CASE("Units that differ in once, when, outputs, or the name of their class 
   plant.units[3].conditions = {settled(1, 1)};
   plant.units[4].outputs = {{{{1, true}}, {}}, {}};
   plant.units[5].outputs = {{{}, {{1, true}}}, {}};
-  std::array<model::DeviceDescription, 3> described;
+  std::array<description::DeviceDescription, 3> described;
   described[0].type = "Mine";
   described[1].type = "Yours";
   described[2].initial = "A1";
@@ -126,10 +126,10 @@ TEST_CASE("A random time is a negative number, and equal ones are one") {
   plant.units[2].transitions[0].takes = Duration{Duration::Kind::uniform, 10, 21};
   const EngineTables tables = lower::lower(plant);
   REQUIRE(tables.random_times.size() == 3);
-  CHECK(tables.random_times[0].kind == core::RandomTime::Kind::uniform);
+  CHECK(tables.random_times[0].kind == tables::RandomTime::Kind::uniform);
   CHECK(tables.random_times[0].a == 10);
   CHECK(tables.random_times[0].b == 20);
-  CHECK(tables.random_times[1].kind == core::RandomTime::Kind::normal);
+  CHECK(tables.random_times[1].kind == tables::RandomTime::Kind::normal);
   CHECK(tables.random_times[2].b == 21);
   CHECK(tables.times[tables.units[0].times + 1].takes == -1);
   CHECK(tables.times[tables.units[0].times + 2].takes == -2);
@@ -168,7 +168,7 @@ TEST_CASE("Disables stand by who disables, then by state, then by whom; both are
   plant.units[1].disables = {{2}, {0, 3}};
   const EngineTables tables = lower::lower(plant);
   std::vector<std::array<std::uint32_t, 3>> rows;
-  for (const core::DisableRow& row : tables.disables) rows.push_back({row.by, row.state, row.unit});
+  for (const tables::DisableRow& row : tables.disables) rows.push_back({row.by, row.state, row.unit});
   CHECK(rows == std::vector<std::array<std::uint32_t, 3>>{{1, 0, 2}, {1, 1, 0}, {1, 1, 3}, {3, 0, 0}, {3, 0, 1}});
   for (std::uint32_t u = 0; u < 4; ++u) CHECK(tables.units[u].rich == 1);
   CHECK(tables.units[4].rich == 0);
@@ -176,7 +176,7 @@ TEST_CASE("Disables stand by who disables, then by state, then by whom; both are
 
 TEST_CASE("A unit with a behaviour shares its type with its like alone; classes of one name are one") {
   model::PlantModel plant = devices(5);
-  std::array<model::DeviceDescription, 2> described;
+  std::array<description::DeviceDescription, 2> described;
   described[0].behaviour = "MyStopper";
   described[1].behaviour = "MyLift";
   for (const std::uint32_t u : {1U, 3U}) plant.units[u].described = &described[0];
@@ -190,7 +190,7 @@ TEST_CASE("A unit with a behaviour shares its type with its like alone; classes 
   CHECK(tables.types.size() == 4);
   CHECK(tables.units[0].type == tables.units[4].type);
   REQUIRE(tables.behaviour_units.size() == 3);
-  const core::BehaviourUnit& first = tables.behaviour_units[0];
+  const tables::BehaviourUnit& first = tables.behaviour_units[0];
   CHECK(first.unit == 1);
   CHECK(first.name == 0);
   CHECK(first.first_input == 1);
@@ -205,7 +205,7 @@ TEST_CASE("A unit with a behaviour shares its type with its like alone; classes 
   CHECK(tables.behaviour_units[2].name == 0);
   CHECK(tables.behaviour_units[2].first_value == 2);
   CHECK(tables.behaviour_values == std::vector<std::uint32_t>{4, 9, 11});
-  CHECK(core::split_names(tables.behaviour_names) == std::vector<std::string_view>{"MyStopper", "MyLift"});
+  CHECK(tables::split_names(tables.behaviour_names) == std::vector<std::string_view>{"MyStopper", "MyLift"});
   CHECK(tables.units[2].rich == 1);
   CHECK(transition(tables, 2, 0).timed);
   CHECK(tables.units[4].rich == 0);
@@ -220,15 +220,15 @@ TEST_CASE("Units with operations in one word lie less than 255 apart") {
     const EngineTables tables = lower::lower(model_of(names));
     const auto second = static_cast<std::uint32_t>(between + 1);
     INFO(between);
-    CHECK(tables.units[second].operation_bit == (second < core::kMaxUnitsInWord ? 1 : 64));
-    CHECK(tables.units[second + 1].operation_bit == (second + 1 < core::kMaxUnitsInWord ? 2U
-                                                     : second < core::kMaxUnitsInWord   ? 64U
-                                                                                        : 65U));
+    CHECK(tables.units[second].operation_bit == (second < tables::kMaxUnitsInWord ? 1 : 64));
+    CHECK(tables.units[second + 1].operation_bit == (second + 1 < tables::kMaxUnitsInWord ? 2U
+                                                     : second < tables::kMaxUnitsInWord   ? 64U
+                                                                                          : 65U));
     for (std::size_t a = 0; a < tables.units.size(); ++a) {
       if (tables.types[tables.units[a].type].operations == 0) continue;
       const std::size_t b = a == 0 ? second : second + 1;
       if (tables.units[a].operation_bit / 64 == tables.units[b].operation_bit / 64) {
-        CHECK(b - a < core::kMaxUnitsInWord);
+        CHECK(b - a < tables::kMaxUnitsInWord);
       }
     }
   }

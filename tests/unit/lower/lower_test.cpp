@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "symplant/core/digest.hpp"
-#include "symplant/core/lists.hpp"
-#include "symplant/core/names.hpp"
+#include "symplant/tables/digest.hpp"
+#include "symplant/tables/lists.hpp"
+#include "symplant/tables/names.hpp"
 #include "unit/lower/altered_model.hpp"
 
 namespace symplant::test {
@@ -41,8 +41,8 @@ TEST_CASE("All bits of a unit lie in one word of each plane") {
     names = names + device("L_P_D" + std::to_string(size), tasks);
   }
   const CompiledText text = compile_bits(names);
-  for (const core::UnitRow& unit : text.tables().units) {
-    const core::TypeRow& type = text.tables().type_rows[unit.type];
+  for (const tables::UnitRow& unit : text.tables().units) {
+    const tables::TypeRow& type = text.tables().type_rows[unit.type];
     CHECK(unit.operation_bit / 64 == (unit.operation_bit + type.operations - 1U) / 64);
     if (type.events != 0) CHECK(unit.event_bit / 64 == (unit.event_bit + type.events - 1U) / 64);
     CHECK(unit.operation_bit + type.operations <= text.tables().operation_bits);
@@ -172,14 +172,14 @@ TEST_CASE("Starting values are those of numeric symbols and unmodelled inputs al
                                           {"SPEED", "", "WORD", "7", "%QW1"},
                                           {"ZERO", "", "WORD", "0", "%QW2"}});
   std::vector<std::pair<std::uint32_t, std::uint64_t>> values;
-  for (const core::InitialValue& value : text.tables().initial_values) values.emplace_back(value.symbol, value.value);
+  for (const tables::InitialValue& value : text.tables().initial_values) values.emplace_back(value.symbol, value.value);
   CHECK(values ==
         std::vector<std::pair<std::uint32_t, std::uint64_t>>{{1, 1}, {3, static_cast<std::uint64_t>(-5)}, {4, 7}});
 }
 
 TEST_CASE("Names stand in blobs in the order of their rows") {
   const CompiledText text = compile_rows({{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"START"}, {"LAMP", "Y2"}});
-  const auto names = core::split_names(text.tables().symbol_names);
+  const auto names = tables::split_names(text.tables().symbol_names);
   CHECK(names == std::vector<std::string_view>{"L_P_D_O_A", "Y1", "L_P_D_I_A", "X1", "LAMP", "Y2"});
   CHECK(text.tables().unit_names == std::string("L_P_D\0", 6));
   CHECK(text.tables().state_names == std::string("NOT_A\0A\0", 8));
@@ -188,7 +188,7 @@ TEST_CASE("Names stand in blobs in the order of their rows") {
 TEST_CASE("Lowering twice gives one model_hash, and the place in the list does not count in it") {
   const std::vector<Row> rows = bits(device("L_P_R1", kRobot) + device("L_P_V", {"O_ADV", "I_ADV", "I_RET"}));
   const auto hash = [](const std::string& list, const char* name) {
-    return core::model_hash(compile_text(list, name).tables().tables());
+    return tables::model_hash(compile_text(list, name).tables().tables());
   };
   const std::string list = list_text(rows);
   CHECK(hash(list, "a.csv") == hash(list, "a.csv"));
@@ -203,17 +203,17 @@ TEST_CASE("Every symbol finds its list and its controller") {
                                            {"b.csv", list_text(bits({"L_P_E_O_A"})), "PLC3"},
                                            {"c.csv", list_text(bits({"L_P_F_I_A", "L_P_F_O_A"})), "plc1"}});
   REQUIRE(text.compiled);
-  const core::PlantTables tables = text.tables().tables();
+  const tables::PlantTables tables = text.tables().tables();
   std::vector<std::uint32_t> lists;
   std::vector<std::uint32_t> controllers;
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
-    lists.push_back(core::list_of(tables, i));
-    controllers.push_back(core::controller_of(tables, i));
+    lists.push_back(tables::list_of(tables, i));
+    controllers.push_back(tables::controller_of(tables, i));
   }
   CHECK(lists == std::vector<std::uint32_t>{0, 0, 2, 3, 3});
   CHECK(controllers == std::vector<std::uint32_t>{0, 0, 2, 0, 0});
-  CHECK(core::split_names(tables.list_names) == std::vector<std::string_view>{"a.csv", "none.csv", "b.csv", "c.csv"});
-  CHECK(core::split_names(tables.controller_names) == std::vector<std::string_view>{"PLC1", "PLC2", "PLC3"});
+  CHECK(tables::split_names(tables.list_names) == std::vector<std::string_view>{"a.csv", "none.csv", "b.csv", "c.csv"});
+  CHECK(tables::split_names(tables.controller_names) == std::vector<std::string_view>{"PLC1", "PLC2", "PLC3"});
 }
 
 TEST_CASE("Symbols of two controllers on one address are not kept equal") {

@@ -9,8 +9,8 @@ using model::RadixChoice;
 
 TEST_CASE("The address says the direction where name and address disagree, and a warning says so") {
   const Analysed list = analyse_rows({{"L_P_D_O_A", "X1"}, {"L_P_E_I_A", "", "BOOL", "", "%QX1"}});
-  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::event);
-  CHECK(symbol_of(list, "L_P_E_I_A").direction == core::Direction::operation);
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::event);
+  CHECK(symbol_of(list, "L_P_E_I_A").direction == tables::Direction::operation);
   CHECK(unit_of(list).events.size() == 1);
   CHECK(list.count("direction-against-address") == 2);
   CHECK(list.fired(diag::Severity::warning) == "direction-against-address direction-against-address");
@@ -18,15 +18,15 @@ TEST_CASE("The address says the direction where name and address disagree, and a
 
 TEST_CASE("A symbol without an address has the direction of its name, and a note") {
   const Analysed list = analyse_rows({{"L_P_D_O_A"}, {"L_P_D_I_A"}});
-  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::operation);
-  CHECK(symbol_of(list, "L_P_D_I_A").direction == core::Direction::event);
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::operation);
+  CHECK(symbol_of(list, "L_P_D_I_A").direction == tables::Direction::event);
   CHECK(list.count("no-address") == 1);
   CHECK(list.fired(diag::Severity::warning) == "");
 }
 
 TEST_CASE("A cell that is no address is told once, and the name gives the direction") {
   const Analysed list = analyse_rows({{"L_P_D_O_A", "?Q?"}, {"L_P_D_I_A", "X1"}});
-  CHECK(symbol_of(list, "L_P_D_O_A").direction == core::Direction::operation);
+  CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::operation);
   CHECK(list.count("address-not-understood") == 1);
   CHECK(list.count("no-address") == 0);
   CHECK(place_text(finding_of(list, "address-not-understood")) == "?Q?");

@@ -44,9 +44,9 @@ Analysed hostile() {
 
 struct Reader {
   const model::PlantModel& plant;
-  std::vector<model::DescriptionFault> found{};
-  std::vector<model::DescriptionFault> warned{};
-  model::Faults faults{found, warned};
+  std::vector<description::DescriptionFault> found{};
+  std::vector<description::DescriptionFault> warned{};
+  description::Faults faults{found, warned};
   model::PlantNames names{plant, faults};
 
   Tree read(const std::string& text) const {
@@ -124,19 +124,19 @@ class RandomTree {
       return tree;
     }
     tree.atom.of = below(plant_.symbols.size());
-    const core::DataType type = plant_.symbols[tree.atom.of].type;
-    tree.atom.kind = type == core::DataType::boolean ? Atom::Kind::bit : Atom::Kind::number;
+    const tables::DataType type = plant_.symbols[tree.atom.of].type;
+    tree.atom.kind = type == tables::DataType::boolean ? Atom::Kind::bit : Atom::Kind::number;
     if (tree.atom.kind == Atom::Kind::bit) return tree;
-    tree.atom.comparison = static_cast<core::Comparison>(below(5));
-    if (type == core::DataType::real) {
-      tree.atom.number = core::NumberKind::real;
+    tree.atom.comparison = static_cast<tables::Comparison>(below(5));
+    if (type == tables::DataType::real) {
+      tree.atom.number = tables::NumberKind::real;
       tree.atom.operand = std::bit_cast<std::uint64_t>(1.0 / (1.0 + below(1000)) * (below(2) == 0 ? 1e30 : -1e-30));
-    } else if (type == core::DataType::int_) {
+    } else if (type == tables::DataType::int_) {
       tree.atom.operand = static_cast<std::uint64_t>(std::int64_t{below(60'000)} - 30'000);
-    } else if (type == core::DataType::lint) {
+    } else if (type == tables::DataType::lint) {
       tree.atom.operand = random_() | 1;  // neither end of its values
     } else {
-      tree.atom.number = core::NumberKind::unsigned_integer;
+      tree.atom.number = tables::NumberKind::unsigned_integer;
       tree.atom.operand = 1 + random_() / 2;  // neither end of its values
     }
     return tree;

@@ -6,7 +6,7 @@
 namespace symplant::test {
 namespace {
 
-using model::Duration;
+using description::Duration;
 using model::InitialFrom;
 
 Analysed analyse_bits(const std::vector<std::string>& names) { return analyse_rows(bits(names)); }
@@ -22,7 +22,7 @@ TEST_CASE("Every operation leads to its state from every other, by S of the targ
   CHECK(transitions_text(list, unit_of(list)) == "B2-O_A1>A1 C3-O_A1>A1 A1-O_B2>B2 C3-O_B2>B2 A1-O_C3>C3 B2-O_C3>C3");
   for (const model::Transition& t : unit_of(list).transitions) {
     CHECK(t.after == Duration{});
-    CHECK(t.takes == Duration::fixed(core::kSecond));
+    CHECK(t.takes == Duration::fixed(tables::kSecond));
   }
   CHECK_FALSE(springs(unit_of(list)));
 }
@@ -149,7 +149,7 @@ TEST_CASE("A numbered state with an event and no operation is reached from its p
   CHECK(last.on == model::kNone);
   CHECK(unit.states[last.from].name == "B2");
   CHECK(unit.states[last.to].name == "C3");
-  CHECK(last.after == Duration::fixed(core::kSecond));
+  CHECK(last.after == Duration::fixed(tables::kSecond));
   CHECK(last.takes == Duration{});
   CHECK(list.fired() == "inferred-sequence");
 }

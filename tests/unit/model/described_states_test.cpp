@@ -4,8 +4,8 @@
 namespace symplant::test {
 namespace {
 
-using core::Actuation;
 using model::InitialFrom;
+using tables::Actuation;
 
 const std::vector<std::string> kCylinder = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
 const std::vector<std::string> kTable = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2", "L_P_D_I_P2"};
@@ -142,7 +142,7 @@ TEST_CASE("An event that outputs switch is a state where it has an operation, or
 // Actuation and rest.
 
 TEST_CASE("A given actuation wins over an inferred one, and that over the default") {
-  model::Description description;
+  description::Description description;
   description.defaults.actuation = Actuation::held;
   CHECK(unit_of(analyse_described(bits(kTable), description)).actuation == Actuation::held);
   CHECK(unit_of(analyse_described(bits(kCylinder), description)).actuation == Actuation::spring);
@@ -226,7 +226,7 @@ TEST_CASE("A given initial state wins over Initial columns, and no two of those 
 TEST_CASE("A state that inference adds may be named") {
   DeviceDescription d = device();
   d.initial = "RUN";
-  d.transitions = {taking(way("RUN", "NOT_RUN"), core::kSecond / 2)};
+  d.transitions = {taking(way("RUN", "NOT_RUN"), tables::kSecond / 2)};
   const Analysed list = described({"L_P_D_O_RUN", "L_P_D_I_RUN"}, {d});
   CHECK(faults(list) == "");
   CHECK(initial_text(unit_of(list)) == "RUN");

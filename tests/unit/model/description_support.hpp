@@ -9,9 +9,9 @@
 
 namespace symplant::test {
 
-using model::DeviceDescription;
-using model::Duration;
-using model::GivenTransition;
+using description::DeviceDescription;
+using description::Duration;
+using description::GivenTransition;
 
 inline DeviceDescription device(std::string path = "L_P_D") {
   DeviceDescription described;
@@ -35,13 +35,13 @@ inline GivenTransition automatic(std::string from, std::string to, std::string w
   return given;
 }
 
-inline GivenTransition taking(GivenTransition given, core::Time takes) {
+inline GivenTransition taking(GivenTransition given, tables::Time takes) {
   given.takes = Duration::fixed(takes);
   return given;
 }
 
-inline model::Description describing(std::vector<DeviceDescription> devices) {
-  model::Description description;
+inline description::Description describing(std::vector<DeviceDescription> devices) {
+  description::Description description;
   description.devices = std::move(devices);
   return description;
 }
@@ -54,7 +54,7 @@ inline Analysed described(const std::vector<std::string>& names, std::vector<Dev
 /// All faults: "pointer: message", a line each.
 inline std::string faults(const Analysed& analysed) {
   std::string text;
-  for (const model::DescriptionFault& fault : analysed.model().description_faults) {
+  for (const description::DescriptionFault& fault : analysed.model().description_faults) {
     text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
   }
   return text;

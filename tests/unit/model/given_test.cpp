@@ -4,9 +4,9 @@
 namespace symplant::test {
 namespace {
 
-using core::Actuation;
-using core::kSecond;
 using model::Origin;
+using tables::Actuation;
+using tables::kSecond;
 
 const std::vector<std::string> kThreePlaces = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2",
                                                "L_P_D_I_P2", "L_P_D_O_P3", "L_P_D_I_P3"};
@@ -19,7 +19,7 @@ DeviceDescription with(std::vector<GivenTransition> transitions) {
 }
 
 TEST_CASE("Default times are the description's") {
-  model::Description description;
+  description::Description description;
   description.defaults.travel = 3 * kSecond;
   description.defaults.dwell = 5 * kSecond;
   const Analysed list =
@@ -219,7 +219,7 @@ TEST_CASE("A device may have 65534 transitions") {
       faults(list) ==
       "/devices/L_P_D/transitions: the device has more than 65534 transitions, each `*` counted as one a state, leave "
       "some out");
-  CHECK(unit_of(list).transitions.size() <= core::kMaxTransitions);
+  CHECK(unit_of(list).transitions.size() <= tables::kMaxTransitions);
 }
 
 // Outputs.

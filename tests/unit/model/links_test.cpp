@@ -1,7 +1,7 @@
 // `links` of plant.json: every key, every fault, and which entry speaks of which symbol.
 #include <map>
 
-#include "model/plant_file.hpp"
+#include "description/plant_file.hpp"
 #include "support/catch.hpp"
 #include "support/compile.hpp"
 #include "support/memory_file_system.hpp"
@@ -9,9 +9,9 @@
 namespace symplant::test {
 namespace {
 
-using core::LinkSettings;
-using core::OnLoss;
-using core::WordOrder;
+using link::LinkSettings;
+using link::OnLoss;
+using link::WordOrder;
 
 const std::string kList =
     "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
@@ -57,8 +57,8 @@ std::map<std::string, std::uint32_t> numbers(const std::string& map) {
   const Analysed analysed = linked("\"map\": [" + map + "]");
   CHECK(told(analysed).empty());
   std::map<std::string, std::uint32_t> result;
-  for (const core::PlaceRow& row : analysed.model().links.at(0).places) {
-    if (row.number != core::PlaceRow::kDefault) result.emplace(analysed.model().symbols[row.symbol].name(), row.number);
+  for (const link::PlaceRow& row : analysed.model().links.at(0).places) {
+    if (row.number != link::PlaceRow::kDefault) result.emplace(analysed.model().symbols[row.symbol].name(), row.number);
   }
   return result;
 }
@@ -69,14 +69,14 @@ TEST_CASE("a link that says nothing has the settings by default") {
   const LinkSettings read = settings(R"("word-order": "high-first")");
   CHECK(read.word_order == none.word_order);
   CHECK(read.on_loss == OnLoss::hold);
-  CHECK(read.plant_on_loss == core::PlantOnLoss::run);
-  CHECK(read.loss_after == core::kSecond);
-  CHECK(read.resync == core::kSecond);
-  CHECK(read.status_block == core::kAbove);
-  CHECK(read.watchdog == core::kNowhere);
+  CHECK(read.plant_on_loss == link::PlantOnLoss::run);
+  CHECK(read.loss_after == tables::kSecond);
+  CHECK(read.resync == tables::kSecond);
+  CHECK(read.status_block == link::kAbove);
+  CHECK(read.watchdog == link::kNowhere);
   CHECK(read.sizes == none.sizes);
   CHECK(read.connections == 32);
-  CHECK(read.idle == 300 * core::kSecond);
+  CHECK(read.idle == 300 * tables::kSecond);
 }
 
 TEST_CASE("every key of a link arrives in its settings") {
@@ -86,17 +86,17 @@ TEST_CASE("every key of a link arrives in its settings") {
     "connections": 3, "idle": "1min", "keep": ["127.0.0.1"])");
   CHECK(read.word_order == WordOrder::low_first);
   CHECK(read.on_loss == OnLoss::zero);
-  CHECK(read.plant_on_loss == core::PlantOnLoss::freeze);
-  CHECK(read.loss_after == 250 * core::kMillisecond);
+  CHECK(read.plant_on_loss == link::PlantOnLoss::freeze);
+  CHECK(read.loss_after == 250 * tables::kMillisecond);
   CHECK(read.resync == 0);
   CHECK(read.status_block == 70);
   CHECK(read.watchdog == 9);
-  CHECK(read.watchdog_within == 2 * core::kSecond);
+  CHECK(read.watchdog_within == 2 * tables::kSecond);
   CHECK(read.sizes == std::array<std::uint32_t, 4>{8, 17, 40, 100});
   CHECK(read.connections == 3);
-  CHECK(read.idle == 60 * core::kSecond);
-  CHECK(settings(R"("status": "off")").status_block == core::kNowhere);
-  CHECK(settings(R"("status": "above")").status_block == core::kAbove);
+  CHECK(read.idle == 60 * tables::kSecond);
+  CHECK(settings(R"("status": "off")").status_block == link::kNowhere);
+  CHECK(settings(R"("status": "above")").status_block == link::kAbove);
   const Analysed kept = linked(R"("keep": ["127.0.0.1", "::1"])");
   CHECK(kept.model().links.at(0).settings().keep.size() == 2);
   CHECK(kept.model().links.at(0).settings().keep[1] == "::1");
@@ -156,11 +156,11 @@ TEST_CASE("word order and on-loss of patterns: the one with more letters wins") 
   const Analysed analysed = linked(R"("map": [{"symbol": "*", "on-loss": "zero", "word-order": "low-first"},
                                               {"symbol": "SP*", "on-loss": "hold"}])");
   CHECK(told(analysed).empty());
-  for (const core::PlaceRow& row : analysed.model().links.at(0).places) {
+  for (const link::PlaceRow& row : analysed.model().links.at(0).places) {
     const bool speed = analysed.model().symbols[row.symbol].name() == "SPEED";
     CHECK(row.on_loss == (speed ? OnLoss::hold : OnLoss::zero));
     CHECK(row.word_order == WordOrder::low_first);
-    CHECK(row.number == core::PlaceRow::kDefault);
+    CHECK(row.number == link::PlaceRow::kDefault);
   }
   CHECK(analysed.model().links.at(0).places.size() == analysed.model().symbols.size());
 }
@@ -243,7 +243,7 @@ TEST_CASE("values that do not fit are told in the schema's words") {
       told(R"("idle": "999ms")") ==
       "the time is shorter than a second, a connection would be closed between two requests: write `0s` for never, or "
       "a longer one, such as `60s`");
-  CHECK(settings(R"("idle": "1s")").idle == core::kSecond);
+  CHECK(settings(R"("idle": "1s")").idle == tables::kSecond);
   CHECK(settings(R"("idle": "0s")").idle == 0);
 }
 
@@ -279,7 +279,7 @@ TEST_CASE("settings are a controller's: of one link, and of `loop:` only where t
   const Analysed sound = of_two(R"({"url": "loop:", "controller": "plc2", "on-loss": "zero"},
                                    {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "resync": "2s"})");
   CHECK(told(sound).empty());
-  CHECK(sound.model().links.at(0).link.resync == 2 * core::kSecond);
+  CHECK(sound.model().links.at(0).link.resync == 2 * tables::kSecond);
   CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
   CHECK(
       told(R"("controller": "PLC9")") ==
@@ -298,13 +298,14 @@ TEST_CASE("values of every wrong type are refused in every key of a link, and no
   for (const std::string& value : values) {
     for (const char* key : {"map", "word-order", "size", "on-loss", "plant-on-loss", "loss-after", "resync", "status",
                             "watchdog", "connections", "idle", "keep"}) {
-      CHECK(model::read_plant_file(std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", ")") +
-                                       key + "\": " + value + "}]}",
-                                   "s")
+      CHECK(description::read_plant_file(
+                std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", ")") + key +
+                    "\": " + value + "}]}",
+                "s")
                 .file);
     }
     for (const char* key : {"area", "range", "symbol", "number", "word-order", "on-loss"}) {
-      CHECK(model::read_plant_file(
+      CHECK(description::read_plant_file(
                 std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", "map": [{")") + key +
                     "\": " + value + "}]}]}",
                 "s")

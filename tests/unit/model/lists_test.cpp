@@ -143,25 +143,25 @@ TEST_CASE("A list without a symbol is a list all the same") {
 
 TEST_CASE("A controller's name is one that --link NAME=URL can say") {
   for (const char* good : {"PLC1", "Q03UDV (line 2)", "\xEC\x84\xA4\xEB\xB9\x84"})
-    CHECK(model::is_controller_name(good));
+    CHECK(description::is_controller_name(good));
   for (const char* bad : {"", "A=B", "A:B", " A", "A ", "A\nB", "A\x7F"}) {
     INFO(bad);
-    CHECK_FALSE(model::is_controller_name(bad));
+    CHECK_FALSE(description::is_controller_name(bad));
   }
 }
 
 /// "/links/0/controller: words", of a plant of these controllers.
-std::string link_faults(const std::vector<std::string>& controllers, std::vector<model::LinkDescription> links) {
+std::string link_faults(const std::vector<std::string>& controllers, std::vector<description::LinkDescription> links) {
   std::vector<GivenList> lists;
   for (const std::string& name : controllers) {
     lists.push_back({"l" + std::to_string(lists.size()) + ".csv",
                      list_text({{"L_P_D" + std::to_string(lists.size()) + "_O_A", "Y1"}}), name});
   }
-  model::Description description;
+  description::Description description;
   description.links = std::move(links);
   const Analysed plant = analyse_lists(lists, std::move(description));
   std::string text;
-  for (const model::DescriptionFault& fault : plant.model().description_faults) {
+  for (const description::DescriptionFault& fault : plant.model().description_faults) {
     text += fault.pointer + ": " + fault.message + "\n";
   }
   return text;

@@ -65,7 +65,7 @@ inline std::string transitions_text(const Analysed& analysed, const model::Unit&
 
 inline std::string initial_text(const model::Unit& unit) { return unit.states[unit.initial].name; }
 
-inline bool springs(const model::Unit& unit) { return unit.actuation == core::Actuation::spring; }
+inline bool springs(const model::Unit& unit) { return unit.actuation == tables::Actuation::spring; }
 
 inline std::string rest_text(const model::Unit& unit) {
   return unit.rest == model::kNone ? "none" : unit.states[unit.rest].name;
@@ -83,7 +83,7 @@ inline const diag::Diagnostic& finding_of(const Analysed& analysed, std::string_
 
 /// The underlined text.
 inline std::string place_text(const diag::Diagnostic& finding) {
-  const base::Span span = finding.place.span;
+  const text::Span span = finding.place.span;
   return std::string(finding.place.source->text().substr(span.begin, span.end - span.begin));
 }
 

@@ -8,7 +8,7 @@ const std::vector<std::string> kStoppers{"L_P_S1_O_ADV", "L_P_S1_I_ADV", "L_P_S1
                                          "L_P_S2_O_ADV", "L_P_S2_I_ADV", "L_P_S2_O_RET", "L_P_S2_I_RET",
                                          "L_P_M_O_RUN1", "L_P_M_I_RUN1", "L_P_M_O_END2", "L_P_M_I_END2"};
 
-DeviceDescription actuated(std::string path, core::Actuation actuation) {
+DeviceDescription actuated(std::string path, tables::Actuation actuation) {
   DeviceDescription d = device(std::move(path));
   d.actuation = actuation;
   return d;
@@ -22,56 +22,56 @@ DeviceDescription with(std::string path, std::vector<GivenTransition> transition
 
 std::string warnings(const Analysed& analysed) {
   std::string text;
-  for (const model::DescriptionFault& fault : analysed.model().description_warnings) {
+  for (const description::DescriptionFault& fault : analysed.model().description_warnings) {
     text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
   }
   return text;
 }
 
 TEST_CASE("A pattern speaks of every device that it matches, whatever the case") {
-  const Analysed list = described(kStoppers, {actuated("l_*_s?", core::Actuation::held)});
-  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::held);
-  CHECK(unit_of(list, "L_P_S2").actuation == core::Actuation::held);
-  CHECK(unit_of(list, "L_P_M").actuation == core::Actuation::latched);
+  const Analysed list = described(kStoppers, {actuated("l_*_s?", tables::Actuation::held)});
+  CHECK(unit_of(list, "L_P_S1").actuation == tables::Actuation::held);
+  CHECK(unit_of(list, "L_P_S2").actuation == tables::Actuation::held);
+  CHECK(unit_of(list, "L_P_M").actuation == tables::Actuation::latched);
   CHECK(faults(list) == "");
   CHECK(warnings(list) == "");
 }
 
 TEST_CASE("An exact name beats every pattern, key by key") {
-  DeviceDescription pattern = actuated("L_P_S*", core::Actuation::held);
+  DeviceDescription pattern = actuated("L_P_S*", tables::Actuation::held);
   pattern.initial = "RET";
-  const Analysed list = described(kStoppers, {actuated("L_P_S1", core::Actuation::bistable), pattern});
-  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::bistable);
+  const Analysed list = described(kStoppers, {actuated("L_P_S1", tables::Actuation::bistable), pattern});
+  CHECK(unit_of(list, "L_P_S1").actuation == tables::Actuation::bistable);
   CHECK(unit_of(list, "L_P_S1").initial == 1);
-  CHECK(unit_of(list, "L_P_S2").actuation == core::Actuation::held);
+  CHECK(unit_of(list, "L_P_S2").actuation == tables::Actuation::held);
 }
 
 TEST_CASE("Of patterns the one with more literal characters beats the other, key by key") {
-  DeviceDescription wide = actuated("*", core::Actuation::held);
+  DeviceDescription wide = actuated("*", tables::Actuation::held);
   wide.initial = "RET";
   const Analysed list =
       described({"L_P_S1_O_ADV", "L_P_S1_I_ADV", "L_P_S1_O_RET", "L_P_S1_I_RET", "L_P_T_O_ADV", "L_P_T_O_RET"},
-                {wide, actuated("*_S?", core::Actuation::bistable)});
-  CHECK(unit_of(list, "L_P_S1").actuation == core::Actuation::bistable);
+                {wide, actuated("*_S?", tables::Actuation::bistable)});
+  CHECK(unit_of(list, "L_P_S1").actuation == tables::Actuation::bistable);
   CHECK(unit_of(list, "L_P_S1").initial == 1);
-  CHECK(unit_of(list, "L_P_T").actuation == core::Actuation::held);
+  CHECK(unit_of(list, "L_P_T").actuation == tables::Actuation::held);
 }
 
 TEST_CASE("An array replaces an array, also an empty one") {
   DeviceDescription nothing = device("L_P_S1");
-  nothing.given[static_cast<std::size_t>(model::DeviceKey::transitions)] = true;
+  nothing.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;
   const Analysed list = described(
       kStoppers, {with("L_P_S*", {taking(way("ADV", "RET"), 5)}), with("L_P_S2", {way("RET", "ADV")}), nothing});
   CHECK(origins(unit_of(list, "L_P_S1")) == "dd");
   CHECK(transitions_text(list, unit_of(list, "L_P_S2")) == "RET-O_ADV>ADV ADV-O_RET>RET");
-  CHECK(unit_of(list, "L_P_S2").transitions[1].takes == Duration::fixed(core::kSecond));
+  CHECK(unit_of(list, "L_P_S2").transitions[1].takes == Duration::fixed(tables::kSecond));
 }
 
 TEST_CASE("`only` of a pattern is undone by an exact false") {
   DeviceDescription only = device("L_P_S*");
   only.only = true;
   DeviceDescription not_only = device("L_P_S2");
-  not_only.given[static_cast<std::size_t>(model::DeviceKey::only)] = true;
+  not_only.given[static_cast<std::size_t>(description::DeviceKey::only)] = true;
   const Analysed list = described(kStoppers, {only, not_only});
   CHECK(unit_of(list, "L_P_S1").transitions.empty());
   CHECK(unit_of(list, "L_P_S2").transitions.size() == 2);
@@ -79,9 +79,9 @@ TEST_CASE("`only` of a pattern is undone by an exact false") {
 
 TEST_CASE("Two equally specific patterns must agree, unless something more specific decides") {
   const auto saying = [](std::string path, std::string text) {
-    DeviceDescription d = actuated(std::move(path), core::Actuation::held);
-    d.texts.resize(model::kDeviceKeys);
-    d.texts[static_cast<std::size_t>(model::DeviceKey::actuation)] = std::move(text);
+    DeviceDescription d = actuated(std::move(path), tables::Actuation::held);
+    d.texts.resize(description::kDeviceKeys);
+    d.texts[static_cast<std::size_t>(description::DeviceKey::actuation)] = std::move(text);
     return d;
   };
   const std::string fault =
@@ -94,12 +94,12 @@ TEST_CASE("Two equally specific patterns must agree, unless something more speci
 }
 
 TEST_CASE("Two equally specific patterns that disagree are a fault with both places, told once") {
-  DeviceDescription first = actuated("L_P_S*", core::Actuation::held);
-  DeviceDescription second = actuated("L_?_S?*", core::Actuation::spring);
+  DeviceDescription first = actuated("L_P_S*", tables::Actuation::held);
+  DeviceDescription second = actuated("L_?_S?*", tables::Actuation::spring);
   second.path = "*L_P_S?";
   for (DeviceDescription* d : {&first, &second}) {
-    d->texts.resize(model::kDeviceKeys);
-    d->texts[static_cast<std::size_t>(model::DeviceKey::actuation)] = d == &first ? "\"held\"" : "\"spring\"";
+    d->texts.resize(description::kDeviceKeys);
+    d->texts[static_cast<std::size_t>(description::DeviceKey::actuation)] = d == &first ? "\"held\"" : "\"spring\"";
   }
   const Analysed list = described(kStoppers, {first, second});
   CHECK(faults(list) ==
@@ -107,13 +107,13 @@ TEST_CASE("Two equally specific patterns that disagree are a fault with both pla
         "different values, make one more specific or name the device");
   REQUIRE_FALSE(list.model().description_faults.empty());
   CHECK(list.model().description_faults.front().related == "/devices/L_P_S*/actuation");
-  CHECK(list.model().description_faults.front().kind == model::FaultKind::patterns);
-  CHECK(faults(described(kStoppers, {first, second, actuated("L_P_S1", core::Actuation::held),
-                                     actuated("L_P_S2", core::Actuation::held)})) == "");
+  CHECK(list.model().description_faults.front().kind == description::FaultKind::patterns);
+  CHECK(faults(described(kStoppers, {first, second, actuated("L_P_S1", tables::Actuation::held),
+                                     actuated("L_P_S2", tables::Actuation::held)})) == "");
 }
 
 TEST_CASE("A pattern that matches no device is a warning") {
-  const Analysed list = described(kStoppers, {actuated("L_*_DOOR?", core::Actuation::held)});
+  const Analysed list = described(kStoppers, {actuated("L_*_DOOR?", tables::Actuation::held)});
   CHECK(faults(list) == "");
   CHECK(warnings(list) == "/devices/L_*_DOOR?: `L_*_DOOR?` matches no device");
 }
@@ -222,11 +222,11 @@ TEST_CASE("A fault under a pattern is told once for all its devices") {
 }
 
 TEST_CASE("A fault leads to the entry that gave the key") {
-  DeviceDescription exact = actuated("L_P_S1", core::Actuation::held);
+  DeviceDescription exact = actuated("L_P_S1", tables::Actuation::held);
   const Analysed list = described(kStoppers, {exact, with("L_P_S*", {way("ADV", "RET", "", "L_P_X.RUN")})});
   REQUIRE(list.model().description_faults.size() == 1);
   CHECK(list.model().description_faults[0].pointer == "/devices/L_P_S*/transitions/0/when");
-  CHECK(list.model().description_faults[0].kind == model::FaultKind::condition);
+  CHECK(list.model().description_faults[0].kind == description::FaultKind::condition);
 }
 
 TEST_CASE("A pattern in `disables` leaves out the device itself, and may match nothing") {
@@ -243,14 +243,14 @@ TEST_CASE("A pattern in `disables` leaves out the device itself, and may match n
 TEST_CASE("A device too large to be modelled is a fault of its exact name, not of a pattern") {
   std::vector<std::string> names{"L_P_A_O_ADV", "L_P_A_O_RET"};
   for (int i = 0; i < 70; ++i) names.push_back("L_P_BIG_O_T" + std::to_string(i));
-  CHECK(faults(described(names, {actuated("L_P_*", core::Actuation::held)})) == "");
-  CHECK(faults(described(names, {actuated("L_P_BIG", core::Actuation::held)})) ==
+  CHECK(faults(described(names, {actuated("L_P_*", tables::Actuation::held)})) == "");
+  CHECK(faults(described(names, {actuated("L_P_BIG", tables::Actuation::held)})) ==
         "/devices/L_P_BIG: `L_P_BIG` is described, but has too many symbols for a device and stays unmodelled");
 }
 
 TEST_CASE("A device described twice is told with both places") {
   const Analysed list =
-      described(kStoppers, {actuated("L_P_S1", core::Actuation::held), actuated("l_p_s1", core::Actuation::held)});
+      described(kStoppers, {actuated("L_P_S1", tables::Actuation::held), actuated("l_p_s1", tables::Actuation::held)});
   CHECK(faults(list) == "/devices/l_p_s1: `l_p_s1` is described twice, join both");
   REQUIRE_FALSE(list.model().description_faults.empty());
   CHECK(list.model().description_faults[0].related == "/devices/L_P_S1");
@@ -258,15 +258,15 @@ TEST_CASE("A device described twice is told with both places") {
 
 TEST_CASE("`--verbose` will tell which pattern speaks of how many devices") {
   const Analysed list =
-      described(kStoppers, {actuated("L_P_S?", core::Actuation::held), actuated("*M", core::Actuation::held)});
+      described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), actuated("*M", tables::Actuation::held)});
   CHECK(list.model().description_decisions ==
         std::vector<std::string>{"`L_P_S?` speaks of 2 devices", "`*M` speaks of 1 device"});
 }
 
 TEST_CASE("Devices of which the same entries speak share what is joined, and nothing is joined of one entry") {
   const Analysed list =
-      described(kStoppers, {actuated("L_P_S?", core::Actuation::held), with("L_*_S?", {way("ADV", "RET")}),
-                            actuated("L_P_M", core::Actuation::held)});
+      described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), with("L_*_S?", {way("ADV", "RET")}),
+                            actuated("L_P_M", tables::Actuation::held)});
   CHECK(list.model().joined.size() == 1);
   CHECK(unit_of(list, "L_P_S1").described == unit_of(list, "L_P_S2").described);
   CHECK(unit_of(list, "L_P_M").described == &list.model().description->devices[2]);
@@ -274,9 +274,9 @@ TEST_CASE("Devices of which the same entries speak share what is joined, and not
 
 TEST_CASE("A question mark is one character, in any script") {
   const std::vector<std::string> names{"L_P_\u00c4_O_ADV", "L_P_\u00c4_O_RET"};
-  const Analysed list = described(names, {actuated("L_P_?", core::Actuation::held)});
-  CHECK(unit_of(list, "L_P_\u00c4").actuation == core::Actuation::held);
-  CHECK(warnings(described(names, {actuated("L_P_??", core::Actuation::held)})) ==
+  const Analysed list = described(names, {actuated("L_P_?", tables::Actuation::held)});
+  CHECK(unit_of(list, "L_P_\u00c4").actuation == tables::Actuation::held);
+  CHECK(warnings(described(names, {actuated("L_P_??", tables::Actuation::held)})) ==
         "/devices/L_P_??: `L_P_??` matches no device");
 }
 
@@ -286,10 +286,10 @@ TEST_CASE("What is left out for a device is not wrong for it either") {
   pattern.disables = {{"ADV", {"L_P_M"}}};
   pattern.transitions = {taking(way("ADV", "RET"), 5)};
   pattern.transitions[0].once = true;
-  DeviceDescription spring = actuated("L_P_S?", core::Actuation::spring);
-  spring.given[static_cast<std::size_t>(model::DeviceKey::transitions)] = true;
+  DeviceDescription spring = actuated("L_P_S?", tables::Actuation::spring);
+  spring.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;
   // L_P_M is no spring, would disable itself, and as a held device may not have `once`.
-  CHECK(faults(described(kStoppers, {pattern, spring, actuated("L_P_M", core::Actuation::held)})) == "");
+  CHECK(faults(described(kStoppers, {pattern, spring, actuated("L_P_M", tables::Actuation::held)})) == "");
 }
 
 }  // namespace

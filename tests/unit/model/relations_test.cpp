@@ -36,7 +36,7 @@ TEST_CASE("A `when` becomes a tree over the plant") {
   CHECK(first.children[1].atom.kind == Atom::Kind::number);
   CHECK(first.children[1].atom.of == 8);
   CHECK(first.children[1].atom.operand == 3);
-  CHECK(first.children[1].atom.comparison == core::Comparison::less_equal);
+  CHECK(first.children[1].atom.comparison == tables::Comparison::less_equal);
   CHECK(any.children[1].children[0].atom.kind == Atom::Kind::moving);
   CHECK(any.children[1].children[1].atom.kind == Atom::Kind::bit);
   CHECK(any.children[1].children[1].atom.of == 4);
@@ -182,31 +182,31 @@ TEST_CASE("A device with a behaviour counts as moving all its events") {
 
 // Requirements.
 
-model::GivenRequirement never(std::string name, std::string condition) {
-  model::GivenRequirement given;
+description::GivenRequirement never(std::string name, std::string condition) {
+  description::GivenRequirement given;
   given.name = std::move(name);
   given.never = std::move(condition);
   return given;
 }
 
 TEST_CASE("Requirements have their conditions resolved") {
-  model::Description description;
+  description::Description description;
   description.requirements = {never("apart", "L_P_D.P2 and L_P_E.A2"), {"answers", "", "L_P_D.P2", "L_P_E_I_A2", 500}};
   const Analysed list = analyse_described(bits(kCell), std::move(description));
   CHECK(faults(list) == "");
   const auto& requirements = list.model().requirements;
   REQUIRE(requirements.size() == 2);
   CHECK(requirements[0].name == "apart");
-  CHECK(requirements[0].kind == core::RequirementRow::Kind::never);
+  CHECK(requirements[0].kind == tables::RequirementRow::Kind::never);
   CHECK(requirements[0].condition.kind == Tree::Kind::all);
-  CHECK(requirements[1].kind == core::RequirementRow::Kind::expect);
+  CHECK(requirements[1].kind == tables::RequirementRow::Kind::expect);
   CHECK(requirements[1].condition.atom.state == 1);
   CHECK(requirements[1].expected.atom.kind == Atom::Kind::bit);
   CHECK(requirements[1].within == 500);
 }
 
 TEST_CASE("A requirement without a name of its own, or without its parts, is a fault") {
-  model::Description description;
+  description::Description description;
   description.requirements = {never("a", "L_P_D.P1"), never("a", "L_P_D.P2"),
                               never("", "L_P_D.P1"),  {"b", "", "L_P_D.P1", "", 0},
                               {"c", "", "", "", 0},   {"d", "L_P_D.P1", "", "L_P_D.P1", 0}};
@@ -219,7 +219,7 @@ TEST_CASE("A requirement without a name of its own, or without its parts, is a f
 }
 
 TEST_CASE("A requirement's conditions tell all their faults") {
-  model::Description description;
+  description::Description description;
   description.requirements = {never("a", "L_P_D.P9"), {"b", "", "L_P_D_I_P", "L_P_D", 0}};
   CHECK(faults(analyse_described(bits(kCell), std::move(description))) ==
         "/requirements/0/never: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"

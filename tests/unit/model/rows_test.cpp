@@ -100,7 +100,7 @@ TEST_CASE("A symbol whose name breaks the rule is served and in no unit") {
   const Analysed list = analyse_rows({{"START", "X1"}, {"LAMP", "Y1"}, {"L_P_D_I_A", "X2"}});
   CHECK(list.model().symbols.size() == 3);
   CHECK(symbol_of(list, "START").unmodelled == Unmodelled::name);
-  CHECK(symbol_of(list, "LAMP").direction == core::Direction::operation);
+  CHECK(symbol_of(list, "LAMP").direction == tables::Direction::operation);
   CHECK(list.model().units.size() == 1);
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("An Initial that cannot be read counts as off, and is told") {
 }
 
 TEST_CASE("Initial values of every notation") {
-  using core::DataType;
+  using tables::DataType;
   const auto value = [](const char* text, DataType type) { return model::initial_value(text, type); };
   CHECK(value("", DataType::boolean) == 0U);
   CHECK(value("true", DataType::boolean) == 1U);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/source_file.hpp"
 #include "support/catch.hpp"
+#include "text/source_file.hpp"
 
 namespace symplant::name {
 namespace {
@@ -21,7 +21,7 @@ struct Read {
   }
   std::string faulty() const { return name.substr(reading.where.begin, reading.where.end - reading.where.begin); }
   /// As an editor counts: from 1, in characters.
-  std::size_t column() const { return base::SourceFile("list", name).position(reading.where.begin).column; }
+  std::size_t column() const { return text::SourceFile("list", name).position(reading.where.begin).column; }
 };
 
 TEST_CASE("A name by the rule gives its levels, and its device's path") {

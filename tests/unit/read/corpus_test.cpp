@@ -36,14 +36,14 @@ void has_rows(const std::string& path, std::size_t rows) {
 }
 
 /// A list in a code page: without its name it is refused and the page is what is proposed first, with it all is read.
-void proposes(const std::string& path, symplant::base::Encoding encoding) {
+void proposes(const std::string& path, symplant::text::Encoding encoding) {
   const auto bytes = symplant::base::DiskFileSystem().read(path);
   check(bool(bytes), path + ": cannot be read");
   if (!bytes) return;
-  const auto refused = symplant::base::decode(*bytes);
+  const auto refused = symplant::text::decode(*bytes);
   check(!refused && !refused.error().guesses.empty() && refused.error().guesses.front().encoding == encoding,
         path + ": its code page is not proposed first");
-  check(bool(symplant::base::decode(*bytes, &encoding)), path + ": not all of it is in its code page");
+  check(bool(symplant::text::decode(*bytes, &encoding)), path + ": not all of it is in its code page");
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ int main() {
         "beckhoff/GVL_IO.TcGVL", "siemens/PLCTags.xlsx", "siemens/step7_symbols.asc", "rockwell/hangul_Tags.csv"}) {
     reads_or_says_why(folder + file);
   }
-  proposes(folder + "lselectric/xg5000_global.csv", symplant::base::Encoding::cp949);
-  proposes(folder + "mitsubishi/GxWorks3.NoQuote3.EucKR.COMMENT.csv", symplant::base::Encoding::cp949);
-  proposes(folder + "siemens/PLCTags.sdf", symplant::base::Encoding::cp1251);
+  proposes(folder + "lselectric/xg5000_global.csv", symplant::text::Encoding::cp949);
+  proposes(folder + "mitsubishi/GxWorks3.NoQuote3.EucKR.COMMENT.csv", symplant::text::Encoding::cp949);
+  proposes(folder + "siemens/PLCTags.sdf", symplant::text::Encoding::cp1251);
   return faults == 0 ? 0 : 1;
 }

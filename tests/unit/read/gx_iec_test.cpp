@@ -46,7 +46,7 @@ TEST_CASE("Each row knows its line, its bytes and where its cells stand") {
   REQUIRE(reading.table);
   REQUIRE(reading.table->rows.size() == 1);
   const read::ListRow& row = reading.table->rows[0];
-  const base::SourceFile& source = *reading.table->source;
+  const text::SourceFile& source = *reading.table->source;
   CHECK(row.line == 3);
   CHECK(source.text().substr(row.whole.begin, row.whole.end - row.whole.begin) == "VAR_GLOBAL,A_B,X1");
   CHECK(source.position(source.span_of(row.name).begin).column == 12);

@@ -64,10 +64,10 @@ TEST_CASE("A format that is asked for is tried whatever the file looks like") {
 
 TEST_CASE("An encoding may be asked for") {
   const std::string list("N\0a\0m\0e\0,\0C\0l\0a\0s\0s\0\n\0A\0,\0x\0\n\0", 30);
-  const test::Reading reading = test::read_text(list, "list.csv", {"", base::Encoding::utf16le});
+  const test::Reading reading = test::read_text(list, "list.csv", {"", text::Encoding::utf16le});
   REQUIRE(reading.table);
   CHECK(reading.table->decisions[1] == "encoding: utf-16le, as asked for");
-  CHECK_FALSE(test::read_text(list, "list.csv", {"", base::Encoding::utf8}).table);
+  CHECK_FALSE(test::read_text(list, "list.csv", {"", text::Encoding::utf8}).table);
 }
 
 TEST_CASE("Readers have names and titles, each its own") {

@@ -4,7 +4,7 @@
 namespace symplant::test {
 namespace {
 
-using core::Actuation;
+using tables::Actuation;
 
 /// Two states A (rest, initial) and B with an operation and an event each, 1000 ms between them.
 Said actuated(Actuation actuation) {
@@ -71,7 +71,7 @@ TEST_CASE("Both at once are conflicting operations, in a move that is not latche
 TEST_CASE("What stands still keeps its time and goes on with it") {
   Bench bench = moving(Actuation::held);
   bench.set("V_O_B2", true).at(0).set("V_O_B2", false).at(300).at(5000);
-  CHECK(bench.plant.next_due() == core::kNever);
+  CHECK(bench.plant.next_due() == tables::kNever);
   bench.set("V_O_B2", true).at(6000).at(6699);
   CHECK(bench.state("V") == "A1->B2");
   CHECK(bench.at(6700).state("V") == "B2");
@@ -80,8 +80,8 @@ TEST_CASE("What stands still keeps its time and goes on with it") {
 TEST_CASE("Turning round takes its part of the way back, rounded down") {
   Said said = actuated(Actuation::bistable);
   said.device("L_P_V").transitions = {way("A1", "B2"), way("B2", "A1")};
-  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(3);
-  said.device("L_P_V").transitions[1].takes = model::Duration::fixed(10);
+  said.device("L_P_V").transitions[0].takes = description::Duration::fixed(3);
+  said.device("L_P_V").transitions[1].takes = description::Duration::fixed(10);
   Bench bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, said);
   bench.set("V_O_B2", true).at(0).set("V_O_B2", false).set("V_O_A1", true);
   bench.plant.advance_to(1);
@@ -95,7 +95,7 @@ TEST_CASE("Turning round takes its part of the way back, rounded down") {
 TEST_CASE("A spring's own way takes what its transition says") {
   Said said;
   said.device("L_P_V").transitions = {way("ADV", "RET")};
-  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(500 * kMs);
+  said.device("L_P_V").transitions[0].takes = description::Duration::fixed(500 * kMs);
   Bench bench({"V_O_ADV", "V_I_ADV", "V_I_RET"}, said);
   bench.set("V_O_ADV", true).at(0).at(1000);
   CHECK(bench.state("V") == "ADV");
@@ -116,7 +116,7 @@ TEST_CASE("Another command than the two ends' stops a held move, and that is sai
 TEST_CASE("An automatic move completes, whatever the actuation") {
   Said said = actuated(Actuation::held);
   said.device("L_P_V").transitions = {automatic("B2", "A1")};
-  said.device("L_P_V").transitions[0].takes = model::Duration::fixed(100 * kMs);
+  said.device("L_P_V").transitions[0].takes = description::Duration::fixed(100 * kMs);
   Bench bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, said);
   bench.put("V", "B2").at(0);
   CHECK(bench.state("V") == "B2->A1");

@@ -25,7 +25,7 @@ TEST_CASE("SplitMix64 begins as published") { CHECK(first_output(0) == 0xE220A83
 TEST_CASE("A uniform time is drawn by seed, unit, transition and count") {
   Said said;
   said.device("l_p_a").transitions = {way("P1", "P2"), way("P2", "P1")};
-  said.device("l_p_a").transitions[1].takes = model::Duration{model::Duration::Kind::uniform, 0, 999};
+  said.device("l_p_a").transitions[1].takes = description::Duration{description::Duration::Kind::uniform, 0, 999};
   Bench bench(said, bits({"l_p_a_o_P1", "l_p_a_o_P2", "l_p_a_i_P1", "l_p_a_i_P2"}));
   bench.plant.reset(42);
   for (std::uint64_t k = 0; k < 3; ++k) {
@@ -35,11 +35,11 @@ TEST_CASE("A uniform time is drawn by seed, unit, transition and count") {
     // At now() the operation was not on yet; the instant after it sampled it.
     __extension__ using Wide = unsigned __int128;
     const std::uint64_t r = first_output(42 ^ fnv("L_P_A") ^ (1ULL << 32) ^ k);
-    const auto drawn = static_cast<core::Time>(static_cast<Wide>(r) * 1000 >> 64);
+    const auto drawn = static_cast<tables::Time>(static_cast<Wide>(r) * 1000 >> 64);
     CHECK(bench.plant.save().units[0].whole == drawn);
     bench.plant.set_operation(0, 0);
     bench.plant.set_state(0, 0);
-    bench.plant.advance_to(bench.plant.now() + core::kSecond);
+    bench.plant.advance_to(bench.plant.now() + tables::kSecond);
   }
 }
 
@@ -54,8 +54,8 @@ void woken(View& view) noexcept {
   ++view.memory<Memory>().woken;
   view.set_event(0, !view.event(0));
 }
-std::uint8_t wanted(View& view) noexcept { return view.memory<Memory>().woken == 1 ? 0 : core::kNoState; }
-core::Time takes(View&, std::uint16_t transition) noexcept { return transition == 0xFFFF ? 7 * kMs : 20 * kMs; }
+std::uint8_t wanted(View& view) noexcept { return view.memory<Memory>().woken == 1 ? 0 : tables::kNoState; }
+tables::Time takes(View&, std::uint16_t transition) noexcept { return transition == 0xFFFF ? 7 * kMs : 20 * kMs; }
 
 TEST_CASE("A behaviour is woken when it asked, and its wanted state is left for without a command") {
   Said said;

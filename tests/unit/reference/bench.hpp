@@ -13,14 +13,14 @@
 
 namespace symplant::test {
 
-inline constexpr core::Time kMs = core::kMillisecond;
+inline constexpr tables::Time kMs = tables::kMillisecond;
 
 /// What is said of one device, all else left out.
 struct Said {
-  model::Description description = {};
+  description::Description description = {};
 
-  model::DeviceDescription& device(const std::string& path) {
-    for (model::DeviceDescription& device : description.devices) {
+  description::DeviceDescription& device(const std::string& path) {
+    for (description::DeviceDescription& device : description.devices) {
       if (device.path == path) return device;
     }
     description.devices.emplace_back().path = path;
@@ -28,18 +28,19 @@ struct Said {
   }
 };
 
-inline model::GivenTransition way(std::string from, std::string to, std::string on = "") {
-  model::GivenTransition given;
+inline description::GivenTransition way(std::string from, std::string to, std::string on = "") {
+  description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
   given.on = std::move(on);
   return given;
 }
 
-inline model::GivenTransition automatic(std::string from, std::string to, core::Time after = 0, std::string when = "") {
-  model::GivenTransition given = way(std::move(from), std::move(to));
+inline description::GivenTransition automatic(std::string from, std::string to, tables::Time after = 0,
+                                              std::string when = "") {
+  description::GivenTransition given = way(std::move(from), std::move(to));
   given.automatic = true;
-  given.after = model::Duration::fixed(after);
+  given.after = description::Duration::fixed(after);
   given.when = std::move(when);
   return given;
 }
@@ -52,7 +53,7 @@ class Bench {
       : Bench(said, bits(prefixed(names)), std::move(behaviours)) {}
   Bench(const Said& said, const std::vector<Row>& rows, std::map<std::string, reference::Behaviour> behaviours = {})
       : analysed(analyse_described(rows, said.description)), plant(analysed.model(), std::move(behaviours)) {
-    for (const model::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
+    for (const description::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
     REQUIRE(plant.difference_from_model() == "");
   }
 
@@ -87,7 +88,7 @@ class Bench {
     plant.set_state(place(device), state_place(device, state));
     return *this;
   }
-  Bench& at(core::Time milliseconds) {
+  Bench& at(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs);
     return *this;
   }
@@ -102,7 +103,7 @@ class Bench {
     if (view.standing) text += "!";
     return view.disabled ? "[" + text + "]" : text;
   }
-  core::Time remaining(const std::string& device) const { return plant.unit(place(device)).remaining / kMs; }
+  tables::Time remaining(const std::string& device) const { return plant.unit(place(device)).remaining / kMs; }
 
   /// All changes since the last call, "500:AGV_O_P2=1 ...".
   std::string changes() {
@@ -120,7 +121,7 @@ class Bench {
   std::string findings() {
     std::string text;
     for (const reference::InstantRecord& instant : plant.instants()) {
-      for (const core::Finding& finding : instant.findings) {
+      for (const tables::Finding& finding : instant.findings) {
         add(text, std::to_string(instant.time / kMs) + ":" + words(finding));
       }
     }
@@ -138,7 +139,7 @@ class Bench {
   }
   static void add(std::string& text, const std::string& more) { text += (text.empty() ? "" : " ") + more; }
 
-  std::string words(const core::Finding& finding) const {
+  std::string words(const tables::Finding& finding) const {
     static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
                                                     "started",     "short",   "loop",     "violated"};
     const auto kind = static_cast<std::size_t>(finding.kind);

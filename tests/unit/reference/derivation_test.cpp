@@ -6,7 +6,7 @@ namespace {
 
 std::string difference(const std::vector<std::string>& names, const Said& said = {}) {
   const Analysed analysed = analyse_described(bits(names), said.description);
-  for (const model::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
+  for (const description::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
   return reference::Plant(analysed.model()).difference_from_model();
 }
 
@@ -36,7 +36,7 @@ TEST_CASE("What the description says stands over what is derived, by the rules o
   const std::vector<std::string> names = {"L_P_A_O_RUN2",  "L_P_A_O_HOME", "L_P_A_I_RUN2",
                                           "L_P_A_I_IDLE1", "L_P_A_I_BUSY", "L_P_A_I_DONE3"};
   Said said;
-  model::DeviceDescription& device = said.device("l_p_a");
+  description::DeviceDescription& device = said.device("l_p_a");
   device.states = {"DOCK", "PARK4"};
   device.transitions = {way("*", "IDLE1", "HOME"), way("IDLE1", "DOCK", "RUN2"), automatic("RUN2", "DONE3", 5),
                         way("DOCK", "RUN2")};
@@ -45,13 +45,13 @@ TEST_CASE("What the description says stands over what is derived, by the rules o
   CHECK(difference(names, said) == "");
   device.only = true;
   CHECK(difference(names, said) == "");
-  device.actuation = core::Actuation::spring;
+  device.actuation = tables::Actuation::spring;
   CHECK(difference(names, said) == "");
   device.rest = "DOCK";
   device.initial = "DONE3";
   device.transitions.push_back(way("RUN2", "DOCK"));
   CHECK(difference(names, said) == "");
-  said.description.defaults = {7, 9, core::Actuation::held};
+  said.description.defaults = {7, 9, tables::Actuation::held};
   device.only = false;
   CHECK(difference(names, said) == "");
 }
@@ -64,13 +64,13 @@ TEST_CASE("A model of another derivation is told apart") {
   unit.initial = 1;
   CHECK(reference::Plant(analysed.model()).difference_from_model() == "L_P_A: initial: reference `0`, model `1`");
   unit = as_it_was;
-  unit.transitions[1].takes = model::Duration::fixed(3);
+  unit.transitions[1].takes = description::Duration::fixed(3);
   CHECK(reference::Plant(analysed.model()).difference_from_model() != "");
   unit = as_it_was;
   std::swap(unit.states[0], unit.states[1]);
   CHECK(reference::Plant(analysed.model()).difference_from_model() != "");
   unit = as_it_was;
-  unit.actuation = core::Actuation::held;
+  unit.actuation = tables::Actuation::held;
   CHECK(reference::Plant(analysed.model()).difference_from_model() != "");
 }
 

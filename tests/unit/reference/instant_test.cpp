@@ -38,7 +38,7 @@ TEST_CASE("A disabled unit stands where it is and goes on when it is enabled") {
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2", "D_I_ON"}, said);
   bench.at(0).set("A_O_P2", true).at(1).at(401).put("D", "ON").at(450);
   CHECK(bench.state("A") == "[P1->P2]");
-  CHECK(bench.plant.next_due() == core::kNever);
+  CHECK(bench.plant.next_due() == tables::kNever);
   bench.at(5000).put("D", "NOT_ON").at(5000);
   CHECK(bench.findings() == "5000:started A");
   CHECK(bench.at(5599).state("A") == "P1->P2");

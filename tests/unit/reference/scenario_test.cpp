@@ -14,22 +14,22 @@ using When = ScenarioStep::When;
 /// A cylinder that takes a second, steps given in milliseconds.
 class Scene {
  public:
-  explicit Scene(std::optional<core::Time> until = {}) : player_(bench.analysed.model(), bench.plant, until, 1000) {}
+  explicit Scene(std::optional<tables::Time> until = {}) : player_(bench.analysed.model(), bench.plant, until, 1000) {}
 
-  Scene& set(When when, core::Time milliseconds, const std::string& symbol, bool on = true) {
+  Scene& set(When when, tables::Time milliseconds, const std::string& symbol, bool on = true) {
     ScenarioStep step = at(when, milliseconds);
     step.set = {{bench.symbol(symbol), on ? 1 : 0}};
     player_.play(step);
     return *this;
   }
-  Scene& expect(When when, core::Time milliseconds, const std::string& symbol, bool on) {
+  Scene& expect(When when, tables::Time milliseconds, const std::string& symbol, bool on) {
     ScenarioStep step = at(when, milliseconds);
     step.expects = true;
     step.expect = {{bench.symbol(symbol), on ? 1 : 0}};
     player_.play(step);
     return *this;
   }
-  Scene& wait(const std::string& state, std::optional<core::Time> within = {}) {
+  Scene& wait(const std::string& state, std::optional<tables::Time> within = {}) {
     ScenarioStep step;
     step.when = When::wait;
     step.time = within;
@@ -57,7 +57,7 @@ class Scene {
   Bench bench{{"CYL_O_ADV", "CYL_O_RET", "CYL_I_RET*", "CYL_I_ADV"}};
 
  private:
-  static ScenarioStep at(When when, core::Time milliseconds) {
+  static ScenarioStep at(When when, tables::Time milliseconds) {
     ScenarioStep step;
     step.when = when;
     step.time = milliseconds * kMs;

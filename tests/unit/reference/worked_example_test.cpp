@@ -21,7 +21,7 @@ TEST_CASE("The reference plays the paper's cell") {
     CHECK(bench.state("AGV") == row.agv);
     CHECK(bench.state("MC") == row.mc);
   }
-  CHECK(bench.plant.next_due() == core::kNever);
+  CHECK(bench.plant.next_due() == tables::kNever);
 }
 
 TEST_CASE("What is saved and restored runs again as it ran, to the same digest") {

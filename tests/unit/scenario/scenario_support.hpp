@@ -15,7 +15,7 @@
 
 namespace symplant::test {
 
-using core::kSecond;
+using tables::kSecond;
 
 /// `steps` between the brackets of a scenario, begun at line 1.
 inline std::string scenario_text(const std::string& steps) {
@@ -36,7 +36,7 @@ inline std::string faults_text(std::string_view text, const std::vector<json::Pl
 /// A scenario played in virtual time, to its end or to a time.
 class Play {
  public:
-  Play(const BenchTables& tables, const std::string& steps, core::Time until = core::kNever, core::Time cycle = 0)
+  Play(const BenchTables& tables, const std::string& steps, tables::Time until = tables::kNever, tables::Time cycle = 0)
       : tables_(tables),
         names_(tables.rows),
         history_(names_),
@@ -49,7 +49,7 @@ class Play {
     if (cycle == 0) {
       play_virtual(until);
     } else {
-      for (core::Time time = cycle; time <= until && !player_.over(); time += cycle) advance(time);
+      for (tables::Time time = cycle; time <= until && !player_.over(); time += cycle) advance(time);
     }
     player_.end();
   }
@@ -62,7 +62,7 @@ class Play {
     for (const scenario::Outcome& outcome : player_.outcomes()) text += "pdhfu"[static_cast<int>(outcome.kind)];
     return text;
   }
-  core::Time time_of(std::size_t step) const { return player_.outcomes()[step].time / kMs; }
+  tables::Time time_of(std::size_t step) const { return player_.outcomes()[step].time / kMs; }
   /// Sentences of failed steps, a line each.
   const std::string& failures() const { return failures_; }
 
@@ -74,16 +74,16 @@ class Play {
     REQUIRE(result.scenario);
     return std::move(*result.scenario);
   }
-  void play_virtual(core::Time until) {
+  void play_virtual(tables::Time until) {
     for (;;) {
-      if (player_.over() && until == core::kNever) return;
-      const core::Time due = std::min(plant.next_due(), player_.next());
+      if (player_.over() && until == tables::kNever) return;
+      const tables::Time due = std::min(plant.next_due(), player_.next());
       if (due > until) return advance(until);
-      if (due == core::kNever) return;
+      if (due == tables::kNever) return;
       advance(due);
     }
   }
-  void advance(core::Time time) {
+  void advance(tables::Time time) {
     player_.advance_to(time);
     recorder_.drain([this](const trace::Record& record) { take(record); });
   }
@@ -91,7 +91,7 @@ class Play {
     history_.apply(record);
     if (record.kind == trace::Record::Kind::note) {
       const auto parts =
-          scenario::failure_parts(scenario_, record.of, static_cast<core::Time>(record.value), names_, history_);
+          scenario::failure_parts(scenario_, record.of, static_cast<tables::Time>(record.value), names_, history_);
       for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
       failures_ += "\n";
       return;
@@ -116,14 +116,14 @@ class Play {
   scenario::Scenario scenario_;
 
  public:
-  core::OwnedPlant plant;
+  plant::OwnedPlant plant;
 
  private:
   trace::Recorder recorder_;
   scenario::Player player_;
   std::string changes_;
   std::string failures_;
-  core::Time last_ = -1;
+  tables::Time last_ = -1;
   bool ended_ = false;
 };
 

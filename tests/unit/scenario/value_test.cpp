@@ -12,7 +12,7 @@
 namespace symplant::test {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 
 /// As a trace would write it, or the message.
 std::string read(DataType type, const char* text) {

@@ -25,7 +25,7 @@ class Teller {
     plant.set_operation(tables_.rows.symbols[tables_.symbol(name)].index, on);
     return *this;
   }
-  Teller& to(core::Time milliseconds) {
+  Teller& to(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs, &recorder_);
     std::vector<trace::FoundThing> found;  // of one instant: told as the plant stood at its end
     bool more = false;
@@ -56,7 +56,7 @@ class Teller {
   trace::Recorder recorder_;
 
  public:
-  core::OwnedPlant plant;
+  plant::OwnedPlant plant;
 };
 
 const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"};
@@ -100,7 +100,7 @@ TEST_CASE("a command that leads nowhere, and one to a disabled device, say why")
 
 TEST_CASE("a held device that is stopped says which command is on instead") {
   Told told;
-  told.device("AGV").actuation = core::Actuation::held;
+  told.device("AGV").actuation = tables::Actuation::held;
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_I_P3", "AGV_O_P1", "AGV_O_P2", "AGV_O_P3"}, told);
   Teller teller(tables);
   teller.set("AGV_O_P2", true).to(100).set("AGV_O_P2", false).set("AGV_O_P3", true).to(200);
@@ -159,7 +159,7 @@ TEST_CASE("times are told exactly, without zeros at their end") {
   CHECK(trace::seconds(0) == "0 s");
   CHECK(trace::seconds(1) == "0.000000001 s");
   CHECK(trace::seconds(2'500'000'000) == "2.5 s");
-  CHECK(trace::seconds(3600 * core::kSecond) == "3600 s");
+  CHECK(trace::seconds(3600 * tables::kSecond) == "3600 s");
 }
 
 }  // namespace

@@ -6,23 +6,25 @@
 
 #include "support/bare_tables.hpp"
 #include "support/catch.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 
 namespace symplant::test {
 namespace {
 
-using core::AddressForm;
-using core::DataType;
-using core::Direction;
+using tables::AddressForm;
+using tables::DataType;
+using tables::Direction;
 
 /// Free symbols alone: two BOOL operations whose rows stand the other way round than their bits, and an INT between.
 struct FreePlant {
-  std::vector<core::SymbolRow> symbols{
-      {1, core::kNoUnit, 0, 2, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
-      {0, core::kNoUnit, 0, 3, core::symbol_kind(DataType::int_, Direction::operation, AddressForm::none, false)},
-      {0, core::kNoUnit, 0, 4, core::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
-  core::PlantTables tables = bare_tables("free", 64, 64, 1, symbols);
-  core::OwnedPlant plant{tables};
+  std::vector<tables::SymbolRow> symbols{
+      {1, tables::kNoUnit, 0, 2,
+       tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
+      {0, tables::kNoUnit, 0, 3, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::none, false)},
+      {0, tables::kNoUnit, 0, 4,
+       tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
+  tables::PlantTables tables = bare_tables("free", 64, 64, 1, symbols);
+  plant::OwnedPlant plant{tables};
 };
 
 std::vector<trace::Record> drained(trace::Recorder& recorder) {

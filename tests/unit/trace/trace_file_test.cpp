@@ -10,13 +10,13 @@
 #include "support/bare_tables.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
-#include "symplant/core/owned_plant.hpp"
+#include "symplant/plant/owned_plant.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::test {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 using trace::json_value;
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
@@ -43,11 +43,11 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
   const auto folder = std::filesystem::temp_directory_path() / "symplant_trace_test";
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "trace.jsonl").string();
-  const std::vector<core::SymbolRow> symbols{
-      {0, core::kNoUnit, 0, 2,
-       core::symbol_kind(DataType::boolean, core::Direction::event, core::AddressForm::none, false)}};
+  const std::vector<tables::SymbolRow> symbols{
+      {0, tables::kNoUnit, 0, 2,
+       tables::symbol_kind(DataType::boolean, tables::Direction::event, tables::AddressForm::none, false)}};
   const std::string names{"a \"q\"\\\n\xC3\xA4\0\0", 12};
-  core::PlantTables tables = bare_tables("p\"1", 64, 64, 0, symbols);
+  tables::PlantTables tables = bare_tables("p\"1", 64, 64, 0, symbols);
   tables.symbol_names = names;
   {
     trace::TraceFile file({"trace", path}, tables, 0xABC, 7);
@@ -71,14 +71,14 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
 
 TEST_CASE("a full disk ends the file and is told once") {
   if (!std::filesystem::exists("/dev/full")) return;
-  const core::PlantTables tables = bare_tables("p", 64, 64);
+  const tables::PlantTables tables = bare_tables("p", 64, 64);
   trace::TraceFile file({"trace", "/dev/full"}, tables, 0, 0);
   file.flush();
   CHECK(file.error().find("/dev/full") != std::string::npos);
 }
 
 TEST_CASE("a file that cannot be opened says why") {
-  const core::PlantTables tables = bare_tables("p", 64, 64);
+  const tables::PlantTables tables = bare_tables("p", 64, 64);
   const trace::TraceFile file({"trace", "/no/such/folder/trace.jsonl"}, tables, 0, 0);
   CHECK(file.error().find("/no/such/folder/trace.jsonl") != std::string::npos);
 }

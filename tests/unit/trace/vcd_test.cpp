@@ -14,26 +14,26 @@
 namespace symplant::test {
 namespace {
 
-using core::DataType;
+using tables::DataType;
 
-core::SymbolRow symbol(DataType type, std::uint32_t index, std::uint32_t unit) {
-  return {index, unit, 0, 2, core::symbol_kind(type, core::Direction::event, core::AddressForm::none, false)};
+tables::SymbolRow symbol(DataType type, std::uint32_t index, std::uint32_t unit) {
+  return {index, unit, 0, 2, tables::symbol_kind(type, tables::Direction::event, tables::AddressForm::none, false)};
 }
 
 /// Two units of one type, one with a bit; numbers that no unit has.
 struct Tables {
-  std::vector<core::EventMasks> masks{{1, 0}, {0, 1}};
-  std::vector<core::TypeRow> types{{0, 1, 2, core::kNoState, core::Actuation::latched, {}, masks, masks, {}}};
-  std::vector<core::UnitRow> units{{0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}};
-  std::vector<core::SymbolRow> symbols{symbol(DataType::boolean, 0, 0), symbol(DataType::int_, 0, core::kNoUnit),
-                                       symbol(DataType::lreal, 1, core::kNoUnit)};
+  std::vector<tables::EventMasks> masks{{1, 0}, {0, 1}};
+  std::vector<tables::TypeRow> types{{0, 1, 2, tables::kNoState, tables::Actuation::latched, {}, masks, masks, {}}};
+  std::vector<tables::UnitRow> units{{0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}};
+  std::vector<tables::SymbolRow> symbols{symbol(DataType::boolean, 0, 0), symbol(DataType::int_, 0, tables::kNoUnit),
+                                         symbol(DataType::lreal, 1, tables::kNoUnit)};
   std::string symbol_names{"L_A_I_X\0\0A B\0\0W\xC3\xBC\0\0", 18};
   std::string unit_names{"L_A\0L_B.F\0", 10};
   std::string state_names{"P 1\0\xC3\x9C\\\0", 8};
-  core::PlantTables rows = make();
+  tables::PlantTables rows = make();
 
-  core::PlantTables make() const {
-    core::PlantTables tables = bare_tables("my plant", 0, 64);
+  tables::PlantTables make() const {
+    tables::PlantTables tables = bare_tables("my plant", 0, 64);
     tables.types = types;
     tables.units = units;
     tables.symbols = symbols;

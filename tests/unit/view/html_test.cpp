@@ -88,9 +88,9 @@ TEST_CASE("Devices of one structure share what the page draws, whatever conditio
     for (const char* end : {"_O_ADV1", "_I_ADV1", "_O_RET2", "_I_RET2"})
       names.push_back("L_P_V" + std::to_string(i) + end);
   }
-  model::Description description;
+  description::Description description;
   for (int i = 0; i < 2; ++i) {
-    model::DeviceDescription device;
+    description::DeviceDescription device;
     device.path = "L_P_V" + std::to_string(i);
     device.transitions = {way("ADV1", "RET2")};
     device.transitions[0].when = i == 0 ? "L_P_V7.ADV1" : "L_P_V8.ADV1 and L_P_V9.RET2 or L_P_V10.moving";

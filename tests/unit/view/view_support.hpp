@@ -13,8 +13,8 @@
 
 namespace symplant::test {
 
-inline model::GivenTransition way(std::string from, std::string to) {
-  model::GivenTransition given;
+inline description::GivenTransition way(std::string from, std::string to) {
+  description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
   return given;
@@ -23,7 +23,7 @@ inline model::GivenTransition way(std::string from, std::string to) {
 /// A cell: a vehicle that docks, a machine that it feeds, a stopper with a behaviour, a door, a table of six places;
 /// every kind of thing that a description can say stands in it.
 inline CompiledText described_cell() {
-  using model::Duration;
+  using description::Duration;
   std::vector<Row> rows{{"L_P_AGV_O_P1", "Y1", "BOOL", "FALSE", "%QX1"},
                         {"L_P_AGV_O_P2", "Y2"},
                         {"L_P_AGV_O_CHARGE", "Y3"},
@@ -48,41 +48,41 @@ inline CompiledText described_cell() {
     rows.push_back({std::string("M_T_TABLE_I_") + place});
   }
 
-  model::DeviceDescription agv;
+  description::DeviceDescription agv;
   agv.path = "L_P_AGV";
   agv.states = {"DOCK"};
   agv.initial = "P1";
   agv.transitions = {way("P1", "P2"), way("*", "P1"), way("P2", "DOCK"), way("P1", "P2")};
-  agv.transitions[0].takes = Duration::fixed(2 * core::kSecond);
-  agv.transitions[1].takes = {Duration::Kind::uniform, 1'800 * core::kMillisecond, 2'200 * core::kMillisecond};
+  agv.transitions[0].takes = Duration::fixed(2 * tables::kSecond);
+  agv.transitions[1].takes = {Duration::Kind::uniform, 1'800 * tables::kMillisecond, 2'200 * tables::kMillisecond};
   agv.transitions[2].on = "CHARGE";
-  agv.transitions[2].takes = {Duration::Kind::normal, 4 * core::kSecond, 100 * core::kMillisecond};
+  agv.transitions[2].takes = {Duration::Kind::normal, 4 * tables::kSecond, 100 * tables::kMillisecond};
   agv.transitions[2].once = true;
   agv.transitions[3].on = "CHARGE";
   agv.transitions[3].when = "not (L_P_MC.RUN2 or L_Q_DOOR.OPEN1) and LEVEL < 2.5";
   agv.outputs = {{"DOCK", {{"BUSY", true}}, {{"BUSY", false}}}};
 
-  model::DeviceDescription machine;
+  description::DeviceDescription machine;
   machine.path = "L_P_MC";
   machine.only = true;
   machine.transitions = {way("IDLE1", "RUN2"), way("RUN2", "IDLE1")};
   machine.transitions[0].when = "L_P_AGV.P2";
   machine.transitions[1].automatic = true;
-  machine.transitions[1].after = Duration::fixed(5 * core::kSecond);
+  machine.transitions[1].after = Duration::fixed(5 * tables::kSecond);
   machine.disables = {{"RUN2", {"L_P_AGV", "L_Q_DOOR"}}};
 
-  model::DeviceDescription stopper;
+  description::DeviceDescription stopper;
   stopper.path = "L_Q_STOPPER1";
   stopper.type = "Stopper";
   stopper.behaviour = "MyStopper";
   stopper.inputs = {{"part", "L_P_AGV.P2 and not L_P_AGV.moving"}};
   stopper.transitions = {way("ADV", "RET")};
-  stopper.transitions[0].takes = Duration::fixed(800 * core::kMillisecond);
+  stopper.transitions[0].takes = Duration::fixed(800 * tables::kMillisecond);
 
-  model::Description description;
+  description::Description description;
   description.devices = {agv, machine, stopper};
   description.requirements = {{"no machining without part", "L_P_MC.RUN2 and not L_P_AGV.P2", "", "", 0},
-                              {"machine starts", "", "L_P_AGV.P2", "L_P_MC_O_RUN2", 500 * core::kMillisecond}};
+                              {"machine starts", "", "L_P_AGV.P2", "L_P_MC_O_RUN2", 500 * tables::kMillisecond}};
   CompiledText compiled = compile_described(rows, std::move(description));
   REQUIRE(compiled.compiled);
   return compiled;
@@ -92,7 +92,7 @@ inline CompiledText described_cell() {
 inline const std::string kHarm = "</script><img src=x onerror=\"a('&')\">]]>--\\N;\xE2\x80\xAE%%\n";
 
 inline CompiledText hostile_cell() {
-  model::DeviceDescription device;
+  description::DeviceDescription device;
   device.path = "L_P_D";
   device.states = {kHarm};
   device.type = "Harm";
@@ -101,7 +101,7 @@ inline CompiledText hostile_cell() {
   device.transitions = {way("A1", kHarm), way(kHarm, "A1")};
   device.transitions[0].automatic = true;
   device.transitions[0].when = "'</script><b>'";
-  model::Description description;
+  description::Description description;
   description.devices = {device};
   description.requirements = {{kHarm, "L_P_D.moving", "", "", 0}};
   CompiledText compiled =

@@ -6,7 +6,7 @@
 
 // The build defines SYMPLANT_BEHAVIOURS where it has the folder of your classes (BEHAVIOURS).
 #ifdef SYMPLANT_BEHAVIOURS
-#include "symplant/core/behaviour_of.hpp"
+#include "symplant/plant/behaviour_of.hpp"
 #include "types_gen.hpp"
 
 #include "WeighingScale_behavior.hpp"
@@ -15,13 +15,13 @@ namespace dosing {
 namespace {
 
 // By their place in the plant's behaviour_names.
-constexpr symplant::core::Behaviour kBehaviours[] = {
-    symplant::core::behaviour_of<WeighingScale, Scale>(),
+constexpr symplant::engine::Behaviour kBehaviours[] = {
+    symplant::plant::behaviour_of<WeighingScale, Scale>(),
 };
 
 }  // namespace
 
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return kBehaviours; }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return kBehaviours; }
 
 }  // namespace dosing
 
@@ -29,7 +29,7 @@ std::span<const symplant::core::Behaviour> behaviours() noexcept { return kBehav
 
 namespace dosing {
 
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 
 }  // namespace dosing
 #endif

@@ -7,24 +7,24 @@
 #include <memory>
 #include <span>
 
-#include "symplant/core/behaviour.hpp"
-#include "symplant/core/link_settings.hpp"
-#include "symplant/core/owned_plant.hpp"
-#include "symplant/core/tables.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/plant/owned_plant.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace dosing {
 
 /// The plant's rows: types, devices, times, symbols and names. They live as long as the program.
-const symplant::core::PlantTables& tables() noexcept;
+const symplant::tables::PlantTables& tables() noexcept;
 
 /// The classes of your own that devices behave by, as the engine calls them; none where they are not built in.
-std::span<const symplant::core::Behaviour> behaviours() noexcept;
+std::span<const symplant::engine::Behaviour> behaviours() noexcept;
 
 /// How the PLC of each controller is linked: places of symbols, word order, policies.
-std::span<const symplant::core::LinkSettings> link_settings() noexcept;
+std::span<const symplant::link::LinkSettings> link_settings() noexcept;
 
 /// A running plant with its own memory. Any number may live in a process, each in one thread at a time.
-class Plant final : public symplant::core::OwnedPlant {
+class Plant final : public symplant::plant::OwnedPlant {
  public:
   Plant() : OwnedPlant(::dosing::tables(), ::dosing::behaviours()) {}
 };

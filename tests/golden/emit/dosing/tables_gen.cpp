@@ -18,32 +18,33 @@
 namespace dosing {
 namespace {
 
-namespace core = symplant::core;
+namespace tables = symplant::tables;
+namespace link = symplant::link;
 
-[[maybe_unused]] constexpr auto kFree = core::kNoUnit;
+[[maybe_unused]] constexpr auto kFree = tables::kNoUnit;
 
 // The device types: their rows are in their classes.
-constexpr std::array<core::TypeRow, 2> kTypes{{
+constexpr std::array<tables::TypeRow, 2> kTypes{{
     ::dosing::HOPPER::row(),
     ::dosing::Scale::row(),
 }};
 
 // The kinds of symbols: direction, type, how the address gives its number, whether something moves.
-constexpr auto kOperation_real_number_free = core::symbol_kind(core::DataType::real, core::Direction::operation, core::AddressForm::number, false);
-constexpr auto kEvent_int__number_free = core::symbol_kind(core::DataType::int_, core::Direction::event, core::AddressForm::number, false);
-constexpr auto kEvent_real_number_free = core::symbol_kind(core::DataType::real, core::Direction::event, core::AddressForm::number, false);
-constexpr auto kOperation_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true);
-constexpr auto kEvent_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
+constexpr auto kOperation_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::operation, tables::AddressForm::number, false);
+constexpr auto kEvent_int__number_free = tables::symbol_kind(tables::DataType::int_, tables::Direction::event, tables::AddressForm::number, false);
+constexpr auto kEvent_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::event, tables::AddressForm::number, false);
+constexpr auto kOperation_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, true);
+constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::event, tables::AddressForm::number, true);
 
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
-constexpr core::UnitRow kUnits[] = {
+constexpr tables::UnitRow kUnits[] = {
     {0, 1, 1, 0, 0, 0},  // L1_DOSE_HOPPER
     {1, 0, 1, 1, 2, 2},  // L1_DOSE_SCALE1
     {1, 0, 1, 3, 4, 2},  // L1_DOSE_SCALE2
 };
 
 // For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).
-constexpr core::TransitionTimes kTimes[] = {
+constexpr tables::TransitionTimes kTimes[] = {
     {0, 1000000000},
     {0, 1000000000},
     {0, 1000000000},
@@ -52,7 +53,7 @@ constexpr core::TransitionTimes kTimes[] = {
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
-constexpr core::SymbolRow kSymbols[] = {
+constexpr tables::SymbolRow kSymbols[] = {
     {0, 0, 0, 2, kOperation_boolean_number_moved},  // L1_DOSE_HOPPER_O_OPEN, dosing.csv:2
     {0, 0, 0, 3, kEvent_boolean_number_moved},  // L1_DOSE_HOPPER_I_OPEN, dosing.csv:3
     {1, 0, 1, 4, kEvent_boolean_number_moved},  // L1_DOSE_HOPPER_I_CLOSED, dosing.csv:4
@@ -73,30 +74,30 @@ constexpr core::SymbolRow kSymbols[] = {
 };
 
 // A symbol list: its first symbol, its controller.
-constexpr core::SymbolListRow kLists[] = {
+constexpr tables::SymbolListRow kLists[] = {
     {0, 0},  // dosing.csv
 };
 
 // A condition: its truth table, who reads it, as which input.
-constexpr core::ConditionRow kConditions[] = {
-    {0x2, 1, 0, core::ReaderKind::unit},  // 0: L1_DOSE_SCALE1, input hopper_open: L1_DOSE_HOPPER.OPEN
-    {0x2, 2, 0, core::ReaderKind::unit},  // 1: L1_DOSE_SCALE2, input hopper_open: L1_DOSE_HOPPER.OPEN
+constexpr tables::ConditionRow kConditions[] = {
+    {0x2, 1, 0, tables::ReaderKind::unit},  // 0: L1_DOSE_SCALE1, input hopper_open: L1_DOSE_HOPPER.OPEN
+    {0x2, 2, 0, tables::ReaderKind::unit},  // 1: L1_DOSE_SCALE2, input hopper_open: L1_DOSE_HOPPER.OPEN
 };
 
 // A device with conditions: device, the first of them.
-constexpr core::ConditionedUnit kConditionedUnits[] = {
+constexpr tables::ConditionedUnit kConditionedUnits[] = {
     {1, 0},  // L1_DOSE_SCALE1
     {2, 1},  // L1_DOSE_SCALE2
 };
 
 // Which device's state a condition watches: device, condition, state, input of the condition.
-constexpr core::UnitWatch kUnitWatches[] = {
+constexpr tables::UnitWatch kUnitWatches[] = {
     {0, 0, 0, 0},  // L1_DOSE_HOPPER.OPEN
     {0, 1, 0, 0},  // L1_DOSE_HOPPER.OPEN
 };
 
 // A device with a class of your own: device, class, its inputs among its conditions, its values.
-constexpr core::BehaviourUnit kBehaviourUnits[] = {
+constexpr tables::BehaviourUnit kBehaviourUnits[] = {
     {1, 0, 0, 1, 0, 3},  // L1_DOSE_SCALE1, WeighingScale
     {2, 0, 0, 1, 3, 3},  // L1_DOSE_SCALE2, WeighingScale
 };
@@ -155,12 +156,12 @@ constexpr char kControllerNames[] =
 
 
 // How the PLC of each controller is linked: what differs from the default.
-constexpr std::array<core::LinkSettings, 1> kLinkSettings{{
-    {.word_order = core::WordOrder::low_first},
+constexpr std::array<link::LinkSettings, 1> kLinkSettings{{
+    {.word_order = link::WordOrder::low_first},
 }};
 
-constinit const core::PlantTables kTables = [] {
-  core::PlantTables plant{};
+constinit const tables::PlantTables kTables = [] {
+  tables::PlantTables plant{};
   plant.name = "dosing";
   plant.types = kTypes;
   plant.units = kUnits;
@@ -187,9 +188,9 @@ constinit const core::PlantTables kTables = [] {
 
 }  // namespace
 
-const core::PlantTables& tables() noexcept { return kTables; }
+const tables::PlantTables& tables() noexcept { return kTables; }
 
-std::span<const core::LinkSettings> link_settings() noexcept { return kLinkSettings; }
+std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
 std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
 

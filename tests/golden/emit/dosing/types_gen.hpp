@@ -8,18 +8,18 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/core/device_view.hpp"
-#include "symplant/core/io_model.hpp"
-#include "symplant/core/tables.hpp"
-#include "symplant/core/version.hpp"
+#include "symplant/plant/device_view.hpp"
+#include "symplant/tables/io_model.hpp"
+#include "symplant/tables/tables.hpp"
+#include "symplant/tables/version.hpp"
 
-static_assert(symplant::core::kTablesVersion == 3,
+static_assert(symplant::tables::kTablesVersion == 3,
               "generated for another version of the runtime: run symplant generate again");
 
 namespace dosing {
 
 /// The plant's rows, as plant_gen.hpp has them.
-const symplant::core::PlantTables& tables() noexcept;
+const symplant::tables::PlantTables& tables() noexcept;
 
 /// HOPPER: 1 operation, 2 events, 2 states; a spring returns it to rest when no operation is on.
 ///
@@ -48,34 +48,34 @@ class HOPPER {
   static constexpr std::array<State, 2> kS{State::kOPEN, State::kCLOSED};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::dosing::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::dosing::tables().disables, m, x);
   }
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {1, 2, 2, 1, symplant::core::Actuation::spring,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {1, 2, 2, 1, symplant::tables::Actuation::spring,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 1> kTransitions{{
+  static constexpr std::array<symplant::tables::Transition, 1> kTransitions{{
       {1, 0, 0},  // d_ext(CLOSED, O_OPEN) = OPEN
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 1> kTargets{0};
 };
 
@@ -108,20 +108,20 @@ class Scale {
   static constexpr std::array<State, 2> kS{State::kEMPTY1, State::kFULL2};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::dosing::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::dosing::tables().disables, m, x);
   }
 
   /// The conditions that WeighingScale sees: the description's `inputs`, by name.
@@ -135,27 +135,27 @@ class Scale {
     kWEIGHT,  // L1_DOSE_SCALE1_I_WEIGHT, %ID10, dosing.csv:10
     kBATCHES,  // L1_DOSE_SCALE1_I_BATCHES, %IW30, dosing.csv:11
   };
-  static constexpr std::array<symplant::core::ValueKind, 3> kV{{{symplant::core::DataType::real, symplant::core::Direction::operation}, {symplant::core::DataType::real, symplant::core::Direction::event}, {symplant::core::DataType::int_, symplant::core::Direction::event}}};
+  static constexpr std::array<symplant::plant::ValueKind, 3> kV{{{symplant::tables::DataType::real, symplant::tables::Direction::operation}, {symplant::tables::DataType::real, symplant::tables::Direction::event}, {symplant::tables::DataType::int_, symplant::tables::Direction::event}}};
 
   /// What the functions of WeighingScale are given.
-  using Time = symplant::core::Time;
-  using Transition = symplant::core::DeviceTransition<Scale>;
-  using Look = symplant::core::DeviceLook<Scale>;
-  using View = symplant::core::DeviceView<Scale>;
+  using Time = symplant::tables::Time;
+  using Transition = symplant::plant::DeviceTransition<Scale>;
+  using Look = symplant::plant::DeviceLook<Scale>;
+  using View = symplant::plant::DeviceView<Scale>;
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {2, 2, 2, symplant::core::kNoState, symplant::core::Actuation::latched,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {2, 2, 2, symplant::tables::kNoState, symplant::tables::Actuation::latched,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
-      {1, 0, 0, false, symplant::core::kNoCondition, true},  // d_ext(FULL2, O_EMPTY1) = EMPTY1
-      {0, 1, 1, false, symplant::core::kNoCondition, true},  // d_ext(EMPTY1, O_FULL2) = FULL2
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
+      {1, 0, 0, false, symplant::tables::kNoCondition, true},  // d_ext(FULL2, O_EMPTY1) = EMPTY1
+      {0, 1, 1, false, symplant::tables::kNoCondition, true},  // d_ext(EMPTY1, O_FULL2) = FULL2
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
 };
 

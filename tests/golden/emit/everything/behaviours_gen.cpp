@@ -6,7 +6,7 @@
 
 // The build defines SYMPLANT_BEHAVIOURS where it has the folder of your classes (BEHAVIOURS).
 #ifdef SYMPLANT_BEHAVIOURS
-#include "symplant/core/behaviour_of.hpp"
+#include "symplant/plant/behaviour_of.hpp"
 #include "types_gen.hpp"
 
 #include "MyStopper_u005C_behavior.hpp"
@@ -15,13 +15,13 @@ namespace everything {
 namespace {
 
 // By their place in the plant's behaviour_names.
-constexpr symplant::core::Behaviour kBehaviours[] = {
-    symplant::core::behaviour_of<MyStopper_u005C, class_>(),
+constexpr symplant::engine::Behaviour kBehaviours[] = {
+    symplant::plant::behaviour_of<MyStopper_u005C, class_>(),
 };
 
 }  // namespace
 
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return kBehaviours; }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return kBehaviours; }
 
 }  // namespace everything
 
@@ -29,7 +29,7 @@ std::span<const symplant::core::Behaviour> behaviours() noexcept { return kBehav
 
 namespace everything {
 
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 
 }  // namespace everything
 #endif

@@ -18,33 +18,34 @@
 namespace everything {
 namespace {
 
-namespace core = symplant::core;
+namespace tables = symplant::tables;
+namespace link = symplant::link;
 
-[[maybe_unused]] constexpr auto kFree = core::kNoUnit;
+[[maybe_unused]] constexpr auto kFree = tables::kNoUnit;
 
 // The device types: their rows are in their classes.
-constexpr std::array<core::TypeRow, 3> kTypes{{
+constexpr std::array<tables::TypeRow, 3> kTypes{{
     ::everything::AGV::row(),
     ::everything::MC::row(),
     ::everything::class_::row(),
 }};
 
 // The kinds of symbols: direction, type, how the address gives its number, whether something moves.
-constexpr auto kOperation_real_number_free = core::symbol_kind(core::DataType::real, core::Direction::operation, core::AddressForm::number, false);
-constexpr auto kEvent_boolean_number_free = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, false);
-constexpr auto kEvent_int__number_free = core::symbol_kind(core::DataType::int_, core::Direction::event, core::AddressForm::number, false);
-constexpr auto kOperation_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true);
-constexpr auto kEvent_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
+constexpr auto kOperation_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::operation, tables::AddressForm::number, false);
+constexpr auto kEvent_boolean_number_free = tables::symbol_kind(tables::DataType::boolean, tables::Direction::event, tables::AddressForm::number, false);
+constexpr auto kEvent_int__number_free = tables::symbol_kind(tables::DataType::int_, tables::Direction::event, tables::AddressForm::number, false);
+constexpr auto kOperation_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, true);
+constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::event, tables::AddressForm::number, true);
 
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
-constexpr core::UnitRow kUnits[] = {
+constexpr tables::UnitRow kUnits[] = {
     {0, 0, 1, 0, 0, 0},  // L_P_AGV
     {1, 0, 1, 2, 2, 3},  // L_P_MC
     {2, 1, 1, 4, 5, 6},  // L_P_STOPPER
 };
 
 // For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).
-constexpr core::TransitionTimes kTimes[] = {
+constexpr tables::TransitionTimes kTimes[] = {
     {0, 3000000000},
     {0, -1},
     {0, 1000000000},
@@ -57,13 +58,13 @@ constexpr core::TransitionTimes kTimes[] = {
 };
 
 // Times that are drawn: minimum and maximum, or mean and standard deviation (ns).
-constexpr core::RandomTime kRandomTimes[] = {
-    {core::RandomTime::Kind::uniform, 1000000000, 2000000000},  // -1: L_P_AGV, d_ext(P2, O_P1) = P1
-    {core::RandomTime::Kind::normal, 500, 20},  // -2: L_P_MC, d_int(RUN2) = IDLE1
+constexpr tables::RandomTime kRandomTimes[] = {
+    {tables::RandomTime::Kind::uniform, 1000000000, 2000000000},  // -1: L_P_AGV, d_ext(P2, O_P1) = P1
+    {tables::RandomTime::Kind::normal, 500, 20},  // -2: L_P_MC, d_int(RUN2) = IDLE1
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
-constexpr core::SymbolRow kSymbols[] = {
+constexpr tables::SymbolRow kSymbols[] = {
     {0, 0, 1, 2, kOperation_boolean_number_moved},  // L_P_AGV_O_P1, everything.csv:2
     {1, 0, 2, 3, kOperation_boolean_number_moved},  // L_P_AGV_O_P2, everything.csv:3
     {0, 0, 1, 4, kEvent_boolean_number_moved},  // L_P_AGV_I_P1, everything.csv:4
@@ -83,57 +84,57 @@ constexpr core::SymbolRow kSymbols[] = {
 };
 
 // A symbol list: its first symbol, its controller.
-constexpr core::SymbolListRow kLists[] = {
+constexpr tables::SymbolListRow kLists[] = {
     {0, 0},  // everything.csv
 };
 
 // Starting values that no device sets: symbol, value.
-constexpr core::InitialValue kInitialValues[] = {
+constexpr tables::InitialValue kInitialValues[] = {
     {8, 1U},  // L_P_MC_I_BUSY3
     {14, 18446744073709551611U},  // LEVEL
 };
 
 // Symbols on the address of another: symbol, the one that it follows.
-constexpr core::SharedAddress kSharedAddresses[] = {
+constexpr tables::SharedAddress kSharedAddresses[] = {
     {13, 12},  // HALT<U+005C> follows STOP?<U+003F>/
 };
 
 // Who cannot move while another device is in a state: that device, who cannot move, the state.
-constexpr core::DisableRow kDisables[] = {
+constexpr tables::DisableRow kDisables[] = {
     {1, 0, 1},  // l_disable of L_P_MC in RUN2: L_P_AGV
     {1, 2, 1},  // l_disable of L_P_MC in RUN2: L_P_STOPPER
 };
 
 // A condition: its truth table, who reads it, as which input.
-constexpr core::ConditionRow kConditions[] = {
-    {0x2, 1, 0, core::ReaderKind::unit},  // 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or 'STOP?<U+003F>/')
-    {0xe, 1, 0, core::ReaderKind::unit},  // 1: L_P_MC, d_int(RUN2) = IDLE1: LEVEL < -5 or SPEED >= 1.5
-    {0x8, 2, 0, core::ReaderKind::unit},  // 2: L_P_STOPPER, input part<U+000A>: L_P_AGV_O_P1 and L_P_AGV_O_P2 and L_P_AGV_I_P1 and L_P_AGV_I_P2 and L_P_MC_O_IDLE1 and L_P_MC_O_RUN2 and L_P_MC_I_IDLE1 and L_P_MC_I_RUN2 and L_P_MC_I_BUSY3
-    {0x8, 0, 0, core::ReaderKind::requirement},  // 3: never both<U+005C><U+000A>"}; //, never: L_P_AGV.P2 and L_P_MC.RUN2
-    {0x2, 1, 0, core::ReaderKind::requirement},  // 4: answers, after: L_P_AGV.P2
-    {0x2, 1, 1, core::ReaderKind::requirement},  // 5: answers, expect: L_P_MC.RUN2
-    {0x8000000000000000, 2, 0, core::ReaderKind::condition},  // 6: input 0 of condition 2
-    {0x80, 2, 1, core::ReaderKind::condition},  // 7: input 1 of condition 2
+constexpr tables::ConditionRow kConditions[] = {
+    {0x2, 1, 0, tables::ReaderKind::unit},  // 0: L_P_MC, d_ext(IDLE1, O_RUN2) = RUN2: L_P_AGV.P2 and not (L_P_STOPPER.moving or 'STOP?<U+003F>/')
+    {0xe, 1, 0, tables::ReaderKind::unit},  // 1: L_P_MC, d_int(RUN2) = IDLE1: LEVEL < -5 or SPEED >= 1.5
+    {0x8, 2, 0, tables::ReaderKind::unit},  // 2: L_P_STOPPER, input part<U+000A>: L_P_AGV_O_P1 and L_P_AGV_O_P2 and L_P_AGV_I_P1 and L_P_AGV_I_P2 and L_P_MC_O_IDLE1 and L_P_MC_O_RUN2 and L_P_MC_I_IDLE1 and L_P_MC_I_RUN2 and L_P_MC_I_BUSY3
+    {0x8, 0, 0, tables::ReaderKind::requirement},  // 3: never both<U+005C><U+000A>"}; //, never: L_P_AGV.P2 and L_P_MC.RUN2
+    {0x2, 1, 0, tables::ReaderKind::requirement},  // 4: answers, after: L_P_AGV.P2
+    {0x2, 1, 1, tables::ReaderKind::requirement},  // 5: answers, expect: L_P_MC.RUN2
+    {0x8000000000000000, 2, 0, tables::ReaderKind::condition},  // 6: input 0 of condition 2
+    {0x80, 2, 1, tables::ReaderKind::condition},  // 7: input 1 of condition 2
 };
 
 // A device with conditions: device, the first of them.
-constexpr core::ConditionedUnit kConditionedUnits[] = {
+constexpr tables::ConditionedUnit kConditionedUnits[] = {
     {1, 0},  // L_P_MC
     {2, 2},  // L_P_STOPPER
 };
 
 // Which device's state a condition watches: device, condition, state, input of the condition.
-constexpr core::UnitWatch kUnitWatches[] = {
+constexpr tables::UnitWatch kUnitWatches[] = {
     {0, 0, 1, 0},  // L_P_AGV.P2
     {0, 3, 1, 0},  // L_P_AGV.P2
     {0, 4, 1, 0},  // L_P_AGV.P2
     {1, 3, 1, 1},  // L_P_MC.RUN2
     {1, 5, 1, 0},  // L_P_MC.RUN2
-    {2, 0, core::kMovingState, 1},  // L_P_STOPPER.moving
+    {2, 0, tables::kMovingState, 1},  // L_P_STOPPER.moving
 };
 
 // Which operation a condition watches: bit, condition, input of the condition.
-constexpr core::BitWatch kOperationWatches[] = {
+constexpr tables::BitWatch kOperationWatches[] = {
     {0, 6, 0},  // L_P_AGV_O_P1
     {1, 6, 1},  // L_P_AGV_O_P2
     {2, 6, 4},  // L_P_MC_O_IDLE1
@@ -141,7 +142,7 @@ constexpr core::BitWatch kOperationWatches[] = {
 };
 
 // Which event a condition watches: bit, condition, input of the condition.
-constexpr core::BitWatch kEventWatches[] = {
+constexpr tables::BitWatch kEventWatches[] = {
     {0, 6, 2},  // L_P_AGV_I_P1
     {1, 6, 3},  // L_P_AGV_I_P2
     {2, 7, 0},  // L_P_MC_I_IDLE1
@@ -151,23 +152,23 @@ constexpr core::BitWatch kEventWatches[] = {
 };
 
 // Which numeric operation a condition compares: operand, slot, condition, input of the condition, comparison, kind of number.
-constexpr core::ValueWatch kOperationValueWatches[] = {
-    {0x3ff8000000000000, 0, 1, 1, core::Comparison::greater_equal, core::NumberKind::real},  // SPEED >= 1.5
+constexpr tables::ValueWatch kOperationValueWatches[] = {
+    {0x3ff8000000000000, 0, 1, 1, tables::Comparison::greater_equal, tables::NumberKind::real},  // SPEED >= 1.5
 };
 
 // Which numeric event a condition compares: operand, slot, condition, input of the condition, comparison, kind of number.
-constexpr core::ValueWatch kEventValueWatches[] = {
-    {0xfffffffffffffffb, 0, 1, 0, core::Comparison::less, core::NumberKind::signed_integer},  // LEVEL < -5
+constexpr tables::ValueWatch kEventValueWatches[] = {
+    {0xfffffffffffffffb, 0, 1, 0, tables::Comparison::less, tables::NumberKind::signed_integer},  // LEVEL < -5
 };
 
 // A requirement: what it wants, its condition, the one expected, within which time (ns).
-constexpr core::RequirementRow kRequirements[] = {
-    {core::RequirementRow::Kind::never, 3, 0, 0},  // never both<U+005C><U+000A>"}; //
-    {core::RequirementRow::Kind::expect, 4, 5, 5000000000},  // answers
+constexpr tables::RequirementRow kRequirements[] = {
+    {tables::RequirementRow::Kind::never, 3, 0, 0},  // never both<U+005C><U+000A>"}; //
+    {tables::RequirementRow::Kind::expect, 4, 5, 5000000000},  // answers
 };
 
 // A device with a class of your own: device, class, its inputs among its conditions, its values.
-constexpr core::BehaviourUnit kBehaviourUnits[] = {
+constexpr tables::BehaviourUnit kBehaviourUnits[] = {
     {2, 0, 0, 1, 0, 2},  // L_P_STOPPER, MyStopper<U+005C>
 };
 
@@ -225,12 +226,12 @@ constexpr char kControllerNames[] =
 
 
 // How the PLC of each controller is linked: what differs from the default.
-constexpr std::array<core::LinkSettings, 1> kLinkSettings{{
-    {.word_order = core::WordOrder::low_first},
+constexpr std::array<link::LinkSettings, 1> kLinkSettings{{
+    {.word_order = link::WordOrder::low_first},
 }};
 
-constinit const core::PlantTables kTables = [] {
-  core::PlantTables plant{};
+constinit const tables::PlantTables kTables = [] {
+  tables::PlantTables plant{};
   plant.name = "everything";
   plant.types = kTypes;
   plant.units = kUnits;
@@ -267,9 +268,9 @@ constinit const core::PlantTables kTables = [] {
 
 }  // namespace
 
-const core::PlantTables& tables() noexcept { return kTables; }
+const tables::PlantTables& tables() noexcept { return kTables; }
 
-std::span<const core::LinkSettings> link_settings() noexcept { return kLinkSettings; }
+std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
 std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
 

@@ -8,18 +8,18 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/core/device_view.hpp"
-#include "symplant/core/io_model.hpp"
-#include "symplant/core/tables.hpp"
-#include "symplant/core/version.hpp"
+#include "symplant/plant/device_view.hpp"
+#include "symplant/tables/io_model.hpp"
+#include "symplant/tables/tables.hpp"
+#include "symplant/tables/version.hpp"
 
-static_assert(symplant::core::kTablesVersion == 3,
+static_assert(symplant::tables::kTablesVersion == 3,
               "generated for another version of the runtime: run symplant generate again");
 
 namespace everything {
 
 /// The plant's rows, as plant_gen.hpp has them.
-const symplant::core::PlantTables& tables() noexcept;
+const symplant::tables::PlantTables& tables() noexcept;
 
 /// AGV: 2 operations, 2 events, 2 states; a move once started goes on to its end.
 ///
@@ -49,35 +49,35 @@ class AGV {
   static constexpr std::array<State, 2> kS{State::kP1, State::kP2};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::everything::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::everything::tables().disables, m, x);
   }
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {2, 2, 2, symplant::core::kNoState, symplant::core::Actuation::latched,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {2, 2, 2, symplant::tables::kNoState, symplant::tables::Actuation::latched,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
-      {1, 0, 0, false, symplant::core::kNoCondition, true},  // d_ext(P2, O_P1) = P1
-      {0, 1, 1, true, symplant::core::kNoCondition},  // d_ext(P1, O_P2) = P2, once
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
+      {1, 0, 0, false, symplant::tables::kNoCondition, true},  // d_ext(P2, O_P1) = P1
+      {0, 1, 1, true, symplant::tables::kNoCondition},  // d_ext(P1, O_P2) = P2, once
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
 };
 
@@ -110,38 +110,38 @@ class MC {
   static constexpr std::array<State, 2> kS{State::kIDLE1, State::kRUN2};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::everything::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::everything::tables().disables, m, x);
   }
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {2, 3, 2, symplant::core::kNoState, symplant::core::Actuation::latched,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {2, 3, 2, symplant::tables::kNoState, symplant::tables::Actuation::latched,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
       {0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds
-      {1, 0, symplant::core::kNoOperation, false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds
+      {1, 0, symplant::tables::kNoOperation, false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{
       {0x1, 0x0},  // IDLE1: I_IDLE1 on
       {0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{
       {0x0, 0x1},  // IDLE1: I_IDLE1 off
       {0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off
   }};
@@ -175,20 +175,20 @@ class class_ {
   static constexpr std::array<State, 2> kS{State::kADV, State::kRET};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::everything::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::everything::tables().disables, m, x);
   }
 
   /// The conditions that MyStopper_u005C sees: the description's `inputs`, by name.
@@ -201,27 +201,27 @@ class class_ {
     kunnamed,  // LEVEL, %IW1, everything.csv:16
     kunnamed_2,  // SPEED, %QD2, everything.csv:17
   };
-  static constexpr std::array<symplant::core::ValueKind, 2> kV{{{symplant::core::DataType::int_, symplant::core::Direction::event}, {symplant::core::DataType::real, symplant::core::Direction::operation}}};
+  static constexpr std::array<symplant::plant::ValueKind, 2> kV{{{symplant::tables::DataType::int_, symplant::tables::Direction::event}, {symplant::tables::DataType::real, symplant::tables::Direction::operation}}};
 
   /// What the functions of MyStopper_u005C are given.
-  using Time = symplant::core::Time;
-  using Transition = symplant::core::DeviceTransition<class_>;
-  using Look = symplant::core::DeviceLook<class_>;
-  using View = symplant::core::DeviceView<class_>;
+  using Time = symplant::tables::Time;
+  using Transition = symplant::plant::DeviceTransition<class_>;
+  using Look = symplant::plant::DeviceLook<class_>;
+  using View = symplant::plant::DeviceView<class_>;
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {1, 2, 2, 1, symplant::core::Actuation::spring,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {1, 2, 2, 1, symplant::tables::Actuation::spring,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
-      {1, 0, 0, false, symplant::core::kNoCondition, true},  // d_ext(RET, O_ADV) = ADV
-      {0, 1, symplant::core::kSpringWay, false, symplant::core::kNoCondition, true},  // the spring's own way: ADV to RET
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
+      {1, 0, 0, false, symplant::tables::kNoCondition, true},  // d_ext(RET, O_ADV) = ADV
+      {0, 1, symplant::tables::kSpringWay, false, symplant::tables::kNoCondition, true},  // the spring's own way: ADV to RET
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 1> kTargets{0};
 };
 

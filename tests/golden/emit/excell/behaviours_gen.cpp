@@ -6,6 +6,6 @@
 
 namespace excell {
 
-std::span<const symplant::core::Behaviour> behaviours() noexcept { return {}; }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 
 }  // namespace excell

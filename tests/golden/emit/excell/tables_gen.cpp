@@ -18,28 +18,29 @@
 namespace excell {
 namespace {
 
-namespace core = symplant::core;
+namespace tables = symplant::tables;
+namespace link = symplant::link;
 
-[[maybe_unused]] constexpr auto kFree = core::kNoUnit;
+[[maybe_unused]] constexpr auto kFree = tables::kNoUnit;
 
 // The device types: their rows are in their classes.
-constexpr std::array<core::TypeRow, 2> kTypes{{
+constexpr std::array<tables::TypeRow, 2> kTypes{{
     ::excell::AGV::row(),
     ::excell::MC::row(),
 }};
 
 // The kinds of symbols: direction, type, how the address gives its number, whether something moves.
-constexpr auto kOperation_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::operation, core::AddressForm::number, true);
-constexpr auto kEvent_boolean_number_moved = core::symbol_kind(core::DataType::boolean, core::Direction::event, core::AddressForm::number, true);
+constexpr auto kOperation_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, true);
+constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::event, tables::AddressForm::number, true);
 
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
-constexpr core::UnitRow kUnits[] = {
+constexpr tables::UnitRow kUnits[] = {
     {0, 0, 0, 0, 0, 0},  // EXLINE_MB_AGV
     {1, 0, 0, 2, 2, 3},  // EXLINE_MB_MC
 };
 
 // For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).
-constexpr core::TransitionTimes kTimes[] = {
+constexpr tables::TransitionTimes kTimes[] = {
     {0, 1000000000},
     {0, 1000000000},
     {0, 1000000000},
@@ -49,7 +50,7 @@ constexpr core::TransitionTimes kTimes[] = {
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
-constexpr core::SymbolRow kSymbols[] = {
+constexpr tables::SymbolRow kSymbols[] = {
     {0, 0, 1, 2, kEvent_boolean_number_moved},  // EXLINE_MB_AGV_I_P1, excell.csv:2
     {1, 0, 2, 3, kEvent_boolean_number_moved},  // EXLINE_MB_AGV_I_P2, excell.csv:3
     {0, 0, 1, 4, kOperation_boolean_number_moved},  // EXLINE_MB_AGV_O_P2, excell.csv:4
@@ -61,7 +62,7 @@ constexpr core::SymbolRow kSymbols[] = {
 };
 
 // A symbol list: its first symbol, its controller.
-constexpr core::SymbolListRow kLists[] = {
+constexpr tables::SymbolListRow kLists[] = {
     {0, 0},  // excell.csv
 };
 
@@ -95,12 +96,12 @@ constexpr char kControllerNames[] =
 
 
 // How the PLC of each controller is linked: what differs from the default.
-constexpr std::array<core::LinkSettings, 1> kLinkSettings{{
-    {.word_order = core::WordOrder::low_first},
+constexpr std::array<link::LinkSettings, 1> kLinkSettings{{
+    {.word_order = link::WordOrder::low_first},
 }};
 
-constinit const core::PlantTables kTables = [] {
-  core::PlantTables plant{};
+constinit const tables::PlantTables kTables = [] {
+  tables::PlantTables plant{};
   plant.name = "excell";
   plant.types = kTypes;
   plant.units = kUnits;
@@ -121,9 +122,9 @@ constinit const core::PlantTables kTables = [] {
 
 }  // namespace
 
-const core::PlantTables& tables() noexcept { return kTables; }
+const tables::PlantTables& tables() noexcept { return kTables; }
 
-std::span<const core::LinkSettings> link_settings() noexcept { return kLinkSettings; }
+std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
 std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
 

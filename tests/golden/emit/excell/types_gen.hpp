@@ -8,17 +8,17 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/core/io_model.hpp"
-#include "symplant/core/tables.hpp"
-#include "symplant/core/version.hpp"
+#include "symplant/tables/io_model.hpp"
+#include "symplant/tables/tables.hpp"
+#include "symplant/tables/version.hpp"
 
-static_assert(symplant::core::kTablesVersion == 3,
+static_assert(symplant::tables::kTablesVersion == 3,
               "generated for another version of the runtime: run symplant generate again");
 
 namespace excell {
 
 /// The plant's rows, as plant_gen.hpp has them.
-const symplant::core::PlantTables& tables() noexcept;
+const symplant::tables::PlantTables& tables() noexcept;
 
 /// AGV: 2 operations, 2 events, 2 states; a move once started goes on to its end.
 ///
@@ -48,35 +48,35 @@ class AGV {
   static constexpr std::array<State, 2> kS{State::kP1, State::kP2};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::excell::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::excell::tables().disables, m, x);
   }
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {2, 2, 2, symplant::core::kNoState, symplant::core::Actuation::latched,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {2, 2, 2, symplant::tables::kNoState, symplant::tables::Actuation::latched,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
       {1, 0, 1},  // d_ext(P2, O_P1) = P1
       {0, 1, 0},  // d_ext(P1, O_P2) = P2
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{1, 0};
 };
 
@@ -108,35 +108,35 @@ class MC {
   static constexpr std::array<State, 2> kS{State::kIDLE1, State::kRUN2};
 
   /// d_ext(a, x): the state that operation x leads to from a, guarded or not; a where it leads nowhere from there.
-  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::core::d_ext(kTransitions, a, x); }
+  static constexpr State d_ext(State a, Operation x) noexcept { return symplant::tables::d_ext(kTransitions, a, x); }
 
   /// d_int(b): the state that b leads to by itself, guarded or not; b where it stays.
-  static constexpr State d_int(State b) noexcept { return symplant::core::d_int(kTransitions, b); }
+  static constexpr State d_int(State b) noexcept { return symplant::tables::d_int(kTransitions, b); }
 
   /// l_enter(x): the events that entering x switches on and off, a bit each (bit 0: the first of O).
-  static constexpr symplant::core::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_enter(State x) noexcept { return kEnter[static_cast<std::uint8_t>(x)]; }
 
   /// l_leave(x): the events that leaving x switches on and off, likewise.
-  static constexpr symplant::core::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
+  static constexpr symplant::tables::EventMasks l_leave(State x) noexcept { return kLeave[static_cast<std::uint8_t>(x)]; }
 
   /// l_disable(m, x): the devices (`unit` of each row) that cannot move while device m, of this type, is in x.
-  static std::span<const symplant::core::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
-    return symplant::core::l_disable(::excell::tables().disables, m, x);
+  static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t m, State x) noexcept {
+    return symplant::tables::l_disable(::excell::tables().disables, m, x);
   }
 
   /// What the engine has of this type.
-  static constexpr symplant::core::TypeRow row() noexcept {
-    return {2, 2, 2, symplant::core::kNoState, symplant::core::Actuation::latched,
+  static constexpr symplant::tables::TypeRow row() noexcept {
+    return {2, 2, 2, symplant::tables::kNoState, symplant::tables::Actuation::latched,
             kTransitions, kEnter, kLeave, kTargets};
   }
 
  private:
-  static constexpr std::array<symplant::core::Transition, 2> kTransitions{{
+  static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
       {1, 0, 0},  // d_ext(RUN2, O_IDLE1) = IDLE1
       {0, 1, 1},  // d_ext(IDLE1, O_RUN2) = RUN2
   }};
-  static constexpr std::array<symplant::core::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
-  static constexpr std::array<symplant::core::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
+  static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
 };
 

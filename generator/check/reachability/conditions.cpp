@@ -1,0 +1,33 @@
+// The conditions of a plant with the places where they are written.
+#include "check/reachability/conditions.hpp"
+
+namespace symplant::check {
+namespace {
+
+void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& found) {
+  std::vector<bool> seen(unit.first_input);
+  for (const model::Transition& way : unit.transitions) {
+    if (way.when == model::kNone || seen[way.when]) continue;
+    seen[way.when] = true;
+    found.push_back({&unit, &unit.conditions[way.when], unit.described->transitions[way.given].when, true,
+                     transition_pointer(unit, way, "when")});
+  }
+  for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
+    const auto& [name, text] = unit.described->inputs[i - unit.first_input];
+    found.push_back({&unit, &unit.conditions[i], text, false,
+                     description::key_pointer(*unit.described, description::DeviceKey::inputs) / name});
+  }
+}
+
+}  // namespace
+
+std::vector<WrittenCondition> conditions_of(const model::PlantModel& plant) {
+  std::vector<WrittenCondition> found;
+  if (!is_described(plant)) return found;
+  for (const model::Unit& unit : plant.units) {
+    if (!unit.conditions.empty()) add_conditions(unit, found);
+  }
+  return found;
+}
+
+}  // namespace symplant::check

@@ -1,0 +1,29 @@
+// In which ways the atoms that look at one thing can be true together.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "check/reachability/decide.hpp"
+#include "symplant/condition/tree.hpp"
+
+namespace symplant::check {
+
+/// Each says which of a thing's atoms are true.
+using Modes = std::vector<std::vector<bool>>;
+
+/// A unit, a bit or a number that a condition looks at, and all that it asks of it.
+struct Thing {
+  condition::Atom::Kind kind = condition::Atom::Kind::settled;  ///< of a unit always `settled`
+  std::uint32_t place = 0;                                      ///< the unit or symbol
+  std::vector<condition::Atom> atoms;                           ///< each once
+  Modes modes;
+
+  static Thing of(const condition::Atom& atom);  ///< without the atom itself
+  bool has(const condition::Atom& atom) const;   ///< the atom looks at it
+};
+
+/// At least one. O(atoms, squared, and the unit's states).
+Modes modes_of(const Thing& thing, const model::PlantModel& plant, const Possible& possible);
+
+}  // namespace symplant::check

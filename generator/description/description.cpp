@@ -1,0 +1,96 @@
+// The keys of a device's entry.
+#include "description/description.hpp"
+
+namespace symplant::description {
+
+std::string_view actuation_name(tables::Actuation actuation) {
+  switch (actuation) {
+    case tables::Actuation::latched:
+      return "latched";
+    case tables::Actuation::bistable:
+      return "bistable";
+    case tables::Actuation::held:
+      return "held";
+    case tables::Actuation::spring:
+      return "spring";
+  }
+  return "";
+}
+
+std::string_view device_key_name(DeviceKey key) {
+  static constexpr std::array<std::string_view, kDeviceKeys> kNames{"states", "initial",     "rest",    "actuation",
+                                                                    "only",   "transitions", "outputs", "disables",
+                                                                    "type",   "behaviour",   "inputs"};
+  return kNames[static_cast<std::size_t>(key)];
+}
+
+bool DeviceDescription::gives(DeviceKey key) const {
+  if (given[static_cast<std::size_t>(key)]) return true;
+  switch (key) {
+    case DeviceKey::states:
+      return !states.empty();
+    case DeviceKey::initial:
+      return initial.has_value();
+    case DeviceKey::rest:
+      return rest.has_value();
+    case DeviceKey::actuation:
+      return actuation.has_value();
+    case DeviceKey::only:
+      return only;
+    case DeviceKey::transitions:
+      return !transitions.empty();
+    case DeviceKey::outputs:
+      return !outputs.empty();
+    case DeviceKey::disables:
+      return !disables.empty();
+    case DeviceKey::type:
+      return !type.empty();
+    case DeviceKey::behaviour:
+      return !behaviour.empty();
+    case DeviceKey::inputs:
+      return !inputs.empty();
+  }
+  return false;
+}
+
+void DeviceDescription::take(DeviceKey key, const DeviceDescription& other) {
+  given[static_cast<std::size_t>(key)] = true;
+  from[static_cast<std::size_t>(key)] = &other.entry_of(key);
+  switch (key) {
+    case DeviceKey::states:
+      states = other.states;
+      break;
+    case DeviceKey::initial:
+      initial = other.initial;
+      break;
+    case DeviceKey::rest:
+      rest = other.rest;
+      break;
+    case DeviceKey::actuation:
+      actuation = other.actuation;
+      break;
+    case DeviceKey::only:
+      only = other.only;
+      break;
+    case DeviceKey::transitions:
+      transitions = other.transitions;
+      break;
+    case DeviceKey::outputs:
+      outputs = other.outputs;
+      break;
+    case DeviceKey::disables:
+      disables = other.disables;
+      break;
+    case DeviceKey::type:
+      type = other.type;
+      break;
+    case DeviceKey::behaviour:
+      behaviour = other.behaviour;
+      break;
+    case DeviceKey::inputs:
+      inputs = other.inputs;
+      break;
+  }
+}
+
+}  // namespace symplant::description

@@ -1,0 +1,99 @@
+// Words and places of a description's faults.
+#include "description/faults.hpp"
+
+#include <algorithm>
+
+#include "symplant/json/place.hpp"
+
+namespace symplant::description {
+
+std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+std::string missing(const std::string& what, std::string_view nearest) {
+  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + ticked(nearest));
+}
+
+std::string_view named_text(Named what) {
+  switch (what) {
+    case Named::state:
+      return "state";
+    case Named::operation:
+      return "operation";
+    case Named::event:
+      return "event";
+  }
+  return {};
+}
+
+Pointer Pointer::operator/(std::string_view key) const {
+  Pointer grown = *this;
+  grown.text_ = json::child(text_, key);
+  return grown;
+}
+
+Pointer Pointer::operator/(std::size_t index) const {
+  Pointer grown = *this;
+  grown.text_ += "/" + std::to_string(index);
+  return grown;
+}
+
+Pointer device_pointer(const DeviceDescription& device) { return Pointer("/devices") / device.path; }
+
+Pointer key_pointer(const DeviceDescription& device, DeviceKey key) {
+  const DeviceDescription& entry = device.entry_of(key);
+  Pointer pointer = device_pointer(entry) / device_key_name(key);
+  if (entry.is_pattern()) pointer.pattern_ = &entry;
+  pointer.key_ = key;
+  return pointer;
+}
+
+void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::size_t column) {
+  if (at.pattern() != nullptr) {
+    const auto [told, added] = told_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
+    if (!added) {
+      std::string& first = faults_[told->second].message;
+      const std::string others = "; so it is with other devices that " + ticked(at.pattern()->path) + " matches";
+      if (!first.ends_with(others)) first += others;
+      return;
+    }
+  }
+  faults_.push_back({at.text(), std::move(message), column, kind});
+}
+
+void Faults::describes(const DeviceDescription& described) {
+  for (std::size_t k = 0; k < kDeviceKeys; ++k) {
+    const auto key = static_cast<DeviceKey>(k);
+    const DeviceDescription& entry = described.entry_of(key);
+    if (entry.is_pattern() && described.gives(key)) ++takers_[&entry][k];
+  }
+}
+
+void Faults::report_lacks(const SomeHave& some_have) {
+  for (auto& [at, lack] : lacks_) {
+    const std::string pattern = ticked(lack.pattern->path);
+    const std::size_t takers = takers_[lack.pattern][static_cast<std::size_t>(lack.key)];
+    if (lack.count == takers && !some_have(lack.pattern->path, at.second, lack.name)) {
+      const std::size_t others = lack.count - 1;
+      if (others == 1) lack.message += "; the other device that takes it from " + pattern + " lacks it too";
+      if (others > 1) {
+        lack.message +=
+            "; the other " + std::to_string(others) + " devices that take it from " + pattern + " lack it too";
+      }
+      add(DescriptionFault{at.first, std::move(lack.message), 0, FaultKind::unknown_name});
+      continue;
+    }
+    std::string paths;
+    for (const std::string_view path : lack.paths) paths.append(paths.empty() ? "" : ", ").append(ticked(path));
+    if (lack.count > lack.paths.size()) {
+      paths.append(" and ").append(std::to_string(lack.count - lack.paths.size())).append(" more");
+    }
+    std::string words = std::to_string(lack.count);
+    words.append(" of the ").append(std::to_string(takers)).append(" devices that take it from ").append(pattern);
+    words.append(lack.count == 1 ? " has no " : " have no ").append(named_text(at.second)).append(" ");
+    words.append(ticked(lack.name)).append(", it is left out for ").append(paths);
+    warnings_.push_back({at.first, std::move(words), 0, FaultKind::left_out});
+  }
+  lacks_.clear();
+}
+
+}  // namespace symplant::description

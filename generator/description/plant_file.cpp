@@ -1,0 +1,245 @@
+// Reading plant.json.
+#include "description/plant_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "description/json_entry.hpp"
+#include "read/readers.hpp"
+#include "symplant/json/document.hpp"
+#include "symplant/json/schema.hpp"
+#include "text/ascii.hpp"
+
+namespace symplant::description {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What tells another kind of JSON file by one of its keys.
+struct OtherFile {
+  std::string_view key;
+  std::string_view words;
+};
+constexpr std::array kOtherFiles{
+    OtherFile{"symplant-scenario", "this is a scenario, give it to `symplant run PLANT --scenario`"},
+    OtherFile{"symplant-trace", "this is a trace that a run has written, no plant"},
+    OtherFile{"symplant-diagnostics", "this is what `symplant check --format json` has written, no plant"},
+    OtherFile{"symplant-model", "this is what `symplant model --format json` has written, no plant"},
+    OtherFile{"symplant-naming", "this is a naming rule, no plant"},
+    OtherFile{"$id", "this looks like a JSON Schema, no plant"},
+    OtherFile{"definitions", "this looks like a JSON Schema, no plant"},
+    OtherFile{"dependencies", "this looks like the package.json of a JavaScript package, no plant"},
+    OtherFile{"devDependencies", "this looks like the package.json of a JavaScript package, no plant"},
+    OtherFile{"scripts", "this looks like the package.json of a JavaScript package, no plant"},
+    OtherFile{"compilerOptions", "this looks like the tsconfig.json of TypeScript, no plant"},
+    OtherFile{"configurePresets", "this looks like the CMakePresets.json of CMake, no plant"},
+};
+
+/// Why a value is no plant description of this version at all; empty where it may be one.
+std::optional<DescriptionFault> why_none(const Json& root) {
+  const auto fault = [](std::string pointer, std::string message, bool at_key = false) {
+    DescriptionFault found{std::move(pointer), std::move(message), 0, FaultKind::shape};
+    found.at_key = at_key;
+    return found;
+  };
+  if (!root.is_object()) {
+    return fault("", "a plant description is an object, with `\"symplant\": 1` and `symbols` in it; this is none");
+  }
+  if (const Json* version = member(root, "symplant"); version != nullptr) {
+    if (!version->is_number_integer() || *version == 1) return std::nullopt;
+    if (*version > 1) {
+      return fault("/symplant", "this is version " + version->dump() +
+                                    " of the format, this symplant reads version 1; take a newer symplant");
+    }
+    return fault("/symplant", "there is no version " + version->dump() + " of the format, write 1");
+  }
+  for (const OtherFile& other : kOtherFiles) {
+    if (root.contains(other.key)) return fault("/" + std::string(other.key), std::string(other.words), true);
+  }
+  for (const std::string_view own : {"symbols", "devices", "requirements"}) {
+    if (root.contains(own)) return std::nullopt;  // the schema tells what is missing
+  }
+  return fault("", "this is some JSON, but no plant description: that has `\"symplant\": 1` and `symbols` in it");
+}
+
+class PlantFileReader {
+ public:
+  PlantFileReader(Json& root, std::vector<DescriptionFault>& faults) : root_(root), all_(faults), faults_(faults) {}
+
+  PlantFile read(std::string_view stem) {
+    take_out_later_keys();
+    check_shape();
+    file_.name = text_or_empty(root_, "name");
+    check_text(file_.name, Pointer("/name"), faults_);
+    if (file_.name.empty()) file_.name = stem;
+    read_lists();
+    read_defaults();
+    if (const Json* devices = member(root_, "devices"); devices != nullptr && devices->is_object()) {
+      file_.description.devices.reserve(devices->size());
+      for (const auto& [path, entry] : devices->items()) {
+        file_.description.devices.push_back(device_entry(path, entry, faults_));
+      }
+    }
+    read_requirements();
+    read_links();
+    read_check();
+    return std::move(file_);
+  }
+
+ private:
+  /// What the format has and this version does not know yet, told apart from what is unknown.
+  void take_out_later_keys() {
+    constexpr std::string_view kLater = "naming";
+    if (!root_.is_object() || root_.erase(std::string(kLater)) == 0) return;
+    all_.push_back({(Pointer("") / kLater).text(),
+                    ticked(kLater) + " is not yet known to this version of symplant, leave it out", 0, FaultKind::shape,
+                    true});
+  }
+
+  void check_shape() {
+    for (json::Fault& fault : json::Schema(plant_schema()).check(root_)) {
+      all_.push_back(
+          {std::move(fault.pointer), std::move(fault.message), fault.column, FaultKind::shape, fault.at_key});
+    }
+  }
+
+  void read_lists() {
+    const Json* lists = member(root_, "symbols");
+    if (lists == nullptr || !lists->is_array()) return;
+    for (std::size_t i = 0; i < lists->size(); ++i) {
+      const Json& value = (*lists)[i];
+      ListReference list;
+      if (value.is_string()) {
+        list.file = value.get<std::string>();
+      } else {
+        list = list_object(value, Pointer("/symbols") / i);
+      }
+      file_.symbols.push_back(std::move(list));
+    }
+  }
+
+  ListReference list_object(const Json& value, const Pointer& here) {
+    ListReference list;
+    list.file = text_or_empty(value, "file");
+    list.controller = text_or_empty(value, "controller");
+    if (!list.controller.empty() && !is_controller_name(list.controller)) {
+      faults_.add(here / "controller", ticked(list.controller) +
+                                           " is no name for a controller, since `--link NAME=URL` could not say it; "
+                                           "leave `=`, `:`, control characters and blanks at its ends out");
+    }
+    list.format = text_or_empty(value, "format");
+    if (!list.format.empty()) check_format(list.format, here / "format");
+    if (const std::string* encoding = text_member(value, "encoding"); encoding != nullptr && !encoding->empty()) {
+      list.encoding = text::encoding_of_name(*encoding);
+      if (!list.encoding) faults_.add(here / "encoding", no_such_encoding(*encoding));
+    }
+    const std::string xy = text_or_empty(value, "xy");
+    if (xy == "hex") list.xy = address::Radix::hexadecimal;
+    if (xy == "octal") list.xy = address::Radix::octal;
+    return list;
+  }
+
+  void check_format(const std::string& format, const Pointer& here) {
+    std::string known;
+    tables::NearestName nearest(format);
+    for (const read::ReaderInfo& reader : read::readers()) {
+      if (reader.name == format) return;
+      nearest.offer(reader.name);
+      known += (known.empty() ? "" : ", ") + ticked(reader.name);
+    }
+    faults_.add(here, ticked(format) + " is no known format of a list, choose among " + known +
+                          (nearest.name().empty() ? "" : "; the nearest is " + ticked(nearest.name())));
+  }
+
+  void read_defaults() {
+    const Json* defaults = member(root_, "defaults");
+    if (defaults == nullptr) return;
+    const Pointer here("/defaults");
+    Defaults& own = file_.description.defaults;
+    own.travel = time_member(*defaults, "travel", here, faults_).value_or(own.travel);
+    own.dwell = time_member(*defaults, "dwell", here, faults_).value_or(own.dwell);
+    own.actuation = actuation_member(*defaults).value_or(own.actuation);
+  }
+
+  void read_requirements() {
+    const Json* requirements = member(root_, "requirements");
+    if (requirements == nullptr || !requirements->is_array()) return;
+    for (std::size_t i = 0; i < requirements->size(); ++i) {
+      const Json& value = (*requirements)[i];
+      const Pointer here = Pointer("/requirements") / i;
+      const auto within = time_member(value, "within", here, faults_);
+      check_text(text_or_empty(value, "name"), here / "name", faults_);
+      file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
+                                                text_or_empty(value, "after"), text_or_empty(value, "expect"),
+                                                within.value_or(0)});
+    }
+  }
+
+  void read_links() {
+    const Json* links = member(root_, "links");
+    if (links == nullptr || !links->is_array()) return;
+    for (std::size_t i = 0; i < links->size(); ++i) {
+      file_.description.links.push_back(link_entry((*links)[i], Pointer("/links") / i, faults_));
+    }
+  }
+
+  void read_check() {
+    const Json* check = member(root_, "check");
+    if (check == nullptr) return;
+    if (const Json* ignore = member(*check, "ignore"); ignore != nullptr && ignore->is_array()) {
+      for (const Json& one : *ignore) {
+        file_.description.check.ignore.push_back({text_or_empty(one, "rule"), text_or_empty(one, "symbols"),
+                                                  text_or_empty(one, "why"), text_or_empty(one, "until")});
+      }
+    }
+    if (const Json* severity = member(*check, "severity"); severity != nullptr && severity->is_object()) {
+      for (const auto& [rule, value] : severity->items()) {
+        if (value.is_string()) file_.description.check.severity.emplace_back(rule, value.get<std::string>());
+      }
+    }
+  }
+
+  Json& root_;
+  std::vector<DescriptionFault>& all_;
+  ShapeFaults faults_;
+  PlantFile file_;
+};
+
+}  // namespace
+
+PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
+  PlantFileReading reading;
+  json::Document document = json::parse(text);
+  reading.syntax = std::move(document.faults);
+  if (document.root == nullptr) return reading;
+  if (auto fault = why_none(*document.root)) {
+    reading.faults.push_back(std::move(*fault));
+    return reading;
+  }
+  reading.file = PlantFileReader(*document.root, reading.faults).read(stem);
+  return reading;
+}
+
+std::string no_such_encoding(std::string_view name) {
+  std::string known;
+  tables::NearestName nearest(name);
+  for (const std::string_view each : text::encoding_names()) {
+    nearest.offer(each);
+    known.append(known.empty() ? "`" : ", `").append(each).append("`");
+  }
+  return ticked(name) + " is no encoding, choose among " + known +
+         (nearest.name().empty() ? "" : "; the nearest is " + ticked(nearest.name()));
+}
+
+bool is_plant_file(std::string_view path, std::string_view bytes) {
+  const auto ends = [&](std::string_view ending) {
+    return path.size() > ending.size() && text::equal_ignoring_case(path.substr(path.size() - ending.size()), ending);
+  };
+  if (ends(".json") || ends(".jsonc")) return true;
+  // Byte order marks, and the zero bytes of UTF-16.
+  const std::size_t first = bytes.find_first_not_of(std::string_view("\xEF\xBB\xBF\xFE\xFF\0 \t\r\n", 10));
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+}  // namespace symplant::description

@@ -1,0 +1,181 @@
+// Applies the user's settings to findings.
+#include "findings/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "check/catalogue.hpp"
+#include "check/rules.hpp"
+#include "text/pattern.hpp"
+
+namespace symplant::findings {
+namespace {
+
+/// Errors that leave a sound plant all the same: of two rows of one name the first counts.
+constexpr std::array<std::string_view, 1> kErrorsToChooseFrom{"SP302"};
+
+/// The number that two digits make; nothing where they are none.
+std::optional<int> number(std::string_view text) {
+  int value = 0;
+  for (const char c : text) {
+    if (c < '0' || c > '9') return std::nullopt;
+    value = value * 10 + (c - '0');
+  }
+  return value;
+}
+
+int days_of(int year, int month) {
+  constexpr std::array kDays{31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+  return month == 2 && leap ? 29 : kDays[static_cast<std::size_t>(month - 1)];
+}
+
+bool is_date(std::string_view text) {
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') return false;
+  const auto year = number(text.substr(0, 4));
+  const auto month = number(text.substr(5, 2));
+  const auto day = number(text.substr(8, 2));
+  return year && month && day && *month >= 1 && *month <= 12 && *day >= 1 && *day <= days_of(*year, *month);
+}
+
+/// Of a key of the i-th entry of `ignore`, or of the entry.
+diag::Place place_of_ignore(std::size_t index, std::string_view key = {}) {
+  const description::Pointer here = description::Pointer("/check/ignore") / index;
+  return check::place_of({}, key.empty() ? here : here / key);
+}
+
+class Settings {
+ public:
+  Settings(const diag::Diagnostics& findings, const description::GivenCheck& settings, std::string_view today)
+      : findings_(findings), settings_(settings), today_(today) {}
+
+  diag::Diagnostics apply() {
+    for (const auto& [rule, level] : settings_.severity) set_level(rule, level);
+    for (std::size_t i = 0; i < settings_.ignore.size(); ++i) ignore(i);
+    for (const diag::Diagnostic& finding : findings_.all()) pass_on(finding);
+    for (const Ignoring& ignoring : ignoring_) tell_idle(ignoring);
+    return std::move(result_);
+  }
+
+ private:
+  struct Ignoring {
+    std::size_t entry;  ///< a place in GivenCheck::ignore
+    const diag::RuleInfo* rule;
+    bool over = false;
+    bool used = false;
+  };
+  struct Level {
+    const diag::RuleInfo* rule;
+    diag::Severity level;
+  };
+
+  const diag::RuleInfo* rule_of(const std::string& name, const diag::Place& place) {
+    const diag::RuleInfo* rule = check::find_rule(name);
+    if (rule == nullptr) result_.add(check::kUnknownRule.info, check::no_such_rule(name), place);
+    return rule;
+  }
+
+  void refuse(const diag::RuleInfo& rule, std::string_view wish, const diag::Place& place) {
+    result_.add(check::kBindingRule.info, binding_text(rule, wish), place);
+  }
+
+  void set_level(const std::string& name, const std::string& text) {
+    const diag::Place place = check::place_of({}, description::Pointer("/check/severity") / name);
+    const diag::RuleInfo* rule = rule_of(name, place);
+    const auto level = diag::severity_of_name(text);
+    if (rule == nullptr || !level) return;  // another word is against the schema, and told
+    if (is_binding(*rule) && *level != diag::Severity::error) {
+      refuse(*rule, "lowered", place);
+    } else {
+      levels_.push_back({rule, *level});
+    }
+  }
+
+  void ignore(std::size_t index) {
+    const description::GivenCheck::Ignore& entry = settings_.ignore[index];
+    const diag::RuleInfo* rule = rule_of(entry.rule, place_of_ignore(index, "rule"));
+    if (!entry.until.empty() && !is_date(entry.until)) {
+      result_.add(check::kDateNotUnderstood.info,
+                  fmt::format("`{}` is no date: write it like `2027-06-30`", entry.until),
+                  place_of_ignore(index, "until"));
+      return;
+    }
+    if (rule == nullptr) return;
+    if (is_binding(*rule)) {
+      refuse(*rule, "ignored", place_of_ignore(index, "rule"));
+      return;
+    }
+    const bool over = !entry.until.empty() && !today_.empty() && entry.until < today_;
+    ignoring_.push_back({index, rule, over});
+  }
+
+  void pass_on(diag::Diagnostic finding) {
+    const auto level =
+        std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.rule == finding.rule; });
+    if (level != levels_.end()) finding.severity = level->level;
+    for (Ignoring& ignoring : ignoring_) {
+      if (!fits(ignoring, finding)) continue;
+      ignoring.used = true;
+      if (ignoring.over) continue;
+      result_.ignore(std::move(finding), settings_.ignore[ignoring.entry].why);
+      return;
+    }
+    result_.add(std::move(finding));
+  }
+
+  bool fits(const Ignoring& ignoring, const diag::Diagnostic& finding) const {
+    if (ignoring.rule != finding.rule) return false;
+    const std::string& pattern = settings_.ignore[ignoring.entry].symbols;
+    return pattern.empty() || std::any_of(finding.about.begin(), finding.about.end(), [&](const std::string& name) {
+             return text::matches_pattern(name, pattern);
+           });
+  }
+
+  /// An entry that hides nothing: it is over, or there is nothing to hide.
+  void tell_idle(const Ignoring& ignoring) {
+    const description::GivenCheck::Ignore& entry = settings_.ignore[ignoring.entry];
+    if (!ignoring.used) {
+      result_.add(check::kIgnoreWithoutFinding.info,
+                  fmt::format("nothing is found by `{}`{}: take this entry out", entry.rule,
+                              entry.symbols.empty() ? "" : fmt::format(" of `{}`", entry.symbols)),
+                  place_of_ignore(ignoring.entry));
+    } else if (ignoring.over) {
+      result_.add(check::kIgnoreIsOver.info,
+                  fmt::format("this entry counted until {}, what it hid is told again: mend it, or set a new date",
+                              entry.until),
+                  place_of_ignore(ignoring.entry, "until"));
+    }
+  }
+
+  const diag::Diagnostics& findings_;
+  const description::GivenCheck& settings_;
+  std::string_view today_;
+  std::vector<Level> levels_;
+  std::vector<Ignoring> ignoring_;
+  diag::Diagnostics result_;
+};
+
+}  // namespace
+
+bool is_binding(const diag::RuleInfo& rule) {
+  return rule.severity == diag::Severity::error &&
+         std::find(kErrorsToChooseFrom.begin(), kErrorsToChooseFrom.end(), rule.id) == kErrorsToChooseFrom.end();
+}
+
+std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {
+  return fmt::format("`{}` cannot be {}: after this error there is nothing sound to go on with, mend its cause",
+                     rule.slug, wish);
+}
+
+diag::Diagnostics apply_settings(const diag::Diagnostics& findings, const description::GivenCheck& settings,
+                                 std::string_view today) {
+  return Settings(findings, settings, today).apply();
+}
+
+}  // namespace symplant::findings

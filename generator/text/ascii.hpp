@@ -1,0 +1,65 @@
+// ASCII letters without regard to their case, as PLC tools compare names.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/words.hpp"
+
+namespace symplant::text {
+
+constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return upper(x) == upper(y); });
+}
+
+inline std::string to_upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = upper(c);
+  return result;
+}
+
+/// Equal for texts that are equal without regard to case; of a whole word's length at a time.
+inline std::uint64_t hash_ignoring_case(std::string_view text) {
+  // 0x20 parts capital and small letters; other characters that it makes equal meet in the hash only.
+  constexpr std::uint64_t kSmall = 0x2020'2020'2020'2020;
+  constexpr std::uint64_t kFactor = 0x9FB2'1C65'1E98'DF25;
+  std::uint64_t hash = text.size() * kFactor;
+  const auto mix = [&](std::uint64_t word) {
+    hash = (hash ^ (word | kSmall)) * kFactor;
+    hash ^= hash >> 32U;
+  };
+  std::size_t at = 0;
+  for (; text.size() - at >= 8; at += 8) mix(base::load_word(text.data() + at));
+  if (at != 0 && at != text.size()) {
+    mix(base::load_word(text.data() + text.size() - 8));
+  } else if (at == 0) {
+    std::uint64_t word = 0;
+    for (const char c : text) word = word << 8U | static_cast<unsigned char>(c);
+    mix(word);
+  }
+  return hash;
+}
+
+/// For hash maps whose keys compare without regard to case.
+struct HashIgnoringCase {
+  using is_transparent = void;
+  std::size_t operator()(std::string_view text) const { return static_cast<std::size_t>(hash_ignoring_case(text)); }
+};
+struct EqualIgnoringCase {
+  using is_transparent = void;
+  bool operator()(std::string_view a, std::string_view b) const { return equal_ignoring_case(a, b); }
+};
+
+/// Values by name. The names are views: what they look at must outlive the map.
+template <class Value>
+using ByName = std::unordered_map<std::string_view, Value, HashIgnoringCase, EqualIgnoringCase>;
+
+}  // namespace symplant::text

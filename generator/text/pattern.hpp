@@ -1,0 +1,17 @@
+// Patterns with * and ?.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace symplant::text {
+
+/// Whether `pattern` fits the whole text: `*` is any run of characters, `?` one character; ASCII case does not
+/// count.
+/// O(text * pattern) at worst, no recursion.
+bool matches_pattern(std::string_view text, std::string_view pattern);
+
+/// How many characters of a pattern are neither `*` nor `?`.
+std::size_t literal_characters(std::string_view pattern);
+
+}  // namespace symplant::text

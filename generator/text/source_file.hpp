@@ -1,0 +1,54 @@
+// A text that the user gave: UTF-8 whatever it was on disk, with lines and columns for every place in it.
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace symplant::text {
+
+/// Bytes of a text, from `begin` up to but not including `end`.
+struct Span {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Both counted from 1; the column counts characters (code points), not bytes.
+struct Position {
+  std::size_t line;
+  std::size_t column;
+};
+
+/// Immutable once made; its lines are looked for when one is first asked for. Lines end at LF, CRLF or CR.
+class SourceFile {
+ public:
+  /// `text` must be UTF-8.
+  SourceFile(std::string path, std::string text);
+
+  const std::string& path() const { return path_; }
+  std::string_view text() const { return text_; }
+
+  /// At least 1; what follows the last line end counts as a line, empty or not.
+  /// The first call of this and the two below is O(text).
+  std::size_t line_count() const { return line_begins().size(); }
+
+  /// O(log lines) and the length of the line.
+  Position position(std::size_t offset) const;
+  /// The line that holds `offset`, without its line end.
+  std::string_view line_at(std::size_t offset) const;
+
+  /// Where a view into text() lies; the whole of `fallback` where it does not point into text().
+  Span span_of(std::string_view view, Span fallback = {}) const;
+
+ private:
+  const std::vector<std::size_t>& line_begins() const;
+
+  std::string path_;
+  std::string text_;
+  mutable std::once_flag lines_known_;
+  mutable std::vector<std::size_t> line_begins_;
+};
+
+}  // namespace symplant::text

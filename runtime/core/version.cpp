@@ -1,9 +1,0 @@
-// The runtime's version as text.
-#include "symplant/core/version.hpp"
-
-namespace symplant::core {
-
-const char* version() noexcept { return "0.1.0"; }
-static_assert(kVersionMajor == 0 && kVersionMinor == 1 && kVersionPatch == 0, "version() tells another version");
-
-}  // namespace symplant::core

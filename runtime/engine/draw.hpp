@@ -1,0 +1,29 @@
+// Random numbers and times, as docs/model.md fixes them: the same on every machine and with every library.
+#pragma once
+
+#include <cstdint>
+
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::engine {
+
+/// Draw `k` of a unit's stream number `stream` under a seed begins SplitMix64 (Steele, Lea, Flood, "Fast splittable
+/// pseudorandom number generators", 2014) at this state. `unit` is fnv1a64 of the unit's name.
+constexpr std::uint64_t draw_start(std::uint64_t seed, std::uint64_t unit, std::uint16_t stream,
+                                   std::uint32_t k) noexcept {
+  return seed ^ unit ^ (std::uint64_t{stream} << 32) ^ k;
+}
+
+/// SplitMix64's next output.
+constexpr std::uint64_t split_mix(std::uint64_t& state) noexcept {
+  state += 0x9E37'79B9'7F4A'7C15;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9;
+  z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EB;
+  return z ^ (z >> 31);
+}
+
+/// A time of the distribution given, from the generator started at `state`: ns, >= 0.
+tables::Time random_time(const tables::RandomTime& time, std::uint64_t state) noexcept;
+
+}  // namespace symplant::engine

@@ -1,0 +1,359 @@
+// The engine of docs/model.md: one instant after another, each made of rounds, paying for what changes.
+// docs/engine.md explains rounds, the wheel and the flat block.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "symplant/engine/arena.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/engine/dirty_set.hpp"
+#include "symplant/engine/engine_index.hpp"
+#include "symplant/engine/finding_ring.hpp"
+#include "symplant/engine/instant.hpp"
+#include "symplant/engine/mark_range.hpp"
+#include "symplant/engine/short_events.hpp"
+#include "symplant/engine/unit_state.hpp"
+#include "symplant/engine/wheel.hpp"
+#include "symplant/tables/digest.hpp"
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::engine {
+
+/// The head of the flat block; the arrays of what changes follow it. No pointers: the block may be copied.
+struct BlockHead {
+  std::uint64_t magic;
+  std::uint64_t model;  ///< model_hash of the plant whose state this is
+  std::uint64_t size;   ///< of the block, in bytes
+  std::uint64_t seed;
+  tables::Time cycle;
+  tables::Time now;
+  std::uint32_t started;       ///< 0: the first instant, at time 0, is still to run
+  std::uint32_t acted;         ///< 1: something acted from outside since the last instant
+  std::uint64_t event_forces;  ///< BOOL events that are forced
+  Wheel wheel;
+};
+
+/// What changes in a rich unit beside its UnitState.
+struct RichState {
+  std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
+  std::uint8_t settled;       ///< as others were last told: the state settled in, or kNoState
+  std::uint8_t moving;        ///< likewise
+  std::uint8_t counted;       ///< its disabled_by changed in this round
+};
+
+/// Of a transition that is `timed`.
+struct Record {
+  tables::Time ready;   ///< where its cause holds: when it has held long enough; of a halted unit what is left
+  std::uint32_t draws;  ///< random numbers drawn so far
+  std::uint32_t holds;  ///< its cause holds
+};
+
+struct MonitorState {
+  tables::Time deadline;
+  std::uint32_t running;
+  std::uint32_t held;  ///< its condition, at the end of the last instant
+};
+
+struct BehaviourState {
+  tables::Time wake;  ///< kNever: not at all; of a halted unit what is left
+  std::uint32_t draws;
+  std::uint16_t woken;  ///< its time has come, and its unit has not stepped since
+  std::uint16_t ill;    ///< the link of its operations is not well
+};
+
+/// Of a condition: its inputs, its truth as last published, and whether it waits to be worked out.
+inline constexpr std::uint8_t kInputs = 0x3F;
+inline constexpr std::uint8_t kTruth = 0x40;
+inline constexpr std::uint8_t kWaiting = 0x80;
+
+/// A plane of numeric symbols of one direction, with its forces.
+struct ValuePlane {
+  void take(Arena& arena, std::size_t slots) noexcept;
+  std::uint64_t effective(std::uint32_t slot) const noexcept {
+    return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
+  }
+
+  std::uint64_t* made;    ///< by the link (as sampled), or by the model
+  std::uint64_t* values;  ///< after forces
+  std::uint64_t* forced;  ///< a bit a slot
+  std::uint64_t* forced_to;
+  BlockSet dirty;  ///< slots to be looked at when the next instant begins or this round ends
+};
+
+/// A plane of BOOL symbols of one direction, with its forces.
+struct BitPlane {
+  void take(Arena& arena, std::size_t words) noexcept;
+  std::uint64_t effective(std::uint32_t word) const noexcept { return (made[word] & ~forced[word]) | forced_on[word]; }
+
+  std::uint64_t* made;  ///< by the link (as sampled), or by the model
+  std::uint64_t* bits;  ///< after forces
+  std::uint64_t* forced;
+  std::uint64_t* forced_on;  ///< of the forced ones
+  BlockSet dirty;            ///< words likewise
+};
+
+class Engine {
+ public:
+  /// Places itself and all its arrays in the memory of `arena`; null where that only counts.
+  static Engine* make(const tables::PlantTables& tables, std::span<const Behaviour> behaviours, Arena& arena) noexcept;
+
+  void reset(std::uint64_t seed, tables::Time cycle) noexcept;
+  void advance_to(tables::Time time, Observer* observer) noexcept;
+  void advance_before(tables::Time time, Observer* observer) noexcept;
+  tables::Time next_due() const noexcept;
+
+  // What acts from outside (engine_acts.cpp).
+  void write_operation(std::uint32_t bit, bool on) noexcept;
+  void write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
+  void write_shared(std::uint32_t bit, bool on) noexcept;
+  void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
+  void write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
+  bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
+  void force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept;
+  void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
+  void set_quality(std::size_t behaviour, bool well) noexcept;
+  bool restore(std::span<const std::byte> block) noexcept;
+  void requeue() noexcept;
+  void see_events() noexcept;
+  void touch_readers(tables::Direction direction, std::uint32_t slot) noexcept;
+
+  std::uint64_t state_hash() const noexcept;
+  /// Of the move that a unit is making.
+  tables::Time remaining(std::uint32_t unit) const noexcept {
+    const UnitState& state = units[unit];
+    return (state.flags & (kStanding | kHalted)) != 0 || state.due == tables::kNever ? state.due
+                                                                                     : state.due - head->now;
+  }
+
+  // What behaviours see and do (behaviour.cpp).
+  void make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
+  void make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
+  void make_event_value(std::uint32_t slot, std::uint64_t value) noexcept;
+  void wake_at(std::uint32_t behaviour, tables::Time time) noexcept;
+  /// `transition` may be kNoTransition: a way to `target` without a command.
+  tables::Time takes_by_model(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                              std::uint8_t target, std::uint16_t transition) noexcept;
+  tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
+  /// Bytes of memory that a unit's behaviour has.
+  std::uint32_t memory_of(std::size_t behaviour) const noexcept;
+  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.rich.place_of(unit)]; }
+  std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
+  const RichRow& rich_row(std::uint32_t unit) const noexcept { return index.rich.row_of(unit); }
+  void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
+  bool truth(std::uint32_t condition) const noexcept { return (condition_states[condition] & kTruth) != 0; }
+  std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
+    const std::uint32_t word = row.operation_bit / 64;
+    return type.operations == 0
+               ? 0
+               : ((operations.bits[word] & ~disarmed[word]) >> (row.operation_bit % 64)) & type.operations;
+  }
+
+  const tables::PlantTables& tables;
+  std::span<const Behaviour> behaviours;
+  EngineIndex index;
+
+  // --- the flat block, from `head` on
+  BlockHead* head;
+  UnitState* units;  ///< then an entry in the wheel for each requirement and each behaviour
+  BitPlane operations;
+  BitPlane events;
+  ValuePlane operation_values;
+  ValuePlane event_values;
+  std::uint64_t* written_operations;  ///< what the PLC wrote, perhaps not yet sampled
+  std::uint64_t* written_values;
+  BlockSet written_words;
+  BlockSet written_slots;
+  std::uint64_t* disarmed;  ///< by operation bit
+  std::uint64_t* served;    ///< since it rose
+  std::uint64_t* told;      ///< had a finding when it rose
+  RichState* rich_states;
+  Record* records;
+  std::uint8_t* condition_states;
+  MonitorState* monitors;
+  BehaviourState* behaviour_states;
+  std::byte* behaviour_memory;
+  ShortEvents short_events;
+  std::size_t block_size;
+
+  // --- outside it: gone between instants, or another's business
+  DirtySet changed_events;  ///< words, since the link last asked
+  DirtySet changed_event_slots;
+  FindingRing findings;
+
+ private:
+  // What is not set here place() sets.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
+  Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
+      : tables(plant_tables), behaviours(code) {}
+  void place(Arena& arena) noexcept;
+  void place_names(Arena& arena) noexcept;
+  void place_block(Arena& arena) noexcept;
+  void reset_values() noexcept;
+  void reset_conditions() noexcept;
+
+  // its digest (state_hash.cpp)
+  void hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
+  void hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
+  void hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
+  void hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
+  void hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept;
+
+  // one instant (engine.cpp)
+  void instant(tables::Time time, bool sample, Observer* observer) noexcept;
+  void start() noexcept;
+  void queue_due(tables::Time time) noexcept;
+  WordChange switch_alone(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
+  bool arrive_alone(tables::Time at, Observer* observer) noexcept;
+  void queue_other(std::uint32_t entry) noexcept;
+  void queue(std::uint32_t unit) noexcept;
+  void touch(std::uint32_t unit) noexcept;
+
+  // its rounds (engine_rounds.cpp)
+  void run_rounds() noexcept;
+  void first_round() noexcept;
+  void further_round(std::uint32_t count, bool counting) noexcept;
+  void forget_steps() noexcept;
+  bool look_for_loops() noexcept;
+  void step(std::uint32_t unit) noexcept;
+  void step_any(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  void leave_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                   std::uint16_t transition) noexcept;
+  void forget_queue() noexcept;
+  bool may_leave(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t here) const noexcept;
+  void arrive_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  void step_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  void step_settled(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  void touch_events(std::uint32_t word) noexcept;
+  void switch_events_now(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
+  void leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
+             std::uint16_t transition) noexcept;
+  void settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+
+  // a move under way (engine_moves.cpp)
+  struct Wishes {
+    bool forth;
+    bool back;
+    std::uint16_t way_back;  ///< the transition that `back` goes by, or kNoTransition
+  };
+  Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
+  void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  void turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                  std::uint16_t transition) noexcept;
+  void stand_still(std::uint32_t unit) noexcept;
+  void go_on(std::uint32_t unit) noexcept;
+  void stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept;
+  void found_conflict(std::uint32_t unit) noexcept;
+  void travel(std::uint32_t unit, UnitState& state, tables::Time duration) noexcept;
+  void set_wheel(std::uint32_t entry, tables::Time due) noexcept;
+  void clear_wheel(std::uint32_t entry) noexcept;
+
+  // causes and times (engine_times.cpp)
+  /// What a settled unit's transitions say in a round.
+  struct Ready {
+    std::uint16_t automatic;  ///< the first one that is ready, or kNoTransition
+    std::uint16_t first;      ///< commanded one, likewise
+    bool several;             ///< ready commanded ones lead to several states
+    std::uint64_t served;     ///< operations that are the `on` of a ready one
+  };
+  Ready ready_transitions(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                          std::uint64_t on) noexcept;
+  bool holds_long_enough(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition, bool cause,
+                         Record& record, tables::Time& earliest) noexcept;
+  void forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t state) noexcept;
+  tables::Time takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
+                     std::uint16_t transition) noexcept;
+  tables::Time after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
+  tables::Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, tables::Time time) noexcept;
+  std::uint16_t way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
+  void halt_times(std::uint32_t unit) noexcept;
+  void resume_times(std::uint32_t unit) noexcept;
+  const Behaviour* behaviour_of(const RichRow& rich) const noexcept;
+  std::uint32_t wheel_entry_of_requirement(std::uint32_t requirement) const noexcept {
+    return static_cast<std::uint32_t>(tables.units.size()) + requirement;
+  }
+  std::uint32_t wheel_entry_of_behaviour(std::uint32_t behaviour) const noexcept {
+    return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables.requirements.size())) + behaviour;
+  }
+
+  // the user's code (behaviour.cpp)
+  bool behaves(std::uint32_t unit) const noexcept { return (units[unit].flags & kBehaves) != 0; }
+  void wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept;
+  void tell_left(std::uint32_t unit, std::uint8_t state) noexcept;
+  void tell_entered(std::uint32_t unit, std::uint8_t state) noexcept;
+  std::uint8_t wanted_by_behaviour(std::uint32_t unit) noexcept;
+
+  // what one round changed, made known to the next (engine_publish.cpp)
+  void sample_operations() noexcept;
+  void apply_actions() noexcept;
+  void change_operations(std::uint32_t word) noexcept;
+  void change_operation_value(std::uint32_t slot) noexcept;
+  void publish(bool by_round) noexcept;
+  void publish_event_word(std::uint32_t word, bool by_round) noexcept;
+  void publish_values() noexcept;
+  void publish_unit(std::uint32_t unit) noexcept;
+  void flip_bits(const WatchIndex& watches, std::uint32_t word, std::uint64_t bits) noexcept;
+  void compare_value(std::span<const tables::ValueWatch> watches, std::uint32_t slot, std::uint64_t value) noexcept;
+  void flip(std::uint32_t condition, std::uint8_t input) noexcept;
+  bool looks_at_conditions(std::uint32_t unit) const noexcept;
+  void settle_conditions() noexcept;
+  void settle_disables() noexcept;
+
+  // the end of an instant (engine_close.cpp)
+  void close_instant() noexcept;
+  void close_events() noexcept;
+  std::uint64_t close_cycle(std::uint32_t word, std::uint64_t changed) noexcept;
+  void close_event_values() noexcept;
+  void close_requirements() noexcept;
+  bool close_requirement(std::uint32_t requirement) noexcept;
+  bool close_operations() noexcept;
+  bool may_be_finding(const WordChange& change) const noexcept;
+  void finish_operations(const WordChange& change) noexcept;
+  void serve(const UnitState& state, const tables::UnitRow& row) noexcept;
+  void finish_units() noexcept;
+
+  // its findings (engine_findings.cpp)
+  void tell_findings() noexcept;
+  void tell(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
+  void tell_marked(tables::FindingKind kind) noexcept;
+  void tell_units(tables::FindingKind kind) noexcept;
+  void tell_operations(tables::FindingKind kind) noexcept;
+  bool is_operation_finding(tables::FindingKind kind, std::uint32_t unit, std::uint32_t bit) const noexcept;
+  void tell_short_events() noexcept;
+  void tell_loops() noexcept;
+  void tell_requirements() noexcept;
+
+  const std::uint64_t* name_hashes_;    ///< a rich unit: fnv1a64 of its name in upper case
+  const std::uint64_t* memory_begins_;  ///< a behaviour's unit: of its memory in behaviour_memory; one more at the end
+  std::uint32_t* queue_;                ///< room for every unit once
+  std::uint32_t queued_;                ///< units of the coming round but the first, at its front
+  std::uint32_t round_;                 ///< of this instant, from 1; 0 before its first one and between instants
+  List<std::uint32_t> touched_;         ///< in this instant; before its first round the units of that
+  List<std::uint32_t> moved_;           ///< rich units that stepped in this round
+  List<std::uint32_t> counted_;         ///< rich units whose disabled_by changed in this round
+  List<std::uint32_t> waiting_;         ///< conditions to be worked out
+  DirtySet touched_requirements_;
+  DirtySet touched_events_;          ///< words that changed in this instant
+  std::uint64_t* events_before_;     ///< of those, as they stood when it began
+  std::uint64_t* events_flickered_;  ///< of those, what some round changed
+  DirtySet touched_slots_;           ///< event slots likewise
+  std::uint64_t* values_before_;
+  List<WordChange> operation_changes_;
+  List<WordChange> event_changes_;
+  List<std::uint32_t> operation_slot_changes_;
+  List<std::uint32_t> event_slot_changes_;
+  MarkRange marks_;                ///< units, symbols or requirements to be told of, in order
+  std::uint32_t suspects_;         ///< a bit a kind of finding: there may be one in this instant
+  std::uint8_t loops_;             ///< frozen in this instant
+  List<std::uint32_t> violated_;   ///< requirements, in this instant
+  List<WordChange> short_events_;  ///< words and bits, in this instant
+  bool unseen_events_;             ///< nobody can tell when in a round an event is switched
+  bool told_any_;                  ///< this instant has a finding
+  bool unpublished_;               ///< publish() has something to do
+  bool active_;                    ///< somebody stepped in this round, or was disabled or enabled
+  tables::Time now_;               ///< of this instant
+  Observer* observer_;
+};
+
+}  // namespace symplant::engine

@@ -1,0 +1,206 @@
+// What acts on a plant from outside: the PLC's writes, sources of inputs, forces, a person's hand, a restored state.
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "symplant/engine/engine_inline.hpp"
+
+namespace symplant::engine {
+namespace {
+
+bool is_bit(const tables::SymbolRow& symbol) noexcept { return symbol.type() == tables::DataType::boolean; }
+
+/// Calls `function(place)` for a bit or slot and all others on its address.
+template <class Function>
+void for_address(const SharedPlaces& shared, bool bit, std::uint32_t place, Function function) noexcept {
+  const std::uint32_t base = bit ? 0 : kSharedSlot;
+  const auto others = shared.empty() ? std::span<const SharedPlace>() : shared.with(base + place);
+  if (others.empty()) function(place);
+  for (const SharedPlace& other : others) function(other.place - base);
+}
+
+void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept {
+  word = on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
+}
+
+}  // namespace
+
+void Engine::write_operation(std::uint32_t bit, bool on) noexcept {
+  const std::uint32_t word = bit / 64;
+  const std::uint64_t mask = bit_in_word(bit);
+  written_operations[word] = on ? written_operations[word] | mask : written_operations[word] & ~mask;
+  written_words.mark(word);
+  if (!index.shared_operations.empty()) write_shared(bit, on);
+}
+
+void Engine::write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
+  written_operations[word] = (written_operations[word] & ~mask) | (bits & mask);
+  written_words.mark(word);
+  if (!index.shared_operations.empty()) write_shared(word, mask, bits);
+}
+
+void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
+  for (; mask != 0; mask &= mask - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(mask));
+    write_shared(word * 64 + bit, (bits >> bit & 1) != 0);
+  }
+}
+
+void Engine::write_shared(std::uint32_t bit, bool on) noexcept {
+  for (const SharedPlace& other : index.shared_operations.with(bit)) {
+    set_bit(written_operations[other.place / 64], other.place, on);
+    written_words.mark(other.place / 64);
+  }
+}
+
+void Engine::write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept {
+  for_address(index.shared_operations, false, slot, [&](std::uint32_t place) {
+    written_values[place] = value;
+    written_slots.mark(place);
+  });
+}
+
+bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
+  const tables::SymbolRow& row = tables.symbols[symbol];
+  if (row.direction() == tables::Direction::operation) return false;
+  const SharedPlaces& shared = index.shared_events;
+  bool moved = row.moved();
+  if (!shared.empty() && is_bit(row)) {
+    for (const SharedPlace& other : shared.with(row.index)) {
+      moved = moved || tables.symbols[index.symbol_of_event[other.place]].moved();
+    }
+  }
+  if (moved) return false;
+  if (is_bit(row)) {
+    unpublished_ = true;
+    for_address(shared, true, row.index, [&](std::uint32_t bit) {
+      set_bit(events.made[bit / 64], bit, value != 0);
+      events.dirty.mark(bit / 64);
+    });
+  } else {
+    make_event_value(row.index, value);
+    for_address(shared, false, row.index, [&](std::uint32_t slot) { touch_readers(tables::Direction::event, slot); });
+  }
+  head->acted = 1;
+  return true;
+}
+
+void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
+  const tables::SymbolRow& row = tables.symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  const SharedPlaces& shared = operation ? index.shared_operations : index.shared_events;
+  head->acted = 1;
+  unpublished_ = true;
+  if (is_bit(row)) {
+    BitPlane& plane = operation ? operations : events;
+    for_address(shared, true, row.index, [&](std::uint32_t bit) {
+      const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
+      if (!operation && was != forced) forced ? ++head->event_forces : --head->event_forces;
+      set_bit(plane.forced[bit / 64], bit, forced);
+      set_bit(plane.forced_on[bit / 64], bit, forced && value != 0);
+      plane.dirty.mark(bit / 64);
+    });
+    see_events();
+    return;
+  }
+  ValuePlane& plane = operation ? operation_values : event_values;
+  for_address(shared, false, row.index, [&](std::uint32_t slot) {
+    set_bit(plane.forced[slot / 64], slot, forced);
+    plane.forced_to[slot] = forced ? value : 0;
+    plane.dirty.mark(slot);
+  });
+}
+
+/// Behaviours that see a number.
+void Engine::touch_readers(tables::Direction direction, std::uint32_t slot) noexcept {
+  for (const ValueReader& reader : index.value_readers.of(direction, slot)) touch(reader.unit);
+}
+
+void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
+  UnitState& state = units[unit];
+  const tables::UnitRow& row = tables.units[unit];
+  const TypeIndex& type = index.types[row.type];
+  const std::uint8_t before = state.state;
+  const bool moving = (state.flags & kMoving) != 0;
+  clear_wheel(unit);
+  if (state.holding != 0) forget_causes(unit, type, before);
+  state.target = target;
+  if (!moving) {
+    state.flags |= kMoving;  // as on any way, while the old state is left
+    switch_events(row, type.leave[before]);
+    if (behaves(unit)) tell_left(unit, before);
+  }
+  state.state = target;
+  state.transition = kNoTransition;
+  state.whole = 0;
+  state.flags &= static_cast<std::uint16_t>(~(kMoving | kStanding | kConflict | kStopped));
+  switch_events(row, type.enter[target]);
+  if (behaves(unit)) tell_entered(unit, target);
+  stepped(unit, row);
+  touch(unit);
+  head->acted = 1;
+}
+
+/// Whether anybody can tell when in a round an event is switched.
+void Engine::see_events() noexcept {
+  unseen_events_ = head->event_forces == 0 && index.event_watches.empty() && index.shared_events.empty();
+}
+
+void Engine::set_quality(std::size_t behaviour, bool well) noexcept {
+  BehaviourState& state = behaviour_states[behaviour];
+  if ((state.ill == 0) == well) return;
+  state.ill = well ? 0 : 1;
+  touch(tables.behaviour_units[behaviour].unit);
+  head->acted = 1;
+}
+
+void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept {
+  unpublished_ = true;
+  for_address(index.shared_events, false, slot, [&](std::uint32_t place) {
+    event_values.made[place] = value;
+    event_values.dirty.mark(place);
+  });
+}
+
+/// Events on the address of those that are switched, wherever they stand.
+void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
+  for (std::uint64_t bits = on | off; bits != 0; bits &= bits - 1) {
+    const std::uint64_t bit = bits & (~bits + 1);
+    const std::uint32_t place = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+    for (const SharedPlace& other : index.shared_events.with(place)) {
+      set_bit(events.made[other.place / 64], other.place, (on & bit) != 0);
+      events.dirty.mark(other.place / 64);
+    }
+  }
+}
+
+bool Engine::restore(std::span<const std::byte> block) noexcept {
+  BlockHead other{};
+  if (block.size() != block_size) return false;
+  std::memcpy(&other, block.data(), sizeof other);
+  if (other.magic != head->magic || other.model != head->model || other.size != block_size) return false;
+  std::memmove(reinterpret_cast<std::byte*>(head), block.data(), block.size());
+  for (const tables::BehaviourUnit& behaviour : tables.behaviour_units) {  // the code is this plant's own
+    std::uint16_t& flags = units[behaviour.unit].flags;
+    flags &= static_cast<std::uint16_t>(~kBehaves);
+    if (behaviour_of(rich_row(behaviour.unit)) != nullptr) flags |= kBehaves;
+  }
+  touched_.size = moved_.size = 0;
+  unpublished_ = true;
+  see_events();
+  if (head->started == 0 || head->acted != 0) requeue();
+  for (std::uint32_t word = 0; word < tables.event_bits / 64; ++word) changed_events.mark(word);
+  for (std::uint32_t slot = 0; slot < tables.event_slots; ++slot) changed_event_slots.mark(slot);
+  return true;
+}
+
+/// What had acted on the saved plant waits for its next instant here, too.
+void Engine::requeue() noexcept {
+  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
+    const std::uint16_t flags = units[unit].flags;
+    if ((flags & kTouched) != 0) touched_.add(unit);
+    if ((flags & kMoved) != 0) moved_.add(unit);
+  }
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,145 @@
+// The end of an instant: its net effect, requirements, what is served, and the observer.
+#include <algorithm>
+#include <bit>
+
+#include "symplant/engine/engine_inline.hpp"
+
+namespace symplant::engine {
+
+/// In real time: events of a word that fall now and rose less than a cycle ago.
+std::uint64_t Engine::close_cycle(std::uint32_t word, std::uint64_t changed) noexcept {
+  const std::uint64_t risen = changed & events.bits[word];
+  const std::uint64_t fallen = changed & ~risen;
+  const std::uint64_t found = fallen == 0 ? 0 : short_events.fell(word, fallen, head->now, head->cycle);
+  if (risen != 0) short_events.rose(word, risen, head->now);
+  return found;
+}
+
+SYMPLANT_ALWAYS_INLINE void Engine::close_events() noexcept {
+  const tables::Time cycle = head->cycle;
+  touched_events_.take_all([&](std::uint32_t word) {
+    const std::uint64_t changed = events_before_[word] ^ events.bits[word];
+    std::uint64_t too_short = events_flickered_[word] & ~changed;
+    if (changed != 0) {
+      event_changes_.add({word, changed});
+      changed_events.mark(word);
+      if (cycle != 0) too_short |= close_cycle(word, changed);
+    }
+    if (too_short != 0) {
+      short_events_.add({word, too_short});
+      suspects_ |= suspect(tables::FindingKind::event_too_short);
+    }
+  });
+}
+
+void Engine::close_event_values() noexcept {
+  touched_slots_.take_all([&](std::uint32_t slot) {
+    if (values_before_[slot] == event_values.values[slot]) return;
+    event_slot_changes_.add(slot);
+    changed_event_slots.mark(slot);
+  });
+}
+
+void Engine::close_requirements() noexcept {
+  touched_requirements_.take_all([&](std::uint32_t requirement) {
+    if (!close_requirement(requirement)) return;
+    violated_.add(requirement);
+    suspects_ |= suspect(tables::FindingKind::requirement_violated);
+  });
+}
+
+/// True where it is violated now.
+bool Engine::close_requirement(std::uint32_t requirement) noexcept {
+  const tables::RequirementRow& row = tables.requirements[requirement];
+  MonitorState& monitor = monitors[requirement];
+  const bool holds = truth(row.condition);
+  const bool begins = holds && monitor.held == 0;
+  monitor.held = holds ? 1 : 0;
+  if (row.kind == tables::RequirementRow::Kind::never) return begins;
+
+  const std::uint32_t entry = wheel_entry_of_requirement(requirement);
+  if (begins && monitor.running == 0) {
+    monitor.running = 1;
+    monitor.deadline = later(head->now, row.within);
+    if (monitor.deadline > head->now) set_wheel(entry, monitor.deadline);
+  }
+  if (monitor.running == 0) return false;
+  const bool met = truth(row.expected);
+  if (!met && head->now < monitor.deadline) return false;
+  clear_wheel(entry);
+  monitor.running = 0;
+  monitor.deadline = 0;
+  return !met;
+}
+
+/// What has fallen begins anew.
+SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
+  const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
+  served[change.word] &= ~fallen;
+  told[change.word] &= ~fallen;
+}
+
+/// Of a word in which an operation rose and nothing fired on it, or fell and was never served.
+bool Engine::may_be_finding(const WordChange& change) const noexcept {
+  const std::uint64_t on = operations.bits[change.word];
+  if ((change.bits & ~on & ~served[change.word] & ~told[change.word]) != 0) return true;
+  for (std::uint64_t bits = change.bits & on & ~served[change.word]; bits != 0; bits &= bits - 1) {
+    const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+    const std::uint32_t unit = index.unit_of_operation[bit];
+    if (unit == tables::kNoUnit || (units[unit].flags & (kMoving | kHalted)) == kMoving) continue;
+    const tables::UnitRow& row = tables.units[unit];
+    const std::uint64_t starts = index.types[row.type].starts[units[unit].state] << (row.operation_bit % 64);
+    if ((units[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;
+  }
+  return false;
+}
+
+/// True where an operation may have a finding: then words are finished after the findings.
+SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
+  for (const WordChange& change : operation_changes_.view()) {
+    if ((change.bits & ~served[change.word]) == 0 || !may_be_finding(change)) continue;
+    suspects_ |= suspect(tables::FindingKind::command_without_effect) | suspect(tables::FindingKind::lost_command);
+    return true;
+  }
+  for (const WordChange& change : operation_changes_.view()) finish_operations(change);
+  return false;
+}
+
+SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
+  constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kFrozenNow | kConflictTold | kStoppedTold;
+  UnitState* const states = units;
+  const tables::UnitRow* const rows = tables.units.data();
+  for (const std::uint32_t unit : touched_.view()) {
+    UnitState& state = states[unit];
+    const tables::UnitRow& row = rows[unit];
+    serve(state, row);
+    std::uint16_t flags = state.flags & static_cast<std::uint16_t>(~kOfThisInstant);
+    if ((flags & (kConflict | kStopped)) != 0) {
+      if ((flags & kConflict) != 0) flags |= kConflictTold;
+      if ((flags & kStopped) != 0) flags |= kStoppedTold;
+    }
+    state.flags = flags;
+  }
+}
+
+void Engine::close_instant() noexcept {
+  close_events();
+  if (!touched_slots_.empty()) close_event_values();
+  if (!touched_requirements_.empty()) close_requirements();
+  const bool unfinished = close_operations();
+  told_any_ = false;
+  if (suspects_ != 0) tell_findings();
+  if (unfinished) {
+    for (const WordChange& change : operation_changes_.view()) finish_operations(change);
+  }
+  finish_units();
+  if (observer_ != nullptr && (static_cast<std::uint32_t>(told_any_) | touched_.size | operation_changes_.size |
+                               event_changes_.size | operation_slot_changes_.size | event_slot_changes_.size) != 0) {
+    observer_->instant({head->now, touched_.view(), operation_changes_.view(), event_changes_.view(),
+                        operation_slot_changes_.view(), event_slot_changes_.view()});
+  }
+  touched_.size = operation_changes_.size = event_changes_.size = 0;
+  operation_slot_changes_.size = event_slot_changes_.size = 0;
+}
+
+}  // namespace symplant::engine

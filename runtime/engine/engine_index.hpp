@@ -1,0 +1,139 @@
+// What the engine looks up while it runs, worked out once from the tables.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "symplant/engine/arena.hpp"
+#include "symplant/engine/shared_places.hpp"
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::engine {
+
+inline constexpr std::uint16_t kNoRecord = 0xFFFF;
+inline constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
+
+/// A type's transitions by the state they start from, and its operations as masks (bit o: operation o).
+struct TypeIndex {
+  const tables::Transition* transitions;
+  const std::uint32_t* from_begin;  ///< a state -> its first place in from_order; one more at the end
+  const std::uint16_t* from_order;  ///< transition numbers by the state they start from, in table order
+  const std::uint16_t* only_way;  ///< a state -> the only transition from it, or kNoRecord where there are none or more
+  const std::uint16_t* record_of;  ///< a transition -> its place among its unit's records, or kNoRecord
+  const bool* automatic;           ///< a state -> an automatic transition starts from it
+  const std::uint64_t* starts;     ///< a state -> the operations that are the `on` of a transition from it
+  const std::uint64_t* leads;      ///< a state -> the operations leading to it
+  const tables::EventMasks* enter;
+  const tables::EventMasks* leave;
+  std::uint64_t operations;  ///< all of them
+  std::uint32_t records;     ///< transitions with a record
+  std::uint8_t states;
+  std::uint8_t events;
+  std::uint8_t rest;
+  tables::Actuation actuation;
+  /// No transition is automatic, has a `when`, a record or a `once`: its step reads its operations alone.
+  bool plain;
+
+  std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
+    return {from_order + from_begin[state], from_order + from_begin[state + 1]};
+  }
+};
+
+/// From an operation's bit to its unit, in a byte a bit (see kMaxUnitsInWord).
+class UnitOfOperation {
+ public:
+  void build(const tables::PlantTables& tables, Arena& arena) noexcept;
+  /// kNoUnit where the operation is in none. O(1).
+  std::uint32_t operator[](std::uint32_t bit) const noexcept {
+    const std::uint8_t step = steps_[bit];
+    return step == kNone ? tables::kNoUnit : first_[bit / 64] + step;
+  }
+
+ private:
+  static constexpr std::uint8_t kNone = 0xFF;
+  const std::uint32_t* first_ = nullptr;  ///< a word -> the first unit that has a bit in it
+  const std::uint8_t* steps_ = nullptr;   ///< a bit -> how far behind that its unit stands
+};
+
+/// What a unit has beyond a plain one.
+struct RichRow {
+  std::uint32_t unit;
+  std::uint32_t first_condition;  ///< of its own conditions
+  std::uint32_t first_record;     ///< of its transitions' records
+  std::uint32_t watch_begin;      ///< in PlantTables::unit_watches
+  std::uint32_t watch_end;
+  std::uint32_t disable_begin;  ///< in PlantTables::disables
+  std::uint32_t disable_end;
+  std::uint32_t behaviour;  ///< in PlantTables::behaviour_units, or kNoPlace
+};
+
+/// The rich units. A plant without any pays nothing, one with some four bytes a unit.
+class RichUnits {
+ public:
+  void build(const tables::PlantTables& tables, const TypeIndex* types, Arena& arena) noexcept;
+
+  std::span<const RichRow> rows() const noexcept { return {rows_, size_}; }
+  std::uint32_t size() const noexcept { return size_; }
+  std::uint32_t records() const noexcept { return records_; }
+  /// Of a unit whose row says that it is rich. O(1).
+  std::uint32_t place_of(std::uint32_t unit) const noexcept { return places_[unit]; }
+  const RichRow& row_of(std::uint32_t unit) const noexcept { return rows_[places_[unit]]; }
+
+ private:
+  void fill(const tables::PlantTables& tables, const TypeIndex* types, RichRow* rows) noexcept;
+
+  const RichRow* rows_ = nullptr;
+  const std::uint32_t* places_ = nullptr;
+  std::uint32_t size_ = 0;
+  std::uint32_t records_ = 0;
+};
+
+/// From a bit or a slot to the watches on it.
+class WatchIndex {
+ public:
+  void build(std::span<const tables::BitWatch> watches, std::uint32_t bits, Arena& arena) noexcept;
+  bool empty() const noexcept { return watches_.empty(); }
+  /// The bits of a word that are watched.
+  std::uint64_t watched(std::uint32_t word) const noexcept { return marks_ == nullptr ? 0 : marks_[word]; }
+  /// O(log watches of the word).
+  std::span<const tables::BitWatch> on(std::uint32_t bit) const noexcept;
+
+ private:
+  std::span<const tables::BitWatch> watches_;
+  const std::uint64_t* marks_ = nullptr;   ///< null: nothing is watched
+  const std::uint32_t* begins_ = nullptr;  ///< a word -> its first watch; one more at the end
+};
+
+/// Whose behaviour sees a number.
+struct ValueReader {
+  std::uint32_t place;  ///< an operation's slot, or kSharedSlot + an event's
+  std::uint32_t unit;
+};
+
+class ValueReaders {
+ public:
+  void build(const tables::PlantTables& tables, Arena& arena) noexcept;
+  /// O(log of all).
+  std::span<const ValueReader> of(tables::Direction direction, std::uint32_t slot) const noexcept;
+
+ private:
+  std::span<const ValueReader> readers_;
+};
+
+struct EngineIndex {
+  void build(const tables::PlantTables& tables, Arena& arena) noexcept;
+
+  const TypeIndex* types = nullptr;
+  UnitOfOperation unit_of_operation;
+  RichUnits rich;
+  WatchIndex operation_watches;
+  WatchIndex event_watches;
+  ValueReaders value_readers;
+  SharedPlaces shared_operations;
+  SharedPlaces shared_events;
+  const std::uint32_t* symbol_of_operation = nullptr;  ///< a bit -> the symbol
+  const std::uint32_t* symbol_of_event = nullptr;
+};
+
+}  // namespace symplant::engine

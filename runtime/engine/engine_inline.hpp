@@ -1,0 +1,139 @@
+// The engine's small functions that several of its files call on the way of every motion.
+#pragma once
+
+#include "symplant/engine/engine.hpp"
+
+#if defined(__GNUC__)
+#define SYMPLANT_ALWAYS_INLINE [[gnu::always_inline]] inline
+#else
+#define SYMPLANT_ALWAYS_INLINE inline
+#endif
+
+namespace symplant::engine {
+
+/// `a` + `b`, both >= 0, or kNever where that lies beyond all time.
+constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
+  return b > tables::kNever - a ? tables::kNever : a + b;
+}
+
+constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
+
+SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
+  if ((units[unit].flags & kTouched) != 0) return;
+  units[unit].flags |= kTouched;
+  touched_.add(unit);
+}
+
+/// For the coming round. Before the first one that is everybody who is touched.
+inline void Engine::queue(std::uint32_t unit) noexcept {
+  touch(unit);
+  if (round_ == 0 || (units[unit].flags & kQueued) != 0) return;
+  units[unit].flags |= kQueued;
+  queue_[queued_++] = unit;
+}
+
+/// It made its step of this round.
+inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept {
+  active_ = true;
+  if (row.rich == 0 || (units[unit].flags & kMoved) != 0) return;
+  units[unit].flags |= kMoved;
+  moved_.add(unit);
+  unpublished_ = true;
+}
+
+constexpr std::uint32_t suspect(tables::FindingKind kind) noexcept { return 1U << static_cast<std::uint32_t>(kind); }
+
+inline void Engine::make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
+  events.made[word] = (events.made[word] & ~off) | on;
+  events.dirty.mark(word);
+  unpublished_ = true;
+  if (!index.shared_events.empty()) make_followers(word, on, off);
+}
+
+inline void Engine::switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept {
+  if ((masks.on | masks.off) == 0) return;
+  const std::uint32_t shift = row.event_bit % 64;
+  make_event_bits(row.event_bit / 64, masks.on << shift, masks.off << shift);
+}
+
+/// The first time in this instant that a word of events changes.
+SYMPLANT_ALWAYS_INLINE void Engine::touch_events(std::uint32_t word) noexcept {
+  if (!touched_events_.mark(word)) return;
+  events_before_[word] = events.bits[word];
+  events_flickered_[word] = 0;
+}
+
+/// As switch_events, by the one step of a unit in this round. Where nobody watches the word and nothing is forced in
+/// it, nobody sees when in the round it changes.
+SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row,
+                                                      const tables::EventMasks& masks) noexcept {
+  if ((masks.on | masks.off) == 0) return;  // a unit without events may stand behind the plane's last word
+  const std::uint32_t word = row.event_bit / 64;
+  if (!unseen_events_ &&
+      (events.forced[word] != 0 || index.event_watches.watched(word) != 0 || !index.shared_events.empty())) {
+    switch_events(row, masks);
+    return;
+  }
+  const std::uint32_t shift = row.event_bit % 64;
+  const std::uint64_t before = events.bits[word];
+  const std::uint64_t now = (before & ~(masks.off << shift)) | (masks.on << shift);
+  if (now == before) return;
+  touch_events(word);
+  events_flickered_[word] |= before ^ now;
+  events.bits[word] = now;
+  events.made[word] = (events.made[word] & ~(masks.off << shift)) | (masks.on << shift);
+}
+
+inline void Engine::clear_wheel(std::uint32_t entry) noexcept {
+  if ((units[entry].flags & kTimed) != 0) head->wheel.remove(units, entry);
+}
+
+inline void Engine::set_wheel(std::uint32_t entry, tables::Time due) noexcept {
+  clear_wheel(entry);
+  units[entry].due = due;
+  if (due != tables::kNever) head->wheel.insert(units, entry, due);
+}
+
+/// Whether a unit that has arrived here might see a reason to leave by its operations, or for want of any.
+SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const TypeIndex& type,
+                                              std::uint8_t here) const noexcept {
+  const std::uint64_t on = operations_on(row, type);
+  if ((on & type.starts[here]) != 0) return true;
+  return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.leads[here]) == 0;
+}
+
+inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t from) noexcept {
+  units[unit].holding = 0;
+  const std::uint32_t first = rich_row(unit).first_record;
+  for (const std::uint16_t n : type.from(from)) {
+    if (type.record_of[n] != kNoRecord) records[first + type.record_of[n]].holds = 0;
+  }
+}
+
+/// An operation that leads to where its unit is at the end of an instant, or is going, has been served.
+SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::UnitRow& row) noexcept {
+  const std::uint32_t word = row.operation_bit / 64;
+  const std::uint64_t unserved = operations.bits[word] & ~served[word];
+  if (unserved == 0) return;
+  const TypeIndex& type = index.types[row.type];
+  if (type.operations == 0) return;
+  const std::uint8_t place = (state.flags & kMoving) != 0 ? state.target : state.state;
+  served[word] |= unserved & (type.leads[place] << (row.operation_bit % 64));
+}
+
+/// A move that takes `duration` > 0 begins.
+SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state, tables::Time duration) noexcept {
+  if (duration >= tables::kNever - now_) {
+    state.due = tables::kNever;
+  } else {
+    head->wheel.insert(units, unit, now_ + duration);
+  }
+}
+
+inline const Behaviour* Engine::behaviour_of(const RichRow& rich) const noexcept {
+  if (rich.behaviour == kNoPlace) return nullptr;
+  const std::uint32_t name = tables.behaviour_units[rich.behaviour].name;
+  return name < behaviours.size() ? &behaviours[name] : nullptr;
+}
+
+}  // namespace symplant::engine

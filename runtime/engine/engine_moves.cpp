@@ -1,0 +1,107 @@
+// A move under way: what its operations make of it (docs/model.md, "A move under way").
+#include <algorithm>
+#include <utility>
+
+#include "symplant/engine/engine_inline.hpp"
+#include "symplant/engine/wide.hpp"
+
+namespace symplant::engine {
+namespace {
+
+/// floor(back * travelled / forth), as a move that is turned round has it left.
+tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time forth) noexcept {
+  if (forth == 0) return 0;
+  return static_cast<tables::Time>(static_cast<Wide>(back) * static_cast<Wide>(travelled) / static_cast<Wide>(forth));
+}
+
+}  // namespace
+
+Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept {
+  const UnitState& state = units[unit];
+  std::uint64_t forth = 0;  // operations of the way under way
+  for (const std::uint16_t n : type.from(state.state)) {
+    const tables::Transition& transition = type.transitions[n];
+    if (transition.to == state.target && transition.on < tables::kMaxOperations) forth |= operation_mask(transition.on);
+  }
+  Wishes wishes{(on & forth) != 0, false, kNoTransition};
+  for (const std::uint16_t n : type.from(state.target)) {
+    const tables::Transition& transition = type.transitions[n];
+    if (transition.to != state.state || transition.on >= tables::kMaxOperations) continue;
+    if ((on & ~forth & operation_mask(transition.on)) == 0) continue;
+    if (transition.when != tables::kNoCondition && !truth(rich_row(unit).first_condition + transition.when)) continue;
+    wishes.back = true;
+    wishes.way_back = n;
+    break;
+  }
+  if (behaves(unit)) {
+    const std::uint8_t further = wanted_by_behaviour(unit);
+    wishes.forth = wishes.forth || further == state.target;
+    wishes.back = wishes.back || further == state.state;
+  }
+  return wishes;
+}
+
+void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
+  const UnitState& state = units[unit];
+  const bool automatic =
+      state.transition != kNoTransition && type.transitions[state.transition].on == tables::kNoOperation;
+  if (automatic || type.actuation == tables::Actuation::latched) return;
+  const std::uint64_t on = operations_on(row, type);
+  const auto [forth, back, way_back] = wishes_of(unit, type, on);
+  const bool bistable = type.actuation == tables::Actuation::bistable;
+  const bool springs_on = type.actuation == tables::Actuation::spring && state.state != type.rest;
+  if (forth && back) {
+    found_conflict(unit);
+    if (!bistable) stand_still(unit);
+  } else if (back) {
+    turn_round(unit, row, type, way_back);
+  } else if (forth || bistable || springs_on) {
+    go_on(unit);
+  } else if (type.actuation == tables::Actuation::spring) {
+    turn_round(unit, row, type, kNoTransition);
+  } else {
+    stand_still(unit);
+    if (on == 0) return;
+    units[unit].flags |= kStopped;
+    suspects_ |= suspect(tables::FindingKind::stopped_under_another_command);
+  }
+}
+
+void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                        std::uint16_t transition) noexcept {
+  UnitState& state = units[unit];
+  const tables::Time forth = state.whole;
+  const tables::Time travelled = std::max<tables::Time>(0, forth - remaining(unit));
+  std::swap(state.state, state.target);
+  const tables::Time back = takes(unit, row, type, state.target, transition);
+  clear_wheel(unit);
+  state.transition = transition;
+  state.whole = back;
+  state.flags &= static_cast<std::uint16_t>(~kStanding);
+  if (transition != kNoTransition) {
+    served[row.operation_bit / 64] |= operation_mask(type.transitions[transition].on) << (row.operation_bit % 64);
+  }
+  stepped(unit, row);
+  const tables::Time left = time_back(back, travelled, forth);
+  state.due = later(head->now, left);
+  if (left != 0 && state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
+  queue(unit);
+}
+
+void Engine::stand_still(std::uint32_t unit) noexcept {
+  UnitState& state = units[unit];
+  if ((state.flags & kStanding) != 0) return;
+  clear_wheel(unit);
+  if (state.due != tables::kNever) state.due -= head->now;
+  state.flags |= kStanding;
+}
+
+void Engine::go_on(std::uint32_t unit) noexcept {
+  UnitState& state = units[unit];
+  if ((state.flags & kStanding) == 0) return;
+  state.flags &= static_cast<std::uint16_t>(~kStanding);
+  state.due = later(head->now, state.due);
+  if (state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,203 @@
+// What an instant's beginning or one of its rounds has changed, made known to everybody at once: images after forces,
+// truths of conditions, who is disabled.
+#include <algorithm>
+#include <bit>
+
+#include "symplant/engine/engine_inline.hpp"
+#include "symplant/tables/compare.hpp"
+
+namespace symplant::engine {
+
+/// The link's image as the PLC wrote it, for this instant. Where something acted as well, what comes of both is worked
+/// out once.
+void Engine::sample_operations() noexcept {
+  const bool acted = head->acted != 0;
+  written_words.take_all([&](std::uint32_t word) {
+    operations.made[word] = written_operations[word];
+    acted ? operations.dirty.mark(word) : change_operations(word);
+  });
+  written_slots.take_all([&](std::uint32_t slot) {
+    operation_values.made[slot] = written_values[slot];
+    acted ? operation_values.dirty.mark(slot) : change_operation_value(slot);
+  });
+}
+
+/// Forces and releases of operations; those of events stand among what the rounds publish.
+void Engine::apply_actions() noexcept {
+  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word); });
+  operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
+  head->acted = 0;
+}
+
+void Engine::change_operations(std::uint32_t word) noexcept {
+  const std::uint64_t now = operations.effective(word);
+  const std::uint64_t changed = operations.bits[word] ^ now;
+  if (changed == 0) return;
+  operations.bits[word] = now;
+  disarmed[word] &= now;  // what a round sees off is armed
+  operation_changes_.add({word, changed});
+  const UnitOfOperation unit_of = index.unit_of_operation;  // a copy: nothing that is queued can change it
+  for (std::uint64_t bits = changed; bits != 0; bits &= bits - 1) {
+    const std::uint32_t unit = unit_of[word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
+    if (unit != tables::kNoUnit) touch(unit);
+  }
+  if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
+}
+
+void Engine::change_operation_value(std::uint32_t slot) noexcept {
+  const std::uint64_t now = operation_values.effective(slot);
+  if (operation_values.values[slot] == now) return;
+  operation_values.values[slot] = now;
+  operation_slot_changes_.add(slot);
+  compare_value(tables.operation_value_watches, slot, now);
+  touch_readers(tables::Direction::operation, slot);
+}
+
+void Engine::publish(bool by_round) noexcept {
+  unpublished_ = false;
+  events.dirty.take_all([&](std::uint32_t word) { publish_event_word(word, by_round); });
+  if (!event_values.dirty.empty()) publish_values();
+  if (moved_.size != 0) {
+    for (const std::uint32_t unit : moved_.view()) publish_unit(unit);
+    moved_.size = 0;
+  }
+  if (waiting_.size != 0) settle_conditions();
+  if (counted_.size != 0) settle_disables();
+}
+
+void Engine::publish_event_word(std::uint32_t word, bool by_round) noexcept {
+  const std::uint64_t now = events.effective(word);
+  const std::uint64_t changed = events.bits[word] ^ now;
+  if (changed == 0) return;
+  touch_events(word);
+  if (by_round) events_flickered_[word] |= changed;
+  events.bits[word] = now;
+  if ((index.event_watches.watched(word) & changed) != 0) flip_bits(index.event_watches, word, changed);
+}
+
+void Engine::publish_values() noexcept {
+  event_values.dirty.take_all([&](std::uint32_t slot) {
+    const std::uint64_t now = event_values.effective(slot);
+    if (event_values.values[slot] == now) return;
+    if (touched_slots_.mark(slot)) values_before_[slot] = event_values.values[slot];
+    event_values.values[slot] = now;
+    compare_value(tables.event_value_watches, slot, now);
+  });
+}
+
+/// Tells conditions and disabled units of a unit that stepped.
+void Engine::publish_unit(std::uint32_t unit) noexcept {
+  UnitState& state = units[unit];
+  state.flags &= static_cast<std::uint16_t>(~kMoved);
+  const std::uint32_t place = index.rich.place_of(unit);
+  const RichRow& rich = index.rich.rows()[place];
+  RichState& told_state = rich_states[place];
+  const bool moving = (state.flags & kMoving) != 0;
+  const std::uint8_t before = told_state.settled;
+  const std::uint8_t now = moving ? tables::kNoState : state.state;
+  const bool moving_changed = moving != (told_state.moving != 0);
+  if (now == before && !moving_changed) return;
+  told_state.settled = now;
+  told_state.moving = moving ? 1 : 0;
+  for (std::uint32_t w = rich.watch_begin; w < rich.watch_end; ++w) {
+    const tables::UnitWatch& watch = tables.unit_watches[w];
+    const bool changed = watch.state == tables::kMovingState
+                             ? moving_changed
+                             : (now != before && (watch.state == now || watch.state == before));
+    if (changed) flip(watch.condition, watch.input);
+  }
+  if (now == before) return;
+  for (std::uint32_t d = rich.disable_begin; d < rich.disable_end; ++d) {
+    const tables::DisableRow& disable = tables.disables[d];
+    if (disable.state != now && disable.state != before) continue;
+    const std::uint32_t other = index.rich.place_of(disable.unit);
+    rich_states[other].disabled_by += disable.state == now ? 1U : ~0U;
+    if (rich_states[other].counted != 0) continue;
+    rich_states[other].counted = 1;
+    counted_.add(other);
+  }
+}
+
+void Engine::flip_bits(const WatchIndex& watches, std::uint32_t word, std::uint64_t bits) noexcept {
+  for (bits &= watches.watched(word); bits != 0; bits &= bits - 1) {
+    const std::uint32_t bit = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+    for (const tables::BitWatch& watch : watches.on(bit)) flip(watch.condition, watch.input);
+  }
+}
+
+void Engine::compare_value(std::span<const tables::ValueWatch> watches, std::uint32_t slot,
+                           std::uint64_t value) noexcept {
+  auto watch = std::lower_bound(watches.begin(), watches.end(), slot,
+                                [](const tables::ValueWatch& a, std::uint32_t b) { return a.slot < b; });
+  for (; watch != watches.end() && watch->slot == slot; ++watch) {
+    const bool was = (condition_states[watch->condition] >> watch->input & 1) != 0;
+    if (was != tables::holds(*watch, value)) flip(watch->condition, watch->input);
+  }
+}
+
+void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
+  std::uint8_t& state = condition_states[condition];
+  state ^= static_cast<std::uint8_t>(1U << input);
+  if ((state & kWaiting) != 0) return;
+  state |= kWaiting;
+  waiting_.add(condition);
+  unpublished_ = true;
+}
+
+/// A unit that is on a way that it completes in any case looks at conditions when it has arrived.
+bool Engine::looks_at_conditions(std::uint32_t unit) const noexcept {
+  const std::uint16_t flags = units[unit].flags;
+  if ((flags & (kMoving | kBehaves)) != kMoving) return (flags & kHalted) == 0;
+  return index.types[tables.units[unit].type].actuation != tables::Actuation::latched;
+}
+
+void Engine::settle_conditions() noexcept {
+  while (waiting_.size != 0) {
+    const std::uint32_t condition = waiting_.items[--waiting_.size];
+    std::uint8_t& state = condition_states[condition];
+    state &= static_cast<std::uint8_t>(~kWaiting);
+    const tables::ConditionRow& row = tables.conditions[condition];
+    const bool now = (row.truth >> (state & kInputs) & 1) != 0;
+    if (now == ((state & kTruth) != 0)) continue;
+    state ^= kTruth;
+    switch (row.reader_kind) {
+      case tables::ReaderKind::unit:
+        if (looks_at_conditions(row.reader)) queue(row.reader);
+        break;
+      case tables::ReaderKind::condition:
+        flip(row.reader, row.reader_input);
+        break;
+      case tables::ReaderKind::requirement:
+        touched_requirements_.mark(row.reader);
+        break;
+    }
+  }
+}
+
+void Engine::settle_disables() noexcept {
+  for (const std::uint32_t place : counted_.view()) {
+    rich_states[place].counted = 0;
+    const std::uint32_t unit = index.rich.rows()[place].unit;
+    UnitState& state = units[unit];
+    const bool disable = rich_states[place].disabled_by != 0;
+    if (disable == ((state.flags & kDisabled) != 0)) continue;
+    active_ = true;
+    touch(unit);
+    const bool frozen = (state.flags & kFrozen) != 0;
+    if (disable) {
+      if (!frozen) halt_times(unit);
+      state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped));
+      state.flags |= kDisabled;
+    } else {
+      state.flags &= static_cast<std::uint16_t>(~kDisabled);
+      if (frozen) continue;
+      state.flags |= kEnabledNow;
+      suspects_ |= suspect(tables::FindingKind::started_on_enabling);
+      resume_times(unit);
+      queue(unit);
+    }
+  }
+  counted_.size = 0;
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,126 @@
+// The digest of the logical state, field by field as docs/engine.md lists them.
+#include <algorithm>
+
+#include "symplant/engine/engine_inline.hpp"
+#include "symplant/tables/digest.hpp"
+
+namespace symplant::engine {
+namespace {
+
+std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
+  return static_cast<std::uint8_t>((plane[bit / 64] >> (bit % 64)) & 1);
+}
+
+std::uint8_t force_of(const BitPlane& plane, std::uint32_t bit) noexcept {
+  return digit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + digit_of(plane.forced_on, bit));
+}
+
+}  // namespace
+
+void Engine::hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
+  const UnitState& state = units[unit];
+  const bool moving = (state.flags & kMoving) != 0;
+  hash.byte(state.state);
+  hash.byte(moving ? state.target : state.state);
+  hash.byte(static_cast<std::uint8_t>(state.transition));
+  hash.byte(static_cast<std::uint8_t>(state.transition >> 8));
+  hash.time(moving ? remaining(unit) : 0);
+  hash.time(state.whole);
+  const bool disabled = (state.flags & kDisabled) != 0;
+  const bool frozen = (state.flags & kFrozen) != 0;
+  hash.byte(static_cast<std::uint8_t>((moving ? 1 : 0) | (disabled ? 2 : 0) | (frozen ? 4 : 0)));
+}
+
+void Engine::hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
+  const tables::UnitRow& row = tables.units[unit];
+  const TypeIndex& type = index.types[row.type];
+  const bool halted = (units[unit].flags & kHalted) != 0;
+  const RichRow* rich = row.rich != 0 ? &rich_row(unit) : nullptr;
+  const Behaviour* behaviour = rich != nullptr ? behaviour_of(*rich) : nullptr;
+  const std::uint32_t first_record = rich != nullptr ? rich->first_record : 0;
+  const bool by_behaviour = behaviour != nullptr && behaviour->after != nullptr;
+  for (std::size_t n = 0; n < tables.types[row.type].transitions.size(); ++n) {
+    Record record{};
+    if (type.record_of[n] != kNoRecord) record = records[first_record + type.record_of[n]];
+    const bool remembers = by_behaviour || tables.times[row.times + n + 1].after != 0;
+    const bool held = remembers && record.holds != 0;
+    hash.byte(held ? 1 : 0);
+    const bool counted_down = !halted && record.ready != tables::kNever;
+    hash.time(!held ? 0 : counted_down ? std::max<tables::Time>(0, record.ready - head->now) : record.ready);
+    hash.u32(record.draws);
+  }
+}
+
+void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
+  const tables::UnitRow& row = tables.units[unit];
+  const tables::TypeRow& type = tables.types[row.type];
+  for (std::uint32_t bit = row.operation_bit; bit < row.operation_bit + type.operations; ++bit) {
+    hash.byte(digit_of(written_operations, bit));
+    hash.byte(static_cast<std::uint8_t>(1 - digit_of(disarmed, bit)));
+    hash.byte(force_of(operations, bit));
+    hash.byte(digit_of(served, bit));
+    hash.byte(digit_of(told, bit));
+  }
+  for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
+    hash.byte(digit_of(events.made, bit));
+    hash.byte(force_of(events, bit));
+  }
+}
+
+void Engine::hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
+  if (tables.units[unit].rich == 0) return;
+  const RichRow& rich = rich_row(unit);
+  if (behaviour_of(rich) == nullptr) return;
+  const BehaviourState& state = behaviour_states[rich.behaviour];
+  const bool halted = (units[unit].flags & kHalted) != 0;
+  hash.u32(state.draws);
+  tables::Time left = -1;
+  if (state.wake != tables::kNever) left = halted ? state.wake : state.wake - head->now;
+  hash.time(state.woken != 0 ? 0 : left);
+  const auto* memory = reinterpret_cast<const std::uint8_t*>(behaviour_memory);
+  for (std::uint32_t i = 0; i < memory_of(rich.behaviour); ++i) hash.byte(memory[memory_begin(rich.behaviour) + i]);
+}
+
+void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept {
+  const bool operation = symbol.direction() == tables::Direction::operation;
+  if (symbol.type() == tables::DataType::boolean) {
+    const BitPlane& plane = operation ? operations : events;
+    hash.byte(digit_of(operation ? written_operations : plane.made, symbol.index));
+    hash.byte(force_of(plane, symbol.index));
+    return;
+  }
+  const ValuePlane& plane = operation ? operation_values : event_values;
+  hash.u64(operation ? written_values[symbol.index] : plane.made[symbol.index]);
+  hash.byte(digit_of(plane.forced, symbol.index));
+  hash.u64(plane.forced_to[symbol.index]);
+}
+
+std::uint64_t Engine::state_hash() const noexcept {
+  tables::Fnv1a64 hash;
+  const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
+  hash.time(head->now);
+  for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
+    hash_move(hash, unit);
+    hash_transitions(hash, unit);
+    hash_symbols(hash, unit);
+    hash_behaviour(hash, unit);
+  }
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.unit == tables::kNoUnit) hash_free_symbol(hash, symbol);
+  }
+  for (std::size_t r = 0; r < tables.requirements.size(); ++r) {
+    hash.byte(monitors[r].running != 0 ? 1 : 0);
+    hash.time(monitors[r].deadline);
+    hash.byte(monitors[r].held != 0 ? 1 : 0);
+  }
+  for (std::uint8_t kind = 0; kind < 2; ++kind) {
+    for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
+      if ((units[unit].flags & (kind == 0 ? kConflictTold : kStoppedTold)) == 0) continue;
+      hash.byte(kind);
+      hash.u32(unit);
+    }
+  }
+  return hash.value();
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,97 @@
+// The radix wheel.
+#include "symplant/engine/wheel.hpp"
+
+#include <algorithm>
+
+namespace symplant::engine {
+
+void Wheel::clear() noexcept {
+  last_ = 0;
+  bound_ = tables::kNever;
+  words_ = 0;
+  occupied_.fill(0);
+  heads_.fill(kNone);
+}
+
+void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
+  UnitState& state = units[unit];
+  if (state.next != kNone) units[state.next].previous = state.previous;
+  if (state.previous != kNone) {
+    units[state.previous].next = state.next;
+  } else {
+    const std::uint32_t bucket = bucket_of(state.due);  // where it was put, whatever has been cut since
+    heads_[bucket] = state.next;
+    if (state.next == kNone) vacate(bucket);
+  }
+  state.flags &= static_cast<std::uint16_t>(~kTimed);
+}
+
+Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept {
+  std::uint32_t unit = heads_[bucket];
+  Range range{units[unit].due, units[unit].due};
+  while ((unit = units[unit].next) != kNone) {
+    range.first = std::min(range.first, units[unit].due);
+    range.last = std::max(range.last, units[unit].due);
+  }
+  return range;
+}
+
+void Wheel::redistribute(UnitState* units, std::uint32_t bucket) noexcept {
+  std::uint32_t unit = heads_[bucket];
+  vacate(bucket);
+  const std::uint32_t now = digit_of(last_, 0);
+  while (unit != kNone) {
+    const std::uint32_t next = units[unit].next;
+    link(units, unit, units[unit].due == last_ ? now : bucket_of(units[unit].due));
+    unit = next;
+  }
+}
+
+tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
+  if (limit < bound_) return tables::kNever;
+  while (words_ != 0) {
+    const std::uint32_t bucket = lowest_bucket();
+    if (bucket < kWays) {
+      bound_ = (last_ & ~tables::Time{kWays - 1}) | bucket;
+      return bound_ <= limit ? bound_ : tables::kNever;
+    }
+    // The bucket's first time: the groups above from last_, its digit, zeros.
+    const std::uint32_t shift = bucket / kWays * kBits;
+    const std::uint64_t above = shift + kBits < 64 ? ~std::uint64_t{0} << (shift + kBits) : 0;
+    const std::uint64_t digit = bucket % kWays;
+    const auto base = static_cast<tables::Time>((static_cast<std::uint64_t>(last_) & above) | (digit << shift));
+    if (base > limit) {
+      bound_ = base;
+      return tables::kNever;
+    }
+    // Cut the bucket whether or not its first entry is due yet: time has reached it, and so it is never walked in vain
+    // twice.
+    const auto [first, last] = bucket_range(units, bucket);
+    last_ = first <= limit ? first : base;
+    if (first == last && first <= limit) {  // all at one time: as it stands it becomes the bucket of that time
+      const std::uint32_t now = digit_of(last_, 0);
+      heads_[now] = heads_[bucket];
+      vacate(bucket);
+      occupy(now);
+    } else {
+      redistribute(units, bucket);
+    }
+  }
+  bound_ = tables::kNever;
+  return tables::kNever;
+}
+
+tables::Time Wheel::peek(const UnitState* units) const noexcept {
+  if (words_ == 0) return tables::kNever;
+  const std::uint32_t bucket = lowest_bucket();
+  return bucket < kWays ? (last_ & ~tables::Time{kWays - 1}) | bucket : bucket_range(units, bucket).first;
+}
+
+std::uint32_t Wheel::take(tables::Time time) noexcept {
+  const std::uint32_t bucket = digit_of(time, 0);
+  const std::uint32_t first = heads_[bucket];
+  vacate(bucket);
+  return first;
+}
+
+}  // namespace symplant::engine

@@ -1,0 +1,169 @@
+// The user's class as the engine calls it: which functions it defines, found while compiling.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/plant/behaviour_memory.hpp"
+#include "symplant/plant/device_view.hpp"
+
+namespace symplant::plant {
+namespace detail {
+
+/// `named`: whether a class has a member of the name, of whatever kind, hidden or overloaded too (it makes the name
+/// ambiguous beside a rival's); `right`: whether it is the one function wanted.
+#define SYMPLANT_BEHAVIOUR_MEMBER(NAME)                          \
+  struct Member_##NAME {                                         \
+    struct Rival {                                               \
+      int NAME; /* NOLINT */                                     \
+    };                                                           \
+    template <class Class>                                       \
+    struct Both : Class, Rival {};                               \
+    template <class Class>                                       \
+    static constexpr bool named = !requires {                    \
+      &Both<Class>::NAME;                                        \
+    };                                                           \
+    template <class Class, class Function>                       \
+    static constexpr bool right = requires {                     \
+      requires std::is_same_v<decltype(&Class::NAME), Function>; \
+    };                                                           \
+  };
+SYMPLANT_BEHAVIOUR_MEMBER(takes)
+SYMPLANT_BEHAVIOUR_MEMBER(after)
+SYMPLANT_BEHAVIOUR_MEMBER(wanted)
+SYMPLANT_BEHAVIOUR_MEMBER(entered)
+SYMPLANT_BEHAVIOUR_MEMBER(left)
+SYMPLANT_BEHAVIOUR_MEMBER(woken)
+#undef SYMPLANT_BEHAVIOUR_MEMBER
+
+struct MemoryRival {
+  using Memory = char;
+};
+template <class Class>
+struct MemoryBoth : Class, MemoryRival {};
+template <class Class>
+inline constexpr bool kNamesMemory = !requires {
+  typename MemoryBoth<Class>::Memory;
+};
+template <class Class>
+inline constexpr bool kHasMemory = requires {
+  typename Class::Memory;
+};
+
+template <class Class>
+constexpr std::uint32_t memory_size_of() noexcept {
+  static_assert(!kNamesMemory<Class> || kHasMemory<Class>, "`Memory` must be a public type: `struct Memory { ... };`");
+  if constexpr (kHasMemory<Class>) {
+    check_behaviour_memory<typename Class::Memory>();
+    return (sizeof(typename Class::Memory) + 7) / 8 * 8;
+  }
+  return 0;
+}
+
+template <class Class, class Device>
+constexpr void add_times(engine::Behaviour& behaviour) noexcept {
+  using Look = DeviceLook<Device>;
+  using Way = DeviceTransition<Device>;
+  using Function = tables::Time (*)(Look&, Way) noexcept;
+  if constexpr (Member_takes::named<Class>) {
+    static_assert(Member_takes::right<Class, Function>,
+                  "write `static Time takes(Look& look, Transition transition) noexcept`, public, once");
+    if constexpr (Member_takes::right<Class, Function>) {
+      behaviour.takes = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
+        Look look(view);
+        return Class::takes(look, Way(view, transition));
+      };
+    }
+  }
+  if constexpr (Member_after::named<Class>) {
+    static_assert(Member_after::right<Class, Function>,
+                  "write `static Time after(Look& look, Transition transition) noexcept`, public, once");
+    if constexpr (Member_after::right<Class, Function>) {
+      behaviour.after = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
+        Look look(view);
+        return Class::after(look, Way(view, transition));
+      };
+    }
+  }
+}
+
+template <class Class, class Device>
+constexpr void add_wanted(engine::Behaviour& behaviour) noexcept {
+  using Look = DeviceLook<Device>;
+  using State = typename Device::State;
+  if constexpr (Member_wanted::named<Class>) {
+    constexpr bool kRight = Member_wanted::right<Class, std::optional<State> (*)(const Look&) noexcept>;
+    static_assert(kRight, "write `static std::optional<State> wanted(const Look& look) noexcept`, public, once");
+    if constexpr (kRight) {
+      behaviour.wanted = [](engine::BehaviourView& view) noexcept -> std::uint8_t {
+        const Look look(view);
+        const std::optional<State> state = Class::wanted(look);
+        return state ? static_cast<std::uint8_t>(*state) : tables::kNoState;
+      };
+    }
+  }
+}
+
+template <class Class, class Device>
+constexpr void add_told(engine::Behaviour& behaviour) noexcept {
+  using View = DeviceView<Device>;
+  using State = typename Device::State;
+  using Function = void (*)(View&, State) noexcept;
+  if constexpr (Member_entered::named<Class>) {
+    static_assert(Member_entered::right<Class, Function>,
+                  "write `static void entered(View& view, State state) noexcept`, public, once");
+    if constexpr (Member_entered::right<Class, Function>) {
+      behaviour.entered = [](engine::BehaviourView& raw, std::uint8_t state) noexcept {
+        View view(raw);
+        Class::entered(view, static_cast<State>(state));
+      };
+    }
+  }
+  if constexpr (Member_left::named<Class>) {
+    static_assert(Member_left::right<Class, Function>,
+                  "write `static void left(View& view, State state) noexcept`, public, once");
+    if constexpr (Member_left::right<Class, Function>) {
+      behaviour.left = [](engine::BehaviourView& raw, std::uint8_t state) noexcept {
+        View view(raw);
+        Class::left(view, static_cast<State>(state));
+      };
+    }
+  }
+  if constexpr (Member_woken::named<Class>) {
+    constexpr bool kRight = Member_woken::right<Class, void (*)(View&) noexcept>;
+    static_assert(kRight, "write `static void woken(View& view) noexcept`, public, once");
+    if constexpr (kRight) {
+      behaviour.woken = [](engine::BehaviourView& raw) noexcept {
+        View view(raw);
+        Class::woken(view);
+      };
+    }
+  }
+}
+
+}  // namespace detail
+
+/// `Class`, which the user has derived from the generated class `Device`, as the engine calls it. What it defines of
+/// takes, after, wanted, entered, left and woken takes the place of the model's rule; one of these names with another
+/// signature, and a Memory that cannot be saved, do not compile.
+template <class Class, class Device>
+constexpr engine::Behaviour behaviour_of() noexcept {
+  static_assert(std::is_base_of_v<Device, Class>, "a behaviour is derived from the generated class of its devices");
+  static_assert(!std::is_final_v<Class>,
+                "leave `final` out: which functions the class has is found by deriving from it");
+  static_assert(
+      std::is_empty_v<Class>,
+      "there is no object of a behaviour's class: what it remembers is its `Memory`, its functions are static");
+  engine::Behaviour behaviour;
+  behaviour.memory_size = detail::memory_size_of<Class>();
+  if constexpr (std::is_base_of_v<Device, Class> && !std::is_final_v<Class>) {
+    detail::add_times<Class, Device>(behaviour);
+    detail::add_wanted<Class, Device>(behaviour);
+    detail::add_told<Class, Device>(behaviour);
+  }
+  return behaviour;
+}
+
+}  // namespace symplant::plant

@@ -1,0 +1,145 @@
+// The Plant interface over the engine.
+#include "symplant/plant/plant.hpp"
+
+#include <algorithm>
+#include <exception>
+
+#include "symplant/engine/arena.hpp"
+#include "symplant/engine/engine.hpp"
+
+namespace symplant::plant {
+namespace {
+
+bool bit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
+  return ((plane[bit / 64] >> (bit % 64)) & 1) != 0;
+}
+
+}  // namespace
+
+std::size_t Plant::memory_size(const tables::PlantTables& tables,
+                               std::span<const engine::Behaviour> behaviours) noexcept {
+  engine::Arena counting(nullptr);
+  engine::Engine::make(tables, behaviours, counting);
+  return counting.used();
+}
+
+Plant::Plant(const tables::PlantTables& tables, std::span<std::byte> memory,
+             std::span<const engine::Behaviour> behaviours) noexcept
+    : tables_(tables) {
+  if (memory.size() < memory_size(tables, behaviours)) std::terminate();
+  engine::Arena arena(memory.data());
+  engine_ = engine::Engine::make(tables, behaviours, arena);
+  reset();
+}
+
+std::uint64_t Plant::model_hash() const noexcept { return engine_->head->model; }
+
+void Plant::reset(std::uint64_t seed, tables::Time cycle) noexcept { engine_->reset(seed, cycle); }
+
+void Plant::set_operation(std::uint32_t bit, bool on) noexcept { engine_->write_operation(bit, on); }
+
+void Plant::set_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
+  engine_->write_operations(word, mask, bits);
+}
+
+void Plant::set_operation_value(std::uint32_t slot, std::uint64_t value) noexcept {
+  engine_->write_operation_value(slot, value);
+}
+
+bool Plant::set_input(std::uint32_t symbol, std::uint64_t value) noexcept { return engine_->set_input(symbol, value); }
+
+void Plant::force(std::uint32_t symbol, std::uint64_t value) noexcept { engine_->force(symbol, true, value); }
+
+void Plant::release(std::uint32_t symbol) noexcept { engine_->force(symbol, false, 0); }
+
+bool Plant::is_forced(std::uint32_t symbol) const noexcept {
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  if (row.type() == tables::DataType::boolean) {
+    return bit_of(operation ? engine_->operations.forced : engine_->events.forced, row.index);
+  }
+  return bit_of(operation ? engine_->operation_values.forced : engine_->event_values.forced, row.index);
+}
+
+void Plant::set_state(std::uint32_t unit, std::uint8_t state) noexcept {
+  if (state < tables_.types[tables_.units[unit].type].states) engine_->set_state(unit, state);
+}
+
+void Plant::set_quality(bool well) noexcept {
+  for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) engine_->set_quality(b, well);
+}
+
+void Plant::set_quality(std::uint32_t behaviour, bool well) noexcept { engine_->set_quality(behaviour, well); }
+
+void Plant::advance_to(tables::Time time, engine::Observer* observer) noexcept { engine_->advance_to(time, observer); }
+
+void Plant::advance_before(tables::Time time, engine::Observer* observer) noexcept {
+  engine_->advance_before(time, observer);
+}
+
+tables::Time Plant::now() const noexcept { return engine_->head->now; }
+
+tables::Time Plant::next_due() const noexcept { return engine_->next_due(); }
+
+bool Plant::operation(std::uint32_t bit) const noexcept { return bit_of(engine_->operations.bits, bit); }
+
+bool Plant::event(std::uint32_t bit) const noexcept { return bit_of(engine_->events.bits, bit); }
+
+std::uint64_t Plant::operation_value(std::uint32_t slot) const noexcept {
+  return engine_->operation_values.values[slot];
+}
+
+std::uint64_t Plant::event_value(std::uint32_t slot) const noexcept { return engine_->event_values.values[slot]; }
+
+std::span<const std::uint64_t> Plant::operations() const noexcept {
+  return {engine_->operations.bits, tables_.operation_bits / 64};
+}
+
+std::span<const std::uint64_t> Plant::events() const noexcept {
+  return {engine_->events.bits, tables_.event_bits / 64};
+}
+
+std::span<const std::uint32_t> Plant::changed_events() const noexcept { return engine_->changed_events.list.view(); }
+
+std::span<const std::uint32_t> Plant::changed_event_values() const noexcept {
+  return engine_->changed_event_slots.list.view();
+}
+
+void Plant::forget_changed_events() noexcept {
+  engine_->changed_events.clear();
+  engine_->changed_event_slots.clear();
+}
+
+UnitView Plant::unit(std::uint32_t unit) const noexcept {
+  const engine::UnitState& state = engine_->units[unit];
+  const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
+  UnitView view{
+      state.state, state.state, is(engine::kMoving), is(engine::kStanding), is(engine::kDisabled), is(engine::kFrozen),
+      0,           0.0};
+  if (!view.moving) return view;
+  view.target = state.target;
+  view.remaining = std::max<tables::Time>(engine_->remaining(unit), 0);
+  const double whole = static_cast<double>(state.whole);
+  view.progress = state.whole == 0 ? 1.0 : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / whole);
+  return view;
+}
+
+std::span<const std::uint64_t> Plant::disarmed() const noexcept {
+  return {engine_->disarmed, tables_.operation_bits / 64};
+}
+
+bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->monitors[requirement].running != 0; }
+
+bool Plant::take_finding(tables::Finding& finding) noexcept { return engine_->findings.pop(finding); }
+
+std::uint64_t Plant::lost_findings() const noexcept { return engine_->findings.lost(); }
+
+std::span<const std::byte> Plant::save() const noexcept {
+  return {reinterpret_cast<const std::byte*>(engine_->head), engine_->block_size};
+}
+
+bool Plant::restore(std::span<const std::byte> block) noexcept { return engine_->restore(block); }
+
+std::uint64_t Plant::state_hash() const noexcept { return engine_->state_hash(); }
+
+}  // namespace symplant::plant

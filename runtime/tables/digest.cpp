@@ -1,0 +1,194 @@
+// The digest of a plant's tables, field by field so that neither padding nor byte order counts.
+#include "symplant/tables/digest.hpp"
+
+#include "symplant/tables/version.hpp"
+
+namespace symplant::tables {
+namespace {
+
+template <class Enumeration>
+void add_enumerator(Fnv1a64& hash, Enumeration value) noexcept {
+  hash.byte(static_cast<std::uint8_t>(value));
+}
+
+void add(Fnv1a64& hash, const Transition& transition) noexcept {
+  hash.byte(transition.from);
+  hash.byte(transition.to);
+  hash.byte(transition.on);
+  hash.byte(transition.once ? 1 : 0);
+  hash.u32(transition.when);
+  hash.byte(transition.timed ? 1 : 0);
+}
+
+void add(Fnv1a64& hash, const EventMasks& masks) noexcept {
+  hash.u64(masks.on);
+  hash.u64(masks.off);
+}
+
+void add(Fnv1a64& hash, const TypeRow& type) noexcept {
+  hash.byte(type.operations);
+  hash.byte(type.events);
+  hash.byte(type.states);
+  hash.byte(type.rest);
+  add_enumerator(hash, type.actuation);
+  hash.u32(static_cast<std::uint32_t>(type.transitions.size()));
+  for (const Transition& transition : type.transitions) add(hash, transition);
+  for (const EventMasks& masks : type.enter) add(hash, masks);
+  for (const EventMasks& masks : type.leave) add(hash, masks);
+  for (const std::uint8_t state : type.operation_targets) hash.byte(state);
+}
+
+void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
+  hash.u32(unit.type);
+  hash.u32(unit.operation_bit);
+  hash.u32(unit.event_bit);
+  hash.u32(unit.times);
+  hash.byte(unit.initial);
+  hash.byte(unit.rich);
+}
+
+void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {
+  hash.time(times.after);
+  hash.time(times.takes);
+}
+
+void add(Fnv1a64& hash, const RandomTime& random) noexcept {
+  add_enumerator(hash, random.kind);
+  hash.time(random.a);
+  hash.time(random.b);
+}
+
+void add(Fnv1a64& hash, const SymbolRow& symbol) noexcept {
+  hash.u32(symbol.index);
+  hash.u32(symbol.unit);
+  hash.u32(symbol.number);
+  hash.u32(static_cast<std::uint32_t>(symbol.kind));
+}
+
+void add(Fnv1a64& hash, const InitialValue& initial) noexcept {
+  hash.u32(initial.symbol);
+  hash.u64(initial.value);
+}
+
+void add(Fnv1a64& hash, const SharedAddress& shared) noexcept {
+  hash.u32(shared.symbol);
+  hash.u32(shared.leader);
+}
+
+void add(Fnv1a64& hash, const DisableRow& row) noexcept {
+  hash.u32(row.by);
+  hash.u32(row.unit);
+  hash.byte(row.state);
+}
+
+void add(Fnv1a64& hash, const ConditionRow& condition) noexcept {
+  hash.u64(condition.truth);
+  hash.u32(condition.reader);
+  hash.byte(condition.reader_input);
+  add_enumerator(hash, condition.reader_kind);
+}
+
+void add(Fnv1a64& hash, const ConditionedUnit& row) noexcept {
+  hash.u32(row.unit);
+  hash.u32(row.first_condition);
+}
+
+void add(Fnv1a64& hash, const UnitWatch& watch) noexcept {
+  hash.u32(watch.unit);
+  hash.u32(watch.condition);
+  hash.byte(watch.state);
+  hash.byte(watch.input);
+}
+
+void add(Fnv1a64& hash, const BitWatch& watch) noexcept {
+  hash.u32(watch.bit);
+  hash.u32(watch.condition);
+  hash.byte(watch.input);
+}
+
+void add(Fnv1a64& hash, const ValueWatch& watch) noexcept {
+  hash.u64(watch.operand);
+  hash.u32(watch.slot);
+  hash.u32(watch.condition);
+  hash.byte(watch.input);
+  add_enumerator(hash, watch.comparison);
+  add_enumerator(hash, watch.kind);
+}
+
+void add(Fnv1a64& hash, const RequirementRow& requirement) noexcept {
+  add_enumerator(hash, requirement.kind);
+  hash.u32(requirement.condition);
+  hash.u32(requirement.expected);
+  hash.time(requirement.within);
+}
+
+void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
+  hash.u32(row.unit);
+  hash.u32(row.name);
+  hash.u32(row.first_input);
+  hash.u32(row.input_count);
+  hash.u32(row.first_value);
+  hash.u32(row.value_count);
+}
+
+void add(Fnv1a64& hash, std::uint32_t value) noexcept { hash.u32(value); }
+
+/// Which symbols are whose: a row each time that the controller changes. How a controller's symbols are spread over
+/// lists does not count.
+void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
+  std::uint32_t before = 0;
+  for (std::size_t i = 0; i < tables.lists.size(); ++i) {
+    const SymbolListRow& list = tables.lists[i];
+    const std::size_t end = i + 1 < tables.lists.size() ? tables.lists[i + 1].first_symbol : tables.symbols.size();
+    if (list.controller == before || list.first_symbol >= end) continue;
+    hash.u32(list.first_symbol);
+    hash.u32(list.controller);
+    before = list.controller;
+  }
+  hash.u32(kNoUnit);  // which is no symbol
+}
+
+/// A table's size goes before its rows, so that no row can pass for one of the next table.
+template <class Row>
+void add_rows(Fnv1a64& hash, std::span<const Row> rows) noexcept {
+  hash.u64(rows.size());
+  for (const Row& row : rows) add(hash, row);
+}
+
+}  // namespace
+
+std::uint64_t model_hash(const PlantTables& tables) noexcept {
+  Fnv1a64 hash;
+  hash.u32(kTablesVersion);
+  add_rows(hash, tables.types);
+  add_rows(hash, tables.units);
+  add_rows(hash, tables.times);
+  add_rows(hash, tables.random_times);
+  add_rows(hash, tables.symbols);
+  add_controllers(hash, tables);
+  add_rows(hash, tables.initial_values);
+  add_rows(hash, tables.shared_addresses);
+  add_rows(hash, tables.disables);
+  add_rows(hash, tables.conditions);
+  add_rows(hash, tables.conditioned_units);
+  add_rows(hash, tables.unit_watches);
+  add_rows(hash, tables.operation_watches);
+  add_rows(hash, tables.event_watches);
+  add_rows(hash, tables.operation_value_watches);
+  add_rows(hash, tables.event_value_watches);
+  add_rows(hash, tables.requirements);
+  add_rows(hash, tables.behaviour_units);
+  add_rows(hash, tables.behaviour_values);
+  for (const std::uint32_t size :
+       {tables.operation_bits, tables.event_bits, tables.operation_slots, tables.event_slots}) {
+    hash.u32(size);
+  }
+  for (const std::string_view text : {tables.name, tables.unit_names, tables.state_names, tables.symbol_names,
+                                      tables.requirement_names, tables.behaviour_names, tables.controller_names}) {
+    hash.u64(text.size());
+    hash.text(text);
+  }
+  return hash.value();
+}
+
+}  // namespace symplant::tables

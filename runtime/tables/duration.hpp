@@ -1,0 +1,15 @@
+// Durations as people write them: "500ms", "1.5 s", "2h".
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "symplant/tables/time.hpp"
+
+namespace symplant::tables {
+
+/// A number, blanks or none, and one of ns us ms s min h; decimal fractions are exact. Nothing where the text is none,
+/// is negative, has a part below 1 ns, or is not below the 292 years that 64 bits hold.
+std::optional<Time> parse_duration(std::string_view text) noexcept;
+
+}  // namespace symplant::tables

@@ -1,0 +1,309 @@
+// plant.json: what is read from it, and what is refused.
+#include "description/plant_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "symplant/json/schema.hpp"
+#include "unit/model/model_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using description::Duration;
+using description::PlantFileReading;
+
+PlantFileReading read(const std::string& members) {
+  return description::read_plant_file(
+      "{\"symplant\": 1, \"symbols\": [\"a.csv\"]" + (members.empty() ? "" : ", " + members) + "}", "stem");
+}
+
+/// All that is at fault: "pointer: message", a line each.
+std::string shape(const PlantFileReading& reading) {
+  std::string text;
+  for (const json::Placed& fault : reading.syntax) text += "syntax: " + fault.message + "\n";
+  for (const description::DescriptionFault& fault : reading.faults) text += fault.pointer + ": " + fault.message + "\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::string shape(const std::string& members) { return shape(read(members)); }
+
+/// What is wrong with a whole text.
+std::string refused(const std::string& text) {
+  const PlantFileReading reading = description::read_plant_file(text, "stem");
+  CHECK_FALSE(reading.file);
+  return shape(reading);
+}
+
+description::PlantFile sound(const std::string& members) {
+  PlantFileReading reading = read(members);
+  INFO(members);
+  CHECK(shape(reading) == "");
+  REQUIRE(reading.file);
+  return std::move(*reading.file);
+}
+
+description::DeviceDescription device_of(const std::string& members) {
+  const description::PlantFile file = sound("\"devices\": {\"L_P_D\": {" + members + "}}");
+  REQUIRE(file.description.devices.size() == 1);
+  return file.description.devices.front();
+}
+
+std::optional<Duration> takes(const std::string& value) {
+  return device_of(R"("transitions": [{"from": "A", "to": "B", "takes": )" + value + "}]").transitions.front().takes;
+}
+
+std::string takes_fault(const std::string& value) {
+  const std::string where = "/devices/D/transitions/0/takes";
+  std::string fault = shape(R"("devices": {"D": {"transitions": [{"from": "A", "to": "B", "takes": )" + value + "}]}}");
+  REQUIRE(fault.starts_with(where));
+  return fault.substr(where.size());
+}
+
+TEST_CASE("Two keys make a plant: its version and its lists; its name is the file's") {
+  const description::PlantFile file = sound("");
+  CHECK(file.name == "stem");
+  REQUIRE(file.symbols.size() == 1);
+  CHECK(file.symbols[0].file == "a.csv");
+  CHECK(file.symbols[0].format == "");
+  CHECK_FALSE(file.symbols[0].encoding);
+  CHECK(file.description.devices.empty());
+  CHECK(file.description.defaults.travel == tables::kSecond);
+  CHECK(file.description.defaults.dwell == tables::kSecond);
+  CHECK(file.description.defaults.actuation == tables::Actuation::latched);
+  CHECK(sound(R"("name": "cell", "$schema": "./plant.schema.json")").name == "cell");
+}
+
+TEST_CASE("A list may be an object that says how it is to be read") {
+  const PlantFileReading reading = description::read_plant_file(
+      R"({"symplant": 1, "symbols": ["a.csv", {"file": "b.csv", "format": "gx-iec", "encoding": "utf-16le",
+          "controller": "PLC1", "xy": "octal"}], "links": [{"url": "loop:", "controller": "plc1"}, {"url": "loop:"}]})",
+      "s");
+  CHECK(shape(reading) == "");
+  REQUIRE(reading.file);
+  const description::ListReference& list = reading.file->symbols.at(1);
+  CHECK(list.file == "b.csv");
+  CHECK(list.format == "gx-iec");
+  CHECK(list.encoding == text::Encoding::utf16le);
+  CHECK(list.controller == "PLC1");
+  CHECK(list.xy == address::Radix::octal);
+  REQUIRE(reading.file->description.links.size() == 2);
+  CHECK(reading.file->description.links[0].url == "loop:");
+  CHECK(reading.file->description.links[0].controller == "plc1");
+  CHECK(reading.file->description.links[1].controller == "");
+}
+
+TEST_CASE("Defaults are read") {
+  const description::Defaults defaults =
+      sound(R"("defaults": {"travel": "2 s", "dwell": "1.5min", "actuation": "held"})").description.defaults;
+  CHECK(defaults.travel == 2 * tables::kSecond);
+  CHECK(defaults.dwell == 90 * tables::kSecond);
+  CHECK(defaults.actuation == tables::Actuation::held);
+}
+
+TEST_CASE("A device's keys are read") {
+  const description::DeviceDescription d = device_of(R"(
+    "states": ["DOCK"], "initial": "P1", "rest": "P2", "actuation": "spring", "only": true,
+    "transitions": [{"from": "*", "to": "DOCK", "on": "CHARGE", "when": "L_P_E.P1", "once": true, "after": "1ms"},
+                    {"from": "P1", "to": "P2", "automatic": true}],
+    "outputs": {"RUN2": {"enter": {"BUSY": true, "A": false}, "leave": {"BUSY": false}}},
+    "disables": {"RUN2": ["L_P_E", "*_X"]}, "type": "Stopper", "behaviour": "MyStopper",
+    "inputs": {"part": "L_P_E.P1"})");
+  CHECK(d.path == "L_P_D");
+  CHECK(d.states == std::vector<std::string>{"DOCK"});
+  CHECK(d.initial == "P1");
+  CHECK(d.rest == "P2");
+  CHECK(d.actuation == tables::Actuation::spring);
+  CHECK(d.only);
+  REQUIRE(d.transitions.size() == 2);
+  CHECK(d.transitions[0].from == "*");
+  CHECK(d.transitions[0].to == "DOCK");
+  CHECK(d.transitions[0].on == "CHARGE");
+  CHECK(d.transitions[0].when == "L_P_E.P1");
+  CHECK(d.transitions[0].once);
+  CHECK(d.transitions[0].after == Duration::fixed(tables::kMillisecond));
+  CHECK_FALSE(d.transitions[0].takes);
+  CHECK_FALSE(d.transitions[0].automatic);
+  CHECK(d.transitions[1].automatic);
+  REQUIRE(d.outputs.size() == 1);
+  CHECK(d.outputs[0].state == "RUN2");
+  CHECK(d.outputs[0].enter == std::vector<std::pair<std::string, bool>>{{"A", false}, {"BUSY", true}});
+  CHECK(d.outputs[0].leave == std::vector<std::pair<std::string, bool>>{{"BUSY", false}});
+  REQUIRE(d.disables.size() == 1);
+  CHECK(d.disables[0].state == "RUN2");
+  CHECK(d.disables[0].devices == std::vector<std::string>{"L_P_E", "*_X"});
+  CHECK(d.type == "Stopper");
+  CHECK(d.behaviour == "MyStopper");
+  CHECK(d.inputs == std::vector<std::pair<std::string, std::string>>{{"part", "L_P_E.P1"}});
+}
+
+TEST_CASE("Requirements and what check is told are read") {
+  const description::Description description = sound(R"(
+    "requirements": [{"name": "n", "never": "A"}, {"name": "w", "after": "A", "expect": "B", "within": "500ms"}],
+    "check": {"ignore": [{"rule": "SP402", "symbols": "*_SPARE*", "why": "spare", "until": "2027-06-30"},
+                         {"rule": "no-address", "why": "later"}],
+              "severity": {"nobody-moves": "error"}})")
+                                                   .description;
+  REQUIRE(description.requirements.size() == 2);
+  CHECK(description.requirements[0].never == "A");
+  CHECK(description.requirements[1].after == "A");
+  CHECK(description.requirements[1].expect == "B");
+  CHECK(description.requirements[1].within == 500 * tables::kMillisecond);
+  REQUIRE(description.check.ignore.size() == 2);
+  CHECK(description.check.ignore[0].symbols == "*_SPARE*");
+  CHECK(description.check.ignore[0].until == "2027-06-30");
+  CHECK(description.check.ignore[1].symbols == "");
+  CHECK(description.check.severity == std::vector<std::pair<std::string, std::string>>{{"nobody-moves", "error"}});
+}
+
+TEST_CASE("A duration is exact, or drawn between two, or round a mean") {
+  CHECK(takes("\"2s\"") == Duration::fixed(2 * tables::kSecond));
+  CHECK(takes("\"0.000000001 s\"") == Duration::fixed(1));
+  CHECK(takes("\"1.5h\"") == Duration::fixed(5400 * tables::kSecond));
+  CHECK(takes(R"({"min": "1.8s", "max": "2.2s"})") ==
+        Duration{Duration::Kind::uniform, 1800 * tables::kMillisecond, 2200 * tables::kMillisecond});
+  CHECK(takes(R"({"min": "1s", "max": "1s"})")->kind == Duration::Kind::uniform);
+  CHECK(takes(R"({"mean": "2s", "sigma": "0s"})") == Duration{Duration::Kind::normal, 2 * tables::kSecond, 0});
+}
+
+TEST_CASE("What is no duration is told apart from what is too fine and what is too long") {
+  const std::string none = "` is no duration, write a number and ns, us, ms, s, min or h, such as `500ms`";
+  CHECK(takes_fault("\"2 sec\"") == ": `2 sec" + none);
+  CHECK(takes_fault("\"-2s\"") == ": `-2s" + none);
+  CHECK(takes_fault("\"1e3s\"") == ": `1e3s" + none);
+  CHECK(takes_fault("\"2\"") == ": `2" + none);
+  CHECK(takes_fault("\".5s\"") == ": `.5s" + none);
+  CHECK(takes_fault("\"0.1ns\"") == ": `0.1ns` has a part below 1 ns, give it fewer decimals");
+  CHECK(takes_fault("\"1.0000000001 s\"") == ": `1.0000000001 s` has a part below 1 ns, give it fewer decimals");
+  CHECK(takes_fault("\"3000000h\"") == ": `3000000h` is longer than the 292 years that a plant lives, write less");
+  CHECK(takes_fault("2") ==
+        ": the number `2` stands here, wanted is a duration such as `500ms`, or an object with `min` "
+        "and `max`, or one with `mean` and `sigma`");
+  CHECK(takes_fault(R"({"min": "2s", "max": "1s"})") == "/max: `1s` is less than `min`, exchange the two");
+  CHECK(takes_fault(R"({"min": "2s", "mean": "1s"})").find("is unknown here") != std::string::npos);
+  CHECK(takes_fault(R"({"min": "2s"})").find("`max` is missing here") != std::string::npos);
+  CHECK(takes_fault(R"({"mean": "2s", "sigma": "x"})") == "/sigma: `x" + none);
+}
+
+TEST_CASE("Another version of the format is told apart from nonsense") {
+  CHECK(refused(R"({"symplant": 2, "symbols": {"new": "shape"}})") ==
+        "/symplant: this is version 2 of the format, this symplant reads version 1; take a newer symplant");
+  CHECK(refused(R"({"symplant": 0})") == "/symplant: there is no version 0 of the format, write 1");
+  CHECK(shape(description::read_plant_file(R"({"symplant": "1", "symbols": ["a"]})", "s")) ==
+        "/symplant: the text `1` stands here, wanted is the version of the format, 1");
+  CHECK(shape(description::read_plant_file(R"({"symplant": 1.5, "symbols": ["a"]})", "s")) ==
+        "/symplant: the number `1.5` stands here, wanted is the version of the format, 1");
+  CHECK(shape(description::read_plant_file(R"({"symbols": ["a"]})", "s")) ==
+        ": the key `symplant` is missing here, it holds the version of the format, 1");
+}
+
+TEST_CASE("Another kind of JSON is called what it looks like") {
+  CHECK(refused("[1]") ==
+        ": a plant description is an object, with `\"symplant\": 1` and `symbols` in it; this is none");
+  CHECK(refused("{}") ==
+        ": this is some JSON, but no plant description: that has `\"symplant\": 1` and `symbols` in it");
+  CHECK(refused(R"({"name": "x", "version": "1.0.0", "dependencies": {}})") ==
+        "/dependencies: this looks like the package.json of a JavaScript package, no plant");
+  CHECK(refused(R"({"symplant-scenario": 1, "steps": []})") ==
+        "/symplant-scenario: this is a scenario, give it to `symplant run PLANT --scenario`");
+  CHECK(refused(std::string(description::plant_schema())) == "/$id: this looks like a JSON Schema, no plant");
+}
+
+TEST_CASE("Unknown keys are refused with the nearest one, what comes later with words of its own") {
+  CHECK(shape(R"("device": {})") == "/device: the key `device` is unknown here, the nearest is `devices`");
+  CHECK(shape(R"("devices": {"D": {"transition": []}})") ==
+        "/devices/D/transition: the key `transition` is unknown here, the nearest is `transitions`");
+  CHECK(shape(R"("naming": {"rule": 1})") ==
+        "/naming: `naming` is not yet known to this version of symplant, leave it out");
+  CHECK(shape(R"("links": [{"url": "loop:", "wordorder": "low-first"}])") ==
+        "/links/0/wordorder: the key `wordorder` is unknown here, the nearest is `word-order`");
+}
+
+TEST_CASE("All faults of the form are told in one run") {
+  CHECK(shape(R"("defaults": {"travel": 2}, "devices": {"D": {"only": 1, "actuation": "hold"}}, "name": "")") ==
+        "/defaults/travel: the number `2` stands here, wanted is a duration such as `500ms`\n"
+        "/devices/D/actuation: the text `hold` stands here, wanted is one of `latched`, `bistable`, `held`, `spring`; "
+        "the nearest is `held`\n"
+        "/devices/D/only: the number `1` stands here, wanted is true or false\n"
+        "/name: an empty text stands here, wanted is the plant's name");
+}
+
+TEST_CASE("Lists, controllers and classes that cannot be are refused") {
+  const auto list = [](const std::string& members) {
+    return shape(description::read_plant_file(R"({"symplant": 1, "symbols": [{"file": "a", )" + members + "}]}", "s"));
+  };
+  CHECK(list(R"("format": "gxiec")") ==
+        "/symbols/0/format: `gxiec` is no known format of a list, choose among `gx-iec`; the nearest is `gx-iec`");
+  CHECK(list(R"("encoding": "cp948")")
+            .starts_with("/symbols/0/encoding: `cp948` is no encoding, choose among `utf-8`, `utf-16le`, `utf-16be`, "
+                         "`cp932`, `cp949`, "));
+  CHECK(list(R"("encoding": "gb1803")").ends_with("`cp866`; the nearest is `gb18030`"));
+  CHECK(list(R"("encoding": "Shift_JIS")").empty());
+  CHECK(list(R"("controller": "A=B")").starts_with("/symbols/0/controller: `A=B` is no name for a controller"));
+  CHECK(
+      list(R"("xy": "dec")").starts_with("/symbols/0/xy: the text `dec` stands here, wanted is one of `hex`, `octal`"));
+  CHECK(refused(R"({"symplant": 2})") != "");
+  CHECK(shape(description::read_plant_file(R"({"symplant": 1, "symbols": []})", "s")) ==
+        "/symbols: an array of too few items stands here, wanted is an array of symbol lists");
+  CHECK(shape(R"("devices": {"D": {"behaviour": "my stopper"}})") ==
+        "/devices/D/behaviour: `my stopper` is no name of a C++ class, use letters, digits and `_`");
+  CHECK(shape(R"("devices": {"D": {"type": "2X"}})") ==
+        "/devices/D/type: `2X` is no name of a C++ class, use letters, digits and `_`");
+}
+
+TEST_CASE("Names may hold anything but control characters") {
+  const std::string control = ": a control character stands in this name, such as a line's end, leave it out";
+  CHECK(shape(R"("name": "a\nb")") == "/name" + control);
+  CHECK(shape(R"("devices": {"D": {"states": ["A", "B\u007f"]}})") == "/devices/D/states/1" + control);
+  CHECK(shape(R"("requirements": [{"name": "\t", "never": "A"}])") == "/requirements/0/name" + control);
+  CHECK(sound(R"("name": "Pr\u00e4zision 7-b */ '\"'")").name == "Pr\u00e4zision 7-b */ '\"'");
+}
+
+TEST_CASE("A requirement is a `never`, or an `after` with `expect` and `within`") {
+  CHECK(shape(R"("requirements": [{"name": "a", "never": "A", "within": "1s"}])") != "");
+  CHECK(shape(R"("requirements": [{"name": "a", "after": "A", "expect": "B"}])") ==
+        "/requirements/0: the key `within` is missing here, it holds a duration such as `500ms`");
+  CHECK(shape(R"("requirements": [{"never": "A"}])") ==
+        "/requirements/0: the key `name` is missing here, it holds the requirement's name");
+}
+
+TEST_CASE("An empty entry wins all the same, and of a pattern every value is kept as text") {
+  const description::DeviceDescription d = device_of(R"("only": false, "transitions": [])");
+  CHECK(d.gives(description::DeviceKey::only));
+  CHECK(d.gives(description::DeviceKey::transitions));
+  CHECK_FALSE(d.gives(description::DeviceKey::outputs));
+  CHECK(d.texts.empty());
+  const description::PlantFile file = sound(R"("devices": {"L_*": {"rest": "A"}})");
+  CHECK(file.description.devices[0].texts[static_cast<std::size_t>(description::DeviceKey::rest)] == "\"A\"");
+}
+
+TEST_CASE("Values of every wrong type are refused and nothing breaks") {
+  const std::vector<std::string> values{"null", "true", "1",    "-1.5", "\"x\"",
+                                        "\"\"", "[]",   "[[]]", "{}",   "{\"x\": {}}"};
+  const std::vector<std::string> keys{"symbols", "name", "defaults", "devices", "requirements", "links", "check"};
+  for (const std::string& value : values) {
+    for (const std::string& key : keys) {
+      const PlantFileReading reading =
+          description::read_plant_file("{\"symplant\": 1, \"" + key + "\": " + value + "}", "stem");
+      CHECK(reading.file);
+    }
+    for (std::size_t k = 0; k < description::kDeviceKeys; ++k) {
+      const std::string key(description::device_key_name(static_cast<description::DeviceKey>(k)));
+      const PlantFileReading reading = read("\"devices\": {\"D\": {\"" + key + "\": " + value + "}}");
+      CHECK(reading.file);
+    }
+  }
+}
+
+TEST_CASE("A file is a plant description by its name's ending or by its first character") {
+  CHECK(description::is_plant_file("a/plant.json", "Class,Identifier"));
+  CHECK(description::is_plant_file("a/plant.JSONC", ""));
+  CHECK(description::is_plant_file("plant", "\xEF\xBB\xBF \r\n{"));
+  CHECK(description::is_plant_file("plant", std::string_view("\xFF\xFE{\0", 4)));
+  CHECK_FALSE(description::is_plant_file("symbols.csv", "Class,Identifier"));
+  CHECK_FALSE(description::is_plant_file("symbols.csv", ""));
+  CHECK_FALSE(description::is_plant_file(".json", ""));
+}
+
+}  // namespace
+}  // namespace symplant::test

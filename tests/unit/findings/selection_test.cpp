@@ -1,0 +1,107 @@
+// --select and --ignore: which rules a run tells of.
+#include "findings/selection.hpp"
+
+#include "check/catalogue.hpp"
+#include "unit/check/check_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+using findings::Selection;
+using Words = std::vector<std::string>;
+
+std::string fault(const Words& select, const Words& ignore) {
+  const auto selection = Selection::of(select, ignore);
+  return selection ? "" : selection.error();
+}
+
+/// "told", "not selected" or "ignored".
+std::string verdict(const Words& select, const Words& ignore, std::string_view rule) {
+  const auto selection = Selection::of(select, ignore);
+  REQUIRE(selection);
+  switch (selection->verdict(*check::find_rule(rule))) {
+    case Selection::Verdict::told:
+      return "told";
+    case Selection::Verdict::not_selected:
+      return "not selected";
+    case Selection::Verdict::ignored:
+      return "ignored";
+  }
+  return "";
+}
+
+TEST_CASE("Without words every rule is told") {
+  for (const diag::RuleInfo* rule : check::catalogue()) CHECK(verdict({}, {}, rule->id) == "told");
+}
+
+TEST_CASE("A word is an id, a slug or the beginning of an id, in any case") {
+  for (const char* word :
+       {"SP402", "sp402", "event-without-operation", "Event-Without-Operation", "SP40", "SP4", "sp"}) {
+    INFO(word);
+    CHECK(verdict({word}, {}, "SP402") == "told");
+    CHECK(verdict({}, {word}, "SP402") == "ignored");
+  }
+  CHECK(verdict({"SP5"}, {}, "SP402") == "not selected");
+  CHECK(verdict({"SP2", "SP4"}, {}, "SP402") == "told");
+}
+
+TEST_CASE("Of --select and --ignore the more exact word counts, of equal ones --ignore") {
+  CHECK(verdict({"SP4"}, {"SP402"}, "SP402") == "ignored");
+  CHECK(verdict({"SP402"}, {"SP4"}, "SP402") == "told");
+  CHECK(verdict({"SP402"}, {"SP4"}, "SP404") == "not selected");
+  CHECK(verdict({"SP40"}, {"SP4"}, "SP402") == "told");
+  CHECK(verdict({"SP4"}, {"SP4"}, "SP402") == "ignored");
+  CHECK(verdict({"SP402"}, {"event-without-operation"}, "SP402") == "ignored");
+}
+
+TEST_CASE("An error that leaves no sound plant is told whatever is chosen, and cannot be ignored by its name") {
+  CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "told");
+  CHECK(verdict({"SP5"}, {"SP3"}, "event-moved-twice") == "told");
+  CHECK(fault({}, {"SP304"}) ==
+        "`event-moved-twice` cannot be ignored: after this error there is nothing sound to go on with, mend its cause");
+  CHECK(fault({"SP304"}, {}).empty());
+  CHECK(verdict({}, {"SP302"}, "SP302") == "ignored");  // the first of two rows counts
+}
+
+TEST_CASE("A word that no rule has is refused with the nearest") {
+  CHECK(fault({"nobody-moved"}, {}) == "there is no rule `nobody-moved`, the nearest is `nobody-moves`");
+  CHECK(fault({}, {"loud"}) == "there is no rule `loud`: `symplant rules` lists all");
+  for (const char* word : {"S", "SP9", "SP4x", "SP4011", "4", "*"}) {
+    INFO(word);
+    CHECK_FALSE(fault({word}, {}).empty());
+    CHECK_FALSE(fault({}, {"SP4", word}).empty());
+  }
+  CHECK(fault({"SP4", ""}, {}) ==
+        "a rule is missing beside a comma: write ids, slugs or beginnings of ids, such as SP4");
+}
+
+TEST_CASE("What is left out is counted by its option; what plant.json ignores goes with its rule") {
+  description::Description description;
+  description.check.ignore = {{"SP402", "", "later", ""}};
+  const Analysed list =
+      analyse_lists({{"symbols.csv", list_text(bits({"L_P_S_O_P1", "L_P_S_I_P1", "L_P_S_O_P2", "L_P_S_I_P2",
+                                                     "L_P_S_I_HOT", "L_P_B_I_ON1", "L_P_B_I_OFF2", "START", "STOP"}))}},
+                    std::move(description), "2026-11-21");
+  REQUIRE(list.fired() == "nobody-moves wrong-number-of-levels wrong-number-of-levels");
+  REQUIRE(list.diagnostics.ignored().size() == 1);
+
+  const auto chosen = [&](const Words& select, const Words& ignore) {
+    return findings::select(list.diagnostics, *Selection::of(select, ignore));
+  };
+  const diag::Diagnostics names = chosen({"SP2"}, {});
+  CHECK(names.all().size() == 2);
+  CHECK(names.ignored().empty());
+  CHECK(names.left_out().not_selected == 1);
+  CHECK(names.left_out().ignored == 0);
+  const diag::Diagnostics models = chosen({}, {"SP2"});
+  CHECK(models.all().size() == 1);
+  CHECK(models.count(diag::Severity::warning) == 0);
+  CHECK(models.ignored().size() == 1);
+  CHECK(models.left_out().ignored == 2);
+  const diag::Diagnostics all = chosen({}, {});
+  CHECK(all.all().size() == 3);
+  CHECK(all.left_out().ignored + all.left_out().not_selected == 0);
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,91 @@
+// The section `check`: what is ignored, what counts more or less, and what is wrong with the section.
+#include "findings/settings.hpp"
+
+#include "check/catalogue.hpp"
+#include "unit/check/check_support.hpp"
+
+namespace symplant::test {
+namespace {
+
+/// SPARE reports a state that it never reaches (SP402), of B and C nobody moves the events (SP404).
+const std::vector<std::string> kNames = {"L_P_SPARE_O_P1", "L_P_SPARE_I_P1",  "L_P_SPARE_O_P2",
+                                         "L_P_SPARE_I_P2", "L_P_SPARE_I_HOT", "L_P_B_I_ON1",
+                                         "L_P_B_I_OFF2",   "L_P_C_I_ON1",     "L_P_C_I_OFF2"};
+
+Analysed with(std::vector<description::GivenCheck::Ignore> ignore,
+              std::vector<std::pair<std::string, std::string>> severity = {}, std::string_view today = "2026-11-21") {
+  description::Description description;
+  description.check.ignore = std::move(ignore);
+  description.check.severity = std::move(severity);
+  return analyse_lists({{"symbols.csv", list_text(bits(kNames))}}, std::move(description), today);
+}
+
+TEST_CASE("Without settings all is told") {
+  CHECK(with({}).fired() == "event-without-operation nobody-moves nobody-moves");
+}
+
+TEST_CASE("A finding is ignored by its rule's name or id, on a symbol or a device, and is counted with its reason") {
+  for (const char* rule : {"event-without-operation", "SP402", "sp402"}) {
+    for (const char* symbols : {"L_P_SPARE_I_HOT", "L_P_SPARE", "*_SPARE*", "l_p_spare?i_hot", ""}) {
+      INFO(rule << " " << symbols);
+      const Analysed list = with({{rule, symbols, "comes later", ""}});
+      CHECK(list.fired() == "nobody-moves nobody-moves");
+      REQUIRE(list.diagnostics.ignored().size() == 1);
+      CHECK(list.diagnostics.ignored()[0].why == "comes later");
+      CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
+    }
+  }
+  CHECK(with({{"nobody-moves", "L_P_B", "a button", ""}}).fired() == "event-without-operation nobody-moves");
+}
+
+TEST_CASE("An entry counts up to its day, that one included, and says so after it") {
+  const auto fired = [](std::string_view today) {
+    return with({{"SP402", "*", "later", "2026-11-21"}}, {}, today).fired();
+  };
+  CHECK(fired("2026-11-20") == "nobody-moves nobody-moves");
+  CHECK(fired("2026-11-21") == "nobody-moves nobody-moves");
+  CHECK(fired("2026-11-22") == "ignore-is-over event-without-operation nobody-moves nobody-moves");
+  CHECK(fired("") == "nobody-moves nobody-moves");
+}
+
+TEST_CASE("An entry that hides nothing is told, also where it is over") {
+  CHECK(told(with({{"SP402", "*_MOTOR*", "later", ""}}), "ignore-without-finding") ==
+        "/check/ignore/0: nothing is found by `SP402` of `*_MOTOR*`: take this entry out");
+  CHECK(with({{"SP402", "*_MOTOR*", "later", "2026-01-01"}}).count("ignore-without-finding") == 1);
+  // Of two entries that fit, the first hides; the second has nothing left.
+  CHECK(told(with({{"SP402", "*", "a", ""}, {"SP402", "*_HOT", "b", ""}}), "ignore-without-finding") ==
+        "/check/ignore/1: nothing is found by `SP402` of `*_HOT`: take this entry out");
+}
+
+TEST_CASE("A rule that is none is told with the nearest, a date that is none likewise") {
+  CHECK(told(with({{"nobody-moved", "*", "x", ""}}), "unknown-rule") ==
+        "/check/ignore/0/rule: there is no rule `nobody-moved`, the nearest is `nobody-moves`");
+  CHECK(told(with({}, {{"loud", "error"}}), "unknown-rule") ==
+        "/check/severity/loud: there is no rule `loud`: `symplant rules` lists all");
+  for (const char* date :
+       {"2026-02-29", "2026-13-01", "2026-00-10", "2026-6-30", "30.06.2026", "2026-06-31", "tomorrow"}) {
+    INFO(date);
+    CHECK(with({{"SP402", "*", "x", date}}).count("date-not-understood") == 1);
+  }
+  CHECK(with({{"SP402", "*", "x", "2028-02-29"}}).fired() == "nobody-moves nobody-moves");
+}
+
+TEST_CASE("A severity set reaches counts and errors") {
+  const Analysed list = with({}, {{"nobody-moves", "error"}, {"SP402", "note"}});
+  CHECK(list.diagnostics.count(diag::Severity::error) == 2);
+  CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
+  CHECK(list.diagnostics.count(diag::Severity::note) == 1);
+  CHECK(list.diagnostics.has_errors());
+}
+
+TEST_CASE("Errors that leave no sound plant are neither lowered nor ignored") {
+  CHECK(told(with({}, {{"event-moved-twice", "note"}}), "binding-rule") ==
+        "/check/severity/event-moved-twice: `event-moved-twice` cannot be lowered: after this error there is nothing "
+        "sound to go on with, mend its cause");
+  CHECK(with({{"SP101", "*", "x", ""}}).count("binding-rule") == 1);
+  CHECK(with({}, {{"event-moved-twice", "error"}}).count("binding-rule") == 0);
+  CHECK_FALSE(findings::is_binding(*check::find_rule("SP302")));
+}
+
+}  // namespace
+}  // namespace symplant::test

@@ -1,0 +1,255 @@
+// Legacy code pages, and the proposal of one.
+#include <iconv.h>
+
+#include <array>
+#include <string>
+
+#include "support/catch.hpp"
+#include "support/strings.hpp"
+#include "text/encoding.hpp"
+
+using namespace symplant;
+using namespace symplant::text;
+using namespace std::string_literals;
+
+namespace {
+
+/// UTF-8 in another encoding, by iconv's name of it.
+std::string encoded(std::string text, const char* name) {
+  const iconv_t converter = iconv_open(name, "UTF-8");
+  REQUIRE(converter != reinterpret_cast<iconv_t>(-1));
+  std::string bytes(text.size() * 4 + 16, '\0');
+  char* in = text.data();
+  std::size_t left = text.size();
+  char* out = bytes.data();
+  std::size_t room = bytes.size();
+  INFO(text << " in " << name);
+  REQUIRE(iconv(converter, &in, &left, &out, &room) == 0);
+  iconv_close(converter);
+  bytes.resize(bytes.size() - room);
+  return bytes;
+}
+
+std::string decoded(const std::string& bytes, Encoding encoding) {
+  const auto result = decode(bytes, &encoding);
+  INFO(encoding_name(encoding) << ": " << (result ? "" : result.error().what));
+  REQUIRE(result);
+  CHECK(result->encoding == encoding);
+  return result->text;
+}
+
+DecodeError fault(const std::string& bytes, Encoding encoding) {
+  const auto result = decode(bytes, &encoding);
+  REQUIRE_FALSE(result);
+  return result.error();
+}
+
+/// "cp949 cp932": what is proposed for text that is read as UTF-8.
+std::string guesses(const std::string& bytes) {
+  const auto result = decode(bytes);
+  REQUIRE_FALSE(result);
+  std::string names;
+  for (const EncodingGuess& guess : result.error().guesses) {
+    names.append(names.empty() ? "" : " ").append(encoding_name(guess.encoding));
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("cp949 is windows-949: 8C 63 is U+B620, 5C is a backslash") {
+  CHECK(decoded("\x8C\x63", Encoding::cp949) == "\xEB\x98\xA0");
+  CHECK(decoded("A\\B~", Encoding::cp949) == "A\\B~");
+  CHECK(decoded("\xC5\xAC\xB7\xA5\xC7\xC1_\xC0\xFC\xC1\xF8", Encoding::cp949) == "클램프_전진");
+}
+
+TEST_CASE("Each code page gives its characters, and ASCII as it is") {
+  std::string ascii;
+  for (char c = ' '; c <= '~'; ++c) ascii += c;
+  ascii += "\r\n\t";
+  for (const std::string_view name : encoding_names()) {
+    const auto encoding = encoding_of_name(name);
+    REQUIRE(encoding);
+    CHECK(encoding_name(*encoding) == name);
+    if (name.starts_with("utf")) continue;
+    CHECK(decoded(ascii, *encoding) == ascii);
+  }
+  CHECK(decoded("\x83\x4E\x83\x89\xBC\xD8\xDD\x5C", Encoding::cp932) == "クラｼﾘﾝ\\");
+  CHECK(decoded("\xBC\xD0\xBD\xF4\xB8\xEA", Encoding::gb18030) == "夹紧戈");
+}
+
+TEST_CASE("Common names of encodings are understood, in any case and with or without hyphens") {
+  struct Name {
+    const char* name;
+    Encoding encoding;
+  };
+  for (const Name& each : {Name{"Shift_JIS", Encoding::cp932},
+                           Name{"shift-jis", Encoding::cp932},
+                           Name{"SJIS", Encoding::cp932},
+                           Name{"windows-31j", Encoding::cp932},
+                           Name{"CP949", Encoding::cp949},
+                           Name{"windows-949", Encoding::cp949},
+                           Name{"UHC", Encoding::cp949},
+                           Name{"EUC-KR", Encoding::cp949},
+                           Name{"ks_c_5601-1987", Encoding::cp949},
+                           Name{"gbk", Encoding::gb18030},
+                           Name{"cp936", Encoding::gb18030},
+                           Name{"GB2312", Encoding::gb18030},
+                           Name{"Big5", Encoding::cp950},
+                           Name{"windows-1252", Encoding::cp1252},
+                           Name{"latin1", Encoding::cp1252},
+                           Name{"ISO-8859-1", Encoding::cp1252},
+                           Name{"windows 1251", Encoding::cp1251},
+                           Name{"UTF8", Encoding::utf8},
+                           Name{"utf-16", Encoding::utf16le},
+                           Name{"ibm850", Encoding::cp850}}) {
+    INFO(each.name);
+    CHECK(encoding_of_name(each.name) == each.encoding);
+  }
+  for (const char* name : {"", "cp", "cp94", "cp9490", "korean", "-"}) CHECK_FALSE(encoding_of_name(name));
+}
+
+TEST_CASE("Bytes that a code page gives no meaning to are told with line, column and their values") {
+  const DecodeError korean = fault("abc\r\n\xC5\xAC\xB7\xA5,\xFF\xFFx\n", Encoding::cp949);
+  CHECK(korean.line == 2);
+  CHECK(korean.column == 4);  // in characters: two of Korean, and a comma
+  CHECK(test::contains(korean.what, "FF FF are no character of cp949 here"));
+  CHECK(korean.shown.substr(0, korean.shown_offset) == "abc\r\n클램,");
+  const DecodeError western = fault("a\xE4\x81z", Encoding::cp1252);
+  CHECK(western.column == 3);
+  CHECK(western.what == "the byte 81 is no character of cp1252 here");
+  CHECK(fault("ab\xC5", Encoding::cp949).column == 3);  // half a character at the end
+}
+
+TEST_CASE("Control characters beyond ASCII are no text in a code page") {
+  for (std::size_t before : {0U, 1U, 5000U, 70000U}) {
+    INFO(before);
+    std::string text;
+    for (std::size_t i = 0; i < before; ++i) text += "\xB0\xA1";
+    const DecodeError found = fault(text + "\x81\x30\x81\x31z", Encoding::gb18030);  // U+0081
+    CHECK(found.column == before + 1);
+    CHECK(test::contains(found.what, "81 30"));
+  }
+}
+
+TEST_CASE("A long text in a code page is whole, across the decoder's own blocks") {
+  std::string text;
+  std::string bytes;
+  for (int i = 0; i < 50000; ++i) {
+    text += i % 5 == 0 ? "a" : "클";
+    bytes += i % 5 == 0 ? "a" : "\xC5\xAC";
+  }
+  CHECK(decoded(bytes, Encoding::cp949) == text);
+}
+
+TEST_CASE("In a code page, too, binaries, NUL and zip archives are refused, and one end mark is not") {
+  CHECK(decoded("\xB0\xA1\n\0"s, Encoding::cp949) == "가\n");
+  const DecodeError nul = fault("\xB0\xA1\xB0\xA1\0\xB0\xA1"s, Encoding::cp949);
+  CHECK(nul.column == 3);
+  CHECK(test::contains(nul.what, "U+0000"));
+  CHECK(test::contains(fault("PK\x03\x04zzzz", Encoding::cp932).what, "zip archive"));
+}
+
+TEST_CASE("A byte order mark beats a code page that is asked for: refused, with what to do") {
+  const DecodeError found = fault("\xEF\xBB\xBF클", Encoding::cp932);
+  CHECK(found.what == "the file begins with the byte order mark of utf-8");
+  CHECK(found.remedy ==
+        "leave `--encoding cp932`, or its `encoding` in plant.json, out; where other lists need it, say `\"encoding\": "
+        "\"cp932\"` beside each of those in the `symbols` of a plant.json");
+  CHECK(fault("\xFF\xFE"
+              "a\0"s,
+              Encoding::cp949)
+            .what == "the file begins with the byte order mark of utf-16le");
+}
+
+TEST_CASE("Where a code page is asked for that does not fit, UTF-8 or another one is proposed") {
+  const DecodeError utf8 = fault("A,클램프,B\n", Encoding::cp1252);
+  REQUIRE(utf8.guesses.size() == 1);
+  CHECK(utf8.guesses[0].encoding == Encoding::utf8);
+  CHECK(utf8.guesses[0].sample == "클램프");
+  std::string long_cell;
+  for (int i = 0; i < 1000; ++i) long_cell += "클";
+  CHECK(fault(long_cell, Encoding::cp1252).guesses.at(0).sample.size() == 41 * 3);  // 40 characters and `…`
+  const DecodeError korean = fault(encoded("A,클램프_전진,B\n", "CP949"), Encoding::cp932);
+  REQUIRE(korean.guesses.size() == 1);
+  CHECK(korean.guesses[0].encoding == Encoding::cp949);
+}
+
+TEST_CASE("Where nothing can be guessed, the usual code pages that can read the file are named") {
+  const auto possible = [](const std::string& text) {
+    std::string names;
+    for (const UsualEncoding& usual : fault(text, Encoding::utf8).possible) {
+      names += std::string(encoding_name(usual.encoding)) + " " + std::string(usual.where) + "\n";
+    }
+    return names;
+  };
+  CHECK(possible("VENTILUEBER,\xFC\nVENTIL,\xFC\n") == "cp1252 Western Europe\n");
+  CHECK(possible("A,\x81\n").empty());
+  CHECK(possible("A," + encoded("클램프_전진", "CP949") + "\n").empty());  // guessed
+}
+
+TEST_CASE("The proposal shows the word at fault as the code page reads it") {
+  const auto result = decode("VAR_GLOBAL,S331_X_" + encoded("클램프_전진", "CP949") + ",X0\n");
+  REQUIRE_FALSE(result);
+  CHECK(result.error().what == "the bytes B7 A5 C7 C1 are no UTF-8 here, so the file is in another code page");
+  REQUIRE(result.error().guesses.size() == 1);
+  CHECK(result.error().guesses[0].sample == "S331_X_클램프_전진");
+}
+
+TEST_CASE("Texts of control panels are told apart by their script, a few words being enough") {
+  struct Text {
+    const char* text;
+    const char* name;
+    const char* guess;
+  };
+  for (const Text& each : {
+           Text{"로봇1호 상호 인터록3\n클램프_잠김단\n운전준비\n", "CP949", "cp949"},
+           Text{"전진단\n후진단\n상승\n하강\n", "CP949", "cp949"},
+           Text{"ロボット原点\n治具クランプ\n起動ボタン\n非常停止\n", "CP932", "cp932"},
+           Text{"ｼﾘﾝﾀﾞ前進端\nｸﾗﾝﾌﾟ閉\nﾓｰﾀ運転\n", "CP932", "cp932"},
+           Text{"夹具夹紧到位\n机器人在原点\n急停按钮\n启动\n", "GB18030", "gb18030"},
+           Text{"夾具夾緊到位\n機器人在原點\n緊急停止按鈕\n啟動\n", "CP950", "cp950"},
+           Text{"Förderer läuft\nTür geöffnet\nKühlung\nSTÖRUNG\n", "CP1252", "cp1252"},
+           Text{"Moteur démarré\nporte fermée\narrêt d'urgence\n", "CP1252", "cp1252"},
+           Text{"Temperatur 25 °C\nFläche m²\n", "CP1252", "cp1252"},
+           Text{"Siłownik wysunięty\nZawór otwarty\nczujnik położenia\nŁożysko\n", "CP1250", "cp1250"},
+           Text{"Датчик открытия\nНасос включен\nКлапан\n", "CP1251", "cp1251"},
+           Text{"НАСОС\nДВИГАТЕЛЬ\nАВАРИЯ\n", "CP1251", "cp1251"},
+           Text{"Kapı açık\nMotor çalışıyor\nBasınç düşük\nışık\n", "CP1254", "cp1254"},
+       }) {
+    INFO(each.text << " in " << each.name);
+    const std::string proposed = guesses("Class,Identifier\n" + encoded(each.text, each.name));
+    CHECK(proposed.substr(0, proposed.find(' ')) == each.guess);
+  }
+}
+
+TEST_CASE("One word is told by the likeliest two at most, its own among them") {
+  struct Word {
+    const char* text;
+    const char* name;
+    const char* guess;
+  };
+  for (const Word& each :
+       {Word{"전진", "CP949", "cp949"}, Word{"클램프", "CP949", "cp949"}, Word{"급정지", "CP949", "cp949"},
+        Word{"ボタン", "CP932", "cp932"}, Word{"前進", "CP932", "cp932"}, Word{"ｸﾗﾝﾌﾟ", "CP932", "cp932"},
+        Word{"夹紧", "GB18030", "gb18030"}, Word{"启动", "GB18030", "gb18030"}, Word{"Tür", "CP1252", "cp1252"},
+        Word{"Hauptförderer", "CP1252", "cp1252"}, Word{"Насос", "CP1251", "cp1251"}}) {
+    INFO(each.text << " in " << each.name);
+    const std::string proposed = " " + guesses("A," + encoded(each.text, each.name) + ",B\n") + " ";
+    CHECK(test::contains(proposed, " " + std::string(each.guess) + " "));
+  }
+}
+
+TEST_CASE("Nothing is proposed for noise, nor for bytes that no code page reads whole") {
+  std::string noise;
+  unsigned state = 1;
+  for (int i = 0; i < 4000; ++i) {
+    state = state * 1103515245 + 12345;
+    noise += static_cast<char>((state >> 16U) % 95 + 32 + (i % 3 == 0 ? 128 : 0));
+  }
+  CHECK(guesses(noise) == "");
+  std::string korean;
+  for (int i = 0; i < 20; ++i) korean += encoded("클램프\n전진\n", "CP949");
+  CHECK(guesses(korean) == "cp949");
+  CHECK(guesses(korean + "\xFF\xFF\n") == "");
+}
