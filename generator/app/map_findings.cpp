@@ -80,7 +80,7 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
 
 }  // namespace
 
-bool places_can_meet(const model::PlantModel& plant) {
+bool symbols_can_overlap(const model::PlantModel& plant) {
   const bool is_set = std::any_of(plant.description->links.begin(), plant.description->links.end(),
                                   [](const description::LinkDescription& link) { return link.has_settings; });
   return is_set || std::any_of(plant.symbols.begin(), plant.symbols.end(),
@@ -104,9 +104,9 @@ void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
       }
       const model::Symbol& other = plant.symbols[fault.symbol];
       const model::Symbol& symbol = plant.symbols[fault.other];
-      diagnostics.add(check::kPlacesOverlap.info, check::about(symbol), std::move(message),
-                      check::place_of(plant, *symbol.row, symbol.address_cell),
-                      {{check::place_of(plant, *other.row, other.address_cell), "the other symbol"}});
+      diagnostics.add(check::kSymbolsOverlap.info, check::about(symbol), std::move(message),
+                      check::location_of(plant, *symbol.row, symbol.address_cell),
+                      {{check::location_of(plant, *other.row, other.address_cell), "the other symbol"}});
     }
   }
   if (!faults.empty()) description::add_findings(plant.description_source, faults, diagnostics);

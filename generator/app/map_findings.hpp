@@ -8,7 +8,7 @@ namespace symplant::app {
 
 /// Whether places of this plant can meet at all: some number is of more than 16 bits, or the description moves
 /// something. O(symbols).
-bool places_can_meet(const model::PlantModel& plant);
+bool symbols_can_overlap(const model::PlantModel& plant);
 
 /// Tells of symbols that stand on one place (SP316), and of settings that do not fit the map, where they stand in the
 /// description. The plant must be without errors. O(symbols).

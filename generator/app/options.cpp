@@ -72,7 +72,7 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
 
 }  // namespace
 
-void tell_decisions(Context& context, const model::PlantModel& plant) {
+void report_decisions(Context& context, const model::PlantModel& plant) {
   if (plant.description_source != nullptr) {
     context.err << "decided: the plant is called " << diag::visible(plant.name) << "\n";
     for (const std::string& decision : plant.description_decisions) {
@@ -102,7 +102,7 @@ std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity leas
   return text;
 }
 
-void tell_ignored(Context& context, const diag::Diagnostics& diagnostics) {
+void report_ignored(Context& context, const diag::Diagnostics& diagnostics) {
   for (const diag::Ignored& ignored : diagnostics.ignored()) {
     const diag::RuleInfo& rule = *ignored.finding.rule;
     context.err << fmt::format("ignored: {} [{} {}], since: {}\n", diag::visible(ignored.finding.message), rule.id,
@@ -119,8 +119,8 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
     if (options.verbose || finding.severity != diag::Severity::note) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
-  if (options.verbose) tell_ignored(context, diagnostics);
-  if (compiled && options.verbose) tell_decisions(context, compiled->plant);
+  if (options.verbose) report_ignored(context, diagnostics);
+  if (compiled && options.verbose) report_decisions(context, compiled->plant);
   if (!compiled) {
     const std::string counts =
         count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);

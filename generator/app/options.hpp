@@ -23,10 +23,10 @@ void add_plant_options(CLI::App& command, PlantOptions& options);
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
 
 /// Tells what the reader decided, for --verbose.
-void tell_decisions(Context& context, const model::PlantModel& plant);
+void report_decisions(Context& context, const model::PlantModel& plant);
 
 /// Tells the findings that plant.json ignores, and why, for --verbose.
-void tell_ignored(Context& context, const diag::Diagnostics& diagnostics);
+void report_ignored(Context& context, const diag::Diagnostics& diagnostics);
 
 /// Whether an output would take the place of an input; says so and sets the exit code.
 bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs);

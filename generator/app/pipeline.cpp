@@ -20,7 +20,7 @@
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
 #include "model/build_plant.hpp"
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::app {
 namespace {
@@ -81,7 +81,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
   if (inputs->readable) {
     progress.stage("checking");
     check::check_plant(plant, diagnostics);
-    if (!diagnostics.has_errors() && places_can_meet(plant)) add_map_findings(plant, diagnostics);
+    if (!diagnostics.has_errors() && symbols_can_overlap(plant)) add_map_findings(plant, diagnostics);
     if (const description::GivenCheck& settings = plant.description->check;
         !settings.severity.empty() || !settings.ignore.empty()) {
       diagnostics = findings::apply_settings(diagnostics, settings, options.today);
@@ -92,7 +92,7 @@ std::optional<model::PlantModel> analyse(const CompileOptions& options, const ba
     findings::fold_consequences(plant, diagnostics);
     locate(inputs->source, diagnostics);
   }
-  diagnostics.sort_by_place(plant.sources());
+  diagnostics.sort_by_location(plant.sources());
   if (!inputs->readable) return std::nullopt;
   return plant;
 }

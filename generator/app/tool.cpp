@@ -22,7 +22,7 @@ constexpr std::array kCommands{&add_init,  &add_check, &add_explain, &add_rules,
                                &add_model, &add_map,   &add_run,     &add_schema, &add_completion};
 
 /// Line by line, without what may steer a terminal.
-void tell_visibly(const std::string& text, std::ostream& err) {
+void report_visibly(const std::string& text, std::ostream& err) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) err << diag::visible(line) << "\n";
 }
@@ -49,7 +49,7 @@ int run_tool(int argc, char** argv, Context& context) {
   } catch (const CLI::ParseError& error) {
     std::ostringstream said;  // the user's words as they are
     const int code = app.exit(error, context.out, said);
-    tell_visibly(said.str(), context.err);
+    report_visibly(said.str(), context.err);
     return code == 0 ? host::kGood : host::kBadInput;
   } catch (const std::exception& error) {  // memory, or what a library thinks impossible
     context.err << "error: " << error.what() << "\n";

@@ -26,19 +26,19 @@ class IndexTable {
   /// The place of a key that is there; kNothing else. `is_at(place)` tells whether the key is that of a place.
   template <class IsAt>
   std::uint32_t find(std::uint64_t hash, const IsAt& is_at) const {
-    return slots_.empty() ? kNothing : slots_[slot_of(folded(hash), is_at)].place;
+    return slots_.empty() ? kNothing : slots_[slot_of(folded(hash), is_at)].index;
   }
 
   /// The place of a key; `place` where it is new, which then is its place.
   template <class IsAt>
-  std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t place, const IsAt& is_at) {
+  std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t index, const IsAt& is_at) {
     if ((size_ + 1) * 2 > slots_.size()) resize(size_ + 1);
     const std::uint32_t kept = folded(hash);
     Slot& slot = slots_[slot_of(kept, is_at)];
-    if (slot.place != kNothing) return slot.place;
-    slot = {kept, place};
+    if (slot.index != kNothing) return slot.index;
+    slot = {kept, index};
     ++size_;
-    return place;
+    return index;
   }
 
   /// Tells that this hash will be asked for soon.
@@ -48,14 +48,14 @@ class IndexTable {
 
   /// Gives a key that is there another place.
   template <class IsAt>
-  void move(std::uint64_t hash, std::uint32_t place, const IsAt& is_at) {
-    slots_[slot_of(folded(hash), is_at)].place = place;
+  void move(std::uint64_t hash, std::uint32_t index, const IsAt& is_at) {
+    slots_[slot_of(folded(hash), is_at)].index = index;
   }
 
  private:
   struct Slot {
     std::uint32_t hash = 0;
-    std::uint32_t place = kNothing;
+    std::uint32_t index = kNothing;
   };
 
   static std::uint32_t folded(std::uint64_t hash) {
@@ -67,7 +67,8 @@ class IndexTable {
   std::size_t slot_of(std::uint32_t kept, const IsAt& is_at) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = kept & mask;
-    while (slots_[at].place != kNothing && (slots_[at].hash != kept || !is_at(slots_[at].place))) at = (at + 1) & mask;
+    while (slots_[at].index != kNothing && (slots_[at].hash != kept || !is_at(slots_[at].index)))
+      at = (at + 1) & mask;
     return at;
   }
 
@@ -79,9 +80,9 @@ class IndexTable {
     reserve_large(slots_, size);
     slots_.resize(size);
     for (const Slot& slot : old) {
-      if (slot.place == kNothing) continue;
+      if (slot.index == kNothing) continue;
       std::size_t at = slot.hash & (size - 1);
-      while (slots_[at].place != kNothing) at = (at + 1) & (size - 1);
+      while (slots_[at].index != kNothing) at = (at + 1) & (size - 1);
       slots_[at] = slot;
     }
   }

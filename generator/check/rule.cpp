@@ -5,28 +5,29 @@
 
 namespace symplant::check {
 
-diag::Place place_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell) {
+diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell) {
   const auto& source = plant.lists[plant.list_of(row)].table->source;
   return {source, cell.empty() ? row.whole : source->span_of(cell, row.whole)};
 }
 
-diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol) {
-  return place_of(plant, *symbol.row, symbol.name());
+diag::Location location_of(const model::PlantModel& plant, const model::Symbol& symbol) {
+  return location_of(plant, *symbol.row, symbol.name());
 }
 
-diag::Place place_of(diag::Place fallback, const description::Pointer& pointer) {
+diag::Location location_of(diag::Location fallback, const description::Pointer& pointer) {
   fallback.pointer = pointer.text();
   return fallback;
 }
 
-diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit,
-                            const description::Pointer& pointer) {
-  return place_of(place_of(plant, first_symbol_of(plant, unit)), pointer);
+diag::Location described_location(const model::PlantModel& plant, const model::Unit& unit,
+                                  const description::Pointer& pointer) {
+  return location_of(location_of(plant, first_symbol_of(plant, unit)), pointer);
 }
 
-description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way, std::string_view key) {
+description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& transition,
+                                        std::string_view key) {
   const description::Pointer here =
-      description::key_pointer(*unit.described, description::DeviceKey::transitions) / std::size_t{way.given};
+      description::key_pointer(*unit.described, description::DeviceKey::transitions) / std::size_t{transition.given};
   return key.empty() ? here : here / key;
 }
 
@@ -37,7 +38,7 @@ description::Pointer entry_pointer(const model::Unit& unit) {
   return description::device_pointer(*unit.described);
 }
 
-description::Pointer ways_pointer(const model::Unit& unit) {
+description::Pointer transitions_pointer(const model::Unit& unit) {
   return unit.described->only ? description::key_pointer(*unit.described, description::DeviceKey::only)
                               : entry_pointer(unit);
 }
@@ -52,12 +53,12 @@ bool is_described(const model::PlantModel& plant) {
   return plant.description_faults.empty() && (!description.devices.empty() || !description.requirements.empty());
 }
 
-const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place) {
-  return plant.symbols[unit.operations[place]];
+const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location) {
+  return plant.symbols[unit.operations[location]];
 }
 
-const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place) {
-  return plant.symbols[unit.events[place]];
+const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location) {
+  return plant.symbols[unit.events[location]];
 }
 
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit) {

@@ -29,29 +29,29 @@ struct Rule {
 };
 
 /// Where a cell of a row stands: the cell itself, or the whole row where the cell is not in the file as it is.
-diag::Place place_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell);
+diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell);
 /// A symbol's name.
-diag::Place place_of(const model::PlantModel& plant, const model::Symbol& symbol);
+diag::Location location_of(const model::PlantModel& plant, const model::Symbol& symbol);
 /// A place in the plant description, by JSON pointer; until it is located, or where there is no file, `fallback` stands
 /// for it.
-diag::Place place_of(diag::Place fallback, const description::Pointer& pointer);
+diag::Location location_of(diag::Location fallback, const description::Pointer& pointer);
 /// What the description says of a unit at one of its keys; the unit's first symbol stands for it. The unit must be
 /// described.
-diag::Place described_place(const model::PlantModel& plant, const model::Unit& unit,
-                            const description::Pointer& pointer);
+diag::Location described_location(const model::PlantModel& plant, const model::Unit& unit,
+                                  const description::Pointer& pointer);
 /// An entry that speaks of a unit's device; its `only` where that is what takes its ways away.
 description::Pointer entry_pointer(const model::Unit& unit);
-description::Pointer ways_pointer(const model::Unit& unit);
+description::Pointer transitions_pointer(const model::Unit& unit);
 /// Where a given transition stands, or one of its keys.
-description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& way,
+description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& transition,
                                         std::string_view key = {});
 /// Whether the plant has a description at all.
 bool has_description(const model::PlantModel& plant);
 /// Whether it says something of devices or has requirements, and is without faults, so that it can be looked at.
 bool is_described(const model::PlantModel& plant);
 /// The symbol at a place of a unit's operations or events.
-const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place);
-const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t place);
+const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
+const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
 /// The first symbol of a unit in list order.
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
 /// What a finding is about, as the user may name it in his settings: a symbol and its device, or a device.

@@ -8,10 +8,10 @@
 
 namespace symplant::check {
 
-void narrow(diag::Place& place, const model::Symbol& symbol) {
+void narrow(diag::Location& location, const model::Symbol& symbol) {
   const text::Span part = symbol.reading.where;
-  if (place.span.end - place.span.begin != symbol.name().size()) return;  // the whole row, or an unescaped cell
-  place.span = {place.span.begin + part.begin, place.span.begin + part.end};
+  if (location.span.end - location.span.begin != symbol.name().size()) return;  // the whole row, or an unescaped cell
+  location.span = {location.span.begin + part.begin, location.span.begin + part.end};
 }
 
 std::string_view faulty_part(const model::Symbol& symbol) {

@@ -19,7 +19,7 @@ extern const Rule kNameSlip;                   // SP205
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
-extern const Rule kEventMovedTwice;            // SP304
+extern const Rule kEventDrivenTwice;           // SP304
 extern const Rule kDirectionAgainstAddress;    // SP305
 extern const Rule kTypeAgainstAddress;         // SP306
 extern const Rule kAddressNotUnderstood;       // SP307
@@ -31,12 +31,12 @@ extern const Rule kByteOnNoRegister;           // SP312
 extern const Rule kTypeOfNoIo;                 // SP313
 extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kAddressesContradict;        // SP315
-extern const Rule kPlacesOverlap;              // SP316
+extern const Rule kSymbolsOverlap;             // SP316
 extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
-extern const Rule kNobodyMoves;                // SP404
+extern const Rule kEventNotDriven;             // SP404
 extern const Rule kTwoWordsOneState;           // SP405
 extern const Rule kUnitTooLarge;               // SP406
 extern const Rule kTaskClaimedTwice;           // SP407
@@ -76,7 +76,7 @@ inline constexpr std::array<const Rule*, 52> kRules{
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
-    &kEventMovedTwice,
+    &kEventDrivenTwice,
     &kDirectionAgainstAddress,
     &kTypeAgainstAddress,
     &kAddressNotUnderstood,
@@ -88,12 +88,12 @@ inline constexpr std::array<const Rule*, 52> kRules{
     &kTypeOfNoIo,
     &kRadixDisagrees,
     &kAddressesContradict,
-    &kPlacesOverlap,
+    &kSymbolsOverlap,
     &kAddressWithoutNumber,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,
-    &kNobodyMoves,
+    &kEventNotDriven,
     &kTwoWordsOneState,
     &kUnitTooLarge,
     &kTaskClaimedTwice,
@@ -123,7 +123,7 @@ inline constexpr std::array<const Rule*, 52> kRules{
 };
 
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
-void narrow(diag::Place& place, const model::Symbol& symbol);
+void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
 /// What a symbol loses that is in no device: "nothing moves it", "it moves nothing".
 std::string_view consequence(const model::Symbol& symbol);

@@ -5,7 +5,7 @@
 #   TARGET_plant   a library with one factory function: #include "TARGET/plant_gen.hpp", then <namespace>::make_plant()
 # BEHAVIOURS is the folder of your own classes for devices (NAME_behavior.hpp): they are compiled in, and what is missing
 # of them is written there, once. Without it the model's own rules serve all devices. LINK_DEFAULT is the link of a start
-# without --link. The code is generated anew when the description, its lists, the templates or the tool change; a build
+# without --link. The code is generated again when the description, its lists, the templates or the tool change; a build
 # without such a change does nothing.
 function(symplant_add_plant TARGET)
   cmake_parse_arguments(ARG "" "PLANT;BEHAVIOURS;LINK_DEFAULT;TEMPLATES" "" ${ARGN})

@@ -11,7 +11,7 @@
 #include "description/rules/description_unknown_name.hpp"
 #include "description/rules/left_out_for_some.hpp"
 #include "description/rules/pattern_matches_nothing.hpp"
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 namespace {
@@ -72,14 +72,15 @@ void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::sp
   for (const DescriptionFault& fault : faults) {
     if (!fault.related.empty()) wanted.push_back({fault.related, {}, 0, fault.at_key});
   }
-  const std::vector<json::Placed> places = json::place(source->text(), wanted);
+  const std::vector<json::Placed> locations = json::locate(source->text(), wanted);
   std::size_t next_related = faults.size();
   for (std::size_t i = 0; i < faults.size(); ++i) {
     std::vector<diag::Related> related;
     if (!faults[i].related.empty()) {
-      related.push_back({{source, span_of(places[next_related++].span)}, faults[i].related_message});
+      related.push_back({{source, span_of(locations[next_related++].span)}, faults[i].related_message});
     }
-    diagnostics.add(rule_of(faults[i].kind), faults[i].message, {source, span_of(places[i].span)}, std::move(related));
+    diagnostics.add(rule_of(faults[i].kind), faults[i].message, {source, span_of(locations[i].span)},
+                    std::move(related));
   }
 }
 

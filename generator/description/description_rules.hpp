@@ -7,7 +7,7 @@
 
 #include "description/description.hpp"
 #include "diag/diagnostic.hpp"
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 

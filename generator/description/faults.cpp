@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::description {
 
@@ -49,9 +49,9 @@ Pointer key_pointer(const DeviceDescription& device, DeviceKey key) {
 
 void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::size_t column) {
   if (at.pattern() != nullptr) {
-    const auto [told, added] = told_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
+    const auto [reported, added] = reported_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
     if (!added) {
-      std::string& first = faults_[told->second].message;
+      std::string& first = faults_[reported->second].message;
       const std::string others = "; so it is with other devices that " + ticked(at.pattern()->path) + " matches";
       if (!first.ends_with(others)) first += others;
       return;

@@ -113,7 +113,7 @@ class Faults {
 
   std::vector<DescriptionFault>& faults_;
   std::vector<DescriptionFault>& warnings_;
-  std::unordered_map<std::string, std::size_t> told_;  ///< under a pattern: place -> where in faults_, from 0
+  std::unordered_map<std::string, std::size_t> reported_;  ///< under a pattern: place -> where in faults_, from 0
   /// How many devices take each key from a pattern's entry.
   std::unordered_map<const DeviceDescription*, std::array<std::size_t, kDeviceKeys>> takers_;
   std::map<std::pair<std::string, Named>, Lack> lacks_;

@@ -8,7 +8,7 @@
 
 #include "address/address.hpp"
 #include "description/description.hpp"
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 #include "text/encoding.hpp"
 
 namespace symplant::description {

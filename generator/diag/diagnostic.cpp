@@ -29,13 +29,13 @@ std::optional<Severity> severity_of_name(std::string_view name) {
   return std::nullopt;
 }
 
-void Diagnostics::add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related) {
-  add(rule, {}, std::move(message), std::move(place), std::move(related));
+void Diagnostics::add(const RuleInfo& rule, std::string message, Location location, std::vector<Related> related) {
+  add(rule, {}, std::move(message), std::move(location), std::move(related));
 }
 
-void Diagnostics::add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Place place,
+void Diagnostics::add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Location location,
                       std::vector<Related> related) {
-  add({&rule, rule.severity, std::move(message), std::move(place), std::move(related), std::move(about)});
+  add({&rule, rule.severity, std::move(message), std::move(location), std::move(related), std::move(about)});
 }
 
 void Diagnostics::add(Diagnostic finding) {
@@ -53,8 +53,8 @@ void Diagnostics::fold(std::span<const std::uint32_t> into) {
     Diagnostic& root = all_[into[i]];
     Diagnostic& folded = all_[i];
     root.severity = std::max(root.severity, folded.severity);
-    root.related.push_back({std::move(folded.place), "follows from this (" + std::string(folded.rule->slug) +
-                                                         "): " + std::move(folded.message)});
+    root.related.push_back({std::move(folded.location), "follows from this (" + std::string(folded.rule->slug) +
+                                                            "): " + std::move(folded.message)});
     std::move(folded.related.begin(), folded.related.end(), std::back_inserter(root.related));
   }
   counts_ = {};
@@ -70,12 +70,12 @@ void Diagnostics::fold(std::span<const std::uint32_t> into) {
 
 std::vector<std::string> Diagnostics::pointers() const {
   std::vector<std::string> pointers;
-  const auto add_one = [&](const Place& place) {
-    if (!place.pointer.empty()) pointers.push_back(place.pointer);
+  const auto add_one = [&](const Location& location) {
+    if (!location.pointer.empty()) pointers.push_back(location.pointer);
   };
   const auto add_all = [&](const Diagnostic& finding) {
-    add_one(finding.place);
-    for (const Related& related : finding.related) add_one(related.place);
+    add_one(finding.location);
+    for (const Related& related : finding.related) add_one(related.location);
   };
   for (const Diagnostic& finding : all_) add_all(finding);
   for (const Ignored& ignored : ignored_) add_all(ignored.finding);
@@ -87,25 +87,25 @@ std::vector<std::string> Diagnostics::pointers() const {
 void Diagnostics::locate(const std::shared_ptr<const text::SourceFile>& file,
                          std::span<const std::optional<text::Span>> spans) {
   const std::vector<std::string> known = pointers();
-  const auto locate_one = [&](Place& place) {
-    if (place.pointer.empty()) return;
-    const auto found = std::lower_bound(known.begin(), known.end(), place.pointer);
+  const auto locate_one = [&](Location& location) {
+    if (location.pointer.empty()) return;
+    const auto found = std::lower_bound(known.begin(), known.end(), location.pointer);
     const auto index = static_cast<std::size_t>(found - known.begin());
-    if (index < spans.size() && spans[index]) place = {file, *spans[index]};
+    if (index < spans.size() && spans[index]) location = {file, *spans[index]};
   };
   const auto locate_all = [&](Diagnostic& finding) {
-    locate_one(finding.place);
-    for (Related& related : finding.related) locate_one(related.place);
+    locate_one(finding.location);
+    for (Related& related : finding.related) locate_one(related.location);
   };
   for (Diagnostic& finding : all_) locate_all(finding);
   for (Ignored& ignored : ignored_) locate_all(ignored.finding);
 }
 
-void Diagnostics::sort_by_place(std::span<const text::SourceFile* const> files) {
+void Diagnostics::sort_by_location(std::span<const text::SourceFile* const> files) {
   const std::unordered_set<const text::SourceFile*> given(files.begin(), files.end());
   std::unordered_map<const text::SourceFile*, std::size_t> ranks;  // looked up only, so that no pointer's value shows
   for (const Diagnostic& diagnostic : all_) {
-    const text::SourceFile* const file = diagnostic.place.source.get();
+    const text::SourceFile* const file = diagnostic.location.source.get();
     if (file != nullptr && given.count(file) == 0) ranks.try_emplace(file, ranks.size() + 1);
   }
   for (const text::SourceFile* file : files) ranks.try_emplace(file, ranks.size() + 1);
@@ -121,8 +121,9 @@ void Diagnostics::sort_by_place(std::span<const text::SourceFile* const> files) 
   std::vector<Key> keys;
   keys.reserve(all_.size());
   for (const Diagnostic& diagnostic : all_) {
-    const text::SourceFile* const file = diagnostic.place.source.get();
-    keys.push_back({file == nullptr ? 0 : ranks[file], file == nullptr ? 0 : diagnostic.place.span.begin, keys.size()});
+    const text::SourceFile* const file = diagnostic.location.source.get();
+    keys.push_back(
+        {file == nullptr ? 0 : ranks[file], file == nullptr ? 0 : diagnostic.location.span.begin, keys.size()});
   }
   if (std::is_sorted(keys.begin(), keys.end())) return;
   std::sort(keys.begin(), keys.end());

@@ -32,7 +32,7 @@ struct RuleInfo {
 std::optional<Severity> severity_of_name(std::string_view name);
 
 /// Bytes of a file; `source` may be null where the fault has no place (a file that could not be read).
-struct Place {
+struct Location {
   std::shared_ptr<const text::SourceFile> source;
   text::Span span;
   /// Where the place in the plant description is known as a JSON pointer only: until Diagnostics::locate() finds it,
@@ -41,7 +41,7 @@ struct Place {
 };
 
 struct Related {
-  Place place;
+  Location location;
   std::string message;
 };
 
@@ -50,7 +50,7 @@ struct Diagnostic {
   const RuleInfo* rule = nullptr;
   Severity severity = Severity::error;  ///< the rule's, unless the user sets another
   std::string message;
-  Place place;
+  Location location;
   std::vector<Related> related;
   std::vector<std::string> about;  ///< the symbols and devices (by path) that the user may name to leave it out
 };
@@ -70,15 +70,15 @@ struct LeftOutByOption {
 /// Everything found so far.
 class Diagnostics {
  public:
-  void add(const RuleInfo& rule, std::string message, Place place, std::vector<Related> related = {});
-  void add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Place place,
+  void add(const RuleInfo& rule, std::string message, Location location, std::vector<Related> related = {});
+  void add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Location location,
            std::vector<Related> related = {});
   void add(Diagnostic finding);
   void ignore(Diagnostic finding, std::string why);
 
   /// In the order of their files and of their places in them, those without a place first; of one place in the order of
   /// finding. Files stand in the order of `files`, before them those that are not among them, as they were first found.
-  void sort_by_place(std::span<const text::SourceFile* const> files = {});
+  void sort_by_location(std::span<const text::SourceFile* const> files = {});
   /// The pointers of all places, related ones too, that are not yet located: each once, sorted.
   std::vector<std::string> pointers() const;
   /// Gives those places the file and the spans: `spans[i]` is that of the i-th of pointers(); a place without one

@@ -9,7 +9,7 @@
 namespace symplant::diag {
 namespace {
 
-constexpr std::size_t kMostOfPlace = 200;  // bytes
+constexpr std::size_t kMostOfLocation = 200;  // bytes
 
 /// FNV-1a over fields, each with an end of its own.
 class Digest {
@@ -37,9 +37,10 @@ std::string without_numbers(std::string_view message) {
   return text;
 }
 
-std::string_view text_at(const Place& place) {
-  if (!place.source || !place.pointer.empty()) return {};
-  return place.source->text().substr(place.span.begin, std::min(place.span.end - place.span.begin, kMostOfPlace));
+std::string_view text_at(const Location& location) {
+  if (!location.source || !location.pointer.empty()) return {};
+  return location.source->text().substr(location.span.begin,
+                                        std::min(location.span.end - location.span.begin, kMostOfLocation));
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ std::string Fingerprints::next(const Diagnostic& finding, std::string_view file)
   for (const std::string& name : finding.about) digest.add(text::to_upper(name));
   if (finding.about.empty()) {
     digest.add(without_numbers(finding.message));
-    digest.add(text_at(finding.place));
+    digest.add(text_at(finding.location));
   }
   std::array<char, 17> hex{};
   std::snprintf(hex.data(), hex.size(), "%016llx", static_cast<unsigned long long>(digest.value()));

@@ -11,17 +11,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void add_place(Json& object, const Place& place) {
-  if (!place.source) return;
-  object["file"] = place.source->path();
-  if (place.source->text().empty()) return;
-  const text::Position begin = place.source->position(place.span.begin);
-  const text::Position end = place.source->position(place.span.end);
+void add_location(Json& object, const Location& location) {
+  if (!location.source) return;
+  object["file"] = location.source->path();
+  if (location.source->text().empty()) return;
+  const text::Position begin = location.source->position(location.span.begin);
+  const text::Position end = location.source->position(location.span.end);
   object["line"] = begin.line;
   object["column"] = begin.column;
   object["end_line"] = end.line;
   object["end_column"] = end.column;
-  object["span"] = {place.span.begin, place.span.end};
+  object["span"] = {location.span.begin, location.span.end};
 }
 
 Json finding_of(const Diagnostic& finding) {
@@ -30,12 +30,12 @@ Json finding_of(const Diagnostic& finding) {
   object["slug"] = finding.rule->slug;
   object["severity"] = severity_name(finding.severity);
   object["message"] = finding.message;
-  add_place(object, finding.place);
+  add_location(object, finding.location);
   object["related"] = Json::array();
   for (const Related& related : finding.related) {
     Json other;
     other["message"] = related.message;
-    add_place(other, related.place);
+    add_location(other, related.location);
     object["related"].push_back(std::move(other));
   }
   return object;

@@ -78,12 +78,12 @@ class SuiteRenderer {
   }
 
   void begin(const Diagnostic& finding) {
-    std::string name = finding.place.source ? finding.place.source->path() : report_.plant;
+    std::string name = finding.location.source ? finding.location.source->path() : report_.plant;
     if (!finding.about.empty()) name = finding.about.front();
     const std::size_t seen = ++seen_[{finding.rule, name}];
     if (seen > 1) name += " (" + std::to_string(seen) + ")";
     begin(*finding.rule, name);
-    if (finding.place.source) cases_ += " file=\"" + markup_text(finding.place.source->path()) + "\"";
+    if (finding.location.source) cases_ += " file=\"" + markup_text(finding.location.source->path()) + "\"";
     cases_ += ">\n";
   }
 

@@ -58,11 +58,11 @@ class SarifRenderer {
     const std::size_t all = results_.size();
     results_.resize(std::min(all, kMostSarifResults), Result{nullptr, nullptr, nullptr});
     Json rules = Json::array();
-    for (const Result& result : results_) rule_places_.try_emplace(result.finding->rule->id, result.finding->rule);
-    std::size_t place = 0;
-    for (auto& [id, rule] : rule_places_) {
+    for (const Result& result : results_) used_rules_.try_emplace(result.finding->rule->id, result.finding->rule);
+    std::size_t index = 0;
+    for (auto& [id, rule] : used_rules_) {
       rules.push_back(rule_of(*rule.info));
-      rule.place = place++;
+      rule.index = index++;
     }
     Json results = Json::array();
     for (const Result& result : results_) results.push_back(result_of(result));
@@ -80,14 +80,14 @@ class SarifRenderer {
   }
 
  private:
-  struct RulePlace {
-    explicit RulePlace(const RuleInfo* rule) : info(rule) {}
+  struct UsedRule {
+    explicit UsedRule(const RuleInfo* rule) : info(rule) {}
     const RuleInfo* info;
-    std::size_t place = 0;
+    std::size_t index = 0;
   };
 
   std::string uri_of(const Diagnostic& finding) const {
-    return finding.place.source ? file_uri(finding.place.source->path(), options_.folder) : std::string();
+    return finding.location.source ? file_uri(finding.location.source->path(), options_.folder) : std::string();
   }
 
   void collect() {
@@ -111,10 +111,10 @@ class SarifRenderer {
   }
 
   /// A build server takes no result without a line; the first one stands for a whole file.
-  Json location_of(const Place& place, std::string_view otherwise) const {
+  Json location_of(const Location& where, std::string_view otherwise) const {
     Json region{{"startLine", 1}};
-    if (place.source && !place.source->text().empty()) region = region_of(*place.source, place.span);
-    Json file = file_of(place.source ? std::string_view(place.source->path()) : otherwise);
+    if (where.source && !where.source->text().empty()) region = region_of(*where.source, where.span);
+    Json file = file_of(where.source ? std::string_view(where.source->path()) : otherwise);
     return {{"physicalLocation", {{"artifactLocation", std::move(file)}, {"region", std::move(region)}}}};
   }
 
@@ -133,14 +133,14 @@ class SarifRenderer {
   Json result_of(const Result& result) const {
     const Diagnostic& finding = *result.finding;
     Json json{{"ruleId", finding.rule->id},
-              {"ruleIndex", rule_places_.at(finding.rule->id).place},
+              {"ruleIndex", used_rules_.at(finding.rule->id).index},
               {"level", severity_name(finding.severity)},
               {"message", message(finding.message)}};
-    json["locations"] = Json::array({location_of(finding.place, result.report->plant)});
+    json["locations"] = Json::array({location_of(finding.location, result.report->plant)});
     Json related = Json::array();
     for (const Related& each : finding.related) {
       if (related.size() == kMostRelated) break;
-      Json location = location_of(each.place, result.report->plant);
+      Json location = location_of(each.location, result.report->plant);
       location["id"] = related.size() + 1;
       location["message"] = message(each.message);
       related.push_back(std::move(location));
@@ -170,7 +170,7 @@ class SarifRenderer {
   std::span<const Report> reports_;
   const SarifOptions& options_;
   std::vector<Result> results_;
-  std::map<std::string_view, RulePlace> rule_places_;
+  std::map<std::string_view, UsedRule> used_rules_;
 };
 
 }  // namespace

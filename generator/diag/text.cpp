@@ -12,8 +12,8 @@ namespace symplant::diag {
 
 namespace {
 
-constexpr std::size_t kWindow = 120;      ///< columns of a row that are shown at most
-constexpr std::size_t kBeforePlace = 40;  ///< characters shown before the place where a row is too long
+constexpr std::size_t kWindow = 120;         ///< columns of a row that are shown at most
+constexpr std::size_t kBeforeLocation = 40;  ///< characters shown before the place where a row is too long
 constexpr std::size_t kTabStop = 4;
 constexpr std::string_view kEllipsis = "…";
 
@@ -43,11 +43,11 @@ struct Excerpt {
 };
 
 /// Where showing begins so that the place stands in the window.
-std::size_t window_begin(std::string_view line, std::size_t place) {
+std::size_t window_begin(std::string_view line, std::size_t location) {
   // A character takes at most eight columns (<U+XXXX>, mostly); a short enough line is shown from its beginning.
-  if (place <= kWindow / 2) return 0;
-  std::size_t begin = place;
-  for (std::size_t left = kBeforePlace; begin > 0 && left > 0; --left) {
+  if (location <= kWindow / 2) return 0;
+  std::size_t begin = location;
+  for (std::size_t left = kBeforeLocation; begin > 0 && left > 0; --left) {
     do --begin;
     while (begin > 0 && text::is_continuation(line[begin]));
   }
@@ -55,9 +55,9 @@ std::size_t window_begin(std::string_view line, std::size_t place) {
 }
 
 /// `place` in bytes of `line`. Looks at no more of the line than it shows.
-Excerpt cut_out(std::string_view line, text::Span place) {
+Excerpt cut_out(std::string_view line, text::Span location) {
   Excerpt excerpt;
-  std::size_t at = line.size() <= kWindow ? 0 : window_begin(line, place.begin);
+  std::size_t at = line.size() <= kWindow ? 0 : window_begin(line, location.begin);
   std::size_t column = 0;
   if (at > 0) {
     excerpt.shown += kEllipsis;
@@ -66,8 +66,8 @@ Excerpt cut_out(std::string_view line, text::Span place) {
   bool begun = false;
   bool ended = false;
   for (;;) {
-    if (!begun && at >= place.begin) excerpt.begin = column, begun = true;
-    if (!ended && at >= place.end) excerpt.end = column, ended = true;
+    if (!begun && at >= location.begin) excerpt.begin = column, begun = true;
+    if (!ended && at >= location.end) excerpt.end = column, ended = true;
     if (at >= line.size()) break;
     if (column >= kWindow) {
       excerpt.shown += kEllipsis;
@@ -93,7 +93,7 @@ Excerpt cut_out(std::string_view line, text::Span place) {
   return excerpt;
 }
 
-bool same(const Place& a, const Place& b) {
+bool same(const Location& a, const Location& b) {
   return a.source == b.source && a.span.begin == b.span.begin && a.span.end == b.span.end;
 }
 
@@ -133,24 +133,24 @@ class TextRenderer {
   }
 
   void one(const Diagnostic& finding) {
-    head(finding.place, finding.severity, finding.message);
+    head(finding.location, finding.severity, finding.message);
     text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
-    row(finding.place);
-    const Place* shown = &finding.place;
+    row(finding.location);
+    const Location* shown = &finding.location;
     for (const Related& related : finding.related) {
-      head(related.place, Severity::note, related.message);
+      head(related.location, Severity::note, related.message);
       text_ += '\n';
-      if (!same(*shown, related.place)) row(related.place);
-      shown = &related.place;
+      if (!same(*shown, related.location)) row(related.location);
+      shown = &related.location;
     }
   }
 
-  void head(const Place& place, Severity severity, std::string_view message) {
+  void head(const Location& location, Severity severity, std::string_view message) {
     text_ += colours_.bold;
-    if (place.source) {
-      text_ += visible(place.source->path()) + ":";
-      if (!place.source->text().empty()) {
-        const text::Position position = place.source->position(place.span.begin);
+    if (location.source) {
+      text_ += visible(location.source->path()) + ":";
+      if (!location.source->text().empty()) {
+        const text::Position position = location.source->position(location.span.begin);
         text_ += std::to_string(position.line) + ":" + std::to_string(position.column) + ":";
       }
       text_ += ' ';
@@ -160,15 +160,15 @@ class TextRenderer {
     text_ += ' ' + visible(message);
   }
 
-  void row(const Place& place) {
-    if (!place.source || place.source->text().empty()) return;
-    const text::SourceFile& source = *place.source;
-    const std::string_view line = source.line_at(place.span.begin);
+  void row(const Location& location) {
+    if (!location.source || location.source->text().empty()) return;
+    const text::SourceFile& source = *location.source;
+    const std::string_view line = source.line_at(location.span.begin);
     const std::size_t line_begin = source.span_of(line).begin;
-    const std::size_t begin = std::min(place.span.begin - line_begin, line.size());
-    const std::size_t end = std::clamp(place.span.end, line_begin + begin, line_begin + line.size()) - line_begin;
+    const std::size_t begin = std::min(location.span.begin - line_begin, line.size());
+    const std::size_t end = std::clamp(location.span.end, line_begin + begin, line_begin + line.size()) - line_begin;
     const Excerpt excerpt = cut_out(line, {begin, end});
-    const std::string number = std::to_string(source.position(place.span.begin).line);
+    const std::string number = std::to_string(source.position(location.span.begin).line);
     const std::size_t margin = std::max<std::size_t>(number.size(), 5);
     text_ += std::string(margin - number.size(), ' ') + number + " | " + excerpt.shown + '\n';
     text_ += std::string(margin, ' ') + " | " + std::string(excerpt.begin, ' ');

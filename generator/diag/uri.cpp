@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool stands_for_itself(char c) {
+bool is_plain(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          std::string_view("-._~/").find(c) != std::string_view::npos;
 }
@@ -17,7 +17,7 @@ std::string percent_encoded(std::string_view bytes) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string text;
   for (const char c : bytes) {
-    if (stands_for_itself(c)) {
+    if (is_plain(c)) {
       text += c;
       continue;
     }

@@ -55,7 +55,7 @@ void settings_row(RowWriter& rows, std::size_t controller, const model::Controll
   const link::LinkSettings& set = link.link;
   const link::LinkSettings none;
   Members members(rows);
-  if (!link.places.empty()) members.next("places").text("links::kPlaces").number(controller);
+  if (!link.rows.empty()) members.next("rows").text("links::kLinkRows").number(controller);
   if (set.word_order != none.word_order) members.next("word_order").text(word_order(set.word_order));
   if (set.on_loss != none.on_loss) members.next("on_loss").text(on_loss(set.on_loss));
   if (set.plant_on_loss != none.plant_on_loss) {
@@ -89,15 +89,15 @@ std::string place_arrays(const model::PlantModel& plant) {
   RowWriter rows;
   for (std::size_t c = 0; c < plant.links.size(); ++c) {
     const model::ControllerLink& link = plant.links[c];
-    if (!link.places.empty()) {
+    if (!link.rows.empty()) {
       rows.text(
           "// Symbols whose settings differ from their link's: symbol, number, word order, what a loss makes of it.\n");
-      rows.text("constexpr std::array<link::PlaceRow, ").number(link.places.size());
-      rows.text("> kPlaces").number(c).text("{{\n");
-      for (const link::PlaceRow& row : link.places) {
+      rows.text("constexpr std::array<link::MapRow, ").number(link.rows.size());
+      rows.text("> kLinkRows").number(c).text("{{\n");
+      for (const link::MapRow& row : link.rows) {
         rows.text("    {").number(row.symbol).text(", ");
-        if (row.number == link::PlaceRow::kDefault) {
-          rows.text("link::PlaceRow::kDefault");
+        if (row.number == link::MapRow::kDefault) {
+          rows.text("link::MapRow::kDefault");
         } else {
           rows.number(row.number);
         }

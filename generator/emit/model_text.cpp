@@ -15,16 +15,16 @@ using condition::Tree;
 constexpr std::size_t kLongest = 160;  ///< bytes of a condition that are shown
 
 /// Who reads the condition at a place of its unit: the first transition that wants it, or an input of its behaviour.
-std::string unit_reader(std::uint32_t place, const lower::Type& type, const model::Unit& unit,
+std::string unit_reader(std::uint32_t index, const lower::Type& type, const model::Unit& unit,
                         const model::PlantModel& plant) {
   for (const tables::Transition& t : type.transitions) {
-    if (t.when == place) return transition_text(t, unit, plant);
+    if (t.when == index) return transition_text(t, unit, plant);
   }
-  const std::size_t input = place - unit.first_input;
-  if (place >= unit.first_input && input < unit.input_names.size()) {
+  const std::size_t input = index - unit.first_input;
+  if (index >= unit.first_input && input < unit.input_names.size()) {
     return fmt::format("input {}", unit.input_names[input]);
   }
-  return fmt::format("condition {}", place);
+  return fmt::format("condition {}", index);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string transition_text(const tables::Transition& transition, const model::U
                             const model::PlantModel& plant) {
   const std::string& from = unit.states[transition.from].name;
   const std::string& to = unit.states[transition.to].name;
-  if (transition.on == tables::kSpringWay) return fmt::format("the spring's own way: {} to {}", from, to);
+  if (transition.on == tables::kSpringReturn) return fmt::format("the spring's own way: {} to {}", from, to);
   if (transition.on == tables::kNoOperation) return fmt::format("d_int({}) = {}", from, to);
   const std::string_view task = plant.symbols[unit.operations[transition.on]].reading.task;
   return fmt::format("d_ext({}, O_{}) = {}", from, task, to);
@@ -64,19 +64,19 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
 std::vector<std::string> condition_readers(const lower::EngineTables& tables, const model::PlantModel& plant) {
   std::vector<std::string> readers;
   readers.reserve(tables.conditions.size());
-  std::uint32_t place = 0;  // among the conditions of one reader, which lie side by side
+  std::uint32_t index = 0;  // among the conditions of one reader, which lie side by side
   for (std::size_t i = 0; i < tables.conditions.size(); ++i) {
     const tables::ConditionRow& row = tables.conditions[i];
     if (i != 0 &&
         (tables.conditions[i - 1].reader != row.reader || tables.conditions[i - 1].reader_kind != row.reader_kind)) {
-      place = 0;
+      index = 0;
     }
     switch (row.reader_kind) {
       case tables::ReaderKind::unit: {
         const model::Unit& unit = plant.units[row.reader];
         readers.push_back(fmt::format("{}, {}: {}", unit.path,
-                                      unit_reader(place, tables.types[tables.units[row.reader].type], unit, plant),
-                                      short_condition_text(unit.conditions[place], plant)));
+                                      unit_reader(index, tables.types[tables.units[row.reader].type], unit, plant),
+                                      short_condition_text(unit.conditions[index], plant)));
         break;
       }
       case tables::ReaderKind::requirement: {
@@ -94,7 +94,7 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
         readers.push_back(fmt::format("input {} of condition {}", row.reader_input, row.reader));
         break;
     }
-    ++place;
+    ++index;
   }
   return readers;
 }

@@ -90,7 +90,7 @@ std::string_view direction_name(tables::Direction direction) {
 void unit_rows(RowWriter& rows, const lower::EngineTables& tables) {
   Texts names(tables.unit_names);
   for (const tables::UnitRow& row : tables.units) {
-    rows.text("    {").numbers(unsigned{row.type}, unsigned{row.initial}, unsigned{row.rich}, row.operation_bit);
+    rows.text("    {").numbers(unsigned{row.type}, unsigned{row.initial}, unsigned{row.general}, row.operation_bit);
     rows.text(", ").numbers(row.event_bit, row.times).text("},  // ").comment(names.next()).text("\n");
   }
 }
@@ -202,8 +202,8 @@ std::string transition_rows(const lower::Type& type, const model::Unit& example,
     rows.text("      {").numbers(unsigned{row.from}, unsigned{row.to}).text(", ");
     if (row.on == tables::kNoOperation) {
       rows.text("symplant::tables::kNoOperation");
-    } else if (row.on == tables::kSpringWay) {
-      rows.text("symplant::tables::kSpringWay");
+    } else if (row.on == tables::kSpringReturn) {
+      rows.text("symplant::tables::kSpringReturn");
     } else {
       rows.number(unsigned{row.on});
     }

@@ -74,25 +74,25 @@ class Namer {
   /// `BODY_*_CLAMP?`: line and process as far as they agree, then the kind; of several kinds something that fits none.
   std::string by_levels(const std::vector<std::uint32_t>& units) const {
     const model::Unit& first = plant_.units[units.front()];
-    std::string_view place = first.path.substr(0, first.path.size() - first.device.size());  // with its `_`
-    bool one_place = true;
+    std::string_view index = first.path.substr(0, first.path.size() - first.device.size());  // with its `_`
+    bool one_index = true;
     bool one_name = true;
     bool one_digit = true;
     for (const std::uint32_t u : units) {
       const model::Unit& unit = plant_.units[u];
       if (!text::equal_ignoring_case(kind_of(unit), kind_of(first))) return {};
-      const std::size_t shorter = std::min(place.size(), unit.path.size() - unit.device.size());
+      const std::size_t shorter = std::min(index.size(), unit.path.size() - unit.device.size());
       std::size_t same = 0;
-      while (same < shorter && text::upper(place[same]) == text::upper(unit.path[same])) ++same;
-      one_place = one_place && same == place.size();
-      place = place.substr(0, same);
+      while (same < shorter && text::upper(index[same]) == text::upper(unit.path[same])) ++same;
+      one_index = one_index && same == index.size();
+      index = index.substr(0, same);
       one_name = one_name && text::equal_ignoring_case(unit.device, first.device);
       one_digit = one_digit && unit.device.size() == kind_of(unit).size() + 1;
     }
-    while (!one_place && !place.empty() && (static_cast<unsigned char>(place.back()) & 0x80U) != 0) {
-      place.remove_suffix(1);  // within a character, perhaps
+    while (!one_index && !index.empty() && (static_cast<unsigned char>(index.back()) & 0x80U) != 0) {
+      index.remove_suffix(1);  // within a character, perhaps
     }
-    return std::string(place) + (one_place ? "" : "*_") +
+    return std::string(index) + (one_index ? "" : "*_") +
            (one_name ? std::string(first.device) : std::string(kind_of(first)) + (one_digit ? "?" : "*"));
   }
 

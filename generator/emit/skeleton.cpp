@@ -70,7 +70,7 @@ class Skeleton {
     links();
     check_section();
     line("  \"symbols\": [" + list_reference() + "],");
-    nobody_moves();
+    event_not_driven();
     line("  \"devices\": {");
     for (std::size_t i = 0; i < shapes_.size(); ++i) device(shapes_[i], i + 1 == shapes_.size());
     line("  }");
@@ -163,7 +163,7 @@ class Skeleton {
     line("  // \"check\": " + one_line(check) + ",");
   }
 
-  void nobody_moves() {
+  void event_not_driven() {
     std::vector<std::string> names;
     for (const model::Unit& unit : plant_.units) {
       if (unit.operations.empty()) names.push_back(json_text(unit.path));
@@ -252,14 +252,15 @@ class Skeleton {
     const std::string travel = seconds(unit.travel);
     for (std::uint32_t to = 0; to < unit.states.size(); ++to) {
       const std::string& name = unit.states[to].name;
-      const bool own_way = unit.actuation == tables::Actuation::spring && to == unit.rest;
-      if (unit.states[to].operation == model::kNone && !own_way) continue;
+      const bool own_transition = unit.actuation == tables::Actuation::spring && to == unit.rest;
+      if (unit.states[to].operation == model::kNone && !own_transition) continue;
       const std::string_view from = unit.states.size() == 2 ? std::string_view(unit.states[1 - to].name) : "*";
       add(from, name, {{"takes", travel}});
     }
-    for (const model::Transition& way : unit.transitions) {
-      if (way.origin != model::Origin::inferred) continue;
-      add(unit.states[way.from].name, unit.states[way.to].name, {{"automatic", true}, {"after", seconds(way.after.a)}});
+    for (const model::Transition& route : unit.transitions) {
+      if (route.origin != model::Origin::inferred) continue;
+      add(unit.states[route.from].name, unit.states[route.to].name,
+          {{"automatic", true}, {"after", seconds(route.after.a)}});
     }
     if (list.empty()) {
       add(unit.states[0].name, unit.states[1].name, {{"automatic", true}, {"after", "5s"}});

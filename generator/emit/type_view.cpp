@@ -97,8 +97,8 @@ std::string meaning(const model::Unit& unit, const model::State& state) {
   if (state.operation != kNone) text += fmt::format("commanded by O_{}", state.name);
   if (state.event != kNone) text += fmt::format("{}reported by I_{}", text.empty() ? "" : ", ", state.name);
   if (text.empty()) text = "added: neither commanded nor reported";
-  const auto place = static_cast<std::uint32_t>(&state - unit.states.data());
-  if (unit.actuation == tables::Actuation::spring && unit.rest == place) text += ", the spring's rest";
+  const auto position = static_cast<std::uint32_t>(&state - unit.states.data());
+  if (unit.actuation == tables::Actuation::spring && unit.rest == position) text += ", the spring's rest";
   return comment_text(text);
 }
 

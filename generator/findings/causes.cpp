@@ -17,7 +17,7 @@
 namespace symplant::findings {
 namespace {
 
-using PlacesByName =
+using LocationsByName =
     std::unordered_map<std::string, std::vector<std::uint32_t>, text::HashIgnoringCase, text::EqualIgnoringCase>;
 
 class Folding {
@@ -65,8 +65,8 @@ class Folding {
   void add_path(std::uint32_t finding, std::string_view path, std::optional<Lost> lost) {
     if (path.empty()) return;
     by_path_[std::string(path)].push_back(static_cast<std::uint32_t>(roots_.size()));
-    const diag::Diagnostic& told = findings_[finding];
-    roots_.push_back({finding, role_of(told), told.about.front(), std::move(lost)});
+    const diag::Diagnostic& reported = findings_[finding];
+    roots_.push_back({finding, role_of(reported), reported.about.front(), std::move(lost)});
   }
 
   void add_root(std::uint32_t i) {
@@ -74,12 +74,12 @@ class Folding {
     const std::vector<std::string>& about = finding.about;
     if (about.empty()) return;
     const RuleRole role = role_of(finding);
-    if (role.told_of == RuleRole::Of::one_sided) {
+    if (role.subject == RuleRole::Of::one_sided) {
       one_sided_.emplace(about.back(), i);
       return;
     }
     by_symbol_[about.front()].push_back(i);
-    switch (role.told_of) {
+    switch (role.subject) {
       case RuleRole::Of::device:
         add_path(i, about.back(), {});
         break;
@@ -141,10 +141,10 @@ class Folding {
     if (!role.follows_device) return named_root_of(i);
     const Root* best = nullptr;
     const std::string& path =
-        role.told_of == RuleRole::Of::device_and_lacks ? finding.about.front() : finding.about.back();
+        role.subject == RuleRole::Of::device_and_lacks ? finding.about.front() : finding.about.back();
     if (const auto found = by_path_.find(path); found != by_path_.end()) {
-      for (const std::uint32_t place : found->second) {
-        const Root& root = roots_[place];
+      for (const std::uint32_t location : found->second) {
+        const Root& root = roots_[location];
         if (root.finding == i || root.role.rank >= role.rank ||
             (best != nullptr && best->role.rank <= root.role.rank)) {
           continue;
@@ -153,7 +153,7 @@ class Folding {
       }
     }
     if (best != nullptr) return best->finding;
-    if (role.tells_rest_state()) {
+    if (role.reports_rest_state()) {
       const auto found = one_sided_.find(path);
       return found == one_sided_.end() ? i : found->second;
     }
@@ -164,7 +164,7 @@ class Folding {
   std::uint32_t named_root_of(std::uint32_t i) {
     const diag::Diagnostic& finding = findings_[i];
     const RuleRole role = role_of(finding);
-    if (role.told_of == RuleRole::Of::device_and_lacks) {
+    if (role.subject == RuleRole::Of::device_and_lacks) {
       for (std::size_t lack = 1; lack < finding.about.size(); ++lack) {
         if (const auto root = guessed_root(finding.about[lack])) return *root;
       }
@@ -180,7 +180,7 @@ class Folding {
         if (found == by_symbol_.end()) continue;
         for (const std::uint32_t root : found->second) {
           const RuleRole cause = role_of(findings_[root]);
-          if (cause.told_of == RuleRole::Of::name) continue;  // a wrong name moves no address
+          if (cause.subject == RuleRole::Of::name) continue;  // a wrong name moves no address
           if (cause.rank < role.rank) return root;
         }
       }
@@ -209,10 +209,10 @@ class Folding {
   const diag::RuleInfo* rule_ = nullptr;  ///< whose role is role_
   RuleRole role_;
   std::vector<Root> roots_;
-  PlacesByName by_path_;  ///< device -> places in roots_
-  PlacesByName by_name_;  ///< what a name that breaks the rule may be meant to be, with `*` -> findings
+  LocationsByName by_path_;  ///< device -> places in roots_
+  LocationsByName by_name_;  ///< what a name that breaks the rule may be meant to be, with `*` -> findings
   text::ByName<std::uint32_t> one_sided_;  ///< device -> finding, a place in findings_
-  PlacesByName by_symbol_;                 ///< symbol -> roots, places in findings_
+  LocationsByName by_symbol_;              ///< symbol -> roots, places in findings_
 };
 
 }  // namespace

@@ -26,10 +26,10 @@ constexpr int kSequenceGap = 411;
 constexpr int kOneTaskAlone = 413;
 constexpr int kShapeLacksSymbol = 414;
 constexpr int kUnitWithoutEvents = 403;
-constexpr int kNobodyMoves = 404;
+constexpr int kEventNotDriven = 404;
 // Those that only follow.
 constexpr int kAddressUsedTwice = 303;
-constexpr int kEventMovedTwice = 304;
+constexpr int kEventDrivenTwice = 304;
 constexpr int kOperationWithoutEvent = 401;
 constexpr int kEventWithoutOperation = 402;
 constexpr int kSequenceAmbiguous = 409;
@@ -51,12 +51,12 @@ int number_of(const diag::RuleInfo& rule) {
 bool same(std::string_view a, std::string_view b) { return text::equal_ignoring_case(a, b); }
 
 /// Whether the symbol is one of those that the finding says the device lacks.
-bool is_told_lacking(const diag::Diagnostic& finding, std::string_view path, const Lost& lost) {
+bool is_reported_lacking(const diag::Diagnostic& finding, std::string_view path, const Lost& lost) {
   if (!lost.direction || lost.task.empty()) return true;
   const std::string name =
       std::string(path) + (*lost.direction == name::Direction::operation ? "_O_" : "_I_") + lost.task;
   return std::any_of(finding.about.begin() + 1, finding.about.end(),
-                     [&](const std::string& told) { return same(told, name); });
+                     [&](const std::string& reported) { return same(reported, name); });
 }
 
 /// The task of a symbol's name, its last level.
@@ -70,7 +70,7 @@ bool may_be(const Lost& lost, name::Direction direction, std::string_view task) 
 
 }  // namespace
 
-bool RuleRole::tells_rest_state() const { return rule == sp::kInferredRestState; }
+bool RuleRole::reports_rest_state() const { return rule == sp::kInferredRestState; }
 
 bool RuleRole::lacks_side() const { return rule == sp::kOperationWithoutEvent || rule == sp::kEventWithoutOperation; }
 
@@ -109,10 +109,10 @@ RuleRole role_of(const diag::RuleInfo& rule) {
     case sp::kShapeLacksSymbol:
       return {number, Of::device_and_lacks, 9, true, true, false};
     case sp::kUnitWithoutEvents:
-    case sp::kNobodyMoves:
+    case sp::kEventNotDriven:
       return {number, Of::one_sided, kLast, true, true, false};
     case sp::kAddressUsedTwice:
-    case sp::kEventMovedTwice:
+    case sp::kEventDrivenTwice:
     case sp::kOperationInitialIgnored:
       return {number, Of::device, kLast, false, false, true};
     case sp::kOperationWithoutEvent:
@@ -139,7 +139,8 @@ Lost Lost::of_words(std::string_view direction, std::string_view task) {
 bool Facts::follows(const diag::Diagnostic& finding, std::string_view path, const Root& root) {
   const int effect = role_of(*finding.rule).rule;
   if (root.role.rule == sp::kInitialNotUnderstood) {
-    return effect == sp::kInitialByRowOrder || (effect == sp::kNobodyMoves && same(finding.about.front(), root.symbol));
+    return effect == sp::kInitialByRowOrder ||
+           (effect == sp::kEventNotDriven && same(finding.about.front(), root.symbol));
   }
   if (root.role.rule == sp::kSequenceGap &&
       (effect == sp::kOperationWithoutEvent || effect == sp::kEventWithoutOperation)) {
@@ -154,11 +155,11 @@ bool Facts::follows(const diag::Diagnostic& finding, std::string_view path, cons
       return may_be(lost, name::Direction::operation, task_of(finding.about.front()));
     case sp::kUnitWithoutEvents:
       return may_be(lost, name::Direction::event);
-    case sp::kNobodyMoves:
+    case sp::kEventNotDriven:
       return may_be(lost, name::Direction::operation);
     case sp::kOneTaskAlone:
     case sp::kShapeLacksSymbol:
-      return is_told_lacking(finding, path, lost);
+      return is_reported_lacking(finding, path, lost);
     case sp::kInferredRestState: {
       const model::Unit* unit = unit_of(path);  // with the lost event it would have been one task all the same
       return unit == nullptr || !same(unit->states.back().name, lost.task) || may_be(lost, name::Direction::operation);

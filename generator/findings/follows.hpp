@@ -27,14 +27,14 @@ struct RuleRole {
     symbol,            ///< only what is told of the same symbol follows
   };
   int rule = 0;  ///< the number in its id
-  Of told_of = Of::device;
+  Of subject = Of::device;
   std::uint8_t rank = 0xFF;     ///< a finding follows from one of a lower rank only
   bool explains = false;        ///< others may follow from it
   bool follows_device = false;  ///< it may follow from what is told of its device
   bool follows_symbol = false;  ///< it may follow from what is told of its symbol
 
   bool follows() const { return follows_device || follows_symbol; }
-  bool tells_rest_state() const;
+  bool reports_rest_state() const;
   /// It tells that a symbol lacks the other side of its task.
   bool lacks_side() const;
 };

@@ -62,11 +62,11 @@ base::Result<Selection, std::string> Selection::of(std::span<const std::string> 
 }
 
 Selection::Verdict Selection::verdict(const diag::RuleInfo& rule) const {
-  if (is_binding(rule)) return Verdict::told;
+  if (is_binding(rule)) return Verdict::reported;
   const std::size_t selected = weight(select_, rule);
   if (selected == 0 && !select_.empty()) return Verdict::not_selected;
   const std::size_t ignored = weight(ignore_, rule);
-  return ignored != 0 && ignored >= selected ? Verdict::ignored : Verdict::told;
+  return ignored != 0 && ignored >= selected ? Verdict::ignored : Verdict::reported;
 }
 
 diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection) {
@@ -80,7 +80,7 @@ diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection)
   };
   for (const diag::Diagnostic& finding : findings.all()) {
     switch (verdict(finding.rule)) {
-      case Selection::Verdict::told:
+      case Selection::Verdict::reported:
         result.add(finding);
         break;
       case Selection::Verdict::not_selected:
@@ -92,7 +92,7 @@ diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection)
     }
   }
   for (const diag::Ignored& each : findings.ignored()) {
-    if (verdict(each.finding.rule) == Selection::Verdict::told) result.ignore(each.finding, each.why);
+    if (verdict(each.finding.rule) == Selection::Verdict::reported) result.ignore(each.finding, each.why);
   }
   result.leave_out(left_out);
   return result;

@@ -16,7 +16,7 @@ namespace symplant::findings {
 /// is chosen.
 class Selection {
  public:
-  enum class Verdict { told, not_selected, ignored };
+  enum class Verdict { reported, not_selected, ignored };
 
   /// Every rule.
   Selection() = default;

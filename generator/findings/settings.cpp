@@ -45,9 +45,9 @@ bool is_date(std::string_view text) {
 }
 
 /// Of a key of the i-th entry of `ignore`, or of the entry.
-diag::Place place_of_ignore(std::size_t index, std::string_view key = {}) {
+diag::Location location_of_ignore(std::size_t index, std::string_view key = {}) {
   const description::Pointer here = description::Pointer("/check/ignore") / index;
-  return check::place_of({}, key.empty() ? here : here / key);
+  return check::location_of({}, key.empty() ? here : here / key);
 }
 
 class Settings {
@@ -59,7 +59,7 @@ class Settings {
     for (const auto& [rule, level] : settings_.severity) set_level(rule, level);
     for (std::size_t i = 0; i < settings_.ignore.size(); ++i) ignore(i);
     for (const diag::Diagnostic& finding : findings_.all()) pass_on(finding);
-    for (const Ignoring& ignoring : ignoring_) tell_idle(ignoring);
+    for (const Ignoring& ignoring : ignoring_) report_idle(ignoring);
     return std::move(result_);
   }
 
@@ -75,23 +75,23 @@ class Settings {
     diag::Severity level;
   };
 
-  const diag::RuleInfo* rule_of(const std::string& name, const diag::Place& place) {
+  const diag::RuleInfo* rule_of(const std::string& name, const diag::Location& location) {
     const diag::RuleInfo* rule = check::find_rule(name);
-    if (rule == nullptr) result_.add(check::kUnknownRule.info, check::no_such_rule(name), place);
+    if (rule == nullptr) result_.add(check::kUnknownRule.info, check::no_such_rule(name), location);
     return rule;
   }
 
-  void refuse(const diag::RuleInfo& rule, std::string_view wish, const diag::Place& place) {
-    result_.add(check::kBindingRule.info, binding_text(rule, wish), place);
+  void refuse(const diag::RuleInfo& rule, std::string_view wish, const diag::Location& location) {
+    result_.add(check::kBindingRule.info, binding_text(rule, wish), location);
   }
 
   void set_level(const std::string& name, const std::string& text) {
-    const diag::Place place = check::place_of({}, description::Pointer("/check/severity") / name);
-    const diag::RuleInfo* rule = rule_of(name, place);
+    const diag::Location location = check::location_of({}, description::Pointer("/check/severity") / name);
+    const diag::RuleInfo* rule = rule_of(name, location);
     const auto level = diag::severity_of_name(text);
     if (rule == nullptr || !level) return;  // another word is against the schema, and told
     if (is_binding(*rule) && *level != diag::Severity::error) {
-      refuse(*rule, "lowered", place);
+      refuse(*rule, "lowered", location);
     } else {
       levels_.push_back({rule, *level});
     }
@@ -99,16 +99,16 @@ class Settings {
 
   void ignore(std::size_t index) {
     const description::GivenCheck::Ignore& entry = settings_.ignore[index];
-    const diag::RuleInfo* rule = rule_of(entry.rule, place_of_ignore(index, "rule"));
+    const diag::RuleInfo* rule = rule_of(entry.rule, location_of_ignore(index, "rule"));
     if (!entry.until.empty() && !is_date(entry.until)) {
       result_.add(check::kDateNotUnderstood.info,
                   fmt::format("`{}` is no date: write it like `2027-06-30`", entry.until),
-                  place_of_ignore(index, "until"));
+                  location_of_ignore(index, "until"));
       return;
     }
     if (rule == nullptr) return;
     if (is_binding(*rule)) {
-      refuse(*rule, "ignored", place_of_ignore(index, "rule"));
+      refuse(*rule, "ignored", location_of_ignore(index, "rule"));
       return;
     }
     const bool over = !entry.until.empty() && !today_.empty() && entry.until < today_;
@@ -138,18 +138,18 @@ class Settings {
   }
 
   /// An entry that hides nothing: it is over, or there is nothing to hide.
-  void tell_idle(const Ignoring& ignoring) {
+  void report_idle(const Ignoring& ignoring) {
     const description::GivenCheck::Ignore& entry = settings_.ignore[ignoring.entry];
     if (!ignoring.used) {
       result_.add(check::kIgnoreWithoutFinding.info,
                   fmt::format("nothing is found by `{}`{}: take this entry out", entry.rule,
                               entry.symbols.empty() ? "" : fmt::format(" of `{}`", entry.symbols)),
-                  place_of_ignore(ignoring.entry));
+                  location_of_ignore(ignoring.entry));
     } else if (ignoring.over) {
       result_.add(check::kIgnoreIsOver.info,
                   fmt::format("this entry counted until {}, what it hid is told again: mend it, or set a new date",
                               entry.until),
-                  place_of_ignore(ignoring.entry, "until"));
+                  location_of_ignore(ignoring.entry, "until"));
     }
   }
 

@@ -63,10 +63,10 @@ class ConditionLowering {
 
   void add_condition(const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t reader, std::uint8_t input) {
     std::vector<condition::TruthTable> network = condition::truth_tables(tree);
-    const std::uint32_t place = next_condition();
+    const std::uint32_t position = next_condition();
     tables_.conditions.push_back({network.back().truth, reader, input, kind});
-    add_watches(network.back(), place);
-    if (network.size() > 1) networks_.push_back({place, std::move(network)});
+    add_watches(network.back(), position);
+    if (network.size() > 1) networks_.push_back({position, std::move(network)});
   }
 
   void add_inner_tables() {

@@ -62,7 +62,7 @@ class SymbolLowering {
   }
 
   /// Of a unit's event: its place there.
-  std::uint32_t place_of(std::uint32_t event) const {
+  std::uint32_t location_of(std::uint32_t event) const {
     return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
   }
 
@@ -72,7 +72,7 @@ class SymbolLowering {
     if (symbol.unit == kNone) return false;
     const model::Unit& unit = plant_.units[symbol.unit];
     if (symbol.direction == tables::Direction::operation) return unit.moves();
-    return unit.moves_event(place_of(i));
+    return unit.moves_event(location_of(i));
   }
 
   /// The symbol that this one is kept equal with by the engine; itself where it leads. Numbers of different types on
@@ -107,7 +107,7 @@ class SymbolLowering {
   /// state switches it.
   bool set_at_start(std::uint32_t event) const {
     const model::Unit& unit = plant_.units[plant_.symbols[event].unit];
-    const std::uint64_t mask = std::uint64_t{1} << place_of(event);
+    const std::uint64_t mask = std::uint64_t{1} << location_of(event);
     const std::vector<tables::EventMasks>& enter = tables_.types[tables_.units[plant_.symbols[event].unit].type].enter;
     const tables::EventMasks& first = enter[unit.initial];
     if (((first.on | first.off) & mask) != 0) return true;

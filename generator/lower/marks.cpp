@@ -26,19 +26,19 @@ void mark_transitions(EngineTables& tables) {
 
 void mark_what_costs_more(EngineTables& tables) {
   mark_transitions(tables);
-  std::vector<bool> rich_types;
-  rich_types.reserve(tables.types.size());
+  std::vector<bool> general_types;
+  general_types.reserve(tables.types.size());
   for (const Type& type : tables.types) {
-    rich_types.push_back(std::any_of(type.transitions.begin(), type.transitions.end(),
-                                     [](const tables::Transition& t) { return t.timed; }));
+    general_types.push_back(std::any_of(type.transitions.begin(), type.transitions.end(),
+                                        [](const tables::Transition& t) { return t.timed; }));
   }
-  for (tables::UnitRow& unit : tables.units) unit.rich = rich_types[unit.type] ? 1 : 0;
-  for (const tables::ConditionedUnit& row : tables.conditioned_units) tables.units[row.unit].rich = 1;
-  for (const tables::BehaviourUnit& row : tables.behaviour_units) tables.units[row.unit].rich = 1;
-  for (const tables::UnitWatch& row : tables.unit_watches) tables.units[row.unit].rich = 1;
+  for (tables::UnitRow& unit : tables.units) unit.general = general_types[unit.type] ? 1 : 0;
+  for (const tables::ConditionedUnit& row : tables.conditioned_units) tables.units[row.unit].general = 1;
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) tables.units[row.unit].general = 1;
+  for (const tables::UnitWatch& row : tables.unit_watches) tables.units[row.unit].general = 1;
   for (const tables::DisableRow& row : tables.disables) {
-    tables.units[row.by].rich = 1;
-    tables.units[row.unit].rich = 1;
+    tables.units[row.by].general = 1;
+    tables.units[row.unit].general = 1;
   }
 }
 

@@ -10,27 +10,27 @@ namespace {
 
 using model::kNone;
 
-std::uint64_t bit(std::uint32_t place) { return std::uint64_t{1} << place; }
+std::uint64_t bit(std::uint32_t position) { return std::uint64_t{1} << position; }
 
-bool moved_by_its_unit(const model::PlantModel& plant, std::uint32_t event) {
+bool driven_by_its_unit(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t unit = plant.symbols[event].unit;
   if (unit == kNone) return false;
   const auto& events = plant.units[unit].events;
-  const auto place = std::find(events.begin(), events.end(), event) - events.begin();
-  return plant.units[unit].moves_event(static_cast<std::uint32_t>(place));
+  const auto position = std::find(events.begin(), events.end(), event) - events.begin();
+  return plant.units[unit].moves_event(static_cast<std::uint32_t>(position));
 }
 
 /// The events that stand on the address of `event`, among the unit's own: they come on and go off together. None where
 /// they follow another unit's event: that one alone says what is there.
 std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
-  const auto leader_of = [&](std::uint32_t place) {
-    const std::uint32_t symbol = unit.events[place];
+  const auto leader_of = [&](std::uint32_t position) {
+    const std::uint32_t symbol = unit.events[position];
     const std::uint32_t leader = plant.symbols[symbol].leader;
     return leader == kNone ? symbol : leader;
   };
   const std::uint32_t leader = leader_of(event);
   const bool own = std::find(unit.events.begin(), unit.events.end(), leader) != unit.events.end();
-  if (!own && moved_by_its_unit(plant, leader)) return 0;
+  if (!own && driven_by_its_unit(plant, leader)) return 0;
   std::uint64_t events = 0;
   for (std::uint32_t other = 0; other < unit.events.size(); ++other) {
     if (leader_of(other) == leader) events |= bit(other);
@@ -58,7 +58,7 @@ tables::Transition lowered(const model::Transition& t) {
   row.from = static_cast<std::uint8_t>(t.from);
   row.to = static_cast<std::uint8_t>(t.to);
   row.on = t.on == kNone ? tables::kNoOperation : static_cast<std::uint8_t>(t.on);
-  if (t.spring_way) row.on = tables::kSpringWay;
+  if (t.spring_return) row.on = tables::kSpringReturn;
   row.once = t.once;
   row.when = t.when == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.when);
   return row;

@@ -57,9 +57,9 @@ void gather_units(PlantModel& plant) {
 /// Of several symbols with one task and direction the first stays.
 void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
   if (side.size() < 2) return;
-  const auto taken = [&](std::size_t place) {
-    for (std::size_t i = 0; i < place; ++i) {
-      if (text::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[place]].reading.task)) return true;
+  const auto taken = [&](std::size_t index) {
+    for (std::size_t i = 0; i < index; ++i) {
+      if (text::equal_ignoring_case(symbols[side[i]].reading.task, symbols[side[index]].reading.task)) return true;
     }
     return false;
   };

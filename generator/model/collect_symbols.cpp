@@ -20,22 +20,22 @@ class SymbolCollector {
  public:
   SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant), by_name_(rows) {
     base::reserve_large(plant_.symbols, rows);
-    base::reserve_large(places_, rows);
+    base::reserve_large(indexes_, rows);
   }
 
   /// This row comes soon.
   void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
 
   void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
-    const auto place = static_cast<std::uint32_t>(places_.size());
+    const auto index = static_cast<std::uint32_t>(indexes_.size());
     const std::uint32_t first = by_name_.find_or_add(
-        text::hash_ignoring_case(row.name), place,
-        [&](std::uint32_t other) { return text::equal_ignoring_case(places_[other].row->name, row.name); });
-    if (first != place) {
-      plant_.duplicates.push_back({places_[first].row, &row, same(places_[first], {&row, list})});
+        text::hash_ignoring_case(row.name), index,
+        [&](std::uint32_t other) { return text::equal_ignoring_case(indexes_[other].row->name, row.name); });
+    if (first != index) {
+      plant_.duplicates.push_back({indexes_[first].row, &row, same(indexes_[first], {&row, list})});
       return;
     }
-    places_.push_back({&row, list});
+    indexes_.push_back({&row, list});
     const RowAddress address = row_address(row, plant_.lists[list].radix.radix);
     auto result = classify(row, reading, address);
     const auto* reason = std::get_if<InternalReason>(&result);
@@ -61,22 +61,22 @@ class SymbolCollector {
   }
 
  private:
-  struct Place {
+  struct Location {
     const read::ListRow* row;
     std::uint32_t list;
   };
 
-  bool same(const Place& a, const Place& b) const {
-    const auto address = [&](const Place& place) {
-      return row_address(*place.row, plant_.lists[place.list].radix.radix).address;
+  bool same(const Location& a, const Location& b) const {
+    const auto address = [&](const Location& index) {
+      return row_address(*index.row, plant_.lists[index.list].radix.radix).address;
     };
     return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
            text::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
   }
 
   PlantModel& plant_;
-  std::vector<Place> places_;  ///< rows of different names
-  base::IndexTable by_name_;   ///< in `places_`
+  std::vector<Location> indexes_;  ///< rows of different names
+  base::IndexTable by_name_;       ///< in `places_`
 };
 
 void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {

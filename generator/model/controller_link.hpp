@@ -11,13 +11,13 @@ namespace symplant::model {
 /// The settings of a controller's link, with the memory that they point to.
 struct ControllerLink {
   link::LinkSettings link;  ///< without spans
-  std::vector<link::PlaceRow> places;
+  std::vector<link::MapRow> rows;
   std::vector<std::string_view> keep;  ///< into the description
 
   /// Refers to this object: valid until it is moved or destroyed.
   link::LinkSettings settings() const {
     link::LinkSettings settings = link;
-    settings.places = places;
+    settings.rows = rows;
     settings.keep = keep;
     return settings;
   }

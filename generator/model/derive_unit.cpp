@@ -107,7 +107,7 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, description:
 }
 
 /// Every operation O_X from every state A other than X: by S of the target, then of the source.
-void derive_commanded(Unit& unit, const GivenWays& given) {
+void derive_commanded(Unit& unit, const GivenTransitions& given) {
   const auto count = static_cast<std::uint32_t>(unit.states.size());
   const description::Duration takes = description::Duration::fixed(unit.travel);
   if (unit.transitions.empty()) unit.transitions.reserve(unit.operations.size() * (count - 1));
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
 }
 
 /// Inference 3: a numbered state with an event and no operation is reached by itself from its predecessor.
-void infer_sequence(Unit& unit, const GivenWays& given, tables::Time dwell) {
+void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwell) {
   if (unit.actuation != tables::Actuation::latched) return;
   const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
   if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
@@ -175,7 +175,7 @@ void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const descripti
 
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {
-    const GivenWays given(unit);
+    const GivenTransitions given(unit);
     derive_commanded(unit, given);
     infer_sequence(unit, given, defaults.dwell);
   }

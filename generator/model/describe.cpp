@@ -135,8 +135,8 @@ class Describer {
   }
 
   static std::string_view text_of(const description::DeviceDescription& entry, description::DeviceKey key) {
-    const auto place = static_cast<std::size_t>(key);
-    return place < entry.texts.size() ? std::string_view(entry.texts[place]) : std::string_view();
+    const auto index = static_cast<std::size_t>(key);
+    return index < entry.texts.size() ? std::string_view(entry.texts[index]) : std::string_view();
   }
 
   void contradiction(const Unit& unit, const description::DeviceDescription& first,

@@ -38,9 +38,9 @@ class TransitionExpander {
   }
 
  private:
-  std::uint32_t place_of(std::string_view when) {
+  std::uint32_t location_of(std::string_view when) {
     if (when.empty()) return kNone;
-    return places_.try_emplace(when, static_cast<std::uint32_t>(places_.size())).first->second;
+    return indexes_.try_emplace(when, static_cast<std::uint32_t>(indexes_.size())).first->second;
   }
 
   void expand(const description::GivenTransition& given, std::uint32_t index) {
@@ -48,29 +48,29 @@ class TransitionExpander {
     const bool from_all = given.from == "*";
     const std::uint32_t to = given_state(unit_, given.to, here / "to", faults_);
     const std::uint32_t from = from_all ? kNone : given_state(unit_, given.from, here / "from", faults_);
-    Transition way;
-    way.origin = Origin::given;
-    way.given = static_cast<std::uint32_t>(index);
-    way.to = to;
+    Transition transition;
+    transition.origin = Origin::given;
+    transition.given = static_cast<std::uint32_t>(index);
+    transition.to = to;
     bool lacking = to == kNone || (!from_all && from == kNone);
-    const bool sound = set_cause(way, given, here, lacking);
+    const bool sound = set_cause(transition, given, here, lacking);
     if (left_out(lacking)) {
       unit_.left_out.push_back(index);
       return;
     }
-    way.when = place_of(given.when);
+    transition.when = location_of(given.when);
     if (!sound || lacking) return;
     if (from == to) {
       faults_.add(here, description::ticked(given.to) + " to itself is no transition, name two states");
       return;
     }
-    way.after = given.after.value_or(description::Duration::fixed(0));
-    way.takes = given.takes.value_or(description::Duration::fixed(given.automatic ? 0 : unit_.travel));
-    way.once = given.once;
+    transition.after = given.after.value_or(description::Duration::fixed(0));
+    transition.takes = given.takes.value_or(description::Duration::fixed(given.automatic ? 0 : unit_.travel));
+    transition.once = given.once;
     const auto count = static_cast<std::uint32_t>(unit_.states.size());
     for (std::uint32_t s = from_all ? 0 : from; s < (from_all ? count : from + 1); ++s) {
-      way.from = s;
-      if (s != to && !add(way, index)) return;
+      transition.from = s;
+      if (s != to && !add(transition, index)) return;
     }
   }
 
@@ -78,7 +78,7 @@ class TransitionExpander {
   bool left_out(bool lacking) const { return lacking && pointer_.pattern() != nullptr; }
 
   /// `on` and `spring_way`, and what may stand beside them. False where there is a fault; `lacking`: its operation.
-  bool set_cause(Transition& way, const description::GivenTransition& given, const description::Pointer& here,
+  bool set_cause(Transition& transition, const description::GivenTransition& given, const description::Pointer& here,
                  bool& lacking) {
     if (given.automatic) {
       if (!given.on.empty()) {
@@ -88,8 +88,8 @@ class TransitionExpander {
       return given.on.empty() && !given.once;
     }
     if (!given.on.empty()) {
-      way.on = find_task(given.on, unit_.operations, symbols_);
-      if (way.on == kNone) {
+      transition.on = find_task(given.on, unit_.operations, symbols_);
+      if (transition.on == kNone) {
         lacking = true;
         faults_.lacks(here / "on", unit_.path, description::Named::operation, given.on, [&] {
           return description::missing(
@@ -97,12 +97,12 @@ class TransitionExpander {
               nearest_task(given.on, unit_.operations, symbols_, faults_));
         });
       }
-    } else if (way.to != kNone) {
-      way.on = unit_.states[way.to].operation;
-      if (way.on == kNone && unit_.actuation == tables::Actuation::spring && way.to == unit_.rest) {
-        return !left_out(lacking) && set_spring_way(way, given, here);
+    } else if (transition.to != kNone) {
+      transition.on = unit_.states[transition.to].operation;
+      if (transition.on == kNone && unit_.actuation == tables::Actuation::spring && transition.to == unit_.rest) {
+        return !left_out(lacking) && set_spring_return(transition, given, here);
       }
-      if (way.on == kNone) {
+      if (transition.on == kNone) {
         lacking = true;
         faults_.lacks(here / "to", unit_.path, description::Named::operation, given.to, [&] {
           return description::ticked(given.to) +
@@ -118,11 +118,12 @@ class TransitionExpander {
                                      "`, leave it out or make the device `latched`");
       return false;
     }
-    return way.on != kNone;
+    return transition.on != kNone;
   }
 
-  bool set_spring_way(Transition& way, const description::GivenTransition& given, const description::Pointer& here) {
-    way.spring_way = true;
+  bool set_spring_return(Transition& transition, const description::GivenTransition& given,
+                         const description::Pointer& here) {
+    transition.spring_return = true;
     bool sound = true;
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
@@ -138,20 +139,22 @@ class TransitionExpander {
   }
 
   /// False, and a fault, where the same one stands already.
-  bool add(const Transition& way, std::uint32_t index) {
-    const std::uint64_t on = way.spring_way ? tables::kSpringWay : way.on == kNone ? tables::kNoOperation : way.on;
-    const std::uint64_t key =
-        std::uint64_t{way.from} << 56 | std::uint64_t{way.to} << 48 | on << 40 | std::uint64_t{way.when};
+  bool add(const Transition& transition, std::uint32_t index) {
+    const std::uint64_t on = transition.spring_return ? tables::kSpringReturn
+                             : transition.on == kNone ? tables::kNoOperation
+                                                      : transition.on;
+    const std::uint64_t key = std::uint64_t{transition.from} << 56 | std::uint64_t{transition.to} << 48 | on << 40 |
+                              std::uint64_t{transition.when};
     const auto [first, added] = given_by_.try_emplace(key, index);
     if (!added) {
-      const std::string from = description::ticked(unit_.states[way.from].name);
+      const std::string from = description::ticked(unit_.states[transition.from].name);
       faults_.add(pointer_ / std::size_t{index},
-                  "the transition from " + from + " to " + description::ticked(unit_.states[way.to].name) +
+                  "the transition from " + from + " to " + description::ticked(unit_.states[transition.to].name) +
                       " stands at " + description::ticked((pointer_ / std::size_t{first->second}).text()) +
                       " too, with the same `on` and `when`, leave one out");
       return false;
     }
-    unit_.transitions.push_back(way);
+    unit_.transitions.push_back(transition);
     return true;
   }
 
@@ -159,23 +162,24 @@ class TransitionExpander {
   const std::vector<Symbol>& symbols_;
   description::Faults& faults_;
   const description::Pointer pointer_;
-  std::unordered_map<std::string_view, std::uint32_t> places_;  // a text of `when` -> its place
-  std::unordered_map<std::uint64_t, std::uint32_t> given_by_;   // from, to, on, when -> a given transition
+  std::unordered_map<std::string_view, std::uint32_t> indexes_;  // a text of `when` -> its place
+  std::unordered_map<std::uint64_t, std::uint32_t> given_by_;    // from, to, on, when -> a given transition
 };
 
 }  // namespace
 
-GivenWays::GivenWays(const Unit& unit) : operations_(unit.operations.size()), states_(unit.states.size()) {
+GivenTransitions::GivenTransitions(const Unit& unit)
+    : operations_(unit.operations.size()), states_(unit.states.size()) {
   if (unit.transitions.empty()) return;
   commanded_.resize(states_ * operations_);
   automatic_.resize(states_ * states_);
   led_to_.resize(states_);
-  for (const Transition& way : unit.transitions) {
-    if (way.on != kNone) {
-      commanded_[way.from * operations_ + way.on] = true;
-      led_to_[way.to] = true;
-    } else if (!way.spring_way) {
-      automatic_[way.from * states_ + way.to] = true;
+  for (const Transition& transition : unit.transitions) {
+    if (transition.on != kNone) {
+      commanded_[transition.from * operations_ + transition.on] = true;
+      led_to_[transition.to] = true;
+    } else if (!transition.spring_return) {
+      automatic_[transition.from * states_ + transition.to] = true;
     }
   }
 }

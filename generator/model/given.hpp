@@ -9,10 +9,10 @@
 namespace symplant::model {
 
 /// Which derived and inferred transitions the given ones replace. Empty where none are given.
-class GivenWays {
+class GivenTransitions {
  public:
-  GivenWays() = default;
-  explicit GivenWays(const Unit& unit);  ///< of the transitions that the unit has so far
+  GivenTransitions() = default;
+  explicit GivenTransitions(const Unit& unit);  ///< of the transitions that the unit has so far
 
   bool commanded(std::uint32_t from, std::uint32_t on) const {
     return !commanded_.empty() && commanded_[from * operations_ + on];

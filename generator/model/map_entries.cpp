@@ -16,7 +16,7 @@ namespace {
 
 using address::Address;
 
-constexpr std::uint64_t kBeyondAll = link::PlaceRow::kDefault - 1;  ///< a number that no table has
+constexpr std::uint64_t kBeyondAll = link::MapRow::kDefault - 1;  ///< a number that no table has
 constexpr std::string_view kAreas = "X, Y, %IX, %QX, %IB, %QB, %IW, %QW, %ID, %QD, %IL or %QL";
 
 /// How many places of a table an address takes: registers of a number.
@@ -69,12 +69,12 @@ class LinkResolver {
     find_symbols();
     for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], description::Pointer(place_) / i);
     std::stable_sort(meant_.begin(), meant_.end(), [](const Meant& a, const Meant& b) { return a.rank > b.rank; });
-    std::vector<link::PlaceRow> rows;
+    std::vector<link::MapRow> rows;
     for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol, result.link));
     join_addresses(rows);
-    for (const link::PlaceRow& row : rows) {
+    for (const link::MapRow& row : rows) {
       const bool differs = row.word_order != result.link.word_order || row.on_loss != link::OnLoss::as_link;
-      if (differs || row.number != link::PlaceRow::kDefault) result.places.push_back(row);
+      if (differs || row.number != link::MapRow::kDefault) result.rows.push_back(row);
     }
     for (const Meant& meant : meant_) warn_of(meant);
   }
@@ -227,7 +227,7 @@ class LinkResolver {
     if (!value || (chosen.by != nullptr && chosen.by->rank > meant.rank)) return;
     if (chosen.by == nullptr || chosen.by->rank < meant.rank) {
       chosen = {*value, &meant};
-    } else if (chosen.value != *value && told_.try_emplace(meant.place.text() + std::string(key), true).second) {
+    } else if (chosen.value != *value && reported_.try_emplace(meant.place.text() + std::string(key), true).second) {
       const bool named =
           meant.entry->by == description::MapEntry::By::symbol && meant.entry->text == chosen.by->entry->text;
       description::DescriptionFault fault{
@@ -241,9 +241,9 @@ class LinkResolver {
     }
   }
 
-  link::PlaceRow row_of(std::uint32_t index, const link::LinkSettings& settings) {
+  link::MapRow row_of(std::uint32_t index, const link::LinkSettings& settings) {
     const Symbol& symbol = plant_.symbols[index];
-    Chosen<std::uint32_t> number{link::PlaceRow::kDefault};
+    Chosen<std::uint32_t> number{link::MapRow::kDefault};
     Chosen<link::WordOrder> word_order{settings.word_order};
     Chosen<link::OnLoss> on_loss{link::OnLoss::as_link};
     for (Meant& meant : meant_) {
@@ -266,18 +266,18 @@ class LinkResolver {
     const auto places = static_cast<std::uint64_t>(std::max(1, data_type_bits(symbol.type) / 16));
     if (number.value + places <= kPlaces) return;
     const description::Pointer at = number.by->place / "number";
-    if (!told_.try_emplace(at.text() + " end", true).second) return;
+    if (!reported_.try_emplace(at.text() + " end", true).second) return;
     faults_.add(at, description::ticked(symbol.name()) +
                         " would end behind place 65535, the last that Modbus has: give a lower number");
   }
 
   /// Symbols of one address are one place: where one is given its number, so are all.
-  void join_addresses(std::vector<link::PlaceRow>& rows) {
+  void join_addresses(std::vector<link::MapRow>& rows) {
     std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;  // of a leader: number, by whom
     const auto leader = [&](std::uint32_t i) {
       return plant_.symbols[i].leader == kNone ? i : plant_.symbols[i].leader;
     };
-    for (const link::PlaceRow& row : rows) {
+    for (const link::MapRow& row : rows) {
       const auto own = own_.find(row.symbol);
       if (own == own_.end()) continue;
       const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
@@ -288,7 +288,7 @@ class LinkResolver {
                                                      ", which has another `number`: give both the same");
     }
     if (numbers.empty()) return;
-    for (link::PlaceRow& row : rows) {
+    for (link::MapRow& row : rows) {
       const auto found = numbers.find(leader(row.symbol));
       if (found != numbers.end()) row.number = found->second.first;
     }
@@ -303,7 +303,7 @@ class LinkResolver {
   text::ByName<std::uint32_t> by_name_;
   std::vector<Meant> meant_;
   std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols that an entry gives a number by their name
-  std::unordered_map<std::string, bool> told_;
+  std::unordered_map<std::string, bool> reported_;
 };
 
 /// A MELSEC address in some list of the controller: its PLC has the low word first.

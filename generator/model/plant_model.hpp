@@ -82,7 +82,7 @@ struct Transition {
   description::Duration after;
   description::Duration takes;
   Origin origin = Origin::derived;
-  bool spring_way = false;  ///< only says how long a spring's own way takes
+  bool spring_return = false;  ///< only says how long a spring's own way takes
   bool once = false;
   std::uint32_t when = kNone;   ///< a place in Unit::conditions
   std::uint32_t given = kNone;  ///< a place in DeviceDescription::transitions
@@ -229,7 +229,7 @@ struct PlantModel {
   std::vector<AddressContradiction> address_contradictions;  ///< in list order
   std::vector<TypelessIo> typeless_io;
   /// Pairs of events that different moving units put on one address: second, first; by the second.
-  std::vector<std::array<std::uint32_t, 2>> moved_twice;
+  std::vector<std::array<std::uint32_t, 2>> driven_twice;
 
   const PlantList& list_of(const Symbol& symbol) const { return lists[symbol.list]; }
   /// The list that a row stands in, a place in `lists`. O(lists): for messages.

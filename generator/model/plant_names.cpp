@@ -55,7 +55,7 @@ std::string PlantNames::nearest_symbol(std::string_view name) const {
 
 std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) const {
   const Unit& of = plant_.units[unit];
-  const auto tells = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
+  const auto reports = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
     for (const std::uint32_t symbol : side) {
       if (!text::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
       return description::ticked(name) + std::string(why) + description::ticked(of.path) + ", name the symbol " +
@@ -63,8 +63,8 @@ std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) 
     }
     return {};
   };
-  std::string why = tells(of.operations, " only commands given transitions and is no state of ");
-  if (why.empty()) why = tells(of.events, " is only switched by `outputs` and is no state of ");
+  std::string why = reports(of.operations, " only commands given transitions and is no state of ");
+  if (why.empty()) why = reports(of.events, " is only switched by `outputs` and is no state of ");
   return why;
 }
 

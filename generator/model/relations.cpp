@@ -42,7 +42,7 @@ class Relations {
   bool resolve(std::string_view text, const description::Pointer& pointer, condition::Tree& tree) {
     auto resolved = condition::parse_and_resolve(text, names_);
     if (auto* fault = std::get_if<condition::Fault>(&resolved)) {
-      faults_.add(pointer, std::move(fault->message), description::FaultKind::condition, fault->place.offset);
+      faults_.add(pointer, std::move(fault->message), description::FaultKind::condition, fault->index.offset);
       return false;
     }
     tree = std::move(std::get<condition::Tree>(resolved));

@@ -10,22 +10,22 @@ namespace symplant::model {
 namespace {
 
 /// Addresses are unique within a controller.
-struct Place {
+struct Location {
   std::uint32_t controller = 0;
   address::Address address;
 
-  bool operator==(const Place&) const = default;
+  bool operator==(const Location&) const = default;
 };
 
-std::uint64_t hash_of(const Place& place) {
-  const address::Address& a = place.address;
-  const std::uint64_t kind = static_cast<std::uint64_t>(place.controller) << 16 |
+std::uint64_t hash_of(const Location& position) {
+  const address::Address& a = position.address;
+  const std::uint64_t kind = static_cast<std::uint64_t>(position.controller) << 16 |
                              static_cast<std::uint64_t>(a.area) << 8 | static_cast<std::uint64_t>(a.size);
   return (a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind * 0xC2B2'AE3D'27D4'EB4F;
 }
 
 /// Where type and address differ in size the symbol has no place there (a check tells), so that it shares none.
-bool has_place(const Symbol& symbol) {
+bool has_index(const Symbol& symbol) {
   return symbol.address && static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
 }
 
@@ -33,40 +33,40 @@ bool moved(const PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
   if (symbol.direction != tables::Direction::event || symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];
-  const auto place = std::find(unit.events.begin(), unit.events.end(), index) - unit.events.begin();
-  return unit.moves_event(static_cast<std::uint32_t>(place));
+  const auto position = std::find(unit.events.begin(), unit.events.end(), index) - unit.events.begin();
+  return unit.moves_event(static_cast<std::uint32_t>(position));
 }
 
 }  // namespace
 
 void find_shared_addresses(PlantModel& plant) {
-  const auto place_of = [&](const Symbol& symbol) { return Place{plant.controller_of(symbol), *symbol.address}; };
+  const auto location_of = [&](const Symbol& symbol) { return Location{plant.controller_of(symbol), *symbol.address}; };
   base::IndexTable leaders(plant.symbols.size());
-  const auto stands_at = [&](const Place& place) {
-    return [&](std::uint32_t other) { return place_of(plant.symbols[other]) == place; };
+  const auto is_at = [&](const Location& position) {
+    return [&](std::uint32_t other) { return location_of(plant.symbols[other]) == position; };
   };
   bool any = false;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
-    if (!has_place(symbol)) continue;
-    const Place place = place_of(symbol);
-    const std::uint64_t hash = hash_of(place);
-    const std::uint32_t leader = leaders.find_or_add(hash, i, stands_at(place));
+    if (!has_index(symbol)) continue;
+    const Location position = location_of(symbol);
+    const std::uint64_t hash = hash_of(position);
+    const std::uint32_t leader = leaders.find_or_add(hash, i, is_at(position));
     if (leader == i) continue;
     any = true;
     if (!moved(plant, i)) continue;
     if (!moved(plant, leader)) {
-      leaders.move(hash, i, stands_at(place));
+      leaders.move(hash, i, is_at(position));
     } else if (plant.symbols[leader].unit != symbol.unit) {
-      plant.moved_twice.push_back({i, leader});
+      plant.driven_twice.push_back({i, leader});
     }
   }
   if (!any) return;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (!has_place(symbol)) continue;
-    const Place place = place_of(symbol);
-    const std::uint32_t leader = leaders.find(hash_of(place), stands_at(place));
+    if (!has_index(symbol)) continue;
+    const Location position = location_of(symbol);
+    const std::uint32_t leader = leaders.find(hash_of(position), is_at(position));
     if (leader != i) symbol.leader = leader;
   }
 }

@@ -41,11 +41,11 @@ TaskRoles::TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols) {
   const description::DeviceDescription* device = unit.described;
   if (device == nullptr) return;
   std::optional<UnitTasks> tasks;
-  const bool ways_lackable = device->entry_of(description::DeviceKey::transitions).is_pattern();
+  const bool transitions_lackable = device->entry_of(description::DeviceKey::transitions).is_pattern();
   const bool outputs_lackable = device->entry_of(description::DeviceKey::outputs).is_pattern();
-  if (ways_lackable || outputs_lackable) tasks.emplace(unit, symbols);
+  if (transitions_lackable || outputs_lackable) tasks.emplace(unit, symbols);
   for (const description::GivenTransition& given : device->transitions) {
-    if (ways_lackable && !tasks->allow(given)) continue;
+    if (transitions_lackable && !tasks->allow(given)) continue;
     states_.insert({given.from, given.to});
     if (!given.on.empty()) commands_.insert(given.on);
   }

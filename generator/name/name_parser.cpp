@@ -36,21 +36,21 @@ const DirectionWord* direction_word(const NamingRule& rule, std::string_view tex
 std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const std::vector<Piece>& pieces) {
   const std::size_t wanted = rule.levels.size();
   const auto direction = std::find(rule.levels.begin(), rule.levels.end(), Level::direction);
-  const auto place = static_cast<std::size_t>(direction - rule.levels.begin());
+  const auto index = static_cast<std::size_t>(direction - rule.levels.begin());
   std::size_t found = pieces.size();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (direction_word(rule, text_of(pieces[i])) == nullptr) continue;
     if (found != pieces.size()) return {wanted, pieces.size() - 1};
     found = i;
   }
-  if (found > place && found - place <= pieces.size() - wanted) return {place, found - 1};
+  if (found > index && found - index <= pieces.size() - wanted) return {index, found - 1};
   return {wanted, pieces.size() - 1};
 }
 
 /// What the levels of a name say, of which there are as many as the rule has, none of them empty.
 void read_levels(const NamingRule& rule, std::string_view name, const std::vector<std::string_view>& levels,
                  NameReading& reading) {
-  const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - name.data()); };
+  const auto offset = [&](const char* index) { return static_cast<std::size_t>(index - name.data()); };
   std::size_t device_end = 0;
   reading.levels = static_cast<std::uint32_t>(levels.size());
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -136,7 +136,7 @@ NameReading NameParser::parse_by_grammar(std::string_view name) {
   x3::parse(at, last, level % x3::unicode::char_(rule_.separator), pieces);
 
   NameReading reading;
-  const auto offset = [&](const char* place) { return static_cast<std::size_t>(place - begin); };
+  const auto offset = [&](const char* index) { return static_cast<std::size_t>(index - begin); };
   if (at != last) {
     const char* bad = at.base();
     reading.fault = NameFault::illegal_character;

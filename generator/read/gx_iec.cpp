@@ -109,11 +109,11 @@ class GxIecReading {
                                 GxField::type, GxField::initial}) {
       const std::string_view cell = row.cell(layout.columns[field]);
       if (cell.size() <= kLongestCell) continue;
-      const text::Span place = source_->span_of(cell, row.whole);
+      const text::Span location = source_->span_of(cell, row.whole);
       diagnostics_.add(kCellTooLong,
                        "a cell of " + std::to_string(cell.size()) + " bytes stands here, " +
                            std::to_string(kLongestCell) + " are the most; a line end or a quote is missing",
-                       {source_, {place.begin, place.begin + 1}});
+                       {source_, {location.begin, location.begin + 1}});
       too_long_ = true;
       return true;
     }

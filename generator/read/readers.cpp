@@ -26,7 +26,7 @@ std::string known_names() {
 }
 
 /// A place in a file whose text is not there to be shown.
-diag::Place whole_file(const std::string& path) { return {std::make_shared<text::SourceFile>(path, ""), {}}; }
+diag::Location whole_file(const std::string& path) { return {std::make_shared<text::SourceFile>(path, ""), {}}; }
 
 /// The reader that is asked for, or the likeliest; none where an error was added.
 const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const text::SourceFile>& source,
@@ -104,10 +104,10 @@ std::optional<text::Decoded> decode_file(const std::string& path, std::string by
   auto decoded = text::decode(std::move(bytes), options.encoding ? &*options.encoding : nullptr);
   if (decoded) return std::move(*decoded);
   const text::DecodeError& fault = decoded.error();
-  const text::Span place{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
+  const text::Span location{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
   const std::string what_to_do = remedy.empty() ? remedy_of(fault, options.described) : std::string(remedy);
   diagnostics.add(kUndecodableText, fault.what + "; " + what_to_do,
-                  {std::make_shared<text::SourceFile>(path, fault.shown), place});
+                  {std::make_shared<text::SourceFile>(path, fault.shown), location});
   return std::nullopt;
 }
 

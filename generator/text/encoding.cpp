@@ -145,9 +145,10 @@ base::Result<std::string, Fault> decode_utf8(std::string text) {
   const std::size_t valid = valid_utf8_prefix(bytes);
   if (valid == text.size()) return base::Result<std::string, Fault>(std::move(text));
 
-  constexpr std::size_t kMostTold = 4;
+  constexpr std::size_t kMostReported = 4;
   std::size_t high = 1;
-  while (high < std::min(kMostTold, bytes.size() - valid) && static_cast<unsigned char>(bytes[valid + high]) >= 0x80) {
+  while (high < std::min(kMostReported, bytes.size() - valid) &&
+         static_cast<unsigned char>(bytes[valid + high]) >= 0x80) {
     ++high;
   }
   Fault fault =

@@ -35,14 +35,15 @@ std::vector<std::string> packed(const std::vector<std::string>& parts) {
 
 std::vector<std::string> label_of(const model::Transition& t, const model::Unit& unit, const model::PlantModel& plant,
                                   Conditions conditions) {
-  const WayText way = way_text(t, unit, plant);
+  const TransitionText transition = transition_text(t, unit, plant);
   std::string when;
-  if (!way.when.empty()) {
-    const bool in_words = conditions == Conditions::in_words && text::count_code_points(way.when) + 2 <= kLineColumns;
-    when = in_words ? "[" + way.when + "]" : fmt::format("[c{}]", t.when + 1);
+  if (!transition.when.empty()) {
+    const bool in_words =
+        conditions == Conditions::in_words && text::count_code_points(transition.when) + 2 <= kLineColumns;
+    when = in_words ? "[" + transition.when + "]" : fmt::format("[c{}]", t.when + 1);
   }
   const std::string origin(t.origin == model::Origin::derived ? "" : origin_text(t.origin));
-  return packed({way.on, when, way.after, way.takes, origin});
+  return packed({transition.on, when, transition.after, transition.takes, origin});
 }
 
 std::string joined(const std::vector<std::pair<std::uint32_t, bool>>& events, const model::Unit& unit,
@@ -98,28 +99,28 @@ Chart chart_of(const model::Unit& unit, const model::PlantModel& plant, Conditio
 
   // Of each target the different labels, in their order, with the states that they lead from.
   using Sources = std::vector<std::uint32_t>;
-  std::vector<std::map<std::vector<std::string>, Sources>> ways(unit.states.size());
+  std::vector<std::map<std::vector<std::string>, Sources>> routes(unit.states.size());
   std::vector<std::vector<std::vector<std::string>>> order(unit.states.size());
   std::vector<model::Transition> transitions = unit.transitions;
-  for (const model::Transition& way : spring_ways(unit)) transitions.push_back(way);
+  for (const model::Transition& transition : spring_returns(unit)) transitions.push_back(transition);
   for (const model::Transition& t : transitions) {
     std::vector<std::string> label = label_of(t, unit, plant, conditions);
-    const auto [way, added] = ways[t.to].try_emplace(label);
-    way->second.push_back(t.from);
+    const auto [transition, added] = routes[t.to].try_emplace(label);
+    transition->second.push_back(t.from);
     if (added) order[t.to].push_back(std::move(label));
   }
 
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> places;  // target, source -> its edge
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> positions;  // target, source -> its edge
   for (std::uint32_t to = 0; to < unit.states.size(); ++to) {
     for (const std::vector<std::string>& label : order[to]) {
-      Sources sources = ways[to].at(label);
+      Sources sources = routes[to].at(label);
       std::sort(sources.begin(), sources.end());
       sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
       if (unit.states.size() >= kLeastForEvery && sources.size() + 1 == unit.states.size()) sources = {kEveryOther};
       for (const std::uint32_t from : sources) {
-        const auto [place, added] = places.try_emplace({to, from}, chart.edges.size());
+        const auto [position, added] = positions.try_emplace({to, from}, chart.edges.size());
         if (added) chart.edges.push_back({from, to, true, {}});
-        ChartEdge& edge = chart.edges[place->second];
+        ChartEdge& edge = chart.edges[position->second];
         edge.automatic = edge.automatic && label.front().starts_with("by itself");
         edge.label.insert(edge.label.end(), label.begin(), label.end());
       }

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 using diag::visible;
 using model::kNone;
 
-int place_or_none(std::uint32_t place) { return place == kNone ? -1 : static_cast<int>(place); }
+int place_or_none(std::uint32_t position) { return position == kNone ? -1 : static_cast<int>(position); }
 
 /// Arrays of numbers: the page draws it as it stands.
 Json layout_json(const LayoutKey& key) {
@@ -35,7 +35,7 @@ Json layout_json(const LayoutKey& key) {
   for (const Point& state : layout.states) states.push_back({state.x, state.y});
   Json arrows = Json::array();
   for (std::size_t i = 0; i < layout.arrows.size(); ++i) {
-    const ArrowPlace& arrow = layout.arrows[i];
+    const ArrowPosition& arrow = layout.arrows[i];
     arrows.push_back({arrow.begin.x, arrow.begin.y, arrow.control.x, arrow.control.y, arrow.end.x, arrow.end.y,
                       arrow.label.x, arrow.label.y, key.arrows[i].columns * kLetterWidth});
   }
@@ -57,7 +57,7 @@ class DataWriter {
     for (const std::uint32_t unit : scene_.units) units.push_back(unit_json(unit));
     Json symbols = Json::array();
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
-      if (symbol_places_[i] >= 0) symbols.push_back(symbol_json(plant_.symbols[i]));
+      if (symbol_positions_[i] >= 0) symbols.push_back(symbol_json(plant_.symbols[i]));
     }
     Json requirements = Json::array();
     for (const model::Requirement& requirement : plant_.requirements) {
@@ -92,8 +92,8 @@ class DataWriter {
  private:
   /// With all devices every symbol is shown, else those of the devices shown.
   void number_units_and_symbols() {
-    unit_places_.assign(plant_.units.size(), -1);
-    for (std::size_t i = 0; i < scene_.units.size(); ++i) unit_places_[scene_.units[i]] = static_cast<int>(i);
+    unit_positions_.assign(plant_.units.size(), -1);
+    for (std::size_t i = 0; i < scene_.units.size(); ++i) unit_positions_[scene_.units[i]] = static_cast<int>(i);
     const bool all = scene_.units.size() == plant_.units.size();
     std::vector<bool> shown(plant_.symbols.size(), all);
     for (const std::uint32_t unit : scene_.units) {
@@ -102,10 +102,10 @@ class DataWriter {
         for (const std::uint32_t symbol : *side) shown[symbol] = true;
       }
     }
-    symbol_places_.assign(plant_.symbols.size(), -1);
+    symbol_positions_.assign(plant_.symbols.size(), -1);
     int next = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      if (shown[i]) symbol_places_[i] = next++;
+      if (shown[i]) symbol_positions_[i] = next++;
     }
   }
 
@@ -120,15 +120,15 @@ class DataWriter {
              visible(symbol.row->vendor_address),
              visible(symbol.row->iec_address),
              symbol.initial == 0 ? "" : initial,
-             symbol.unit == kNone ? -1 : unit_places_[symbol.unit],
+             symbol.unit == kNone ? -1 : unit_positions_[symbol.unit],
              static_cast<int>(symbol.unmodelled)};
     if (symbol.leader != kNone) row.push_back(visible(plant_.symbols[symbol.leader].name()));
     return row;
   }
 
-  Json places(const std::vector<std::uint32_t>& symbols) const {
+  Json positions(const std::vector<std::uint32_t>& symbols) const {
     Json list = Json::array();
-    for (const std::uint32_t symbol : symbols) list.push_back(symbol_places_[symbol]);
+    for (const std::uint32_t symbol : symbols) list.push_back(symbol_positions_[symbol]);
     return list;
   }
 
@@ -138,10 +138,11 @@ class DataWriter {
     return list;
   }
 
-  Json way_json(const model::Transition& t, const model::Unit& unit) const {
-    const WayText way = way_text(t, unit, plant_);
-    return {t.from,    t.to,      visible(way.on), t.when == kNone ? 0 : t.when + 1,
-            way.after, way.takes, t.once ? 1 : 0,  origin_text(t.origin)};
+  Json transition_json(const model::Transition& t, const model::Unit& unit) const {
+    const TransitionText transition = transition_text(t, unit, plant_);
+    return {
+        t.from,           t.to,           visible(transition.on), t.when == kNone ? 0 : t.when + 1, transition.after,
+        transition.takes, t.once ? 1 : 0, origin_text(t.origin)};
   }
 
   Json outputs(const model::Unit& unit, bool entering) const {
@@ -155,9 +156,9 @@ class DataWriter {
   }
 
   std::size_t layout_of(const Chart& chart) {
-    const auto [place, added] = layout_places_.try_emplace(layout_key(chart), layouts_.size());
-    if (added) layouts_.push_back(layout_json(place->first));
-    return place->second;
+    const auto [position, added] = layout_positions_.try_emplace(layout_key(chart), layouts_.size());
+    if (added) layouts_.push_back(layout_json(position->first));
+    return position->second;
   }
 
   /// All of a unit that is the same in others of its structure.
@@ -175,9 +176,9 @@ class DataWriter {
     Json internal = Json::array();
     Json external = Json::array();
     std::vector<model::Transition> transitions = unit.transitions;
-    for (const model::Transition& way : spring_ways(unit)) transitions.push_back(way);
+    for (const model::Transition& transition : spring_returns(unit)) transitions.push_back(transition);
     for (const model::Transition& t : transitions) {
-      (t.on == kNone ? internal : external).push_back(way_json(t, unit));
+      (t.on == kNone ? internal : external).push_back(transition_json(t, unit));
     }
     Json kind{{"actuation", description::actuation_name(unit.actuation)},
               {"rest", place_or_none(unit.rest)},
@@ -191,9 +192,9 @@ class DataWriter {
               {"enter", outputs(unit, true)},
               {"leave", outputs(unit, false)},
               {"layout", layout_of(chart)}};
-    const auto [place, added] = kind_places_.try_emplace(kind.dump(), kinds_.size());
+    const auto [position, added] = kind_positions_.try_emplace(kind.dump(), kinds_.size());
     if (added) kinds_.push_back(std::move(kind));
-    return place->second;
+    return position->second;
   }
 
   Json unit_json(std::uint32_t index) {
@@ -206,10 +207,10 @@ class DataWriter {
               {"kind", kind_of(unit)},
               {"initial", unit.initial},
               {"why", initial_reason(unit.initial_from)},
-              {"operations", places(unit.operations)},
-              {"events", places(unit.events)}};
+              {"operations", positions(unit.operations)},
+              {"events", positions(unit.events)}};
     if (unit.described != nullptr && !unit.described->type.empty()) json["type"] = visible(unit.described->type);
-    if (!unit.values.empty()) json["values"] = places(unit.values);
+    if (!unit.values.empty()) json["values"] = positions(unit.values);
     for (std::uint32_t i = 0; i < unit.first_input; ++i) {
       json["conditions"].push_back(visible(model::condition_text(unit.conditions[i], plant_)));
     }
@@ -237,10 +238,10 @@ class DataWriter {
   const Scene& scene_;
   const model::PlantModel& plant_;
   const CrossReferences references_;
-  std::vector<int> unit_places_;    // in the page; -1 where it is not shown
-  std::vector<int> symbol_places_;  // likewise
-  std::map<LayoutKey, std::size_t> layout_places_;
-  std::unordered_map<std::string, std::size_t> kind_places_;
+  std::vector<int> unit_positions_;    // in the page; -1 where it is not shown
+  std::vector<int> symbol_positions_;  // likewise
+  std::map<LayoutKey, std::size_t> layout_positions_;
+  std::unordered_map<std::string, std::size_t> kind_positions_;
   Json layouts_ = Json::array();
   Json kinds_ = Json::array();
 };

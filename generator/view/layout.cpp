@@ -59,9 +59,9 @@ struct Curve {
 
 /// From the edge of one box to that of another, bent to the left of its way.
 Curve between(const Box& from, const Box& to, double bend) {
-  const Vector way = to.middle - from.middle;
-  const Vector side{way.y, -way.x};
-  const Vector control = (from.middle + to.middle) * 0.5 + side * (bend / std::max(1.0, length(way)));
+  const Vector transition = to.middle - from.middle;
+  const Vector side{transition.y, -transition.x};
+  const Vector control = (from.middle + to.middle) * 0.5 + side * (bend / std::max(1.0, length(transition)));
   const Curve whole{from.middle, control, to.middle};
   constexpr int kSteps = 256;
   int first = 0;

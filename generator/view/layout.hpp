@@ -47,7 +47,7 @@ struct Point {
 };
 
 /// A curve of Bezier from `begin` to `end`, and the middle of its label.
-struct ArrowPlace {
+struct ArrowPosition {
   Point begin;
   Point control;
   Point end;
@@ -59,8 +59,8 @@ struct Layout {
   int height = 0;
   int box_width = 0;
   int box_height = 0;
-  std::vector<Point> states;       ///< the middle of each box
-  std::vector<ArrowPlace> arrows;  ///< as in the key
+  std::vector<Point> states;          ///< the middle of each box
+  std::vector<ArrowPosition> arrows;  ///< as in the key
 };
 
 /// States on an ellipse, the first on top (two: side by side), arrows bent so that there and back differ, labels where

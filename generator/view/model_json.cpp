@@ -86,8 +86,8 @@ class UnitWriter {
   }
 
  private:
-  std::string_view operation(std::uint32_t place) const { return plant_.symbols[unit_.operations[place]].name(); }
-  std::string_view event(std::uint32_t place) const { return plant_.symbols[unit_.events[place]].name(); }
+  std::string_view operation(std::uint32_t position) const { return plant_.symbols[unit_.operations[position]].name(); }
+  std::string_view event(std::uint32_t position) const { return plant_.symbols[unit_.events[position]].name(); }
 
   Json states() const {
     Json list = Json::array();
@@ -111,7 +111,7 @@ class UnitWriter {
       row["after"] = time_json(t.after);
       row["takes"] = time_json(t.takes);
       if (t.once) row["once"] = true;
-      if (t.spring_way) row["spring_way"] = true;
+      if (t.spring_return) row["spring_way"] = true;
       row["origin"] = origin_text(t.origin);
       list.push_back(std::move(row));
     }
@@ -122,8 +122,8 @@ class UnitWriter {
     Json object = Json::object();
     for (std::uint32_t s = 0; s < unit_.states.size(); ++s) {
       Json list = Json::array();
-      for (const auto& [place, on] : switched(unit_, s, entering))
-        list.push_back({{"event", event(place)}, {"on", on}});
+      for (const auto& [position, on] : switched(unit_, s, entering))
+        list.push_back({{"event", event(position)}, {"on", on}});
       if (!list.empty()) object[unit_.states[s].name] = std::move(list);
     }
     return object;

@@ -60,7 +60,7 @@ class TableWriter {
     add_states(unit);
     add_transitions("d_ext", unit, true);
     add_transitions("d_int", unit, false);
-    add_spring_ways(unit);
+    add_spring_returns(unit);
     add_outputs("l_enter", unit, true);
     add_outputs("l_leave", unit, false);
     add_disables(unit, references_.disabled_by[index]);
@@ -103,23 +103,24 @@ class TableWriter {
     begin(element);
     for (const model::Transition& t : unit.transitions) {
       if ((t.on != kNone) != commanded) continue;
-      const WayText way = way_text(t, unit, plant_);
-      std::string content = fmt::format("({}, {}) -> {}", unit.states[t.from].name, way.on, unit.states[t.to].name);
-      if (!way.when.empty()) content += ", when " + way.when;
-      if (!way.after.empty()) content += ", " + way.after;
-      if (!way.takes.empty()) content += ", " + way.takes;
+      const TransitionText transition = transition_text(t, unit, plant_);
+      std::string content =
+          fmt::format("({}, {}) -> {}", unit.states[t.from].name, transition.on, unit.states[t.to].name);
+      if (!transition.when.empty()) content += ", when " + transition.when;
+      if (!transition.after.empty()) content += ", " + transition.after;
+      if (!transition.takes.empty()) content += ", " + transition.takes;
       row(content + "  [" + std::string(origin_text(t.origin)) + "]");
     }
     end();
   }
 
-  void add_spring_ways(const model::Unit& unit) {
-    const auto ways = spring_ways(unit);
-    if (ways.empty()) return;
+  void add_spring_returns(const model::Unit& unit) {
+    const auto routes = spring_returns(unit);
+    if (routes.empty()) return;
     begin("spring");
-    for (const model::Transition& way : ways) {
-      row(fmt::format("({}) -> {}, takes {}", unit.states[way.from].name, unit.states[way.to].name,
-                      duration_text(way.takes)));
+    for (const model::Transition& transition : routes) {
+      row(fmt::format("({}) -> {}, takes {}", unit.states[transition.from].name, unit.states[transition.to].name,
+                      duration_text(transition.takes)));
     }
   }
 

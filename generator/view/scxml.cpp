@@ -92,10 +92,10 @@ class ScxmlWriter {
       out("      <symplant:disabled-by{}{}/>\n", attribute("device", plant_.units[by.unit].path),
           attribute("state", plant_.units[by.unit].states[by.state].name));
     }
-    std::vector<model::Transition> ways = spring_ways(unit);
-    std::copy_if(unit.transitions.begin(), unit.transitions.end(), std::back_inserter(ways),
-                 [](const model::Transition& t) { return t.spring_way; });
-    for (const model::Transition& t : ways) {
+    std::vector<model::Transition> routes = spring_returns(unit);
+    std::copy_if(unit.transitions.begin(), unit.transitions.end(), std::back_inserter(routes),
+                 [](const model::Transition& t) { return t.spring_return; });
+    for (const model::Transition& t : routes) {
       out("      <symplant:spring-way{}{}{}/>\n", attribute("from", unit.states[t.from].name),
           attribute("to", unit.states[t.to].name), attribute("takes", duration_text(t.takes)));
     }
@@ -104,25 +104,25 @@ class ScxmlWriter {
   }
 
   void add_signals(std::string_view element, const std::vector<std::uint32_t>& side) {
-    for (const std::uint32_t place : side) {
-      const model::Symbol& symbol = plant_.symbols[place];
-      out("      <symplant:signal element=\"{}\" event=\"{}\"{}{}{}{} row=\"{}\"/>\n", element, names_.symbol(place),
+    for (const std::uint32_t position : side) {
+      const model::Symbol& symbol = plant_.symbols[position];
+      out("      <symplant:signal element=\"{}\" event=\"{}\"{}{}{}{} row=\"{}\"/>\n", element, names_.symbol(position),
           attribute("name", symbol.name()), attribute("address", symbol.row->vendor_address),
           attribute("iec-address", symbol.row->iec_address), attribute("list", plant_.list_of(symbol).name()),
           symbol.row->line);
     }
   }
 
-  bool delayed(const model::Transition& t) const { return t.on == kNone && !t.spring_way && !t.after.is_zero(); }
-  std::string delay_name(std::uint32_t unit, std::size_t place) const {
-    return fmt::format("after.{}.{}", names_.unit(unit), place);
+  bool delayed(const model::Transition& t) const { return t.on == kNone && !t.spring_return && !t.after.is_zero(); }
+  std::string delay_name(std::uint32_t unit, std::size_t position) const {
+    return fmt::format("after.{}.{}", names_.unit(unit), position);
   }
 
   void add_state(std::uint32_t index, std::uint32_t state) {
     const model::Unit& unit = plant_.units[index];
     out("      <state id=\"{}\"{}", names_.state(index, state), attribute("symplant:name", unit.states[state].name));
-    const auto add_symbol = [&](std::string_view name, const std::vector<std::uint32_t>& side, std::uint32_t place) {
-      if (place != kNone) text_ += attribute(name, plant_.symbols[side[place]].name());
+    const auto add_symbol = [&](std::string_view name, const std::vector<std::uint32_t>& side, std::uint32_t position) {
+      if (position != kNone) text_ += attribute(name, plant_.symbols[side[position]].name());
     };
     add_symbol("symplant:operation", unit.operations, unit.states[state].operation);
     add_symbol("symplant:event", unit.events, unit.states[state].event);
@@ -134,8 +134,8 @@ class ScxmlWriter {
     }
     add_actions(index, state, true);
     add_actions(index, state, false);
-    for (std::size_t place = 0; place < unit.transitions.size(); ++place) {
-      if (unit.transitions[place].from == state) add_transition(index, place);
+    for (std::size_t position = 0; position < unit.transitions.size(); ++position) {
+      if (unit.transitions[position].from == state) add_transition(index, position);
     }
     text_ += "      </state>\n";
   }
@@ -147,10 +147,10 @@ class ScxmlWriter {
     for (const auto& [event, on] : switched(unit, state, entering)) {
       actions += "          <raise event=\"" + names_.change(unit.events[event], on) + "\"/>\n";
     }
-    for (std::size_t place = 0; place < unit.transitions.size(); ++place) {
-      const model::Transition& t = unit.transitions[place];
+    for (std::size_t position = 0; position < unit.transitions.size(); ++position) {
+      const model::Transition& t = unit.transitions[position];
       if (t.from != state || !delayed(t)) continue;
-      const std::string name = delay_name(index, place);
+      const std::string name = delay_name(index, position);
       actions += entering ? fmt::format("          <send id=\"{0}\" event=\"{0}\" delay=\"{1}\"/>\n", name,
                                         delay_text(t.after.a))
                           : fmt::format("          <cancel sendid=\"{}\"/>\n", name);
@@ -158,13 +158,13 @@ class ScxmlWriter {
     if (!actions.empty()) out("        <{0}>\n{1}        </{0}>\n", entering ? "onentry" : "onexit", actions);
   }
 
-  void add_transition(std::uint32_t index, std::size_t place) {
+  void add_transition(std::uint32_t index, std::size_t position) {
     const model::Unit& unit = plant_.units[index];
-    const model::Transition& t = unit.transitions[place];
-    if (t.spring_way) return;
+    const model::Transition& t = unit.transitions[position];
+    if (t.spring_return) return;
     text_ += "        <transition";
     if (t.on != kNone) text_ += attribute("event", names_.change(unit.operations[t.on], true));
-    if (delayed(t)) text_ += attribute("event", delay_name(index, place));
+    if (delayed(t)) text_ += attribute("event", delay_name(index, position));
     if (t.when != kNone) text_ += attribute("cond", names_.expression(unit.conditions[t.when], variables_));
     text_ += attribute("target", names_.state(index, t.to));
     if (t.when != kNone) {
@@ -173,7 +173,7 @@ class ScxmlWriter {
     if (!t.after.is_zero()) text_ += attribute("symplant:after", duration_text(t.after));
     if (!t.takes.is_zero()) text_ += attribute("symplant:takes", duration_text(t.takes));
     if (t.once) text_ += attribute("symplant:once", "true");
-    text_ += attribute("symplant:origin", origin_text(t.origin)) + fmt::format(" symplant:place=\"{}\"/>\n", place);
+    text_ += attribute("symplant:origin", origin_text(t.origin)) + fmt::format(" symplant:place=\"{}\"/>\n", position);
   }
 
   const Scene& scene_;

@@ -91,7 +91,7 @@ class CardWriter {
     card_.height += kLineHeight;
   }
 
-  void add_arrow(const ArrowPlace& arrow, const ChartEdge& edge) {
+  void add_arrow(const ArrowPosition& arrow, const ChartEdge& edge) {
     out("<path class=\"way{}\" d=\"M{} {}Q{} {} {} {}\" marker-end=\"url(#head)\"/>\n",
         edge.automatic ? " automatic" : "", arrow.begin.x, arrow.begin.y, arrow.control.x, arrow.control.y, arrow.end.x,
         arrow.end.y);

@@ -159,34 +159,35 @@ std::string initial_value_text(const model::Symbol& symbol) {
   }
 }
 
-std::vector<model::Transition> spring_ways(const model::Unit& unit) {
-  std::vector<model::Transition> ways;
-  if (unit.actuation != tables::Actuation::spring) return ways;
+std::vector<model::Transition> spring_returns(const model::Unit& unit) {
+  std::vector<model::Transition> routes;
+  if (unit.actuation != tables::Actuation::spring) return routes;
   for (std::uint32_t from = 0; from < unit.states.size(); ++from) {
     if (from == unit.rest) continue;
     const auto taken = std::find_if(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& t) {
-      return t.from == from && t.to == unit.rest && (t.on != kNone || t.spring_way);
+      return t.from == from && t.to == unit.rest && (t.on != kNone || t.spring_return);
     });
-    if (taken != unit.transitions.end() && taken->spring_way) continue;
-    model::Transition way;
-    way.from = from;
-    way.to = unit.rest;
-    way.takes = taken == unit.transitions.end() ? description::Duration::fixed(unit.travel) : taken->takes;
-    way.spring_way = true;
-    ways.push_back(way);
+    if (taken != unit.transitions.end() && taken->spring_return) continue;
+    model::Transition route;
+    route.from = from;
+    route.to = unit.rest;
+    route.takes = taken == unit.transitions.end() ? description::Duration::fixed(unit.travel) : taken->takes;
+    route.spring_return = true;
+    routes.push_back(route);
   }
-  return ways;
+  return routes;
 }
 
-WayText way_text(const model::Transition& transition, const model::Unit& unit, const model::PlantModel& plant) {
-  WayText text;
-  text.on = transition.spring_way    ? "spring"
+TransitionText transition_text(const model::Transition& transition, const model::Unit& unit,
+                               const model::PlantModel& plant) {
+  TransitionText text;
+  text.on = transition.spring_return ? "spring"
             : transition.on == kNone ? "by itself"
                                      : operation_text(plant, unit, transition.on);
   if (transition.once) text.on += ", once";
   if (transition.when != kNone) text.when = model::condition_text(unit.conditions[transition.when], plant);
   if (!transition.after.is_zero()) text.after = "after " + duration_text(transition.after);
-  if (transition.on != kNone || transition.spring_way || !transition.takes.is_zero()) {
+  if (transition.on != kNone || transition.spring_return || !transition.takes.is_zero()) {
     text.takes = "takes " + duration_text(transition.takes);
   }
   return text;

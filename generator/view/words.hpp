@@ -44,15 +44,16 @@ std::string initial_value_text(const model::Symbol& symbol);
 
 /// The ways back to rest of a `spring` unit that its transitions do not tell, each with what it takes: that of the
 /// first commanded one, else the default travel time.
-std::vector<model::Transition> spring_ways(const model::Unit& unit);
+std::vector<model::Transition> spring_returns(const model::Unit& unit);
 
 /// What moves a transition from one state to another, in its parts; empty where it has none.
-struct WayText {
+struct TransitionText {
   std::string on;     ///< `O_P2`; of an automatic one "by itself", of a spring's own way "spring"
   std::string when;   ///< the condition
   std::string after;  ///< "after 5 s"
   std::string takes;  ///< "takes 2 s"; empty for an automatic one that takes no time
 };
-WayText way_text(const model::Transition& transition, const model::Unit& unit, const model::PlantModel& plant);
+TransitionText transition_text(const model::Transition& transition, const model::Unit& unit,
+                               const model::PlantModel& plant);
 
 }  // namespace symplant::view

@@ -13,7 +13,7 @@
 namespace symplant::condition {
 
 /// Bytes of the condition's text.
-struct Place {
+struct Location {
   std::size_t offset = 0;
   std::size_t length = 0;
 };
@@ -21,7 +21,7 @@ struct Place {
 /// Without its quotes; its place is with them.
 struct Name {
   std::string text;
-  Place place;
+  Location index;
 };
 
 /// `negation` has one child, `all` and `any` have two or more, the others none.
@@ -37,13 +37,13 @@ struct Expression {
   std::vector<Name> names;
   tables::Comparison comparison = tables::Comparison::equal;
   Number number;
-  Place number_place;
+  Location number_index;
   std::vector<Expression> children;
 };
 
 /// What is wrong with a condition, and where.
 struct Fault {
-  Place place;          ///< of length 0 at the text's end
+  Location index;       ///< of length 0 at the text's end
   std::string message;  ///< what is there, and what was expected
 };
 

@@ -99,13 +99,13 @@ std::optional<Number> Number::read(std::string_view text) {
 }
 
 WholeNumber Number::floor() const {
-  const std::int64_t places = static_cast<std::int64_t>(digits.size()) + exponent;  // before the decimal point
+  const std::int64_t indexes = static_cast<std::int64_t>(digits.size()) + exponent;  // before the decimal point
   if (digits.empty()) return {};
-  if (places > 20) return {negative, true, 0};
+  if (indexes > 20) return {negative, true, 0};
   WholeNumber whole{negative, false, 0};
-  for (std::int64_t i = 0; i < places; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    const std::uint64_t digit = place < digits.size() ? static_cast<std::uint64_t>(digits[place] - '0') : 0;
+  for (std::int64_t i = 0; i < indexes; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const std::uint64_t digit = index < digits.size() ? static_cast<std::uint64_t>(digits[index] - '0') : 0;
     if (whole.magnitude > (kMost - digit) / 10) return {negative, true, 0};
     whole.magnitude = whole.magnitude * 10 + digit;
   }

@@ -32,7 +32,7 @@ std::string_view text_of(const Piece& piece) {
 }
 
 template <class Context>
-Place place_of(const Context& context, std::string_view text) {
+Location location_of(const Context& context, std::string_view text) {
   const char* begin = x3::get<TextBegin>(context);
   return {static_cast<std::size_t>(text.data() - begin), text.size()};
 }
@@ -49,7 +49,7 @@ std::string unquoted(std::string_view text) {
 
 struct PlacedNumber {
   Number number;
-  Place place;
+  Location index;
 };
 
 // What a rule is called here is what a message says is expected.
@@ -82,18 +82,18 @@ const auto number_text = x3::lexeme[-(unicode::char_('+') | unicode::char_('-'))
 const auto take = [](const auto& context) { x3::_val(context) = std::move(x3::_attr(context)); };
 const auto take_name = [](const auto& context) {
   const std::string_view text = text_of(x3::_attr(context));
-  x3::_val(context) = {text.front() == '\'' ? unquoted(text) : std::string(text), place_of(context, text)};
+  x3::_val(context) = {text.front() == '\'' ? unquoted(text) : std::string(text), location_of(context, text)};
 };
 const auto take_number = [](const auto& context) {
   const std::string_view text = text_of(x3::_attr(context));
   auto read = Number::read(text);
   x3::_pass(context) = read.has_value();
-  if (read) x3::_val(context) = {std::move(*read), place_of(context, text)};
+  if (read) x3::_val(context) = {std::move(*read), location_of(context, text)};
 };
 const auto add_name = [](const auto& context) { x3::_val(context).names.push_back(std::move(x3::_attr(context))); };
 const auto set_number = [](const auto& context) {
   x3::_val(context).number = std::move(x3::_attr(context).number);
-  x3::_val(context).number_place = x3::_attr(context).place;
+  x3::_val(context).number_index = x3::_attr(context).index;
 };
 template <tables::Comparison comparison>
 const auto compare = [](const auto& context) {
@@ -163,7 +163,7 @@ bool is_letter(char c) {
 }
 
 /// What stands at an offset, as a reader would name it.
-Place token_at(std::string_view text, std::size_t offset) {
+Location token_at(std::string_view text, std::size_t offset) {
   std::size_t stop = offset;
   if (stop < text.size() && text[stop] == '\'') {
     const std::size_t closing = text.find('\'', stop + 1);
@@ -175,13 +175,13 @@ Place token_at(std::string_view text, std::size_t offset) {
 }
 
 Fault fault_at(std::string_view text, std::size_t offset, const std::string& expected) {
-  const Place place = token_at(text, offset);
-  if (place.length == 0) return {place, "the condition ends where " + expected + " is expected"};
-  const std::string there(text.substr(place.offset, place.length));
+  const Location index = token_at(text, offset);
+  if (index.length == 0) return {index, "the condition ends where " + expected + " is expected"};
+  const std::string there(text.substr(index.offset, index.length));
   if (there.front() == '\'' && (there.size() == 1 || there.back() != '\'')) {
     return {{offset, 1}, "`'` opens a name that no `'` closes"};
   }
-  return {place, "`" + there + "` stands where " + expected + " is expected"};
+  return {index, "`" + there + "` stands where " + expected + " is expected"};
 }
 
 }  // namespace

@@ -75,8 +75,9 @@ class Resolver {
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
     if (symbol->type != tables::DataType::boolean) {
-      return Fault{name.place, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
-                                   " and stands without a comparison, compare it as in " + ticked(name.text + " > 0")};
+      return Fault{name.index, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
+                                      " and stands without a comparison, compare it as in " +
+                                      ticked(name.text + " > 0")};
     }
     Atom atom;
     atom.kind = Atom::Kind::bit;
@@ -88,17 +89,18 @@ class Resolver {
     const Name& name = expression.names.front();
     if (expression.names.size() != 1) {
       const Name& last = expression.names.back();
-      return Fault{{name.place.offset, last.place.offset + last.place.length - name.place.offset},
+      return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
                    "a state is compared with a number, only numeric symbols can be"};
     }
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
     if (symbol->type == tables::DataType::boolean) {
-      return Fault{name.place, ticked(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
+      return Fault{name.index,
+                   ticked(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
     }
     const auto folded = fold(symbol->type, expression.comparison, expression.number);
     if (!folded) {
-      return Fault{expression.number_place,
+      return Fault{expression.number_index,
                    "the number is beyond what " + std::string(type_name(symbol->type)) + " holds"};
     }
     if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always, symbol->index);
@@ -133,26 +135,27 @@ class Resolver {
       why =
           missing("state " + ticked(last.text) + " of " + ticked(device.text), names_.nearest_state(*unit, last.text));
     }
-    return Fault{last.place, std::move(why)};
+    return Fault{last.index, std::move(why)};
   }
 
   Fault no_symbol(const Name& name) const {
     if (names_.unit(name.text, {})) {
-      return {name.place, ticked(name.text) + " is a device, name a state of it as in " + ticked(name.text + ".STATE")};
+      return {name.index,
+              ticked(name.text) + " is a device, name a state of it as in " + ticked(name.text + ".STATE")};
     }
-    return {name.place, missing("symbol " + ticked(name.text), names_.nearest_symbol(name.text))};
+    return {name.index, missing("symbol " + ticked(name.text), names_.nearest_symbol(name.text))};
   }
 
   Fault no_unit(const Expression& expression, std::string_view facet) const {
     const Name& device = expression.names.front();
     const std::string nearest = names_.nearest_device(device.text, facet);
     if (!facet.empty() && names_.unit(device.text, {})) {
-      return {expression.names[1].place, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
+      return {expression.names[1].index, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
     }
     if (facet.empty() && names_.symbol(device.text)) {
-      return {device.place, ticked(device.text) + " is a symbol and has no states, name it alone"};
+      return {device.index, ticked(device.text) + " is a symbol and has no states, name it alone"};
     }
-    return {device.place, missing("device " + ticked(device.text), nearest)};
+    return {device.index, missing("device " + ticked(device.text), nearest)};
   }
 
   const Names& names_;

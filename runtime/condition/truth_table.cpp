@@ -27,11 +27,11 @@ struct Part {
 };
 
 /// The truth of a part whose input k is now input `place[k]`.
-std::uint64_t moved(std::uint64_t truth, const std::vector<std::size_t>& place) {
+std::uint64_t moved(std::uint64_t truth, const std::vector<std::size_t>& index) {
   std::uint64_t result = 0;
   for (std::size_t row = 0; row < kRows; ++row) {
     std::size_t old_row = 0;
-    for (std::size_t k = 0; k < place.size(); ++k) old_row |= (row >> place[k] & 1) << k;
+    for (std::size_t k = 0; k < index.size(); ++k) old_row |= (row >> index[k] & 1) << k;
     result |= (truth >> old_row & 1) << row;
   }
   return result;
@@ -60,15 +60,15 @@ void drop_idle_inputs(Part& part) {
 /// Both in one part, by `and` or `or`; nothing where they have too many inputs.
 std::optional<Part> merged(const Part& a, const Part& b, Tree::Kind kind) {
   Part result{a.truth, a.inputs};
-  std::vector<std::size_t> place;
+  std::vector<std::size_t> index;
   for (const Input& input : b.inputs) {
     std::size_t k = 0;
     while (k < result.inputs.size() && !same(result.inputs[k], input)) ++k;
     if (k == kMostInputs) return std::nullopt;
     if (k == result.inputs.size()) result.inputs.push_back(input);
-    place.push_back(k);
+    index.push_back(k);
   }
-  const std::uint64_t other = moved(b.truth, place);
+  const std::uint64_t other = moved(b.truth, index);
   result.truth = kind == Tree::Kind::all ? result.truth & other : result.truth | other;
   drop_idle_inputs(result);
   return result;
@@ -142,13 +142,13 @@ class Network {
         if (input.is_table) read[input.table] = true;
       }
     }
-    std::vector<std::uint32_t> place(tables_.size());
+    std::vector<std::uint32_t> index(tables_.size());
     std::uint32_t kept = 0;
     for (std::size_t t = 0; t < tables_.size(); ++t) {
       if (!read[t]) continue;
-      place[t] = kept;
+      index[t] = kept;
       for (Input& input : tables_[t].inputs) {
-        if (input.is_table) input.table = place[input.table];
+        if (input.is_table) input.table = index[input.table];
       }
       if (kept != t) tables_[kept] = std::move(tables_[t]);
       ++kept;

@@ -16,36 +16,36 @@ constexpr std::uint16_t kOwnStream = 0xFFFF;
 }  // namespace
 
 void Engine::wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept {
-  const RichRow& rich = rich_row(unit);
-  const Behaviour* behaviour = behaviour_of(rich);
-  if (behaviour_states[rich.behaviour].woken == 0) return;
-  behaviour_states[rich.behaviour].woken = 0;
+  const GeneralRow& general = general_row(unit);
+  const Behaviour* behaviour = behaviour_of(general);
+  if (behaviour_states[general.behaviour].woken == 0) return;
+  behaviour_states[general.behaviour].woken = 0;
   stepped(unit, row);
-  BehaviourView view(*this, unit, rich.behaviour);
+  BehaviourView view(*this, unit, general.behaviour);
   if (behaviour->woken != nullptr) behaviour->woken(view);
 }
 
-void Engine::tell_left(std::uint32_t unit, std::uint8_t state) noexcept {
-  const RichRow& rich = rich_row(unit);
-  const Behaviour* behaviour = behaviour_of(rich);
+void Engine::report_left(std::uint32_t unit, std::uint8_t state) noexcept {
+  const GeneralRow& general = general_row(unit);
+  const Behaviour* behaviour = behaviour_of(general);
   if (behaviour->left == nullptr) return;
-  BehaviourView view(*this, unit, rich.behaviour);
+  BehaviourView view(*this, unit, general.behaviour);
   behaviour->left(view, state);
 }
 
-void Engine::tell_entered(std::uint32_t unit, std::uint8_t state) noexcept {
-  const RichRow& rich = rich_row(unit);
-  const Behaviour* behaviour = behaviour_of(rich);
+void Engine::report_entered(std::uint32_t unit, std::uint8_t state) noexcept {
+  const GeneralRow& general = general_row(unit);
+  const Behaviour* behaviour = behaviour_of(general);
   if (behaviour->entered == nullptr) return;
-  BehaviourView view(*this, unit, rich.behaviour);
+  BehaviourView view(*this, unit, general.behaviour);
   behaviour->entered(view, state);
 }
 
 std::uint8_t Engine::wanted_by_behaviour(std::uint32_t unit) noexcept {
-  const RichRow& rich = rich_row(unit);
-  const Behaviour* behaviour = behaviour_of(rich);
+  const GeneralRow& general = general_row(unit);
+  const Behaviour* behaviour = behaviour_of(general);
   if (behaviour->wanted == nullptr) return tables::kNoState;
-  BehaviourView view(*this, unit, rich.behaviour);
+  BehaviourView view(*this, unit, general.behaviour);
   const std::uint8_t wanted = behaviour->wanted(view);
   return wanted < index.types[tables.units[unit].type].states ? wanted : tables::kNoState;
 }
@@ -87,18 +87,18 @@ bool BehaviourView::event(std::uint8_t event) const noexcept {
 }
 
 bool BehaviourView::input(std::uint32_t input) const noexcept {
-  const tables::BehaviourUnit& row = engine_.tables.behaviour_units[place_];
-  return engine_.truth(engine_.rich_row(unit_).first_condition + row.first_input + input);
+  const tables::BehaviourUnit& row = engine_.tables.behaviour_units[position_];
+  return engine_.truth(engine_.general_row(unit_).first_condition + row.first_input + input);
 }
 
 std::uint64_t BehaviourView::value(std::uint32_t value) const noexcept {
-  const std::uint32_t first = engine_.tables.behaviour_units[place_].first_value;
+  const std::uint32_t first = engine_.tables.behaviour_units[position_].first_value;
   const tables::SymbolRow& symbol = engine_.tables.symbols[engine_.tables.behaviour_values[first + value]];
   return symbol.direction() == tables::Direction::operation ? engine_.operation_values.values[symbol.index]
                                                             : engine_.event_values.made[symbol.index];
 }
 
-bool BehaviourView::quality() const noexcept { return engine_.behaviour_states[place_].ill == 0; }
+bool BehaviourView::quality() const noexcept { return engine_.behaviour_states[position_].ill == 0; }
 
 void BehaviourView::set_event(std::uint8_t event, bool on) noexcept {
   const tables::UnitRow& row = engine_.tables.units[unit_];
@@ -108,20 +108,20 @@ void BehaviourView::set_event(std::uint8_t event, bool on) noexcept {
 }
 
 void BehaviourView::set_value(std::uint32_t value, std::uint64_t bits) noexcept {
-  const std::uint32_t first = engine_.tables.behaviour_units[place_].first_value;
+  const std::uint32_t first = engine_.tables.behaviour_units[position_].first_value;
   const tables::SymbolRow& symbol = engine_.tables.symbols[engine_.tables.behaviour_values[first + value]];
   if (symbol.direction() == tables::Direction::event) engine_.make_event_value(symbol.index, bits);
 }
 
-void BehaviourView::wake_at(tables::Time time) noexcept { engine_.wake_at(place_, time); }
+void BehaviourView::wake_at(tables::Time time) noexcept { engine_.wake_at(position_, time); }
 
 std::uint64_t BehaviourView::draw() noexcept {
   std::uint64_t state =
-      draw_start(engine_.head->seed, engine_.name_hash(unit_), kOwnStream, engine_.behaviour_states[place_].draws++);
+      draw_start(engine_.head->seed, engine_.name_hash(unit_), kOwnStream, engine_.behaviour_states[position_].draws++);
   return split_mix(state);
 }
 
-std::uint32_t BehaviourView::behaviour() const noexcept { return engine_.tables.behaviour_units[place_].name; }
+std::uint32_t BehaviourView::behaviour() const noexcept { return engine_.tables.behaviour_units[position_].name; }
 
 std::span<const Behaviour> BehaviourView::behaviours() const noexcept { return engine_.behaviours; }
 
@@ -132,7 +132,7 @@ const tables::Transition* BehaviourView::transition(std::uint16_t number) const 
 
 tables::Time BehaviourView::model_takes(std::uint16_t transition) noexcept {
   const tables::UnitRow& row = engine_.tables.units[unit_];
-  return engine_.takes_by_model(unit_, row, engine_.index.types[row.type], way_to_, transition);
+  return engine_.takes_by_model(unit_, row, engine_.index.types[row.type], leads_to_, transition);
 }
 
 tables::Time BehaviourView::model_after(std::uint16_t transition) noexcept {
@@ -140,8 +140,8 @@ tables::Time BehaviourView::model_after(std::uint16_t transition) noexcept {
 }
 
 void* BehaviourView::memory_bytes(std::size_t size) noexcept {
-  if (size > engine_.memory_of(place_)) std::terminate();
-  return engine_.behaviour_memory + engine_.memory_begin(place_);
+  if (size > engine_.memory_of(position_)) std::terminate();
+  return engine_.behaviour_memory + engine_.memory_begin(position_);
 }
 
 }  // namespace symplant::engine

@@ -20,12 +20,12 @@ inline constexpr std::size_t kMaxBehaviourMemory = 4096;
 class BehaviourView {
  public:
   /// `way_to`: where the way leads that `takes` is asked for, kNoState elsewhere.
-  BehaviourView(Engine& engine, std::uint32_t unit, std::uint32_t place,
-                std::uint8_t way_to = tables::kNoState) noexcept
-      : engine_(engine), unit_(unit), place_(place), way_to_(way_to) {}
+  BehaviourView(Engine& engine, std::uint32_t unit, std::uint32_t position,
+                std::uint8_t leads_to = tables::kNoState) noexcept
+      : engine_(engine), unit_(unit), position_(position), leads_to_(leads_to) {}
 
   std::uint32_t unit() const noexcept { return unit_; }  ///< its place in PlantTables::units
-  std::uint8_t way_to() const noexcept { return way_to_; }
+  std::uint8_t leads_to() const noexcept { return leads_to_; }
   std::uint32_t behaviour() const noexcept;                ///< its place in PlantTables::behaviour_names
   std::span<const Behaviour> behaviours() const noexcept;  ///< those that the plant was made of
   /// The row of a transition of its table; null for 0xFFFF, a way without a command.
@@ -71,8 +71,8 @@ class BehaviourView {
 
   Engine& engine_;
   std::uint32_t unit_;
-  std::uint32_t place_;
-  std::uint8_t way_to_;
+  std::uint32_t position_;
+  std::uint8_t leads_to_;
 };
 
 /// What a behaviour defines, as plain functions; null: the model's own rule. Called inside the unit's step: bounded,

@@ -27,16 +27,16 @@ struct List {
 
 /// Places (words, slots, units), each at most once, in the order in which they were marked.
 struct DirtySet {
-  void take(Arena& arena, std::size_t places) noexcept {
-    list.take(arena, places);
-    marks = arena.take<std::uint64_t>((places + 63) / 64);
+  void take(Arena& arena, std::size_t positions) noexcept {
+    list.take(arena, positions);
+    marks = arena.take<std::uint64_t>((positions + 63) / 64);
   }
   /// False where it was marked already.
-  bool mark(std::uint32_t place) noexcept {
-    std::uint64_t& word = marks[place / 64];
-    if ((word & bit_in_word(place)) != 0) return false;
-    word |= bit_in_word(place);
-    list.add(place);
+  bool mark(std::uint32_t position) noexcept {
+    std::uint64_t& word = marks[position / 64];
+    if ((word & bit_in_word(position)) != 0) return false;
+    word |= bit_in_word(position);
+    list.add(position);
     return true;
   }
   bool empty() const noexcept { return list.size == 0; }
@@ -44,15 +44,15 @@ struct DirtySet {
   template <class Function>
   void take_all(Function function) noexcept {
     for (std::uint32_t i = 0; i < list.size; ++i) {
-      const std::uint32_t place = list.items[i];
-      marks[place / 64] = 0;
-      function(place);
+      const std::uint32_t position = list.items[i];
+      marks[position / 64] = 0;
+      function(position);
     }
     list.size = 0;
   }
   void clear() noexcept {
     std::uint64_t* const all = marks;
-    for (const std::uint32_t place : list.view()) all[place / 64] = 0;
+    for (const std::uint32_t position : list.view()) all[position / 64] = 0;
     list.size = 0;
   }
 
@@ -62,16 +62,16 @@ struct DirtySet {
 
 /// A DirtySet that lies in the flat block: its size does, too.
 struct BlockSet {
-  void take(Arena& arena, std::size_t places) noexcept {
+  void take(Arena& arena, std::size_t positions) noexcept {
     size = arena.take<std::uint64_t>(1);
-    items = arena.take<std::uint32_t>(places);
-    marks = arena.take<std::uint64_t>((places + 63) / 64);
+    items = arena.take<std::uint32_t>(positions);
+    marks = arena.take<std::uint64_t>((positions + 63) / 64);
   }
-  void mark(std::uint32_t place) noexcept {
-    std::uint64_t& word = marks[place / 64];
-    if ((word & bit_in_word(place)) != 0) return;
-    word |= bit_in_word(place);
-    items[(*size)++] = place;
+  void mark(std::uint32_t position) noexcept {
+    std::uint64_t& word = marks[position / 64];
+    if ((word & bit_in_word(position)) != 0) return;
+    word |= bit_in_word(position);
+    items[(*size)++] = position;
   }
   bool empty() const noexcept { return *size == 0; }
   /// Calls `function` for each; the set is empty afterwards. Nothing may be marked meanwhile.
@@ -79,9 +79,9 @@ struct BlockSet {
   void take_all(Function function) noexcept {
     const std::uint64_t count = *size;
     for (std::uint64_t i = 0; i < count; ++i) {
-      const std::uint32_t place = items[i];
-      marks[place / 64] = 0;
-      function(place);
+      const std::uint32_t position = items[i];
+      marks[position / 64] = 0;
+      function(position);
     }
     *size = 0;
   }

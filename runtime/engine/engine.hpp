@@ -36,7 +36,7 @@ struct BlockHead {
 };
 
 /// What changes in a rich unit beside its UnitState.
-struct RichState {
+struct GeneralState {
   std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
   std::uint8_t settled;       ///< as others were last told: the state settled in, or kNoState
   std::uint8_t moving;        ///< likewise
@@ -123,8 +123,7 @@ class Engine {
   /// Of the move that a unit is making.
   tables::Time remaining(std::uint32_t unit) const noexcept {
     const UnitState& state = units[unit];
-    return (state.flags & (kStanding | kHalted)) != 0 || state.due == tables::kNever ? state.due
-                                                                                     : state.due - head->now;
+    return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head->now;
   }
 
   // What behaviours see and do (behaviour.cpp).
@@ -138,9 +137,9 @@ class Engine {
   tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
   /// Bytes of memory that a unit's behaviour has.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
-  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.rich.place_of(unit)]; }
+  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.general.position_of(unit)]; }
   std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
-  const RichRow& rich_row(std::uint32_t unit) const noexcept { return index.rich.row_of(unit); }
+  const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   bool truth(std::uint32_t condition) const noexcept { return (condition_states[condition] & kTruth) != 0; }
   std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
@@ -167,8 +166,8 @@ class Engine {
   BlockSet written_slots;
   std::uint64_t* disarmed;  ///< by operation bit
   std::uint64_t* served;    ///< since it rose
-  std::uint64_t* told;      ///< had a finding when it rose
-  RichState* rich_states;
+  std::uint64_t* reported;  ///< had a finding when it rose
+  GeneralState* general_states;
   Record* records;
   std::uint8_t* condition_states;
   MonitorState* monitors;
@@ -187,8 +186,8 @@ class Engine {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
       : tables(plant_tables), behaviours(code) {}
-  void place(Arena& arena) noexcept;
-  void place_names(Arena& arena) noexcept;
+  void position(Arena& arena) noexcept;
+  void position_names(Arena& arena) noexcept;
   void place_block(Arena& arena) noexcept;
   void reset_values() noexcept;
   void reset_conditions() noexcept;
@@ -235,13 +234,13 @@ class Engine {
   struct Wishes {
     bool forth;
     bool back;
-    std::uint16_t way_back;  ///< the transition that `back` goes by, or kNoTransition
+    std::uint16_t return_transition;  ///< the transition that `back` goes by, or kNoTransition
   };
   Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
   void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                   std::uint16_t transition) noexcept;
-  void stand_still(std::uint32_t unit) noexcept;
+  void stop_midway(std::uint32_t unit) noexcept;
   void go_on(std::uint32_t unit) noexcept;
   void stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept;
   void found_conflict(std::uint32_t unit) noexcept;
@@ -266,10 +265,10 @@ class Engine {
                      std::uint16_t transition) noexcept;
   tables::Time after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
   tables::Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, tables::Time time) noexcept;
-  std::uint16_t way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
+  std::uint16_t transition_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
   void halt_times(std::uint32_t unit) noexcept;
   void resume_times(std::uint32_t unit) noexcept;
-  const Behaviour* behaviour_of(const RichRow& rich) const noexcept;
+  const Behaviour* behaviour_of(const GeneralRow& general) const noexcept;
   std::uint32_t wheel_entry_of_requirement(std::uint32_t requirement) const noexcept {
     return static_cast<std::uint32_t>(tables.units.size()) + requirement;
   }
@@ -280,8 +279,8 @@ class Engine {
   // the user's code (behaviour.cpp)
   bool behaves(std::uint32_t unit) const noexcept { return (units[unit].flags & kBehaves) != 0; }
   void wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept;
-  void tell_left(std::uint32_t unit, std::uint8_t state) noexcept;
-  void tell_entered(std::uint32_t unit, std::uint8_t state) noexcept;
+  void report_left(std::uint32_t unit, std::uint8_t state) noexcept;
+  void report_entered(std::uint32_t unit, std::uint8_t state) noexcept;
   std::uint8_t wanted_by_behaviour(std::uint32_t unit) noexcept;
 
   // what one round changed, made known to the next (engine_publish.cpp)
@@ -314,15 +313,15 @@ class Engine {
   void finish_units() noexcept;
 
   // its findings (engine_findings.cpp)
-  void tell_findings() noexcept;
-  void tell(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
-  void tell_marked(tables::FindingKind kind) noexcept;
-  void tell_units(tables::FindingKind kind) noexcept;
-  void tell_operations(tables::FindingKind kind) noexcept;
+  void report_findings() noexcept;
+  void report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
+  void report_marked(tables::FindingKind kind) noexcept;
+  void report_units(tables::FindingKind kind) noexcept;
+  void report_operations(tables::FindingKind kind) noexcept;
   bool is_operation_finding(tables::FindingKind kind, std::uint32_t unit, std::uint32_t bit) const noexcept;
-  void tell_short_events() noexcept;
-  void tell_loops() noexcept;
-  void tell_requirements() noexcept;
+  void report_short_events() noexcept;
+  void report_loops() noexcept;
+  void report_requirements() noexcept;
 
   const std::uint64_t* name_hashes_;    ///< a rich unit: fnv1a64 of its name in upper case
   const std::uint64_t* memory_begins_;  ///< a behaviour's unit: of its memory in behaviour_memory; one more at the end
@@ -349,7 +348,7 @@ class Engine {
   List<std::uint32_t> violated_;   ///< requirements, in this instant
   List<WordChange> short_events_;  ///< words and bits, in this instant
   bool unseen_events_;             ///< nobody can tell when in a round an event is switched
-  bool told_any_;                  ///< this instant has a finding
+  bool reported_any_;              ///< this instant has a finding
   bool unpublished_;               ///< publish() has something to do
   bool active_;                    ///< somebody stepped in this round, or was disabled or enabled
   tables::Time now_;               ///< of this instant

@@ -12,11 +12,11 @@ bool is_bit(const tables::SymbolRow& symbol) noexcept { return symbol.type() == 
 
 /// Calls `function(place)` for a bit or slot and all others on its address.
 template <class Function>
-void for_address(const SharedPlaces& shared, bool bit, std::uint32_t place, Function function) noexcept {
+void for_address(const SharedPositions& shared, bool bit, std::uint32_t position, Function function) noexcept {
   const std::uint32_t base = bit ? 0 : kSharedSlot;
-  const auto others = shared.empty() ? std::span<const SharedPlace>() : shared.with(base + place);
-  if (others.empty()) function(place);
-  for (const SharedPlace& other : others) function(other.place - base);
+  const auto others = shared.empty() ? std::span<const SharedPosition>() : shared.with(base + position);
+  if (others.empty()) function(position);
+  for (const SharedPosition& other : others) function(other.position - base);
 }
 
 void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept {
@@ -47,27 +47,27 @@ void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t 
 }
 
 void Engine::write_shared(std::uint32_t bit, bool on) noexcept {
-  for (const SharedPlace& other : index.shared_operations.with(bit)) {
-    set_bit(written_operations[other.place / 64], other.place, on);
-    written_words.mark(other.place / 64);
+  for (const SharedPosition& other : index.shared_operations.with(bit)) {
+    set_bit(written_operations[other.position / 64], other.position, on);
+    written_words.mark(other.position / 64);
   }
 }
 
 void Engine::write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept {
-  for_address(index.shared_operations, false, slot, [&](std::uint32_t place) {
-    written_values[place] = value;
-    written_slots.mark(place);
+  for_address(index.shared_operations, false, slot, [&](std::uint32_t position) {
+    written_values[position] = value;
+    written_slots.mark(position);
   });
 }
 
 bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
   const tables::SymbolRow& row = tables.symbols[symbol];
   if (row.direction() == tables::Direction::operation) return false;
-  const SharedPlaces& shared = index.shared_events;
+  const SharedPositions& shared = index.shared_events;
   bool moved = row.moved();
   if (!shared.empty() && is_bit(row)) {
-    for (const SharedPlace& other : shared.with(row.index)) {
-      moved = moved || tables.symbols[index.symbol_of_event[other.place]].moved();
+    for (const SharedPosition& other : shared.with(row.index)) {
+      moved = moved || tables.symbols[index.symbol_of_event[other.position]].moved();
     }
   }
   if (moved) return false;
@@ -88,7 +88,7 @@ bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
 void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
   const tables::SymbolRow& row = tables.symbols[symbol];
   const bool operation = row.direction() == tables::Direction::operation;
-  const SharedPlaces& shared = operation ? index.shared_operations : index.shared_events;
+  const SharedPositions& shared = operation ? index.shared_operations : index.shared_events;
   head->acted = 1;
   unpublished_ = true;
   if (is_bit(row)) {
@@ -128,14 +128,14 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   if (!moving) {
     state.flags |= kMoving;  // as on any way, while the old state is left
     switch_events(row, type.leave[before]);
-    if (behaves(unit)) tell_left(unit, before);
+    if (behaves(unit)) report_left(unit, before);
   }
   state.state = target;
   state.transition = kNoTransition;
   state.whole = 0;
-  state.flags &= static_cast<std::uint16_t>(~(kMoving | kStanding | kConflict | kStopped));
+  state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway | kConflict | kStopped));
   switch_events(row, type.enter[target]);
-  if (behaves(unit)) tell_entered(unit, target);
+  if (behaves(unit)) report_entered(unit, target);
   stepped(unit, row);
   touch(unit);
   head->acted = 1;
@@ -156,9 +156,9 @@ void Engine::set_quality(std::size_t behaviour, bool well) noexcept {
 
 void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept {
   unpublished_ = true;
-  for_address(index.shared_events, false, slot, [&](std::uint32_t place) {
-    event_values.made[place] = value;
-    event_values.dirty.mark(place);
+  for_address(index.shared_events, false, slot, [&](std::uint32_t position) {
+    event_values.made[position] = value;
+    event_values.dirty.mark(position);
   });
 }
 
@@ -166,10 +166,10 @@ void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept 
 void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
   for (std::uint64_t bits = on | off; bits != 0; bits &= bits - 1) {
     const std::uint64_t bit = bits & (~bits + 1);
-    const std::uint32_t place = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-    for (const SharedPlace& other : index.shared_events.with(place)) {
-      set_bit(events.made[other.place / 64], other.place, (on & bit) != 0);
-      events.dirty.mark(other.place / 64);
+    const std::uint32_t position = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
+    for (const SharedPosition& other : index.shared_events.with(position)) {
+      set_bit(events.made[other.position / 64], other.position, (on & bit) != 0);
+      events.dirty.mark(other.position / 64);
     }
   }
 }
@@ -183,7 +183,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   for (const tables::BehaviourUnit& behaviour : tables.behaviour_units) {  // the code is this plant's own
     std::uint16_t& flags = units[behaviour.unit].flags;
     flags &= static_cast<std::uint16_t>(~kBehaves);
-    if (behaviour_of(rich_row(behaviour.unit)) != nullptr) flags |= kBehaves;
+    if (behaviour_of(general_row(behaviour.unit)) != nullptr) flags |= kBehaves;
   }
   touched_.size = moved_.size = 0;
   unpublished_ = true;
@@ -199,7 +199,7 @@ void Engine::requeue() noexcept {
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
     const std::uint16_t flags = units[unit].flags;
     if ((flags & kTouched) != 0) touched_.add(unit);
-    if ((flags & kMoved) != 0) moved_.add(unit);
+    if ((flags & kDriven) != 0) moved_.add(unit);
   }
 }
 

@@ -76,13 +76,13 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
 SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
   const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
   served[change.word] &= ~fallen;
-  told[change.word] &= ~fallen;
+  reported[change.word] &= ~fallen;
 }
 
 /// Of a word in which an operation rose and nothing fired on it, or fell and was never served.
 bool Engine::may_be_finding(const WordChange& change) const noexcept {
   const std::uint64_t on = operations.bits[change.word];
-  if ((change.bits & ~on & ~served[change.word] & ~told[change.word]) != 0) return true;
+  if ((change.bits & ~on & ~served[change.word] & ~reported[change.word]) != 0) return true;
   for (std::uint64_t bits = change.bits & on & ~served[change.word]; bits != 0; bits &= bits - 1) {
     const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
     const std::uint32_t unit = index.unit_of_operation[bit];
@@ -106,7 +106,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
-  constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kFrozenNow | kConflictTold | kStoppedTold;
+  constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kFrozenNow | kConflictReported | kStoppedReported;
   UnitState* const states = units;
   const tables::UnitRow* const rows = tables.units.data();
   for (const std::uint32_t unit : touched_.view()) {
@@ -115,8 +115,8 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
     serve(state, row);
     std::uint16_t flags = state.flags & static_cast<std::uint16_t>(~kOfThisInstant);
     if ((flags & (kConflict | kStopped)) != 0) {
-      if ((flags & kConflict) != 0) flags |= kConflictTold;
-      if ((flags & kStopped) != 0) flags |= kStoppedTold;
+      if ((flags & kConflict) != 0) flags |= kConflictReported;
+      if ((flags & kStopped) != 0) flags |= kStoppedReported;
     }
     state.flags = flags;
   }
@@ -127,13 +127,13 @@ void Engine::close_instant() noexcept {
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();
   const bool unfinished = close_operations();
-  told_any_ = false;
-  if (suspects_ != 0) tell_findings();
+  reported_any_ = false;
+  if (suspects_ != 0) report_findings();
   if (unfinished) {
     for (const WordChange& change : operation_changes_.view()) finish_operations(change);
   }
   finish_units();
-  if (observer_ != nullptr && (static_cast<std::uint32_t>(told_any_) | touched_.size | operation_changes_.size |
+  if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
                                event_changes_.size | operation_slot_changes_.size | event_slot_changes_.size) != 0) {
     observer_->instant({head->now, touched_.view(), operation_changes_.view(), event_changes_.view(),
                         operation_slot_changes_.view(), event_slot_changes_.view()});

@@ -8,49 +8,50 @@
 namespace symplant::engine {
 
 /// Comes here only where there may be one; what is not is sorted out.
-void Engine::tell_findings() noexcept {
+void Engine::report_findings() noexcept {
   const std::uint32_t suspects = suspects_;
   suspects_ = 0;
   const auto suspected = [&](tables::FindingKind kind) { return (suspects & suspect(kind)) != 0; };
-  if (suspected(tables::FindingKind::conflicting_operations)) tell_units(tables::FindingKind::conflicting_operations);
+  if (suspected(tables::FindingKind::conflicting_operations)) report_units(tables::FindingKind::conflicting_operations);
   if (suspected(tables::FindingKind::stopped_under_another_command))
-    tell_units(tables::FindingKind::stopped_under_another_command);
+    report_units(tables::FindingKind::stopped_under_another_command);
   if (suspected(tables::FindingKind::command_without_effect)) {
-    tell_operations(tables::FindingKind::command_to_a_disabled_unit);
-    tell_operations(tables::FindingKind::command_without_effect);
+    report_operations(tables::FindingKind::command_to_a_disabled_unit);
+    report_operations(tables::FindingKind::command_without_effect);
   }
-  if (suspected(tables::FindingKind::lost_command)) tell_operations(tables::FindingKind::lost_command);
-  if (suspected(tables::FindingKind::started_on_enabling)) tell_units(tables::FindingKind::started_on_enabling);
-  if (suspected(tables::FindingKind::event_too_short)) tell_short_events();
-  if (suspected(tables::FindingKind::instantaneous_loop)) tell_loops();
-  if (suspected(tables::FindingKind::requirement_violated)) tell_requirements();
+  if (suspected(tables::FindingKind::lost_command)) report_operations(tables::FindingKind::lost_command);
+  if (suspected(tables::FindingKind::started_on_enabling)) report_units(tables::FindingKind::started_on_enabling);
+  if (suspected(tables::FindingKind::event_too_short)) report_short_events();
+  if (suspected(tables::FindingKind::instantaneous_loop)) report_loops();
+  if (suspected(tables::FindingKind::requirement_violated)) report_requirements();
 }
 
-void Engine::tell(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
+void Engine::report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
   const tables::Finding finding{head->now, of, kind, more};
   findings.add(finding);
-  told_any_ = true;
+  reported_any_ = true;
   if (observer_ != nullptr) observer_->finding(finding);
 }
 
-void Engine::tell_marked(tables::FindingKind kind) noexcept {
+void Engine::report_marked(tables::FindingKind kind) noexcept {
   const bool group = kind == tables::FindingKind::instantaneous_loop;
-  marks_.take_all([&](std::uint32_t of, bool last) { tell(kind, of, group && !last); });
+  marks_.take_all([&](std::uint32_t of, bool last) { report(kind, of, group && !last); });
 }
 
-void Engine::tell_units(tables::FindingKind kind) noexcept {
+void Engine::report_units(tables::FindingKind kind) noexcept {
   for (const std::uint32_t unit : touched_.view()) {
     const std::uint32_t flags = units[unit].flags;
     bool found = false;
-    if (kind == tables::FindingKind::conflicting_operations) found = (flags & (kConflict | kConflictTold)) == kConflict;
+    if (kind == tables::FindingKind::conflicting_operations)
+      found = (flags & (kConflict | kConflictReported)) == kConflict;
     if (kind == tables::FindingKind::stopped_under_another_command)
-      found = (flags & (kStopped | kStoppedTold)) == kStopped;
+      found = (flags & (kStopped | kStoppedReported)) == kStopped;
     if (kind == tables::FindingKind::started_on_enabling) {
-      found = (flags & (kEnabledNow | kMoving | kStanding | kHalted)) == (kEnabledNow | kMoving);
+      found = (flags & (kEnabledNow | kMoving | kMidway | kHalted)) == (kEnabledNow | kMoving);
     }
     if (found) marks_.mark(unit);
   }
-  tell_marked(kind);
+  report_marked(kind);
 }
 
 bool Engine::is_operation_finding(tables::FindingKind kind, std::uint32_t unit, std::uint32_t bit) const noexcept {
@@ -66,23 +67,23 @@ bool Engine::is_operation_finding(tables::FindingKind kind, std::uint32_t unit, 
   return ((type.leads[state.state] | type.starts[state.state]) & mask) == 0;
 }
 
-void Engine::tell_operations(tables::FindingKind kind) noexcept {
+void Engine::report_operations(tables::FindingKind kind) noexcept {
   const bool lost = kind == tables::FindingKind::lost_command;
   for (const WordChange& change : operation_changes_.view()) {
     const std::uint64_t on = operations.bits[change.word];
-    std::uint64_t bits = change.bits & ~served[change.word] & (lost ? ~on & ~told[change.word] : on);
+    std::uint64_t bits = change.bits & ~served[change.word] & (lost ? ~on & ~reported[change.word] : on);
     for (; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t unit = index.unit_of_operation[bit];
       if (unit == tables::kNoUnit || !is_operation_finding(kind, unit, bit)) continue;
-      if (!lost) told[change.word] |= bit_in_word(bit);
+      if (!lost) reported[change.word] |= bit_in_word(bit);
       marks_.mark(index.symbol_of_operation[bit]);
     }
   }
-  tell_marked(kind);
+  report_marked(kind);
 }
 
-void Engine::tell_short_events() noexcept {
+void Engine::report_short_events() noexcept {
   for (const WordChange& change : short_events_.view()) {
     for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -92,11 +93,11 @@ void Engine::tell_short_events() noexcept {
     }
   }
   short_events_.size = 0;
-  tell_marked(tables::FindingKind::event_too_short);
+  report_marked(tables::FindingKind::event_too_short);
 }
 
 /// Loops frozen in this instant stand in the order of their first units.
-void Engine::tell_loops() noexcept {
+void Engine::report_loops() noexcept {
   std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit
   first.fill(tables::kNoUnit);
   for (const std::uint32_t unit : touched_.view()) {
@@ -110,15 +111,15 @@ void Engine::tell_loops() noexcept {
     for (const std::uint32_t unit : touched_.view()) {
       if ((units[unit].flags & kFrozenNow) != 0 && units[unit].steps == loop) marks_.mark(unit);
     }
-    tell_marked(tables::FindingKind::instantaneous_loop);
+    report_marked(tables::FindingKind::instantaneous_loop);
   }
   loops_ = 0;
 }
 
-void Engine::tell_requirements() noexcept {
+void Engine::report_requirements() noexcept {
   for (const std::uint32_t requirement : violated_.view()) marks_.mark(requirement);
   violated_.size = 0;
-  tell_marked(tables::FindingKind::requirement_violated);
+  report_marked(tables::FindingKind::requirement_violated);
 }
 
 }  // namespace symplant::engine

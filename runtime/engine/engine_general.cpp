@@ -29,14 +29,14 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
   Ready ready{kNoTransition, kNoTransition, false, 0};
   tables::Time earliest = tables::kNever;
-  const bool rich = row.rich != 0;
-  const std::uint32_t first_condition = rich ? rich_row(unit).first_condition : 0;
-  const std::uint32_t first_record = rich ? rich_row(unit).first_record : 0;
+  const bool general = row.general != 0;
+  const std::uint32_t first_condition = general ? general_row(unit).first_condition : 0;
+  const std::uint32_t first_record = general ? general_row(unit).first_record : 0;
   UnitState& state = units[unit];
   state.holding = 0;
   for (const std::uint16_t n : type.from(state.state)) {
     const tables::Transition& transition = type.transitions[n];
-    if (transition.on == tables::kSpringWay) continue;
+    if (transition.on == tables::kSpringReturn) continue;
     const bool automatic = transition.on == tables::kNoOperation;
     const bool cause = (automatic || (on & operation_mask(transition.on)) != 0) &&
                        (transition.when == tables::kNoCondition || truth(first_condition + transition.when));
@@ -71,11 +71,11 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   state.state = here;
   state.transition = kNoTransition;
   state.whole = 0;
-  state.flags &= static_cast<std::uint16_t>(~(kMoving | kStanding));
+  state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
   switch_events(row, type.enter[here]);
   const bool further = behaves(unit);
-  if (further) tell_entered(unit, here);
+  if (further) report_entered(unit, here);
   if (further || type.automatic[here] || may_leave(row, type, here)) queue(unit);
 }
 
@@ -107,7 +107,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   state.flags |= kMoving;
   if (duration == 0 || behaves(unit)) {
     switch_events(row, type.leave[here]);
-    if (behaves(unit)) tell_left(unit, here);
+    if (behaves(unit)) report_left(unit, here);
     if (duration == 0) {
       settle(unit, row, type);
       return;
@@ -157,7 +157,7 @@ void Engine::step_any(std::uint32_t unit, const tables::UnitRow& row, const Type
   if (behaves(unit)) wake_behaviour(unit, row);
   if ((state.flags & kMoving) == 0) {
     step_settled(unit, row, type);
-  } else if ((state.flags & kStanding) == 0 && state.due <= head->now) {
+  } else if ((state.flags & kMidway) == 0 && state.due <= head->now) {
     clear_wheel(unit);
     settle(unit, row, type);
   } else {

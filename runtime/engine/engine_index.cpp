@@ -14,7 +14,7 @@ struct TypeArrays {
   TypeArrays(const tables::TypeRow& row, Arena& arena) noexcept
       : from_begin(arena.take<std::uint32_t>(row.states + std::size_t{1})),
         from_order(arena.take<std::uint16_t>(row.transitions.size())),
-        only_way(arena.take<std::uint16_t>(row.states)),
+        only_transition(arena.take<std::uint16_t>(row.states)),
         record_of(arena.take<std::uint16_t>(row.transitions.size())),
         automatic(arena.take<bool>(row.states)),
         starts(arena.take<std::uint64_t>(row.states)),
@@ -22,7 +22,7 @@ struct TypeArrays {
 
   std::uint32_t* from_begin;
   std::uint16_t* from_order;
-  std::uint16_t* only_way;
+  std::uint16_t* only_transition;
   std::uint16_t* record_of;
   bool* automatic;
   std::uint64_t* starts;
@@ -42,7 +42,7 @@ void fill_order(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
   begin[row.states] = static_cast<std::uint32_t>(row.transitions.size());
   for (std::size_t state = 0; state < row.states; ++state) {
     const bool one = begin[state + 1] - begin[state] == 1;
-    arrays.only_way[state] = one ? arrays.from_order[begin[state]] : kNoRecord;
+    arrays.only_transition[state] = one ? arrays.from_order[begin[state]] : kNoRecord;
   }
 }
 
@@ -81,7 +81,7 @@ TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
   type.transitions = row.transitions.data();
   type.from_begin = arrays.from_begin;
   type.from_order = arrays.from_order;
-  type.only_way = arrays.only_way;
+  type.only_transition = arrays.only_transition;
   type.record_of = arrays.record_of;
   type.automatic = arrays.automatic;
   type.starts = arrays.starts;
@@ -121,26 +121,26 @@ void UnitOfOperation::build(const tables::PlantTables& tables, Arena& arena) noe
   steps_ = steps;
 }
 
-void RichUnits::build(const tables::PlantTables& tables, const TypeIndex* types, Arena& arena) noexcept {
+void GeneralUnits::build(const tables::PlantTables& tables, const TypeIndex* types, Arena& arena) noexcept {
   size_ = records_ = 0;
   for (const tables::UnitRow& row : tables.units) {
-    if (row.rich == 0) continue;
+    if (row.general == 0) continue;
     ++size_;
     records_ += records_of(tables.types[row.type]);
   }
-  auto* rows = arena.take<RichRow>(size_);
-  auto* places = arena.take<std::uint32_t>(size_ == 0 ? 0 : tables.units.size());
+  auto* rows = arena.take<GeneralRow>(size_);
+  auto* positions = arena.take<std::uint32_t>(size_ == 0 ? 0 : tables.units.size());
   if (types == nullptr || size_ == 0) return;
-  std::uint32_t place = 0;
+  std::uint32_t position = 0;
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
-    places[unit] = tables.units[unit].rich != 0 ? place++ : kNoPlace;
+    positions[unit] = tables.units[unit].general != 0 ? position++ : kNoPosition;
   }
   rows_ = rows;
-  places_ = places;
+  positions_ = positions;
   fill(tables, types, rows);
 }
 
-void RichUnits::fill(const tables::PlantTables& tables, const TypeIndex* types, RichRow* row) noexcept {
+void GeneralUnits::fill(const tables::PlantTables& tables, const TypeIndex* types, GeneralRow* row) noexcept {
   std::uint32_t record = 0;
   std::uint32_t watch = 0;
   std::uint32_t disable = 0;
@@ -148,8 +148,8 @@ void RichUnits::fill(const tables::PlantTables& tables, const TypeIndex* types, 
   std::uint32_t behaviour = 0;
   const auto size_of = [](const auto& rows) { return static_cast<std::uint32_t>(rows.size()); };
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
-    if (tables.units[unit].rich == 0) continue;
-    *row = {unit, 0, record, watch, watch, disable, disable, kNoPlace};
+    if (tables.units[unit].general == 0) continue;
+    *row = {unit, 0, record, watch, watch, disable, disable, kNoPosition};
     record += types[tables.units[unit].type].records;
     while (watch < size_of(tables.unit_watches) && tables.unit_watches[watch].unit == unit) ++watch;
     row->watch_end = watch;
@@ -200,16 +200,17 @@ void ValueReaders::build(const tables::PlantTables& tables, Arena& arena) noexce
                          unit.unit};
     }
   }
-  std::sort(readers, readers + size, [](const ValueReader& a, const ValueReader& b) { return a.place < b.place; });
+  std::sort(readers, readers + size,
+            [](const ValueReader& a, const ValueReader& b) { return a.position < b.position; });
   readers_ = {readers, size};
 }
 
 std::span<const ValueReader> ValueReaders::of(tables::Direction direction, std::uint32_t slot) const noexcept {
-  const std::uint32_t place = (direction == tables::Direction::operation ? 0 : kSharedSlot) + slot;
-  const auto first = std::lower_bound(readers_.begin(), readers_.end(), place,
-                                      [](const ValueReader& a, std::uint32_t b) { return a.place < b; });
+  const std::uint32_t position = (direction == tables::Direction::operation ? 0 : kSharedSlot) + slot;
+  const auto first = std::lower_bound(readers_.begin(), readers_.end(), position,
+                                      [](const ValueReader& a, std::uint32_t b) { return a.position < b; });
   auto last = first;
-  while (last != readers_.end() && last->place == place) ++last;
+  while (last != readers_.end() && last->position == position) ++last;
   return {first, last};
 }
 
@@ -221,7 +222,7 @@ void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcep
   }
   types = type_rows;
   unit_of_operation.build(tables, arena);
-  rich.build(tables, types, arena);
+  general.build(tables, types, arena);
   operation_watches.build(tables.operation_watches, tables.operation_bits, arena);
   event_watches.build(tables.event_watches, tables.event_bits, arena);
   value_readers.build(tables, arena);

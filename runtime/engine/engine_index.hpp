@@ -6,20 +6,21 @@
 #include <span>
 
 #include "symplant/engine/arena.hpp"
-#include "symplant/engine/shared_places.hpp"
+#include "symplant/engine/shared_positions.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::engine {
 
 inline constexpr std::uint16_t kNoRecord = 0xFFFF;
-inline constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
+inline constexpr std::uint32_t kNoPosition = 0xFFFF'FFFF;
 
 /// A type's transitions by the state they start from, and its operations as masks (bit o: operation o).
 struct TypeIndex {
   const tables::Transition* transitions;
   const std::uint32_t* from_begin;  ///< a state -> its first place in from_order; one more at the end
   const std::uint16_t* from_order;  ///< transition numbers by the state they start from, in table order
-  const std::uint16_t* only_way;  ///< a state -> the only transition from it, or kNoRecord where there are none or more
+  const std::uint16_t*
+      only_transition;  ///< a state -> the only transition from it, or kNoRecord where there are none or more
   const std::uint16_t* record_of;  ///< a transition -> its place among its unit's records, or kNoRecord
   const bool* automatic;           ///< a state -> an automatic transition starts from it
   const std::uint64_t* starts;     ///< a state -> the operations that are the `on` of a transition from it
@@ -57,7 +58,7 @@ class UnitOfOperation {
 };
 
 /// What a unit has beyond a plain one.
-struct RichRow {
+struct GeneralRow {
   std::uint32_t unit;
   std::uint32_t first_condition;  ///< of its own conditions
   std::uint32_t first_record;     ///< of its transitions' records
@@ -69,22 +70,22 @@ struct RichRow {
 };
 
 /// The rich units. A plant without any pays nothing, one with some four bytes a unit.
-class RichUnits {
+class GeneralUnits {
  public:
   void build(const tables::PlantTables& tables, const TypeIndex* types, Arena& arena) noexcept;
 
-  std::span<const RichRow> rows() const noexcept { return {rows_, size_}; }
+  std::span<const GeneralRow> rows() const noexcept { return {rows_, size_}; }
   std::uint32_t size() const noexcept { return size_; }
   std::uint32_t records() const noexcept { return records_; }
   /// Of a unit whose row says that it is rich. O(1).
-  std::uint32_t place_of(std::uint32_t unit) const noexcept { return places_[unit]; }
-  const RichRow& row_of(std::uint32_t unit) const noexcept { return rows_[places_[unit]]; }
+  std::uint32_t position_of(std::uint32_t unit) const noexcept { return positions_[unit]; }
+  const GeneralRow& row_of(std::uint32_t unit) const noexcept { return rows_[positions_[unit]]; }
 
  private:
-  void fill(const tables::PlantTables& tables, const TypeIndex* types, RichRow* rows) noexcept;
+  void fill(const tables::PlantTables& tables, const TypeIndex* types, GeneralRow* rows) noexcept;
 
-  const RichRow* rows_ = nullptr;
-  const std::uint32_t* places_ = nullptr;
+  const GeneralRow* rows_ = nullptr;
+  const std::uint32_t* positions_ = nullptr;
   std::uint32_t size_ = 0;
   std::uint32_t records_ = 0;
 };
@@ -107,7 +108,7 @@ class WatchIndex {
 
 /// Whose behaviour sees a number.
 struct ValueReader {
-  std::uint32_t place;  ///< an operation's slot, or kSharedSlot + an event's
+  std::uint32_t position;  ///< an operation's slot, or kSharedSlot + an event's
   std::uint32_t unit;
 };
 
@@ -126,12 +127,12 @@ struct EngineIndex {
 
   const TypeIndex* types = nullptr;
   UnitOfOperation unit_of_operation;
-  RichUnits rich;
+  GeneralUnits general;
   WatchIndex operation_watches;
   WatchIndex event_watches;
   ValueReaders value_readers;
-  SharedPlaces shared_operations;
-  SharedPlaces shared_events;
+  SharedPositions shared_operations;
+  SharedPositions shared_events;
   const std::uint32_t* symbol_of_operation = nullptr;  ///< a bit -> the symbol
   const std::uint32_t* symbol_of_event = nullptr;
 };

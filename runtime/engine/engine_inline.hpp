@@ -35,8 +35,8 @@ inline void Engine::queue(std::uint32_t unit) noexcept {
 /// It made its step of this round.
 inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept {
   active_ = true;
-  if (row.rich == 0 || (units[unit].flags & kMoved) != 0) return;
-  units[unit].flags |= kMoved;
+  if (row.general == 0 || (units[unit].flags & kDriven) != 0) return;
+  units[unit].flags |= kDriven;
   moved_.add(unit);
   unpublished_ = true;
 }
@@ -104,7 +104,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const 
 
 inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t from) noexcept {
   units[unit].holding = 0;
-  const std::uint32_t first = rich_row(unit).first_record;
+  const std::uint32_t first = general_row(unit).first_record;
   for (const std::uint16_t n : type.from(from)) {
     if (type.record_of[n] != kNoRecord) records[first + type.record_of[n]].holds = 0;
   }
@@ -117,8 +117,8 @@ SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::
   if (unserved == 0) return;
   const TypeIndex& type = index.types[row.type];
   if (type.operations == 0) return;
-  const std::uint8_t place = (state.flags & kMoving) != 0 ? state.target : state.state;
-  served[word] |= unserved & (type.leads[place] << (row.operation_bit % 64));
+  const std::uint8_t position = (state.flags & kMoving) != 0 ? state.target : state.state;
+  served[word] |= unserved & (type.leads[position] << (row.operation_bit % 64));
 }
 
 /// A move that takes `duration` > 0 begins.
@@ -130,9 +130,9 @@ SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state,
   }
 }
 
-inline const Behaviour* Engine::behaviour_of(const RichRow& rich) const noexcept {
-  if (rich.behaviour == kNoPlace) return nullptr;
-  const std::uint32_t name = tables.behaviour_units[rich.behaviour].name;
+inline const Behaviour* Engine::behaviour_of(const GeneralRow& general) const noexcept {
+  if (general.behaviour == kNoPosition) return nullptr;
+  const std::uint32_t name = tables.behaviour_units[general.behaviour].name;
   return name < behaviours.size() ? &behaviours[name] : nullptr;
 }
 

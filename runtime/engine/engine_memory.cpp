@@ -40,22 +40,22 @@ Engine* Engine::make(const tables::PlantTables& tables, std::span<const Behaviou
   auto* raw = arena.take<std::max_align_t>((sizeof(Engine) + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t));
   if (raw == nullptr) {
     Engine counting(tables, behaviours);
-    counting.place(arena);
+    counting.position(arena);
     return nullptr;
   }
   auto* engine = new (raw) Engine(tables, behaviours);
-  engine->place(arena);
+  engine->position(arena);
   engine->head->magic = kMagic;
   engine->head->model = tables::model_hash(tables);
   engine->head->size = engine->block_size;
   return engine;
 }
 
-void Engine::place(Arena& arena) noexcept {
+void Engine::position(Arena& arena) noexcept {
   const std::size_t operation_words = tables.operation_bits / 64;
   const std::size_t event_words = tables.event_bits / 64;
   index.build(tables, arena);
-  place_names(arena);
+  position_names(arena);
   place_block(arena);
 
   changed_events.take(arena, event_words);
@@ -65,8 +65,8 @@ void Engine::place(Arena& arena) noexcept {
   queued_ = 0;
   round_ = 0;
   touched_.take(arena, tables.units.size());
-  moved_.take(arena, index.rich.size());
-  counted_.take(arena, index.rich.size());
+  moved_.take(arena, index.general.size());
+  counted_.take(arena, index.general.size());
   waiting_.take(arena, tables.conditions.size());
   touched_requirements_.take(arena, tables.requirements.size());
   violated_.take(arena, tables.requirements.size());
@@ -84,15 +84,15 @@ void Engine::place(Arena& arena) noexcept {
   suspects_ = 0;
   loops_ = 0;
   active_ = false;
-  told_any_ = false;
+  reported_any_ = false;
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;
 }
 
 /// Names of rich units as random numbers want them, and where each behaviour's memory begins.
-void Engine::place_names(Arena& arena) noexcept {
-  auto* hashes = arena.take<std::uint64_t>(index.rich.size());
+void Engine::position_names(Arena& arena) noexcept {
+  auto* hashes = arena.take<std::uint64_t>(index.general.size());
   auto* begins = arena.take<std::uint64_t>(tables.behaviour_units.size() + 1);
   name_hashes_ = hashes;
   memory_begins_ = begins;
@@ -103,7 +103,7 @@ void Engine::place_names(Arena& arena) noexcept {
   std::string_view names = tables.unit_names;
   for (std::uint32_t unit = 0; unit < tables.units.size() && !names.empty(); ++unit) {
     const std::size_t end = names.find('\0');
-    if (tables.units[unit].rich != 0) hashes[index.rich.place_of(unit)] = hash_of_name(names.substr(0, end));
+    if (tables.units[unit].general != 0) hashes[index.general.position_of(unit)] = hash_of_name(names.substr(0, end));
     names.remove_prefix(end == names.npos ? names.size() : end + 1);
   }
 }
@@ -130,9 +130,9 @@ void Engine::place_block(Arena& arena) noexcept {
   written_slots.take(arena, tables.operation_slots);
   disarmed = arena.take<std::uint64_t>(operation_words);
   served = arena.take<std::uint64_t>(operation_words);
-  told = arena.take<std::uint64_t>(operation_words);
-  rich_states = arena.take<RichState>(index.rich.size());
-  records = arena.take<Record>(index.rich.records());
+  reported = arena.take<std::uint64_t>(operation_words);
+  general_states = arena.take<GeneralState>(index.general.size());
+  records = arena.take<Record>(index.general.records());
   condition_states = arena.take<std::uint8_t>(tables.conditions.size());
   monitors = arena.take<MonitorState>(tables.requirements.size());
   behaviour_states = arena.take<BehaviourState>(tables.behaviour_units.size());
@@ -159,14 +159,14 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
     const tables::UnitRow& row = tables.units[unit];
     units[unit].state = units[unit].target = static_cast<std::uint8_t>(row.initial);
     units[unit].transition = kNoTransition;
-    if (row.rich != 0 || !index.types[row.type].plain) units[unit].flags = kGeneral;
-    if (row.rich != 0 && behaviour_of(rich_row(unit)) != nullptr) units[unit].flags |= kBehaves;
+    if (row.general != 0 || !index.types[row.type].plain) units[unit].flags = kGeneral;
+    if (row.general != 0 && behaviour_of(general_row(unit)) != nullptr) units[unit].flags |= kBehaves;
     switch_events(row, index.types[row.type].enter[row.initial]);
   }
-  for (std::uint32_t place = 0; place < index.rich.size(); ++place) {
-    rich_states[place].settled = tables::kNoState;
-    moved_.add(index.rich.rows()[place].unit);
-    units[index.rich.rows()[place].unit].flags |= kMoved;
+  for (std::uint32_t position = 0; position < index.general.size(); ++position) {
+    general_states[position].settled = tables::kNoState;
+    moved_.add(index.general.rows()[position].unit);
+    units[index.general.rows()[position].unit].flags |= kDriven;
   }
   for (std::size_t b = 0; b < tables.behaviour_units.size(); ++b) behaviour_states[b].wake = tables::kNever;
   reset_conditions();
@@ -179,7 +179,7 @@ void Engine::reset_values() noexcept {
   for (const tables::InitialValue& initial : tables.initial_values) {
     const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
     const bool operation = symbol.direction() == tables::Direction::operation;
-    const SharedPlaces& shared = operation ? index.shared_operations : index.shared_events;
+    const SharedPositions& shared = operation ? index.shared_operations : index.shared_events;
     if (symbol.type() == tables::DataType::boolean) {
       if (!operation) make_event_bits(symbol.index / 64, bit_in_word(symbol.index), 0);
       continue;
@@ -190,7 +190,7 @@ void Engine::reset_values() noexcept {
       if (operation) written_values[slot] = initial.value;
     };
     set(symbol.index);
-    for (const SharedPlace& other : shared.with(kSharedSlot + symbol.index)) set(other.place - kSharedSlot);
+    for (const SharedPosition& other : shared.with(kSharedSlot + symbol.index)) set(other.position - kSharedSlot);
   }
 }
 

@@ -28,9 +28,10 @@ Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std:
     const tables::Transition& transition = type.transitions[n];
     if (transition.to != state.state || transition.on >= tables::kMaxOperations) continue;
     if ((on & ~forth & operation_mask(transition.on)) == 0) continue;
-    if (transition.when != tables::kNoCondition && !truth(rich_row(unit).first_condition + transition.when)) continue;
+    if (transition.when != tables::kNoCondition && !truth(general_row(unit).first_condition + transition.when))
+      continue;
     wishes.back = true;
-    wishes.way_back = n;
+    wishes.return_transition = n;
     break;
   }
   if (behaves(unit)) {
@@ -47,20 +48,20 @@ void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const T
       state.transition != kNoTransition && type.transitions[state.transition].on == tables::kNoOperation;
   if (automatic || type.actuation == tables::Actuation::latched) return;
   const std::uint64_t on = operations_on(row, type);
-  const auto [forth, back, way_back] = wishes_of(unit, type, on);
+  const auto [forth, back, return_transition] = wishes_of(unit, type, on);
   const bool bistable = type.actuation == tables::Actuation::bistable;
   const bool springs_on = type.actuation == tables::Actuation::spring && state.state != type.rest;
   if (forth && back) {
     found_conflict(unit);
-    if (!bistable) stand_still(unit);
+    if (!bistable) stop_midway(unit);
   } else if (back) {
-    turn_round(unit, row, type, way_back);
+    turn_round(unit, row, type, return_transition);
   } else if (forth || bistable || springs_on) {
     go_on(unit);
   } else if (type.actuation == tables::Actuation::spring) {
     turn_round(unit, row, type, kNoTransition);
   } else {
-    stand_still(unit);
+    stop_midway(unit);
     if (on == 0) return;
     units[unit].flags |= kStopped;
     suspects_ |= suspect(tables::FindingKind::stopped_under_another_command);
@@ -77,7 +78,7 @@ void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const Ty
   clear_wheel(unit);
   state.transition = transition;
   state.whole = back;
-  state.flags &= static_cast<std::uint16_t>(~kStanding);
+  state.flags &= static_cast<std::uint16_t>(~kMidway);
   if (transition != kNoTransition) {
     served[row.operation_bit / 64] |= operation_mask(type.transitions[transition].on) << (row.operation_bit % 64);
   }
@@ -88,18 +89,18 @@ void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const Ty
   queue(unit);
 }
 
-void Engine::stand_still(std::uint32_t unit) noexcept {
+void Engine::stop_midway(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
-  if ((state.flags & kStanding) != 0) return;
+  if ((state.flags & kMidway) != 0) return;
   clear_wheel(unit);
   if (state.due != tables::kNever) state.due -= head->now;
-  state.flags |= kStanding;
+  state.flags |= kMidway;
 }
 
 void Engine::go_on(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
-  if ((state.flags & kStanding) == 0) return;
-  state.flags &= static_cast<std::uint16_t>(~kStanding);
+  if ((state.flags & kMidway) == 0) return;
+  state.flags &= static_cast<std::uint16_t>(~kMidway);
   state.due = later(head->now, state.due);
   if (state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
 }

@@ -88,18 +88,18 @@ void Engine::publish_values() noexcept {
 /// Tells conditions and disabled units of a unit that stepped.
 void Engine::publish_unit(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
-  state.flags &= static_cast<std::uint16_t>(~kMoved);
-  const std::uint32_t place = index.rich.place_of(unit);
-  const RichRow& rich = index.rich.rows()[place];
-  RichState& told_state = rich_states[place];
+  state.flags &= static_cast<std::uint16_t>(~kDriven);
+  const std::uint32_t position = index.general.position_of(unit);
+  const GeneralRow& general = index.general.rows()[position];
+  GeneralState& reported_state = general_states[position];
   const bool moving = (state.flags & kMoving) != 0;
-  const std::uint8_t before = told_state.settled;
+  const std::uint8_t before = reported_state.settled;
   const std::uint8_t now = moving ? tables::kNoState : state.state;
-  const bool moving_changed = moving != (told_state.moving != 0);
+  const bool moving_changed = moving != (reported_state.moving != 0);
   if (now == before && !moving_changed) return;
-  told_state.settled = now;
-  told_state.moving = moving ? 1 : 0;
-  for (std::uint32_t w = rich.watch_begin; w < rich.watch_end; ++w) {
+  reported_state.settled = now;
+  reported_state.moving = moving ? 1 : 0;
+  for (std::uint32_t w = general.watch_begin; w < general.watch_end; ++w) {
     const tables::UnitWatch& watch = tables.unit_watches[w];
     const bool changed = watch.state == tables::kMovingState
                              ? moving_changed
@@ -107,13 +107,13 @@ void Engine::publish_unit(std::uint32_t unit) noexcept {
     if (changed) flip(watch.condition, watch.input);
   }
   if (now == before) return;
-  for (std::uint32_t d = rich.disable_begin; d < rich.disable_end; ++d) {
+  for (std::uint32_t d = general.disable_begin; d < general.disable_end; ++d) {
     const tables::DisableRow& disable = tables.disables[d];
     if (disable.state != now && disable.state != before) continue;
-    const std::uint32_t other = index.rich.place_of(disable.unit);
-    rich_states[other].disabled_by += disable.state == now ? 1U : ~0U;
-    if (rich_states[other].counted != 0) continue;
-    rich_states[other].counted = 1;
+    const std::uint32_t other = index.general.position_of(disable.unit);
+    general_states[other].disabled_by += disable.state == now ? 1U : ~0U;
+    if (general_states[other].counted != 0) continue;
+    general_states[other].counted = 1;
     counted_.add(other);
   }
 }
@@ -175,11 +175,11 @@ void Engine::settle_conditions() noexcept {
 }
 
 void Engine::settle_disables() noexcept {
-  for (const std::uint32_t place : counted_.view()) {
-    rich_states[place].counted = 0;
-    const std::uint32_t unit = index.rich.rows()[place].unit;
+  for (const std::uint32_t position : counted_.view()) {
+    general_states[position].counted = 0;
+    const std::uint32_t unit = index.general.rows()[position].unit;
     UnitState& state = units[unit];
-    const bool disable = rich_states[place].disabled_by != 0;
+    const bool disable = general_states[position].disabled_by != 0;
     if (disable == ((state.flags & kDisabled) != 0)) continue;
     active_ = true;
     touch(unit);

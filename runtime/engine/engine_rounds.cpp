@@ -90,8 +90,8 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_plain(std::uint32_t unit, const tables:
     }
     return;
   }
-  if (type.only_way[here] != kNoRecord && !stay_wanted) {
-    leave_plain(unit, row, type, type.only_way[here]);
+  if (type.only_transition[here] != kNoRecord && !stay_wanted) {
+    leave_plain(unit, row, type, type.only_transition[here]);
     return;
   }
   std::uint16_t first = kNoTransition;
@@ -115,7 +115,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::step(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
   const tables::UnitRow& row = tables.units[unit];
   const TypeIndex& type = index.types[row.type];
-  constexpr std::uint16_t kUnusual = kGeneral | kHalted | kStanding | kConflict | kStopped;
+  constexpr std::uint16_t kUnusual = kGeneral | kHalted | kMidway | kConflict | kStopped;
   if ((state.flags & kUnusual) != 0) {
     step_any(unit, row, type);
   } else if ((state.flags & kMoving) == 0) {

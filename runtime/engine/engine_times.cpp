@@ -11,7 +11,7 @@ namespace symplant::engine {
 tables::Time Engine::drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition,
                            tables::Time time) noexcept {
   if (time >= 0) return time;
-  Record& record = records[rich_row(unit).first_record + type.record_of[transition]];
+  Record& record = records[general_row(unit).first_record + type.record_of[transition]];
   const std::uint64_t start = draw_start(head->seed, name_hash(unit), transition, record.draws++);
   return random_time(tables.random_times[static_cast<std::size_t>(-1 - time)], start);
 }
@@ -22,10 +22,10 @@ tables::Time Engine::after_by_model(std::uint32_t unit, const tables::UnitRow& r
 
 tables::Time Engine::after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept {
   if (behaves(unit)) {
-    const RichRow& rich = rich_row(unit);
-    const Behaviour* behaviour = behaviour_of(rich);
+    const GeneralRow& general = general_row(unit);
+    const Behaviour* behaviour = behaviour_of(general);
     if (behaviour->after != nullptr) {
-      BehaviourView view(*this, unit, rich.behaviour);
+      BehaviourView view(*this, unit, general.behaviour);
       return std::max<tables::Time>(0, behaviour->after(view, transition));
     }
   }
@@ -35,7 +35,7 @@ tables::Time Engine::after(std::uint32_t unit, const tables::UnitRow& row, std::
 tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                     std::uint8_t target, std::uint16_t transition) noexcept {
   if (transition == kNoTransition) {
-    transition = way_without_command(type, units[unit].state, target);
+    transition = transition_without_command(type, units[unit].state, target);
     if (transition == kNoTransition) return tables.times[row.times].takes;
   }
   return drawn(unit, type, transition, tables.times[row.times + transition + std::uint32_t{1}].takes);
@@ -45,17 +45,18 @@ tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& r
 tables::Time Engine::takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                            std::uint16_t transition) noexcept {
   if (behaves(unit)) {
-    const RichRow& rich = rich_row(unit);
-    const Behaviour* behaviour = behaviour_of(rich);
+    const GeneralRow& general = general_row(unit);
+    const Behaviour* behaviour = behaviour_of(general);
     if (behaviour->takes != nullptr) {
-      BehaviourView view(*this, unit, rich.behaviour, target);
+      BehaviourView view(*this, unit, general.behaviour, target);
       return std::max<tables::Time>(0, behaviour->takes(view, transition));
     }
   }
   return takes_by_model(unit, row, type, target, transition);
 }
 
-std::uint16_t Engine::way_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept {
+std::uint16_t Engine::transition_without_command(const TypeIndex& type, std::uint8_t from,
+                                                 std::uint8_t to) const noexcept {
   for (const std::uint16_t n : type.from(from)) {
     if (type.transitions[n].to == to && type.transitions[n].on != tables::kNoOperation) return n;
   }
@@ -67,38 +68,38 @@ void Engine::halt_times(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
   const tables::UnitRow& row = tables.units[unit];
   clear_wheel(unit);
-  if ((state.flags & (kMoving | kStanding)) == kMoving && state.due != tables::kNever) state.due -= head->now;
-  if (row.rich == 0) return;
-  const RichRow& rich = rich_row(unit);
+  if ((state.flags & (kMoving | kMidway)) == kMoving && state.due != tables::kNever) state.due -= head->now;
+  if (row.general == 0) return;
+  const GeneralRow& general = general_row(unit);
   const TypeIndex& type = index.types[row.type];
   for (std::uint32_t r = 0; r < type.records; ++r) {
-    Record& record = records[rich.first_record + r];
+    Record& record = records[general.first_record + r];
     if (record.holds != 0 && record.ready != tables::kNever)
       record.ready = std::max<tables::Time>(0, record.ready - head->now);
   }
-  if (rich.behaviour == kNoPlace) return;
-  clear_wheel(wheel_entry_of_behaviour(rich.behaviour));
-  tables::Time& wake = behaviour_states[rich.behaviour].wake;
+  if (general.behaviour == kNoPosition) return;
+  clear_wheel(wheel_entry_of_behaviour(general.behaviour));
+  tables::Time& wake = behaviour_states[general.behaviour].wake;
   if (wake != tables::kNever) wake -= head->now;
 }
 
 void Engine::resume_times(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
   const tables::UnitRow& row = tables.units[unit];
-  if ((state.flags & (kMoving | kStanding)) == kMoving && state.due != tables::kNever) {
+  if ((state.flags & (kMoving | kMidway)) == kMoving && state.due != tables::kNever) {
     state.due = later(head->now, state.due);
     if (state.due > head->now && state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
   }
-  if (row.rich == 0) return;
-  const RichRow& rich = rich_row(unit);
+  if (row.general == 0) return;
+  const GeneralRow& general = general_row(unit);
   const TypeIndex& type = index.types[row.type];
   for (std::uint32_t r = 0; r < type.records; ++r) {
-    Record& record = records[rich.first_record + r];
+    Record& record = records[general.first_record + r];
     if (record.holds != 0) record.ready = later(head->now, record.ready);  // the round that comes puts it in the wheel
   }
-  if (rich.behaviour == kNoPlace) return;
-  BehaviourState& behaviour = behaviour_states[rich.behaviour];
-  if (behaviour.wake != tables::kNever) wake_at(rich.behaviour, later(head->now, behaviour.wake));
+  if (general.behaviour == kNoPosition) return;
+  BehaviourState& behaviour = behaviour_states[general.behaviour];
+  if (behaviour.wake != tables::kNever) wake_at(general.behaviour, later(head->now, behaviour.wake));
 }
 
 }  // namespace symplant::engine

@@ -35,9 +35,9 @@ void Engine::hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const n
   const tables::UnitRow& row = tables.units[unit];
   const TypeIndex& type = index.types[row.type];
   const bool halted = (units[unit].flags & kHalted) != 0;
-  const RichRow* rich = row.rich != 0 ? &rich_row(unit) : nullptr;
-  const Behaviour* behaviour = rich != nullptr ? behaviour_of(*rich) : nullptr;
-  const std::uint32_t first_record = rich != nullptr ? rich->first_record : 0;
+  const GeneralRow* general = row.general != 0 ? &general_row(unit) : nullptr;
+  const Behaviour* behaviour = general != nullptr ? behaviour_of(*general) : nullptr;
+  const std::uint32_t first_record = general != nullptr ? general->first_record : 0;
   const bool by_behaviour = behaviour != nullptr && behaviour->after != nullptr;
   for (std::size_t n = 0; n < tables.types[row.type].transitions.size(); ++n) {
     Record record{};
@@ -59,7 +59,7 @@ void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexc
     hash.byte(static_cast<std::uint8_t>(1 - digit_of(disarmed, bit)));
     hash.byte(force_of(operations, bit));
     hash.byte(digit_of(served, bit));
-    hash.byte(digit_of(told, bit));
+    hash.byte(digit_of(reported, bit));
   }
   for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
     hash.byte(digit_of(events.made, bit));
@@ -68,17 +68,18 @@ void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexc
 }
 
 void Engine::hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
-  if (tables.units[unit].rich == 0) return;
-  const RichRow& rich = rich_row(unit);
-  if (behaviour_of(rich) == nullptr) return;
-  const BehaviourState& state = behaviour_states[rich.behaviour];
+  if (tables.units[unit].general == 0) return;
+  const GeneralRow& general = general_row(unit);
+  if (behaviour_of(general) == nullptr) return;
+  const BehaviourState& state = behaviour_states[general.behaviour];
   const bool halted = (units[unit].flags & kHalted) != 0;
   hash.u32(state.draws);
   tables::Time left = -1;
   if (state.wake != tables::kNever) left = halted ? state.wake : state.wake - head->now;
   hash.time(state.woken != 0 ? 0 : left);
   const auto* memory = reinterpret_cast<const std::uint8_t*>(behaviour_memory);
-  for (std::uint32_t i = 0; i < memory_of(rich.behaviour); ++i) hash.byte(memory[memory_begin(rich.behaviour) + i]);
+  for (std::uint32_t i = 0; i < memory_of(general.behaviour); ++i)
+    hash.byte(memory[memory_begin(general.behaviour) + i]);
 }
 
 void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept {
@@ -115,7 +116,7 @@ std::uint64_t Engine::state_hash() const noexcept {
   }
   for (std::uint8_t kind = 0; kind < 2; ++kind) {
     for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
-      if ((units[unit].flags & (kind == 0 ? kConflictTold : kStoppedTold)) == 0) continue;
+      if ((units[unit].flags & (kind == 0 ? kConflictReported : kStoppedReported)) == 0) continue;
       hash.byte(kind);
       hash.u32(unit);
     }

@@ -28,18 +28,18 @@ static_assert(sizeof(UnitState) == 32);
 /// UnitState::flags
 enum : std::uint16_t {
   kMoving = 1 << 0,
-  kStanding = 1 << 1,  ///< moving, but standing still midway
-  kTimed = 1 << 2,     ///< has an entry in the wheel
-  kQueued = 1 << 3,    ///< will step in the coming round
-  kTouched = 1 << 4,   ///< is looked at when the instant ends
-  kMoved = 1 << 5,     ///< a rich unit whose state others must be told of when the round ends
+  kMidway = 1 << 1,   ///< moving, but standing still midway
+  kTimed = 1 << 2,    ///< has an entry in the wheel
+  kQueued = 1 << 3,   ///< will step in the coming round
+  kTouched = 1 << 4,  ///< is looked at when the instant ends
+  kDriven = 1 << 5,   ///< a rich unit whose state others must be told of when the round ends
   kDisabled = 1 << 6,
   kFrozen = 1 << 7,
-  kEnabledNow = 1 << 8,     ///< was enabled in this instant
-  kConflict = 1 << 9,       ///< conflicting operations
-  kConflictTold = 1 << 10,  ///< likewise, at the end of the last instant
-  kStopped = 1 << 11,       ///< stopped under another command
-  kStoppedTold = 1 << 12,
+  kEnabledNow = 1 << 8,         ///< was enabled in this instant
+  kConflict = 1 << 9,           ///< conflicting operations
+  kConflictReported = 1 << 10,  ///< likewise, at the end of the last instant
+  kStopped = 1 << 11,           ///< stopped under another command
+  kStoppedReported = 1 << 12,
   kFrozenNow = 1 << 13,  ///< was frozen in this instant
   kGeneral = 1 << 14,    ///< always: rich, or of a type that is not plain
   kBehaves = 1 << 15,    ///< always: has a behaviour's code

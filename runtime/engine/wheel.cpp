@@ -51,14 +51,14 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
   if (limit < bound_) return tables::kNever;
   while (words_ != 0) {
     const std::uint32_t bucket = lowest_bucket();
-    if (bucket < kWays) {
-      bound_ = (last_ & ~tables::Time{kWays - 1}) | bucket;
+    if (bucket < kTransitions) {
+      bound_ = (last_ & ~tables::Time{kTransitions - 1}) | bucket;
       return bound_ <= limit ? bound_ : tables::kNever;
     }
     // The bucket's first time: the groups above from last_, its digit, zeros.
-    const std::uint32_t shift = bucket / kWays * kBits;
+    const std::uint32_t shift = bucket / kTransitions * kBits;
     const std::uint64_t above = shift + kBits < 64 ? ~std::uint64_t{0} << (shift + kBits) : 0;
-    const std::uint64_t digit = bucket % kWays;
+    const std::uint64_t digit = bucket % kTransitions;
     const auto base = static_cast<tables::Time>((static_cast<std::uint64_t>(last_) & above) | (digit << shift));
     if (base > limit) {
       bound_ = base;
@@ -84,7 +84,7 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
 tables::Time Wheel::peek(const UnitState* units) const noexcept {
   if (words_ == 0) return tables::kNever;
   const std::uint32_t bucket = lowest_bucket();
-  return bucket < kWays ? (last_ & ~tables::Time{kWays - 1}) | bucket : bucket_range(units, bucket).first;
+  return bucket < kTransitions ? (last_ & ~tables::Time{kTransitions - 1}) | bucket : bucket_range(units, bucket).first;
 }
 
 std::uint32_t Wheel::take(tables::Time time) noexcept {

@@ -50,17 +50,17 @@ class Wheel {
 
  private:
   static constexpr std::uint32_t kBits = 8;
-  static constexpr std::uint32_t kWays = 1U << kBits;
+  static constexpr std::uint32_t kTransitions = 1U << kBits;
   static constexpr std::size_t kLevels = 8;
-  static constexpr std::uint32_t kWords = kWays / 64;  ///< of `occupied_`, a level
+  static constexpr std::uint32_t kWords = kTransitions / 64;  ///< of `occupied_`, a level
 
   static std::uint32_t digit_of(tables::Time time, std::uint32_t level) noexcept {
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(time) >> (kBits * level)) & (kWays - 1);
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(time) >> (kBits * level)) & (kTransitions - 1);
   }
   std::uint32_t bucket_of(tables::Time due) const noexcept {
     const std::uint64_t difference = static_cast<std::uint64_t>(due) ^ static_cast<std::uint64_t>(last_);
     const auto level = static_cast<std::uint32_t>(63 - std::countl_zero(difference | 1)) / kBits;
-    return level * kWays + digit_of(due, level);
+    return level * kTransitions + digit_of(due, level);
   }
   void link(UnitState* units, std::uint32_t unit, std::uint32_t bucket) noexcept {
     const std::uint32_t head = heads_[bucket];
@@ -100,7 +100,7 @@ class Wheel {
   tables::Time bound_;   ///< nor before this: an idle look costs one compare
   std::uint32_t words_;  ///< bit w: occupied_[w] is not 0
   std::array<std::uint64_t, kLevels * kWords> occupied_;
-  std::array<std::uint32_t, kLevels * kWays> heads_;
+  std::array<std::uint32_t, kLevels * kTransitions> heads_;
 };
 
 }  // namespace symplant::engine

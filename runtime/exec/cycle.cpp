@@ -11,7 +11,7 @@ namespace {
 
 /// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
 constexpr tables::Time kLongestSleep = 100 * tables::kMillisecond;
-constexpr std::size_t kToldLinks = 64;
+constexpr std::size_t kReportedLinks = 64;
 /// So many cycles a standstill of this process counts for a PLC's silence: nobody heard it meanwhile.
 constexpr tables::Time kStandstill = 2;
 constexpr tables::Time kStopped = tables::kNever;
@@ -72,16 +72,16 @@ class Run {
 
     const tables::Time deadline = next + offset_;
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
-    const CycleStatus told = status();
-    meter_.note_standstill(told.frozen);
-    if (told.frozen) {
+    const CycleStatus reported = status();
+    meter_.note_standstill(reported.frozen);
+    if (reported.frozen) {
       offset_ += next - time_;
       meter_.frozen.add(static_cast<std::uint64_t>(next - time_));
     } else {
       advance_to(next);
       time_ = next;
     }
-    write_events(told);
+    write_events(reported);
     meter_.cycles.add(1);
     const tables::Time end = clock_.now();
     meter_.work.add(end - woken);
@@ -93,8 +93,8 @@ class Run {
   }
   bool over() const noexcept { return stepper_ != nullptr && options_.until == tables::kNever && stepper_->over(); }
 
-  void write_events(const CycleStatus& told) noexcept {
-    for (Exchange* link : links_) link->write_events(plant_, told);
+  void write_events(const CycleStatus& reported) noexcept {
+    for (Exchange* link : links_) link->write_events(plant_, reported);
     plant_.forget_changed_events();
   }
 
@@ -104,7 +104,7 @@ class Run {
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const LinkState state = links_[i]->state();
       meter_.note(i, state);
-      if (state == LinkState::live && i < kToldLinks) status.live |= std::uint64_t{1} << i;
+      if (state == LinkState::live && i < kReportedLinks) status.live |= std::uint64_t{1} << i;
       status.frozen = status.frozen || links_[i]->freezes_plant();
     }
     return status;

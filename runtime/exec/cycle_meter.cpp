@@ -23,8 +23,8 @@ void CycleMeter::note(std::size_t link, LinkState state) noexcept {
   if (after != before) states_.set(after);
 }
 
-void CycleMeter::note_standstill(bool stands_still) noexcept {
-  if (stands_still != this->stands_still()) stands_still_.set(stands_still ? 1 : 0);
+void CycleMeter::note_standstill(bool is_stopped) noexcept {
+  if (is_stopped != this->is_stopped()) is_stopped_.set(is_stopped ? 1 : 0);
 }
 
 LinkState CycleMeter::state(std::size_t link) const noexcept {

@@ -39,14 +39,14 @@ class CycleMeter {
 
   void note(std::size_t link, LinkState state) noexcept;
   /// Whether the plant stood still in the latest cycle, as a lost link's policy says.
-  void note_standstill(bool stands_still) noexcept;
-  bool stands_still() const noexcept { return stands_still_.value() != 0; }
+  void note_standstill(bool is_stopped) noexcept;
+  bool is_stopped() const noexcept { return is_stopped_.value() != 0; }
   /// Of a link below kMostLinks: how it stood in the latest cycle.
   LinkState state(std::size_t link) const noexcept;
 
  private:
-  Counter states_;        ///< two bits a link
-  Counter stands_still_;  ///< 0 or 1
+  Counter states_;      ///< two bits a link
+  Counter is_stopped_;  ///< 0 or 1
 };
 
 }  // namespace symplant::exec

@@ -18,7 +18,7 @@ const Behaviour& own(const BehaviourView& view) noexcept {
   return all[all.size() / 2 + view.behaviour()];
 }
 
-constexpr Behaviour kTelling{
+constexpr Behaviour kReporting{
     .takes =
         [](BehaviourView& view, std::uint16_t transition) noexcept {
           const DoingNow doing({"takes", view.unit()});
@@ -51,16 +51,16 @@ constexpr Behaviour kTelling{
         },
 };
 
-Behaviour telling(const Behaviour& behaviour) {
-  Behaviour teller = kTelling;
-  teller.memory_size = behaviour.memory_size;
-  if (behaviour.takes == nullptr) teller.takes = nullptr;
-  if (behaviour.after == nullptr) teller.after = nullptr;
-  if (behaviour.wanted == nullptr) teller.wanted = nullptr;
-  if (behaviour.entered == nullptr) teller.entered = nullptr;
-  if (behaviour.left == nullptr) teller.left = nullptr;
-  if (behaviour.woken == nullptr) teller.woken = nullptr;
-  return teller;
+Behaviour reporting(const Behaviour& behaviour) {
+  Behaviour reporter = kReporting;
+  reporter.memory_size = behaviour.memory_size;
+  if (behaviour.takes == nullptr) reporter.takes = nullptr;
+  if (behaviour.after == nullptr) reporter.after = nullptr;
+  if (behaviour.wanted == nullptr) reporter.wanted = nullptr;
+  if (behaviour.entered == nullptr) reporter.entered = nullptr;
+  if (behaviour.left == nullptr) reporter.left = nullptr;
+  if (behaviour.woken == nullptr) reporter.woken = nullptr;
+  return reporter;
 }
 
 std::string whose(const Doing& doing, const tables::PlantTables& tables) {
@@ -81,7 +81,7 @@ WatchedBehaviours::WatchedBehaviours(const tables::PlantTables& tables, std::spa
   // One a name, so that the second half holds no name's place.
   std::vector<Behaviour> owns(behaviours.begin(), behaviours.end());
   owns.resize(tables::split_names(tables.behaviour_names).size());
-  for (const Behaviour& behaviour : owns) all_.push_back(telling(behaviour));
+  for (const Behaviour& behaviour : owns) all_.push_back(reporting(behaviour));
   all_.insert(all_.end(), owns.begin(), owns.end());
 }
 

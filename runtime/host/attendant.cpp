@@ -46,7 +46,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
     text += (i == 0 ? "; " : ", ") + links[i] + " " + state_name(meter.state(i));
   }
-  if (meter.stands_still()) text += "; the plant stands still";
+  if (meter.is_stopped()) text += "; the plant stands still";
   return text;
 }
 
@@ -60,8 +60,8 @@ Attendant::~Attendant() {
   thread_.request_stop();
   thread_.join();
   if (console_.is_taken()) console_.clear();
-  tell_ready();  // a run may be shorter than a turn
-  if (!stopping_) manager_.tell("STOPPING=1");
+  report_ready();  // a run may be shorter than a turn
+  if (!stopping_) manager_.report("STOPPING=1");
 }
 
 void Attendant::attend(const std::stop_token& stop) {
@@ -69,27 +69,27 @@ void Attendant::attend(const std::stop_token& stop) {
   Clock::time_point next_line = Clock::now();
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
-    tell_manager();
+    report_manager();
     const bool due = draws_ && Clock::now() >= next_line;
     if (due) next_line += kLinePeriod;
-    tell_user(due);
+    report_user(due);
     wake_.wait_for(lock, stop, std::chrono::nanoseconds(turn), [] { return false; });
   }
 }
 
-void Attendant::tell_ready() {
-  if (!ready_ && meter_.beats.value() != 0) ready_ = manager_.tell("READY=1\nSTATUS=running");
+void Attendant::report_ready() {
+  if (!ready_ && meter_.beats.value() != 0) ready_ = manager_.report("READY=1\nSTATUS=running");
 }
 
-void Attendant::tell_manager() {
+void Attendant::report_manager() {
   if (!manager_.listens()) return;
-  tell_ready();
-  if (!stopping_ && stop_requested().load()) stopping_ = manager_.tell("STOPPING=1");
+  report_ready();
+  if (!stopping_ && stop_requested().load()) stopping_ = manager_.report("STOPPING=1");
   const std::uint64_t beats = meter_.beats.value();
-  if (manager_.watchdog() != 0 && beats != beats_ && manager_.tell("WATCHDOG=1")) beats_ = beats;
+  if (manager_.watchdog() != 0 && beats != beats_ && manager_.report("WATCHDOG=1")) beats_ = beats;
 }
 
-void Attendant::tell_user(bool line_is_due) {
+void Attendant::report_user(bool line_is_due) {
   if (!console_.is_taken()) return;  // or the watchdog would wait for whoever reads
   const bool asked = take_status_request();
   if (!asked && !line_is_due) return;

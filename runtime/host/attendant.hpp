@@ -36,9 +36,9 @@ class Attendant {
 
  private:
   void attend(const std::stop_token& stop);
-  void tell_ready();
-  void tell_manager();
-  void tell_user(bool line_is_due);
+  void report_ready();
+  void report_manager();
+  void report_user(bool line_is_due);
 
   const exec::CycleMeter& meter_;
   Console& console_;

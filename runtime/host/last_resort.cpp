@@ -62,11 +62,11 @@ void LastResort::look(const std::stop_token& done) {
   std::unique_lock lock(mutex_);
   const auto wait = [&] { wake_.wait_for(lock, done, kLook, [] { return false; }); };
   while (!done.stop_requested() && !stop_requested().load()) wait();
-  const Clock::time_point told = Clock::now();
+  const Clock::time_point reported = Clock::now();
   int wishes = 0;
   int not_taken = 0;  // looks in a row
   for (; !done.stop_requested(); wait()) {
-    const auto since = Clock::now() - told;
+    const auto since = Clock::now() - reported;
     if (since < kSameWish) {
       wishes = stop_wishes();
     } else if (stop_wishes() != wishes) {

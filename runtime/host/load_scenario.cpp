@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kShownFaults = 100;  // each place costs a walk through the text
 
-std::string place_text(const std::string& path, std::string_view text, json::Span span) {
+std::string index_text(const std::string& path, std::string_view text, json::Span span) {
   const json::LineColumn at = json::line_and_column(text, span.begin);
   return fmt::format("{}:{}:{}", path, at.line, at.column);
 }
@@ -44,9 +44,9 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
   if (!text) return std::nullopt;
   scenario::ReadScenario read = scenario::read_scenario(*text, names, carried);
   for (const json::Placed& fault : std::span(read.faults).first(std::min(read.faults.size(), kShownFaults))) {
-    err << place_text(path, *text, fault.span) << ": error: " << shown(fault.message) << "\n";
+    err << index_text(path, *text, fault.span) << ": error: " << shown(fault.message) << "\n";
     if (fault.related) {
-      err << place_text(path, *text, fault.related->span) << ": note: " << shown(fault.related->message) << "\n";
+      err << index_text(path, *text, fault.related->span) << ": note: " << shown(fault.related->message) << "\n";
     }
   }
   if (read.faults.size() > kShownFaults) {

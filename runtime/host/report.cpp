@@ -31,11 +31,11 @@ Report::Report(const trace::PlantNames& names, const trace::History& history, co
       violations_(names.tables().requirements.size()),
       failures_(scenario == nullptr ? 0 : scenario->steps.size()) {}
 
-std::string Report::place(std::size_t step) const {
+std::string Report::location(std::size_t step) const {
   return fmt::format("{}:{}", shown(file_), scenario_->steps[step].line);
 }
 
-void Report::tell(std::string head, std::span<const std::string> parts) {
+void Report::report(std::string head, std::span<const std::string> parts) {
   head += shown(parts.front()) + "\n";
   for (const std::string& part : parts.subspan(1)) head += "    " + shown(part) + "\n";
   console_.message(head);
@@ -52,8 +52,8 @@ std::string Report::found(const trace::FoundThing& found) {
       violation.words = words;
     }
   }
-  if (told_.emplace(found.kind, found.of).second) {
-    tell(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), parts);
+  if (reported_.emplace(found.kind, found.of).second) {
+    report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), parts);
   }
   return words;
 }
@@ -61,7 +61,7 @@ std::string Report::found(const trace::FoundThing& found) {
 void Report::failed(std::uint32_t step, tables::Time time) {
   const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, time, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
-  tell(place(step) + ": error: ", parts);
+  report(location(step) + ": error: ", parts);
 }
 
 std::uint64_t Report::findings() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
@@ -71,16 +71,16 @@ std::size_t Report::requirements_violated() const {
       std::count_if(violations_.begin(), violations_.end(), [](const Violation& v) { return v.count != 0; }));
 }
 
-void Report::tell_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes) {
+void Report::report_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
     failures_[i] = fmt::format("{} was not reached, since the run ended at {}",
                                scenario::expectation_words(scenario_->steps[i], names_), seconds(plant.now()));
-    console_.message(fmt::format("{}: error: {}\n", place(i), shown(failures_[i])));
+    console_.message(fmt::format("{}: error: {}\n", location(i), shown(failures_[i])));
   }
 }
 
-void Report::tell_findings(std::uint64_t lost, std::ostream& out) const {
+void Report::report_findings(std::uint64_t lost, std::ostream& out) const {
   std::string text;
   for (std::size_t kind = 0; kind < counts_.size(); ++kind) {
     if (counts_[kind] == 0) continue;
@@ -91,7 +91,7 @@ void Report::tell_findings(std::uint64_t lost, std::ostream& out) const {
   if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
 }
 
-void Report::tell_requirements(const plant::Plant& plant, std::ostream& out) const {
+void Report::report_requirements(const plant::Plant& plant, std::ostream& out) const {
   if (violations_.empty()) return;
   const std::size_t violated = requirements_violated();
   out << fmt::format("requirements: {} held, {} violated\n", violations_.size() - violated, violated);
@@ -102,7 +102,7 @@ void Report::tell_requirements(const plant::Plant& plant, std::ostream& out) con
   }
 }
 
-void Report::tell_disarmed(const plant::Plant& plant, std::ostream& out) const {
+void Report::report_disarmed(const plant::Plant& plant, std::ostream& out) const {
   const auto disarmed = plant.disarmed();
   for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
     const tables::SymbolRow& row = names_.tables().symbols[symbol];
@@ -116,14 +116,14 @@ void Report::tell_disarmed(const plant::Plant& plant, std::ostream& out) const {
 void Report::sum_up(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
                     std::ostream& out) {
   if (scenario_ != nullptr) {
-    tell_unreached(plant, outcomes);
+    report_unreached(plant, outcomes);
     const scenario::Verdict verdict = scenario::verdict_of(*scenario_, outcomes);
     out << fmt::format("expectations: {} held, {} failed, {} not reached\n", verdict.held, verdict.failed,
                        verdict.unreached);
   }
-  tell_requirements(plant, out);
-  tell_findings(lost_findings, out);
-  tell_disarmed(plant, out);
+  report_requirements(plant, out);
+  report_findings(lost_findings, out);
+  report_disarmed(plant, out);
 }
 
 }  // namespace symplant::host

@@ -50,13 +50,13 @@ class Report {
   std::size_t requirements_violated() const;
 
  private:
-  void tell_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes);
-  void tell_findings(std::uint64_t lost, std::ostream& out) const;
-  void tell_requirements(const plant::Plant& plant, std::ostream& out) const;
-  void tell_disarmed(const plant::Plant& plant, std::ostream& out) const;
-  std::string place(std::size_t step) const;
+  void report_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes);
+  void report_findings(std::uint64_t lost, std::ostream& out) const;
+  void report_requirements(const plant::Plant& plant, std::ostream& out) const;
+  void report_disarmed(const plant::Plant& plant, std::ostream& out) const;
+  std::string location(std::size_t step) const;
   /// A line each, all but the first indented, behind `head`.
-  void tell(std::string head, std::span<const std::string> parts);
+  void report(std::string head, std::span<const std::string> parts);
 
   const trace::PlantNames& names_;
   const trace::History& history_;
@@ -64,7 +64,7 @@ class Report {
   std::string file_;
   Console& console_;
   std::array<std::uint64_t, tables::kAllFindingKinds> counts_{};
-  std::set<std::pair<tables::FindingKind, std::vector<std::uint32_t>>> told_;
+  std::set<std::pair<tables::FindingKind, std::vector<std::uint32_t>>> reported_;
   std::vector<Violation> violations_;
   std::vector<std::string> failures_;
 };

@@ -57,7 +57,7 @@ tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options) {
   return begin + count * options.cycle;
 }
 
-bool tell_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out) {
+bool report_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out) {
   const std::uint64_t asked = options.rt_check.value_or(0);
   if (cycles >= asked) return false;
   out << fmt::format("rt-check: {} of {} cycles were not looked at, since a signal ended the run\n", asked - cycles,
@@ -65,8 +65,8 @@ bool tell_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::o
   return true;
 }
 
-bool tell_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
-                   const Stage& stage, std::ostream& out) {
+bool report_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
+                     const Stage& stage, std::ostream& out) {
   for (const std::string& line : exec::rt_check_lines(report, stage.plant.tables())) {
     out << "rt-check: " << shown(line) << "\n";
   }
@@ -99,8 +99,8 @@ bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, s
     faults = exec::thread_faults() - before - draining.drained();
   });
   const std::uint64_t cycles = meter->cycles.value();
-  const bool clean = tell_rt_check(report, faults, cycles, stage, out);
-  return !tell_missing_cycles(cycles, options, out) && clean;
+  const bool clean = report_rt_check(report, faults, cycles, stage, out);
+  return !report_missing_cycles(cycles, options, out) && clean;
 }
 
 }  // namespace symplant::host

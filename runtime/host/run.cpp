@@ -82,7 +82,7 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
 }
 
 /// Tells of options that were given and do nothing in this run.
-void tell_without_effect(const RunOptions& options, bool real, bool linked, std::ostream& err) {
+void report_without_effect(const RunOptions& options, bool real, bool linked, std::ostream& err) {
   const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
                                                        {"--on-loss", options.on_loss.has_value()},
                                                        {"--late", options.late_given},
@@ -127,7 +127,7 @@ bool times_fit(const RunOptions& options, std::ostream& err) {
 /// From the plant at time 0 to the end; `tell` takes what is told on the way.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
          const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, LastResort& resort, Console& console,
-         std::ostream& out, std::ostream& tell, std::ostream& err) {
+         std::ostream& out, std::ostream& report_to_user, std::ostream& err) {
   stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
   Links links;
   const int opened = open_links(chosen, program.tables, stage.plant, links, err);
@@ -138,31 +138,31 @@ int play(Stage& stage, const PlantProgram& program, const RunOptions& options, t
   LastFiles last(options, out);
   if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
   resort.begun();
-  tell << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
-       << absent_behaviours(program.tables, program.behaviours);
-  if (scenario != nullptr) tell << scenario_summary(options.scenario, *scenario);
+  report_to_user << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
+                 << absent_behaviours(program.tables, program.behaviours);
+  if (scenario != nullptr) report_to_user << scenario_summary(options.scenario, *scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {
-    tell << "links of the plant are not opened in virtual time: --clock real opens them\n";
+    report_to_user << "links of the plant are not opened in virtual time: --clock real opens them\n";
   }
 
   const auto begin = std::chrono::steady_clock::now();
   std::optional<RealRun> real_run;
   bool clean = true;
   if (real) {
-    real_run = run_real(stage, options, links, console, tell, err);
-    clean = !tell_missing_cycles(real_run->cycles.cycles, options, tell) && real_run->clean;
+    real_run = run_real(stage, options, links, console, report_to_user, err);
+    clean = !report_missing_cycles(real_run->cycles.cycles, options, report_to_user) && real_run->clean;
   } else if (options.rt_check) {
-    clean = run_rt_check(stage, options, links, tell);
+    clean = run_rt_check(stage, options, links, report_to_user);
   } else {
-    run_virtual(stage, options, tell);
+    run_virtual(stage, options, report_to_user);
   }
   const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
 
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
   stage.outputs.finish(stage.plant.now(), err);
-  stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), tell);
+  stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), report_to_user);
   std::optional<scenario::Verdict> verdict;
   if (scenario != nullptr) verdict = scenario::verdict_of(*scenario, outcomes);
   last.junit(
@@ -202,14 +202,15 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, err)) return kBadInput;
-  tell_without_effect(options, real, linked, err);
+  report_without_effect(options, real, linked, err);
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
-  std::ostream& tell = uses_standard_output(options) ? err : out;
-  Console console(tell, err);
+  std::ostream& report_to_user = uses_standard_output(options) ? err : out;
+  Console console(report_to_user, err);
   Stage stage(staged, options, names, played, real, out, console);
-  const int code = play(stage, program, options, names, played, chosen, real, resort, console, out, tell, err);
+  const int code =
+      play(stage, program, options, names, played, chosen, real, resort, console, out, report_to_user, err);
   out.flush();  // as long as somebody looks whether it is taken
   return code;
 }

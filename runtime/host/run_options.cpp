@@ -203,10 +203,10 @@ std::optional<std::uint64_t> parse_size(const std::string& text) {
   const auto [unit, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || number == 0 || end - unit > 1) return std::nullopt;
   constexpr std::string_view kUnits = "kMG";
-  const std::size_t place = unit == end ? 0 : kUnits.find(*unit) + 1;
-  if (unit != end && place == 0) return std::nullopt;
-  if (number > (~std::uint64_t{0} >> (10 * place))) return std::nullopt;
-  return number << (10 * place);
+  const std::size_t index = unit == end ? 0 : kUnits.find(*unit) + 1;
+  if (unit != end && index == 0) return std::nullopt;
+  if (number > (~std::uint64_t{0} >> (10 * index))) return std::nullopt;
+  return number << (10 * index);
 }
 
 }  // namespace symplant::host

@@ -48,7 +48,7 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
   }
 }
 
-void tell_begin(const Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
+void report_begin(const Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
   for (const OpenLink& open : links) {
     out << fmt::format("link {}{}\n", open.text(), policy_words(open, stage.plant.tables()));
   }
@@ -70,7 +70,7 @@ std::string text_of(const char* what, const exec::Durations& durations) {
                      us(durations.p99), us(durations.p999), us(durations.max));
 }
 
-void tell_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
+void report_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
   const exec::CycleStatistics& cycles = run.cycles;
   out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost{}\n", seconds(stage.plant.now()),
                      stop_requested().load() ? " by a signal" : "", cycles.cycles, cycles.overruns,
@@ -113,7 +113,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
                            .spin = options.spin};
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
 
-  tell_begin(stage, options, links, out);
+  report_begin(stage, options, links, out);
   warn_of_times(options, links, err);
   exec::MonotonicClock clock;
   exec::CycleMeter meter;
@@ -141,8 +141,8 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
 
   run.cycles = meter.statistics();
   run.faults = thread.faults();
-  tell_end(stage, run, links, out);
-  if (options.rt_check) run.clean = tell_rt_check(thread.report(), run.faults, run.cycles.cycles, stage, out);
+  report_end(stage, run, links, out);
+  if (options.rt_check) run.clean = report_rt_check(thread.report(), run.faults, run.cycles.cycles, stage, out);
   return run;
 }
 

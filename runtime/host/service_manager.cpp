@@ -66,7 +66,7 @@ ServiceManager::~ServiceManager() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-bool ServiceManager::tell(const std::string& state) const noexcept {
+bool ServiceManager::report(const std::string& state) const noexcept {
   return socket_ >= 0 && ::send(socket_, state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
 }
 

@@ -27,7 +27,7 @@ class ServiceManager {
 
   /// `state`: lines such as `READY=1`. Never waits; false where it did not go out, since the manager is behind with
   /// what it was told, say.
-  bool tell(const std::string& state) const noexcept;
+  bool report(const std::string& state) const noexcept;
 
  private:
   int socket_ = -1;

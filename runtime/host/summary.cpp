@@ -36,14 +36,14 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
       by_code[symbol] = true;
     }
   }
-  std::vector<std::string_view> unmoved;
+  std::vector<std::string_view> undriven;
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
     if (symbol.direction() == tables::Direction::operation) {
       ++operations;
       if (symbol.moved()) ++moving_operations;
     } else if (!symbol.moved() && !by_code[i]) {
-      unmoved.push_back(names[2 * i]);
+      undriven.push_back(names[2 * i]);
     }
   }
   const std::size_t events = tables.symbols.size() - operations;
@@ -58,11 +58,11 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   for (const std::string& line : more) text += line + "\n";
   text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
-  text += fmt::format("nobody moves: {} of {}", unmoved.size(), plural(events, "event"));
-  for (std::size_t i = 0; i < unmoved.size() && i < kNamesShown; ++i) {
-    text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(unmoved[i]));
+  text += fmt::format("nobody moves: {} of {}", undriven.size(), plural(events, "event"));
+  for (std::size_t i = 0; i < undriven.size() && i < kNamesShown; ++i) {
+    text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(undriven[i]));
   }
-  if (unmoved.size() > kNamesShown) text += fmt::format(" and {} more", unmoved.size() - kNamesShown);
+  if (undriven.size() > kNamesShown) text += fmt::format(" and {} more", undriven.size() - kNamesShown);
   return text + "\n";
 }
 

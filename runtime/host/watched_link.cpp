@@ -34,10 +34,10 @@ WatchedLink::WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant
       behaviours_(behaviours_of(link.carries, plant.tables())),
       recorder_(recorder),
       before_(link_.state()) {
-  if (before_ != LinkState::live) tell(plant);
+  if (before_ != LinkState::live) report(plant);
 }
 
-void WatchedLink::tell(plant::Plant& plant) const noexcept {
+void WatchedLink::report(plant::Plant& plant) const noexcept {
   for (const std::uint32_t behaviour : behaviours_) plant.set_quality(behaviour, before_ == LinkState::live);
 }
 
@@ -48,7 +48,7 @@ void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcep
   if (state == LinkState::lost) recorder_.raise(plant.now(), tables::FindingKind::link_lost, place_);
   if (before_ == LinkState::lost) recorder_.raise(plant.now(), tables::FindingKind::link_back, place_);
   before_ = state;
-  tell(plant);
+  report(plant);
 }
 
 WatchedLinks::WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder) {

@@ -29,7 +29,7 @@ class WatchedLink final : public exec::Exchange {
   bool freezes_plant() const noexcept override { return link_.freezes_plant(); }
 
  private:
-  void tell(plant::Plant& plant) const noexcept;
+  void report(plant::Plant& plant) const noexcept;
 
   link::Link& link_;
   std::uint32_t place_;

@@ -87,12 +87,12 @@ class Builder final : public Json::json_sax_t {
   }
 
   /// The fault of every key that stands twice, with the place of the first.
-  void tell_twice() {
+  void report_twice() {
     std::vector<Fault> firsts;
     for (const Twice& twice : twice_) firsts.push_back(twice.first);
-    const std::vector<Span> places = spans(text_, firsts);
+    const std::vector<Span> locations = spans(text_, firsts);
     for (std::size_t i = 0; i < twice_.size(); ++i) {
-      twice_[i].second.related = Related{places[i], twice_[i].first.message};
+      twice_[i].second.related = Related{locations[i], twice_[i].first.message};
       document_.faults.push_back(std::move(twice_[i].second));
     }
   }
@@ -193,7 +193,7 @@ Document parse(std::string_view text) {
   if (!Json::sax_parse(begin, end, &builder, Json::input_format_t::json, true, true)) {
     document.root = nullptr;
   } else {
-    builder.tell_twice();
+    builder.report_twice();
   }
   return document;
 }

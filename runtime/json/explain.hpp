@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::json {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::json {
 

@@ -71,14 +71,14 @@ class MapMaker {
 
   /// Which symbols the link carries, and which of them bring their number along.
   void sort_out() {
-    const PlaceRow* next = settings_.places.data();
-    const PlaceRow* const end = next + settings_.places.size();
+    const MapRow* next = settings_.rows.data();
+    const MapRow* const end = next + settings_.rows.size();
     for (std::uint32_t index = 0; index < tables_.symbols.size(); ++index) {
       const bool is_set = next != end && next->symbol == index;
-      const PlaceRow row = is_set ? *next++ : PlaceRow{index, PlaceRow::kDefault, settings_.word_order};
+      const MapRow row = is_set ? *next++ : MapRow{index, MapRow::kDefault, settings_.word_order};
       if (tables::controller_of(tables_, index) != controller_) continue;
       const tables::SymbolRow& symbol = tables_.symbols[index];
-      const bool given = row.number != PlaceRow::kDefault;
+      const bool given = row.number != MapRow::kDefault;
       if (!given && symbol.form() == tables::AddressForm::none) {
         map_.without_address.push_back(index);
       } else if (!given && is_8_bits(symbol.type())) {
@@ -134,14 +134,14 @@ class MapMaker {
   void occupy(const IoPoint& point) {
     auto& owners = owners_[static_cast<std::size_t>(point.table)];
     if (owners.size() <= point.last()) owners.resize(std::max<std::size_t>(point.last() + 1, 2 * owners.size()), kNone);
-    std::uint32_t told = kNone;
+    std::uint32_t reported = kNone;
     for (std::uint32_t number = point.number; number <= point.last(); ++number) {
       const std::uint32_t other = owners[number];
       if (other == kNone) {
         owners[number] = point.symbol;
-      } else if (other != told && !is_one_place(point, other)) {
+      } else if (other != reported && !is_one_place(point, other)) {
         fault(MapFault::Kind::overlap, other, point.symbol);
-        told = other;
+        reported = other;
       }
     }
     highest_ = std::max(highest_, std::uint64_t{point.last()} + 1);

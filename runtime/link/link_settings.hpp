@@ -34,7 +34,7 @@ enum class OnLoss : std::uint8_t {
 enum class PlantOnLoss : std::uint8_t { run, freeze };
 
 /// A symbol with settings of its own.
-struct PlaceRow {
+struct MapRow {
   static constexpr std::uint32_t kDefault = 0xFFFF'FFFF;
 
   std::uint32_t symbol = 0;         ///< in PlantTables::symbols
@@ -49,7 +49,7 @@ inline constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;  ///< there is none
 
 /// Refers to rows that must outlive it.
 struct LinkSettings {
-  std::span<const PlaceRow> places = {};  ///< of symbols whose settings differ from the link's, by symbol
+  std::span<const MapRow> rows = {};  ///< of symbols whose settings differ from the link's, by symbol
   WordOrder word_order = WordOrder::high_first;
   OnLoss on_loss = OnLoss::hold;
   PlantOnLoss plant_on_loss = PlantOnLoss::run;

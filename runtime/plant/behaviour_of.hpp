@@ -65,15 +65,15 @@ constexpr std::uint32_t memory_size_of() noexcept {
 template <class Class, class Device>
 constexpr void add_times(engine::Behaviour& behaviour) noexcept {
   using Look = DeviceLook<Device>;
-  using Way = DeviceTransition<Device>;
-  using Function = tables::Time (*)(Look&, Way) noexcept;
+  using Transition = DeviceTransition<Device>;
+  using Function = tables::Time (*)(Look&, Transition) noexcept;
   if constexpr (Member_takes::named<Class>) {
     static_assert(Member_takes::right<Class, Function>,
                   "write `static Time takes(Look& look, Transition transition) noexcept`, public, once");
     if constexpr (Member_takes::right<Class, Function>) {
       behaviour.takes = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
         Look look(view);
-        return Class::takes(look, Way(view, transition));
+        return Class::takes(look, Transition(view, transition));
       };
     }
   }
@@ -83,7 +83,7 @@ constexpr void add_times(engine::Behaviour& behaviour) noexcept {
     if constexpr (Member_after::right<Class, Function>) {
       behaviour.after = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
         Look look(view);
-        return Class::after(look, Way(view, transition));
+        return Class::after(look, Transition(view, transition));
       };
     }
   }
@@ -107,7 +107,7 @@ constexpr void add_wanted(engine::Behaviour& behaviour) noexcept {
 }
 
 template <class Class, class Device>
-constexpr void add_told(engine::Behaviour& behaviour) noexcept {
+constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
   using View = DeviceView<Device>;
   using State = typename Device::State;
   using Function = void (*)(View&, State) noexcept;
@@ -161,7 +161,7 @@ constexpr engine::Behaviour behaviour_of() noexcept {
   if constexpr (std::is_base_of_v<Device, Class> && !std::is_final_v<Class>) {
     detail::add_times<Class, Device>(behaviour);
     detail::add_wanted<Class, Device>(behaviour);
-    detail::add_told<Class, Device>(behaviour);
+    detail::add_reported<Class, Device>(behaviour);
   }
   return behaviour;
 }

@@ -48,7 +48,7 @@ class DeviceTransition {
 
   /// What `takes` and `after` are asked for: a transition of the table, or 0xFFFF.
   DeviceTransition(const engine::BehaviourView& view, std::uint16_t number) noexcept
-      : from_(static_cast<State>(view.state())), to_(static_cast<State>(view.way_to())), number_(number) {
+      : from_(static_cast<State>(view.state())), to_(static_cast<State>(view.leads_to())), number_(number) {
     const tables::Transition* row = view.transition(number);
     if (row == nullptr) return;
     from_ = static_cast<State>(row->from);

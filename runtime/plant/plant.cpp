@@ -114,7 +114,7 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   const engine::UnitState& state = engine_->units[unit];
   const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
   UnitView view{
-      state.state, state.state, is(engine::kMoving), is(engine::kStanding), is(engine::kDisabled), is(engine::kFrozen),
+      state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen),
       0,           0.0};
   if (!view.moving) return view;
   view.target = state.target;

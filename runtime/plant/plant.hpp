@@ -23,7 +23,7 @@ struct UnitView {
   std::uint8_t state;   ///< settled in, or moving from
   std::uint8_t target;  ///< moving to; `state` where it is settled
   bool moving;
-  bool standing;           ///< moving, but standing still midway (docs/model.md, "A move under way")
+  bool stopped_midway;     ///< moving, but standing still midway (docs/model.md, "A move under way")
   bool disabled;           ///< by another unit
   bool frozen;             ///< found in an instantaneous loop
   tables::Time remaining;  ///< of the move, ns

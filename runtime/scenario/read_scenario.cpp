@@ -67,9 +67,9 @@ Scenario read_steps(const Json& steps, StepReader& reader, std::vector<json::Fau
 
 /// Lines of the steps: asked for as faults are, in one pass over the text.
 void find_lines(std::string_view text, Scenario& scenario) {
-  std::vector<json::Fault> places(scenario.steps.size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i].pointer = json::child("/steps", i);
-  const std::vector<json::Span> spans = json::spans(text, places);
+  std::vector<json::Fault> indexes(scenario.steps.size());
+  for (std::size_t i = 0; i < indexes.size(); ++i) indexes[i].pointer = json::child("/steps", i);
+  const std::vector<json::Span> spans = json::spans(text, indexes);
   std::size_t line = 1;
   std::size_t at = 0;
   for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -99,7 +99,7 @@ ReadScenario read_scenario(std::string_view text, const trace::PlantNames& names
       return result;
     }
   }
-  for (json::Placed& placed : json::place(text, faults)) result.faults.push_back(std::move(placed));
+  for (json::Placed& placed : json::locate(text, faults)) result.faults.push_back(std::move(placed));
   std::stable_sort(result.faults.begin(), result.faults.end(),
                    [](const json::Placed& a, const json::Placed& b) { return a.span.begin < b.span.begin; });
   return result;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 #include "symplant/scenario/scenario.hpp"
 #include "symplant/trace/plant_names.hpp"
 

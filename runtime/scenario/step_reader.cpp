@@ -26,7 +26,7 @@ std::string nearest_text(const std::string& nearest) {
 }
 
 /// Symbols that a unit moves, and those on their addresses.
-std::vector<bool> moved_symbols(const tables::PlantTables& tables) {
+std::vector<bool> driven_symbols(const tables::PlantTables& tables) {
   std::vector<bool> moved(tables.symbols.size());
   for (std::size_t s = 0; s < moved.size(); ++s) moved[s] = tables.symbols[s].moved();
   for (int pass = 0; pass < 2; ++pass) {  // to the leader, then from it
@@ -40,7 +40,7 @@ std::vector<bool> moved_symbols(const tables::PlantTables& tables) {
 }  // namespace
 
 StepReader::StepReader(const trace::PlantNames& names, const std::vector<bool>& carried)
-    : names_(names), carried_(carried), by_name_(names), moved_(moved_symbols(names.tables())) {}
+    : names_(names), carried_(carried), by_name_(names), moved_(driven_symbols(names.tables())) {}
 
 void StepReader::add(const std::string& pointer, std::string message, bool at_key, std::size_t column) {
   faults.push_back({pointer, std::move(message), column, at_key});
@@ -150,7 +150,7 @@ std::optional<condition::Tree> StepReader::read_condition(const std::string& tex
   auto read = condition::parse_and_resolve(text, by_name_);
   if (auto* tree = std::get_if<condition::Tree>(&read)) return std::move(*tree);
   auto& fault = std::get<condition::Fault>(read);
-  add(pointer, std::move(fault.message), false, fault.place.offset);
+  add(pointer, std::move(fault.message), false, fault.index.offset);
   return std::nullopt;
 }
 

@@ -44,7 +44,7 @@ void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
   hash.u32(unit.event_bit);
   hash.u32(unit.times);
   hash.byte(unit.initial);
-  hash.byte(unit.rich);
+  hash.byte(unit.general);
 }
 
 void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {

@@ -14,8 +14,8 @@
 namespace symplant::tables {
 
 inline constexpr std::uint8_t kNoState = 0xFF;
-inline constexpr std::uint8_t kNoOperation = 0xFF;  ///< Transition::on of an automatic one
-inline constexpr std::uint8_t kSpringWay = 0xFE;    ///< Transition::on of a spring's own way: never ready by itself
+inline constexpr std::uint8_t kNoOperation = 0xFF;   ///< Transition::on of an automatic one
+inline constexpr std::uint8_t kSpringReturn = 0xFE;  ///< Transition::on of a spring's own way: never ready by itself
 inline constexpr std::uint16_t kNoCondition = 0xFFFF;
 inline constexpr std::uint32_t kNoUnit = 0xFFFF'FFFF;
 
@@ -35,7 +35,7 @@ enum class Actuation : std::uint8_t {
 };
 
 /// One way from a state to another. `on` is the operation that commands it, kNoOperation where it is automatic,
-/// kSpringWay where it only says how long a spring's own way takes.
+/// kSpringReturn where it only says how long a spring's own way takes.
 struct Transition {
   std::uint8_t from = 0;
   std::uint8_t to = 0;
@@ -90,7 +90,7 @@ struct UnitRow {
   std::uint32_t initial : 8;
   /// Has conditions or a behaviour, is watched by a condition, disables or is disabled, or its type has a `timed`
   /// transition: the engine keeps a record of it. Plain units cost less.
-  std::uint32_t rich : 1;
+  std::uint32_t general : 1;
   std::uint32_t operation_bit;  ///< of its operation 0; all its operations lie in one 64-bit word
   std::uint32_t event_bit;      ///< of its event 0; all its events lie in one 64-bit word
   std::uint32_t times;  ///< of its first entry in PlantTables::times: the default travel, then a transition each

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kOperations = 8;  ///< of each unit
 
-std::string place_json(std::uint32_t symbol, const PlantNames& names) {
+std::string index_json(std::uint32_t symbol, const PlantNames& names) {
   return fmt::format(R"("address":{},"list":{},"row":{})", json_string(names.address(symbol)),
                      json_string(names.list(symbol)), names.tables().symbols[symbol].row);
 }
@@ -20,7 +20,7 @@ std::string operations_json(const FoundThing& found, const PlantNames& names, co
   for (const std::uint32_t unit : units_of(found, names.tables())) {
     for (const std::uint32_t symbol : history.last_operations(unit, kOperations)) {
       text += fmt::format(R"({}{{"symbol":{},{},"on":{},"since":{}}})", text.empty() ? "" : ",",
-                          json_string(names.symbol(symbol)), place_json(symbol, names), history.value(symbol) != 0,
+                          json_string(names.symbol(symbol)), index_json(symbol, names), history.value(symbol) != 0,
                           history.since(symbol));
     }
   }
@@ -32,7 +32,7 @@ std::string operations_json(const FoundThing& found, const PlantNames& names, co
 void FindingFile::write(const FoundThing& found, const std::string& words, const History& history) {
   std::string line = fmt::format(R"({{"t":{},"finding":"{}","of":{})", found.time, finding_name(found.kind),
                                  json_string(name_of(found, names_)));
-  if (is_of_symbol(found.kind)) line += "," + place_json(found.of.front(), names_);
+  if (is_of_symbol(found.kind)) line += "," + index_json(found.of.front(), names_);
   line +=
       fmt::format(R"(,"operations":[{}],"words":{}}})", operations_json(found, names_, history), json_string(words));
   file_.put(line);

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
 constexpr std::size_t kOperationsShown = 4;
 
 /// `Y0001`, or the symbol's name where it has no address.
-std::string place(std::uint32_t symbol, const PlantNames& names) {
+std::string index(std::uint32_t symbol, const PlantNames& names) {
   const std::string_view address = names.address(symbol);
   return std::string(address.empty() ? names.symbol(symbol) : address);
 }
@@ -48,7 +48,7 @@ std::string disablers(std::uint32_t unit, const PlantNames& names, const History
 std::string led(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
-    text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", place(symbol, names), names.task(symbol),
+    text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", index(symbol, names), names.task(symbol),
                         names.unit(unit));
     text += history.value(symbol) != 0
                 ? "on since " + seconds(history.rose(symbol))
@@ -128,7 +128,7 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
   for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
     const bool on = history.value(symbol) != 0;
     if (!on && !text.empty()) continue;
-    text += fmt::format(", {} (operation {}, {}) ", place(symbol, names), names.task(symbol), names.cite(symbol));
+    text += fmt::format(", {} (operation {}, {}) ", index(symbol, names), names.task(symbol), names.cite(symbol));
     text += on ? "is on since " + seconds(history.rose(symbol))
                : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
   }
@@ -199,7 +199,7 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   const bool operation = names.is_operation(symbol);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
-  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", place(symbol, names));
+  std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", index(symbol, names));
   if (unit == tables::kNoUnit) {
     text += fmt::format("symbol {}", names.symbol(symbol));
   } else {
@@ -212,7 +212,7 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
   const plant::UnitView view = history.unit(unit);
   std::string text(names.state(unit, view.state));
   if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
-  if (view.standing) text += ", standing still midway";
+  if (view.stopped_midway) text += ", standing still midway";
   if (view.disabled) text += ", disabled";
   if (view.frozen) text += ", frozen";
   return text;

@@ -58,7 +58,7 @@ void OutputFile::flush() {
   if (stream_ != nullptr) stream_->flush();
 }
 
-void OutputFile::begin_anew() {
+void OutputFile::begin_again() {
   flush();
   if (!file_) return;
   file_.reset();

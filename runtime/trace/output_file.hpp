@@ -34,7 +34,7 @@ class OutputFile {
   /// Whether it holds `limit` bytes or more, and can be begun anew.
   bool full() const noexcept { return written_ + buffer_.size() >= limit_; }
   /// The file so far becomes `PATH.1`, in place of an older one, and an empty one is begun.
-  void begin_anew();
+  void begin_again();
 
   bool is_open() const noexcept { return file_ != nullptr || stream_ != nullptr; }
   /// Empty while all is well; else what the system said, once and for all.

@@ -46,9 +46,9 @@ std::string_view PlantNames::task(std::uint32_t symbol) const {
   const tables::SymbolRow& row = tables_.symbols[symbol];
   if (row.unit != tables::kNoUnit && row.type() == tables::DataType::boolean && is_operation(symbol)) {
     const tables::UnitRow& unit = tables_.units[row.unit];
-    const std::uint32_t place = row.index - unit.operation_bit;
+    const std::uint32_t position = row.index - unit.operation_bit;
     const auto targets = tables_.types[unit.type].operation_targets;
-    if (place < targets.size() && targets[place] != tables::kNoState) return state(row.unit, targets[place]);
+    if (position < targets.size() && targets[position] != tables::kNoState) return state(row.unit, targets[position]);
   }
   const std::string_view name = this->symbol(symbol);
   const std::size_t end = name.find_last_of("_.-: ");

@@ -28,7 +28,8 @@ struct Record {
 /// A unit's doing in one word; what it is about apart from times.
 constexpr std::uint64_t pack_unit(const plant::UnitView& unit) noexcept {
   return unit.state | std::uint64_t{unit.target} << 8 | std::uint64_t{unit.moving} << 16 |
-         std::uint64_t{unit.standing} << 17 | std::uint64_t{unit.disabled} << 18 | std::uint64_t{unit.frozen} << 19;
+         std::uint64_t{unit.stopped_midway} << 17 | std::uint64_t{unit.disabled} << 18 |
+         std::uint64_t{unit.frozen} << 19;
 }
 /// The view that was packed; its times are 0.
 constexpr plant::UnitView unpack_unit(std::uint64_t word) noexcept {

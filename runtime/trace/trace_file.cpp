@@ -45,7 +45,7 @@ void TraceFile::write(const Record& record) {
 void TraceFile::part(tables::Time time, const History& history) {
   if (!file_.full() || !has_lines_) return;
   has_lines_ = false;
-  file_.begin_anew();
+  file_.begin_again();
   file_.put(head_);
   file_.put(fmt::format(R"(,"part":{},"t":{},"values":{{)", ++parts_, time));
   bool first = true;

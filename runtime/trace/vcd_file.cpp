@@ -73,7 +73,7 @@ void VcdFile::write(const Record& record) {
 
 void VcdFile::part(tables::Time time, const History& history) {
   if (!begun_ || !has_lines_ || !file_.full()) return;
-  file_.begin_anew();
+  file_.begin_again();
   begun_ = has_lines_ = false;
   last_time_ = -1;
   begin(time, history);

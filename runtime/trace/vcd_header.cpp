@@ -15,12 +15,12 @@ namespace {
 struct Scope {
   std::string name;
   std::vector<std::uint32_t> units;
-  std::vector<Scope> children;                ///< in the order in which they were first met
-  std::map<std::string, std::size_t> places;  ///< a child's name -> its place
+  std::vector<Scope> children;                 ///< in the order in which they were first met
+  std::map<std::string, std::size_t> indexes;  ///< a child's name -> its place
 };
 
 Scope& child_of(Scope& scope, std::string_view name) {
-  const auto [found, is_new] = scope.places.try_emplace(std::string(name), scope.children.size());
+  const auto [found, is_new] = scope.indexes.try_emplace(std::string(name), scope.children.size());
   if (is_new) scope.children.emplace_back().name = vcd_name(name);
   return scope.children[found->second];
 }

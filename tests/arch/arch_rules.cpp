@@ -90,7 +90,7 @@ std::vector<Include> includes(std::string_view text) {
   return found;
 }
 
-std::optional<std::size_t> place(std::span<const std::string_view> floors, std::string_view floor) {
+std::optional<std::size_t> index(std::span<const std::string_view> floors, std::string_view floor) {
   const auto at = std::find(floors.begin(), floors.end(), floor);
   if (at == floors.end()) return std::nullopt;
   return static_cast<std::size_t>(at - floors.begin());
@@ -117,12 +117,12 @@ std::string fault_of(std::string_view what, bool in_generator, std::string_view 
   if (what.front() == '<') return of_runtime ? "is the project's own: write it in quotes" : "";
 
   const std::string_view used = first_part(of_runtime ? behind_first_part(header) : header);
-  const auto at = of_runtime ? place(kRuntime, used) : place(kGenerator, used);
+  const auto at = of_runtime ? index(kRuntime, used) : index(kGenerator, used);
   if (!at) return "is on no floor";
   if (!of_runtime && !in_generator) return "is the generator's: the runtime stands alone";
-  const bool allowed = !of_runtime    ? *at <= *place(kGenerator, floor)
+  const bool allowed = !of_runtime    ? *at <= *index(kGenerator, floor)
                        : in_generator ? may_use_of_runtime(floor, used)
-                                      : *at <= *place(kRuntime, floor);
+                                      : *at <= *index(kRuntime, floor);
   return allowed ? "" : "climbs: `" + std::string(floor) + "` may not use it";
 }
 
@@ -156,7 +156,7 @@ Faults climbing_includes(const Tree& tree) {
     if (!in_house(file)) continue;
     const bool in_generator = file.path.starts_with("generator/");
     const std::string_view floor = first_part(behind_first_part(file.path));
-    if (!(in_generator ? place(kGenerator, floor) : place(kRuntime, floor))) {
+    if (!(in_generator ? index(kGenerator, floor) : index(kRuntime, floor))) {
       faults.push_back(fault(file, 1, "stands on no floor"));
       continue;
     }

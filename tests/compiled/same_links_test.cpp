@@ -53,10 +53,10 @@ TEST_CASE("generated links have the maps and policies of the links made at run t
     CHECK(own.connections == made.connections);
     CHECK(own.idle == made.idle);
     CHECK(std::equal(own.keep.begin(), own.keep.end(), made.keep.begin(), made.keep.end()));
-    const auto same = [](const link::PlaceRow& a, const link::PlaceRow& b) {
+    const auto same = [](const link::MapRow& a, const link::MapRow& b) {
       return a.symbol == b.symbol && a.number == b.number && a.word_order == b.word_order && a.on_loss == b.on_loss;
     };
-    CHECK(std::equal(own.places.begin(), own.places.end(), made.places.begin(), made.places.end(), same));
+    CHECK(std::equal(own.rows.begin(), own.rows.end(), made.rows.begin(), made.rows.end(), same));
   }
 }
 

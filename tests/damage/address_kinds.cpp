@@ -39,7 +39,7 @@ Damaged change_row(const Shop& shop, Dice& dice, Wanted&& wanted, Change&& chang
 }
 
 /// Two rows of one side on one address: which of them is wrong nobody can know.
-Damaged share(const Shop& shop, Dice& dice, bool moved_by_two) {
+Damaged share(const Shop& shop, Dice& dice, bool driven_by_two) {
   const auto has_operation = [&](const Levels& at) {
     return std::any_of(shop.devices.begin(), shop.devices.end(), [&](const Device& device) {
       return device.levels.path() == at.path() && std::any_of(device.tasks.begin(), device.tasks.end(),
@@ -47,7 +47,7 @@ Damaged share(const Shop& shop, Dice& dice, bool moved_by_two) {
     });
   };
   const auto fits = [&](const Cells& cells, const Levels& at) {
-    return is_bit(cells, at) && (moved_by_two ? at.direction == "I" && has_operation(at) : at.direction == "O");
+    return is_bit(cells, at) && (driven_by_two ? at.direction == "I" && has_operation(at) : at.direction == "O");
   };
   const std::size_t first = pick_row(shop, dice, fits);
   const std::string path = levels_of(shop.list.rows[first].name)->path();
@@ -60,7 +60,7 @@ Damaged share(const Shop& shop, Dice& dice, bool moved_by_two) {
 }
 
 Damaged share_output(const Shop& shop, Dice& dice) { return share(shop, dice, false); }
-Damaged share_moved_input(const Shop& shop, Dice& dice) { return share(shop, dice, true); }
+Damaged share_driven_input(const Shop& shop, Dice& dice) { return share(shop, dice, true); }
 
 bool has_other_side(const Shop& shop, Levels levels) {
   levels.direction = levels.direction == "I" ? "O" : "I";
@@ -127,7 +127,7 @@ std::vector<Kind> address_kinds() {
   return {
       {"address-twice", "the address of another device's output", "address-used-twice", share_output},
       {"address-moved-twice", "the address of another device's input, where both move", "event-moved-twice",
-       share_moved_input},
+       share_driven_input},
       {"address-other-side", "an address of the other direction, where the task has both", "task-claimed-twice",
        other_side_of_pair},
       {"address-other-side-alone", "likewise, where it has one", "direction-against-address", other_side_alone},

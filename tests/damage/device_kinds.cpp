@@ -52,11 +52,11 @@ Damaged lose(const Shop& shop, Dice& dice, std::optional<std::size_t> Task::*sid
            std::any_of(at.tasks.begin(), at.tasks.end(),
                        [&](const Task& task) { return can_lose(at, task) && (task.*side).has_value(); });
   });
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indexes;
   for (const Task& task : device.tasks) {
-    if (can_lose(device, task) && task.*side) places.push_back(*(task.*side));
+    if (can_lose(device, task) && task.*side) indexes.push_back(*(task.*side));
   }
-  const std::size_t lost = dice.pick(places);
+  const std::size_t lost = dice.pick(indexes);
   Damaged damaged{shop.list, {}};
   for (const std::size_t row : device.rows) {
     if (row != lost) damaged.roots.push_back(row);

@@ -21,9 +21,9 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-std::size_t pick_place(const std::vector<std::size_t>& places, Dice& dice) {
-  if (places.empty()) throw std::runtime_error("the list has no place for this kind of damage");
-  return dice.pick(places);
+std::size_t pick_place(const std::vector<std::size_t>& indexes, Dice& dice) {
+  if (indexes.empty()) throw std::runtime_error("the list has no place for this kind of damage");
+  return dice.pick(indexes);
 }
 
 }  // namespace symplant::damage

@@ -50,25 +50,25 @@ std::size_t pick_row(const Shop& shop, Dice& dice, Wanted&& wanted);
 template <class Wanted>
 const Device& pick_device(const Shop& shop, Dice& dice, Wanted&& wanted);
 
-std::size_t pick_place(const std::vector<std::size_t>& places, Dice& dice);
+std::size_t pick_place(const std::vector<std::size_t>& indexes, Dice& dice);
 
 template <class Wanted>
 std::size_t pick_row(const Shop& shop, Dice& dice, Wanted&& wanted) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indexes;
   for (std::size_t i = 0; i < shop.list.rows.size(); ++i) {
     const auto levels = levels_of(shop.list.rows[i].name);
-    if (levels && wanted(shop.list.rows[i], *levels)) places.push_back(i);
+    if (levels && wanted(shop.list.rows[i], *levels)) indexes.push_back(i);
   }
-  return pick_place(places, dice);
+  return pick_place(indexes, dice);
 }
 
 template <class Wanted>
 const Device& pick_device(const Shop& shop, Dice& dice, Wanted&& wanted) {
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indexes;
   for (std::size_t i = 0; i < shop.devices.size(); ++i) {
-    if (wanted(shop.devices[i])) places.push_back(i);
+    if (wanted(shop.devices[i])) indexes.push_back(i);
   }
-  return shop.devices[pick_place(places, dice)];
+  return shop.devices[pick_place(indexes, dice)];
 }
 
 }  // namespace symplant::damage

@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
     std::fputs(damaged.list.text().c_str(), stdout);
     for (const std::size_t row : damaged.roots)
       std::fprintf(stderr, "%s %zu\n", std::string(kind.rule).c_str(), row + 2);
-    std::fputs(Clean(shop.list).compare(kind, damaged).told.c_str(), stderr);
+    std::fputs(Clean(shop.list).compare(kind, damaged).reported.c_str(), stderr);
     return 0;
   }
   std::fprintf(stderr, "there is no kind `%s`\n", argv[2]);

@@ -14,7 +14,7 @@ namespace {
 std::string key_of(const diag::Diagnostic& finding) { return std::string(finding.rule->slug) + ": " + finding.message; }
 
 std::size_t line_of(const diag::Diagnostic& finding) {
-  return finding.place.source == nullptr ? 0 : finding.place.source->position(finding.place.span.begin).line;
+  return finding.location.source == nullptr ? 0 : finding.location.source->position(finding.location.span.begin).line;
 }
 
 std::vector<std::string> sorted_keys(const diag::Diagnostics& diagnostics) {
@@ -45,8 +45,8 @@ Trial Clean::compare(const Kind& kind, const Damaged& damaged) const {
     trial.found = trial.found || right;
     ++trial.findings;
     trial.others += right ? 0U : 1U;
-    trial.told += fmt::format("  {} line {}: {}\n", right ? "+" : "-", line, key_of(finding));
-    for (const diag::Related& related : finding.related) trial.told += "      " + related.message + "\n";
+    trial.reported += fmt::format("  {} line {}: {}\n", right ? "+" : "-", line, key_of(finding));
+    for (const diag::Related& related : finding.related) trial.reported += "      " + related.message + "\n";
   }
   return trial;
 }
@@ -64,7 +64,7 @@ std::vector<Figures> measure(const Shop& shop, std::size_t copies, std::uint64_t
       figures.found += trial.found ? 1U : 0U;
       figures.findings += trial.findings;
       figures.others += trial.others;
-      if (!trial.found || trial.others != 0) figures.missed += fmt::format("seed {}\n{}", i, trial.told);
+      if (!trial.found || trial.others != 0) figures.missed += fmt::format("seed {}\n{}", i, trial.reported);
     }
     all.push_back(figures);
   }

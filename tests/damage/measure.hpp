@@ -15,7 +15,7 @@ struct Trial {
   bool found = false;        ///< the rule told of one of the roots
   std::size_t findings = 0;  ///< beyond those of the clean list
   std::size_t others = 0;    ///< of these: by another rule, or of another row
-  std::string told;          ///< the findings, a line each, for whoever has to look
+  std::string reported;      ///< the findings, a line each, for whoever has to look
 };
 
 /// The findings of a list before it was damaged.

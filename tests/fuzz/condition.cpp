@@ -16,11 +16,11 @@ namespace {
 
 using condition::Expression;
 using condition::Fault;
-using condition::Place;
+using condition::Location;
 using condition::Tree;
 
-void look_at_place(const Place& place, std::string_view text) {
-  require(place.offset <= text.size() && place.length <= text.size() - place.offset, "a place lies outside the text");
+void look_at_index(const Location& index, std::string_view text) {
+  require(index.offset <= text.size() && index.length <= text.size() - index.offset, "a place lies outside the text");
 }
 
 /// A number so far off that its exponent is cut.
@@ -31,11 +31,11 @@ bool is_far(const condition::Number& number) {
 
 void look_at(const Expression& expression, std::string_view text) {
   for (const condition::Name& name : expression.names) {
-    look_at_place(name.place, text);
-    const std::string_view there = text.substr(name.place.offset, name.place.length);
+    look_at_index(name.index, text);
+    const std::string_view there = text.substr(name.index.offset, name.index.length);
     require(there.starts_with('\'') || there == name.text, "a name is not what stands at its place");
   }
-  look_at_place(expression.number_place, text);
+  look_at_index(expression.number_index, text);
   const bool branch = expression.kind == Expression::Kind::all || expression.kind == Expression::Kind::any;
   const std::size_t children = expression.children.size();
   require(branch ? children >= 2 : children == (expression.kind == Expression::Kind::negation ? 1 : 0),
@@ -154,7 +154,7 @@ bool truth_of(const std::vector<condition::TruthTable>& tables, std::uint64_t wo
 void look_at_meaning(std::string_view text, const model::PlantNames& names) {
   const auto resolved = condition::parse_and_resolve(text, names);
   if (const auto* fault = std::get_if<Fault>(&resolved)) {
-    look_at_place(fault->place, text);
+    look_at_index(fault->index, text);
     return;
   }
   const Tree& tree = std::get<Tree>(resolved);
@@ -175,7 +175,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(reinterpret_cast<const char*>(data), size);
   const auto parsed = condition::parse(text);
   if (const auto* fault = std::get_if<condition::Fault>(&parsed)) {
-    fuzz::look_at_place(fault->place, text);
+    fuzz::look_at_index(fault->index, text);
     fuzz::require(!fault->message.empty(), "a fault without words");
     return 0;
   }

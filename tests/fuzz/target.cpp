@@ -25,19 +25,19 @@ constexpr std::uint64_t kOneEmittedIn = 16;
 /// Beyond so many symbols nothing is emitted: it costs time and is the same code.
 constexpr std::size_t kMostEmitted = 300;
 
-void look_at_place(const diag::Place& place) {
-  require(place.pointer.empty() || place.source != nullptr, "a place in the description was not located");
-  if (place.source == nullptr) return;
-  const std::string_view text = place.source->text();
-  require(place.span.begin <= place.span.end && place.span.end <= text.size(), "a place lies outside its file");
+void look_at_index(const diag::Location& index) {
+  require(index.pointer.empty() || index.source != nullptr, "a place in the description was not located");
+  if (index.source == nullptr) return;
+  const std::string_view text = index.source->text();
+  require(index.span.begin <= index.span.end && index.span.end <= text.size(), "a place lies outside its file");
   require(is_utf8(text), "a file's text is no UTF-8");
 }
 
 void look_at_findings(const diag::Diagnostics& diagnostics) {
   for (const diag::Diagnostic& finding : diagnostics.all()) {
     require(is_utf8(finding.message), "a message is no UTF-8");
-    look_at_place(finding.place);
-    for (const diag::Related& related : finding.related) look_at_place(related.place);
+    look_at_index(finding.location);
+    for (const diag::Related& related : finding.related) look_at_index(related.location);
   }
   const std::string json = diag::render_json(diagnostics.all());
   require(nlohmann::json::accept(json), "the findings as JSON are no JSON");

@@ -13,7 +13,7 @@ struct Input {
   const char* what;             ///< for the page, as a cell of a table
   std::string (*text)();        ///< the bytes of `symbols.csv`, `plant.json` or `scenario.json`
   bool large = false;           ///< takes seconds; left out under sanitizers
-  const char* place = nullptr;  ///< the file that a refusal names; null: the input itself
+  const char* index = nullptr;  ///< the file that a refusal names; null: the input itself
 };
 
 std::span<const Input> list_inputs();

@@ -25,7 +25,7 @@ struct Choice {
 Trials try_all(const std::string& tool, const Limits& limits, const Choice& choice, const std::string& scratch,
                bool& well) {
   Trials trials;
-  const auto tell = [&](const Outcome& outcome) {
+  const auto report = [&](const Outcome& outcome) {
     for (const std::string& fault : outcome.faults) std::cerr << "FAULT: " << fault << std::endl;
     well = well && outcome.faults.empty();
   };
@@ -33,13 +33,13 @@ Trials try_all(const std::string& tool, const Limits& limits, const Choice& choi
     if (!choice.takes(input.what, input.large)) continue;
     std::cout << input.what << std::endl;
     trials.inputs.emplace_back(input, try_out(tool, input, limits, scratch));
-    for (const Outcome& outcome : trials.inputs.back().second) tell(outcome);
+    for (const Outcome& outcome : trials.inputs.back().second) report(outcome);
   }
   for (const Misuse& misuse : misuses()) {
     if (!choice.takes(misuse.what, false)) continue;
     std::cout << misuse.what << std::endl;
     trials.misuses.emplace_back(misuse, try_out(tool, misuse, limits, scratch));
-    tell(trials.misuses.back().second);
+    report(trials.misuses.back().second);
   }
   return trials;
 }

@@ -48,8 +48,9 @@ std::string errors_in(const std::string& text) {
   while (begin < text.size() && slugs.size() < 3) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::size_t open = text.rfind("[SP", end);
-    const bool told = open != text.npos && open > begin && text.substr(begin, end - begin).find("error: ") != text.npos;
-    if (told) {
+    const bool reported =
+        open != text.npos && open > begin && text.substr(begin, end - begin).find("error: ") != text.npos;
+    if (reported) {
       const std::size_t slug = text.find(' ', open) + 1;
       std::string word = text.substr(slug, text.find(']', slug) - slug);
       if (std::find(slugs.begin(), slugs.end(), word) == slugs.end()) slugs.push_back(std::move(word));
@@ -151,7 +152,7 @@ std::vector<Outcome> try_out(const std::string& tool, const Input& input, const 
     judge_files(before, files_below(out), run.code == 2, outcome.faults);
     if (run.code == 2 && for_people) {
       const std::string said = run.err + run.out;
-      if (said.find(input.place == nullptr ? file_of(input.kind) : input.place) == said.npos)
+      if (said.find(input.index == nullptr ? file_of(input.kind) : input.index) == said.npos)
         outcome.faults.push_back("no place is named: " + said.substr(0, 200));
     }
     if (command.column == "check" && command.arguments.size() == 2) {

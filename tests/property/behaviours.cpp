@@ -122,7 +122,7 @@ std::vector<Behaviour> all_behaviours() {
 }
 
 /// In behaviour_names(); its size where it is none of them.
-std::size_t place_of(std::string_view name) {
+std::size_t location_of(std::string_view name) {
   const auto& names = behaviour_names();
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name.substr(0, name.find('_'))) -
                                   names.begin());
@@ -135,13 +135,13 @@ const std::vector<std::string>& behaviour_names() {
   return names;
 }
 
-bool is_behaviour(std::string_view name) { return place_of(name) < behaviour_names().size(); }
+bool is_behaviour(std::string_view name) { return location_of(name) < behaviour_names().size(); }
 
 std::vector<engine::Behaviour> engine_behaviours(const tables::PlantTables& tables) {
   const auto all = all_behaviours<engine::Behaviour, engine::BehaviourView>();
   std::vector<engine::Behaviour> wanted;
   for (const std::string_view name : tables::split_names(tables.behaviour_names)) {
-    wanted.push_back(is_behaviour(name) ? all[place_of(name)] : engine::Behaviour{});
+    wanted.push_back(is_behaviour(name) ? all[location_of(name)] : engine::Behaviour{});
   }
   return wanted;
 }
@@ -150,7 +150,7 @@ std::map<std::string, reference::Behaviour> reference_behaviours(const tables::P
   const auto all = all_behaviours<reference::Behaviour, reference::View>();
   std::map<std::string, reference::Behaviour> by_name;
   for (const std::string_view name : tables::split_names(tables.behaviour_names)) {
-    if (is_behaviour(name)) by_name.emplace(name, all[place_of(name)]);
+    if (is_behaviour(name)) by_name.emplace(name, all[location_of(name)]);
   }
   return by_name;
 }

@@ -10,7 +10,7 @@
 namespace symplant::property {
 namespace {
 
-std::string told_as(const tables::Finding& finding, const model::PlantModel& plant) {
+std::string reported_as(const tables::Finding& finding, const model::PlantModel& plant) {
   using Of = tables::FindingKind;
   std::string text(reference::finding_name(finding.kind));
   if (finding.more) text += "+";
@@ -26,31 +26,31 @@ std::string told_as(const tables::Finding& finding, const model::PlantModel& pla
   return text.append(plant.symbols[finding.of].name());
 }
 
-std::string told_as(const reference::InstantRecord& record, const model::PlantModel& plant) {
+std::string reported_as(const reference::InstantRecord& record, const model::PlantModel& plant) {
   std::string text = "t=" + std::to_string(record.time);
   for (const auto& [symbol, value] : record.changes) {
     text.append(" ").append(plant.symbols[symbol].name()).append("=").append(std::to_string(value));
   }
   for (const tables::Finding& finding : record.findings) {
-    text += " {" + told_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
+    text += " {" + reported_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
   }
   return text;
 }
 
-std::string told_as(const reference::UnitView& view, const model::Unit& unit) {
+std::string reported_as(const reference::UnitView& view, const model::Unit& unit) {
   const auto name = [&](std::uint8_t state) {
     return state < unit.states.size() ? unit.states[state].name : "#" + std::to_string(state);
   };
   std::string text = name(view.state);
   if (view.moving) text += "->" + name(view.target) + " remaining " + std::to_string(view.remaining);
-  if (view.standing) text += " standing";
+  if (view.stopped_midway) text += " standing";
   if (view.disabled) text += " disabled";
   if (view.frozen) text += " frozen";
   return text;
 }
 
 reference::UnitView as_reference(const plant::UnitView& view) {
-  return {view.state, view.target, view.moving, view.standing, view.disabled, view.frozen, view.remaining};
+  return {view.state, view.target, view.moving, view.stopped_midway, view.disabled, view.frozen, view.remaining};
 }
 
 std::string both(std::string_view what, const std::string& engine, const std::string& reference) {
@@ -63,8 +63,8 @@ std::string units_difference(const plant::Plant& engine, const reference::Plant&
     const plant::UnitView seen = engine.unit(i);
     const reference::UnitView view = as_reference(seen);
     if (view != reference.unit(i)) {
-      return both("unit " + std::string(plant.units[i].path), told_as(view, plant.units[i]),
-                  told_as(reference.unit(i), plant.units[i]));
+      return both("unit " + std::string(plant.units[i].path), reported_as(view, plant.units[i]),
+                  reported_as(reference.unit(i), plant.units[i]));
     }
     const bool in_order = seen.progress >= 0 && seen.progress <= 1 && (seen.moving || seen.progress == 0);
     if (!in_order) return "progress of " + std::string(plant.units[i].path) + " is " + std::to_string(seen.progress);
@@ -96,13 +96,13 @@ std::string symbols_difference(const EnginePlant& engine, const reference::Plant
 std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
                                 const model::PlantModel& plant) {
   if (!engine.fault().empty()) return engine.fault();
-  const auto& told = engine.instants();
+  const auto& reported = engine.instants();
   const auto& wanted = reference.instants();
-  for (std::size_t i = 0; i < std::max(told.size(), wanted.size()); ++i) {
-    const std::string engine_text = i < told.size() ? told_as(told[i], plant) : "nothing";
-    const std::string reference_text = i < wanted.size() ? told_as(wanted[i], plant) : "nothing";
-    const bool same = i < told.size() && i < wanted.size() && told[i].time == wanted[i].time &&
-                      told[i].changes == wanted[i].changes && told[i].findings == wanted[i].findings;
+  for (std::size_t i = 0; i < std::max(reported.size(), wanted.size()); ++i) {
+    const std::string engine_text = i < reported.size() ? reported_as(reported[i], plant) : "nothing";
+    const std::string reference_text = i < wanted.size() ? reported_as(wanted[i], plant) : "nothing";
+    const bool same = i < reported.size() && i < wanted.size() && reported[i].time == wanted[i].time &&
+                      reported[i].changes == wanted[i].changes && reported[i].findings == wanted[i].findings;
     if (!same) return both("instant", engine_text, reference_text);
   }
   return {};
@@ -139,19 +139,19 @@ std::string Shadow::difference(const EnginePlant& engine) const {
     reference::UnitView old = as_reference(units_[i]);
     reference::UnitView view = as_reference(now.unit(i));
     old.remaining = view.remaining = 0;  // goes by itself
-    if (old != view && !engine.units_told()[i]) {
-      return both("unit not told: " + std::string(plant_.units[i].path), told_as(view, plant_.units[i]),
-                  told_as(old, plant_.units[i]) + " before");
+    if (old != view && !engine.units_reported()[i]) {
+      return both("unit not told: " + std::string(plant_.units[i].path), reported_as(view, plant_.units[i]),
+                  reported_as(old, plant_.units[i]) + " before");
     }
   }
-  const auto told = [](std::span<const std::uint32_t> places, std::uint32_t place) {
-    return std::count(places.begin(), places.end(), place) == 1;
+  const auto reported = [](std::span<const std::uint32_t> indexes, std::uint32_t position) {
+    return std::count(indexes.begin(), indexes.end(), position) == 1;
   };
   for (std::uint32_t i = 0; i < events_.size(); ++i) {
-    if (now.events()[i] != events_[i] && !told(now.changed_events(), i)) return "changed_events()";
+    if (now.events()[i] != events_[i] && !reported(now.changed_events(), i)) return "changed_events()";
   }
   for (std::uint32_t i = 0; i < values_.size(); ++i) {
-    if (now.event_value(i) != values_[i] && !told(now.changed_event_values(), i)) return "changed_event_values()";
+    if (now.event_value(i) != values_[i] && !reported(now.changed_event_values(), i)) return "changed_event_values()";
   }
   return {};
 }

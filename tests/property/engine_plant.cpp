@@ -11,7 +11,7 @@ constexpr std::uint32_t kNoSymbol = 0xFFFF'FFFF;
 
 }  // namespace
 
-SymbolPlaces::SymbolPlaces(const tables::PlantTables& tables)
+SymbolIndexes::SymbolIndexes(const tables::PlantTables& tables)
     : operation_bits(tables.operation_bits, kNoSymbol),
       event_bits(tables.event_bits, kNoSymbol),
       operation_slots(tables.operation_slots, kNoSymbol),
@@ -28,7 +28,7 @@ SymbolPlaces::SymbolPlaces(const tables::PlantTables& tables)
 }
 
 EnginePlant::EnginePlant(const tables::PlantTables& tables, const std::vector<engine::Behaviour>& behaviours)
-    : tables_(tables), places_(tables), behaviours_(behaviours), units_told_(tables.units.size()) {
+    : tables_(tables), indexes_(tables), behaviours_(behaviours), units_reported_(tables.units.size()) {
   const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   const std::size_t pieces = size / sizeof(std::max_align_t) + 1;
   memory_ = std::make_unique_for_overwrite<std::max_align_t[]>(pieces);
@@ -62,7 +62,7 @@ std::uint64_t EnginePlant::value(std::uint32_t symbol) const {
 
 void EnginePlant::forget() {
   instants_.clear();
-  std::fill(units_told_.begin(), units_told_.end(), false);
+  std::fill(units_reported_.begin(), units_reported_.end(), false);
 }
 
 std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was told, its instant was not"; }
@@ -74,7 +74,7 @@ void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const eng
     if (change.bits == 0) fault_ = "a word without a change was told";
     for (std::uint64_t rest = change.bits; rest != 0; rest &= rest - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(rest));
-      const std::uint32_t symbol = (operations ? places_.operation_bits : places_.event_bits)[change.word * 64 + bit];
+      const std::uint32_t symbol = (operations ? indexes_.operation_bits : indexes_.event_bits)[change.word * 64 + bit];
       if (symbol == kNoSymbol) {
         fault_ = "a bit of no symbol was told";
         continue;
@@ -86,7 +86,7 @@ void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const eng
 
 void EnginePlant::add_slots(reference::InstantRecord& record, std::span<const std::uint32_t> slots, bool operations) {
   for (const std::uint32_t slot : slots) {
-    const std::uint32_t symbol = (operations ? places_.operation_slots : places_.event_slots)[slot];
+    const std::uint32_t symbol = (operations ? indexes_.operation_slots : indexes_.event_slots)[slot];
     record.changes.emplace_back(symbol, operations ? plant_->operation_value(slot) : plant_->event_value(slot));
   }
 }
@@ -102,11 +102,11 @@ void EnginePlant::instant(const engine::Instant& instant) noexcept {
   add_slots(record, instant.event_slots, false);
   std::sort(record.changes.begin(), record.changes.end());
   for (const std::uint32_t unit : instant.units) {
-    if (unit >= units_told_.size()) {
+    if (unit >= units_reported_.size()) {
       fault_ = "a unit that is none was told";
       continue;
     }
-    units_told_[unit] = true;
+    units_reported_[unit] = true;
   }
   if (!record.changes.empty() || !record.findings.empty()) instants_.push_back(std::move(record));
 }

@@ -13,8 +13,8 @@
 namespace symplant::property {
 
 /// Which symbol stands at a bit or slot.
-struct SymbolPlaces {
-  explicit SymbolPlaces(const tables::PlantTables& tables);
+struct SymbolIndexes {
+  explicit SymbolIndexes(const tables::PlantTables& tables);
 
   std::vector<std::uint32_t> operation_bits;
   std::vector<std::uint32_t> event_bits;
@@ -37,7 +37,7 @@ class EnginePlant final : private engine::Observer {
 
   /// Since forget().
   const std::vector<reference::InstantRecord>& instants() const { return instants_; }
-  const std::vector<bool>& units_told() const { return units_told_; }
+  const std::vector<bool>& units_reported() const { return units_reported_; }
   /// The first thing told that no plant tells; empty where there was none.
   std::string fault() const;
   void forget();
@@ -49,13 +49,13 @@ class EnginePlant final : private engine::Observer {
   void add_slots(reference::InstantRecord& record, std::span<const std::uint32_t> slots, bool operations);
 
   const tables::PlantTables& tables_;
-  SymbolPlaces places_;
+  SymbolIndexes indexes_;
   std::vector<engine::Behaviour> behaviours_;
   std::unique_ptr<std::max_align_t[]> memory_;
   std::unique_ptr<plant::Plant> plant_;
   std::vector<reference::InstantRecord> instants_;
   std::vector<tables::Finding> pending_;  ///< told before their instant
-  std::vector<bool> units_told_;
+  std::vector<bool> units_reported_;
   std::string fault_;
   unsigned writes_ = 0;  ///< every third one goes by the word
 };

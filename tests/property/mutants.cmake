@@ -18,7 +18,7 @@ function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
 endfunction()
 
 # symplant_mutant(NAME FROM TO): the line FROM of runtime/engine becomes TO, and the file that it stands in is linked in
-# place of the engine's own.
+# index of the engine's own.
 function(symplant_mutant NAME FROM TO)
   symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/engine symplant/engine "${FROM}" "${TO}")
   set_target_properties(symplant_engine PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
@@ -62,12 +62,12 @@ symplant_mutant(once_does_not_disarm
   "")
 
 symplant_mutant(draw_counter_shared_by_transitions
-  "  Record& record = records[rich_row(unit).first_record + type.record_of[transition]];"
-  "  Record& record = records[rich_row(unit).first_record + 0 * type.record_of[transition]];")
+  "  Record& record = records[general_row(unit).first_record + type.record_of[transition]];"
+  "  Record& record = records[general_row(unit).first_record + 0 * type.record_of[transition]];")
 
-symplant_mutant(stopped_mover_still_disables
+symplant_mutant(stopped_unit_still_disables
   "      state.flags |= kDisabled;"
-  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { rich_states[place].settled = state.state; for (const tables::DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++rich_states[index.rich.place_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
+  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { general_states[position].settled = state.state; for (const tables::DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states[index.general.position_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
 
 symplant_mutant(no_round_after_enabling
   "      resume_times(unit);"

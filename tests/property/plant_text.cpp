@@ -58,7 +58,7 @@ model::PlantModel build(const PlantText& text) {
 }
 
 bool runnable(const model::PlantModel& plant) {
-  if (!plant.description_faults.empty() || !plant.moved_twice.empty()) return false;
+  if (!plant.description_faults.empty() || !plant.driven_twice.empty()) return false;
   return std::all_of(plant.units.begin(), plant.units.end(), [](const model::Unit& unit) {
     return unit.described == nullptr || unit.described->behaviour.empty() || serves_behaviour(unit);
   });

@@ -51,7 +51,7 @@ class DeviceWriter {
     device_.transitions.push_back(std::move(given));
   }
 
-  GivenTransition way() {
+  GivenTransition route() {
     GivenTransition given;
     given.to = dice_.pick(states_);
     do {
@@ -69,14 +69,14 @@ class DeviceWriter {
 
   void command_transition(const std::string& command) {
     if (states_.size() < 2) return;
-    GivenTransition given = way();
+    GivenTransition given = route();
     given.on = command;
     times_and_cause(given, 15, 25);
     add(std::move(given));
   }
 
   void transition() {
-    GivenTransition given = way();
+    GivenTransition given = route();
     const auto operations = unit_.operations();
     const bool own = std::find(operations.begin(), operations.end(), given.to) != operations.end();
     const bool springs_own = device_.rest == given.to && !own;
@@ -95,11 +95,11 @@ class DeviceWriter {
   void outputs() {
     const auto events = unit_.events();
     if (events.empty() || (unit_.signals.empty() && !dice_.percent(12))) return;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (std::size_t i = 1 + dice_.below(3); i > 0; --i) {
       description::GivenOutputs given;
       given.state = dice_.pick(states_);
-      if (!told.insert(given.state).second) continue;
+      if (!reported.insert(given.state).second) continue;
       const auto some = [&](std::vector<std::pair<std::string, bool>>& side) {
         for (std::size_t k = dice_.below(3); k > 0; --k) {
           const bool signal = !unit_.signals.empty() && dice_.percent(75);
@@ -114,11 +114,11 @@ class DeviceWriter {
 
   void disables() {
     if (plan_.units.size() < 2 || !dice_.percent(22)) return;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
       description::GivenDisables given;
       given.state = dice_.pick(states_);
-      if (!told.insert(given.state).second) continue;
+      if (!reported.insert(given.state).second) continue;
       std::set<std::string> others;
       for (std::size_t k = 1 + dice_.below(2); k > 0; --k) others.insert(dice_.pick(plan_.units).path);
       others.erase(unit_.path);

@@ -61,8 +61,8 @@ PlantText ripple_plant(Dice& dice) {
 /// Addresses that two units move are parted.
 model::PlantModel build_apart(PlantText& text) {
   model::PlantModel plant = build(text);
-  for (int i = 0; i < 8 && !plant.moved_twice.empty(); ++i) {
-    for (const auto& [second, first] : plant.moved_twice) {
+  for (int i = 0; i < 8 && !plant.driven_twice.empty(); ++i) {
+    for (const auto& [second, first] : plant.driven_twice) {
       const std::string_view name = plant.symbols[second].name();
       for (Row& row : text.rows) {
         if (row.name == name) row.address = row.address.substr(0, 3) + std::to_string(10'000 + second);
@@ -74,7 +74,7 @@ model::PlantModel build_apart(PlantText& text) {
 }
 
 std::string refusal(const model::PlantModel& plant) {
-  if (!plant.moved_twice.empty()) return "an address that two units move";
+  if (!plant.driven_twice.empty()) return "an address that two units move";
   if (plant.description_faults.empty()) return "a behaviour that its unit does not serve";
   return plant.description_faults.front().pointer + ": " + plant.description_faults.front().message;
 }

@@ -25,7 +25,7 @@ Happened& Happened::operator+=(const Happened& other) {
   restores_elsewhere += other.restores_elsewhere;
   refused_blocks += other.refused_blocks;
   for (std::size_t k = 0; k < findings.size(); ++k) findings[k] += other.findings[k];
-  for (std::size_t k = 0; k < findings.size(); ++k) findings_told[k] += other.findings_told[k];
+  for (std::size_t k = 0; k < findings.size(); ++k) findings_reported[k] += other.findings_reported[k];
   digest += other.digest;
   return *this;
 }
@@ -176,7 +176,7 @@ void Exercise::instant(const engine::Instant& instant) noexcept {
 }
 
 void Exercise::finding(const tables::Finding& finding) noexcept {
-  ++happened_.findings_told[static_cast<std::size_t>(finding.kind)];
+  ++happened_.findings_reported[static_cast<std::size_t>(finding.kind)];
 }
 
 void Exercise::add(std::uint64_t value) noexcept {

@@ -21,7 +21,7 @@ struct Happened {
   long restores_elsewhere = 0;
   long refused_blocks = 0;
   std::array<long, tables::kFindingKinds> findings{};
-  std::array<long, tables::kFindingKinds> findings_told{};
+  std::array<long, tables::kFindingKinds> findings_reported{};
   std::uint64_t digest = 0;  ///< of every read-out after every action
 
   Happened& operator+=(const Happened& other);

@@ -45,11 +45,12 @@ constexpr Behaviour kSound{
 
 const BenchTables& two_arms() {
   static const BenchTables tables = [] {
-    Told told;
-    told.device("ARM1").behaviour = "Sound";
-    told.device("ARM2").behaviour = "Faulty";
+    Reported reported;
+    reported.device("ARM1").behaviour = "Sound";
+    reported.device("ARM2").behaviour = "Faulty";
     return BenchTables(
-        {"ARM1_O_A1", "ARM1_I_A1", "ARM1_O_B2", "ARM1_I_B2", "ARM2_O_A1", "ARM2_I_A1", "ARM2_O_B2", "ARM2_I_B2"}, told);
+        {"ARM1_O_A1", "ARM1_I_A1", "ARM1_O_B2", "ARM1_I_B2", "ARM2_O_A1", "ARM2_I_A1", "ARM2_O_B2", "ARM2_I_B2"},
+        reported);
   }();
   return tables;
 }
@@ -74,13 +75,14 @@ TEST_CASE("who breaks the rules is named: act, function, behaviour and device") 
   CHECK(plant.unit(0).state == 1);
   CHECK(plant.unit(1).state == 1);
   const auto lines = exec::rt_check_lines(report, two_arms().rows);
-  const auto told = [&](const std::string& begin) {
+  const auto reported = [&](const std::string& begin) {
     return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.starts_with(begin); });
   };
   for (const std::string& line : lines) CHECK(line.find("ARM1") == line.npos);
-  CHECK(told("lock: pthread_mutex_lock, in `takes` of behaviour `Faulty`, device L_P_ARM2, once"));
-  CHECK(told("heap: realloc, in `entered` of behaviour `Faulty`, device L_P_ARM2, "));
-  if (report.no_trap.empty()) CHECK(told("system call: lseek, in `left` of behaviour `Faulty`, device L_P_ARM2, once"));
+  CHECK(reported("lock: pthread_mutex_lock, in `takes` of behaviour `Faulty`, device L_P_ARM2, once"));
+  CHECK(reported("heap: realloc, in `entered` of behaviour `Faulty`, device L_P_ARM2, "));
+  if (report.no_trap.empty())
+    CHECK(reported("system call: lseek, in `left` of behaviour `Faulty`, device L_P_ARM2, once"));
   expect_trap(report);
 }
 
@@ -97,10 +99,10 @@ TEST_CASE("watched behaviours do what those do that they stand for, and sound on
 }
 
 TEST_CASE("A run with --rt-check runs so many cycles and gives 1 with the names where the rules were broken, else 0") {
-  Told told;
-  told.device("ARM").behaviour = "Mine";
-  told.by_itself("ARM", "A1", "B2", fixed(50 * kMs)).by_itself("ARM", "B2", "A1", fixed(50 * kMs));
-  const BenchTables tables({"ARM_I_A1", "ARM_I_B2"}, told);
+  Reported reported;
+  reported.device("ARM").behaviour = "Mine";
+  reported.by_itself("ARM", "A1", "B2", fixed(50 * kMs)).by_itself("ARM", "B2", "A1", fixed(50 * kMs));
+  const BenchTables tables({"ARM_I_A1", "ARM_I_B2"}, reported);
   host::RunOptions options;
   options.rt_check = 20;
   const auto checked = [&](const Behaviour& code) {

@@ -81,11 +81,11 @@ Watched watched(std::vector<exec::Exchange*> links, engine::Observer* observer =
   return result;
 }
 
-std::mutex nobodys;
+std::mutex undriven;
 void* volatile kept_page = nullptr;
 
 void take_memory() { kept_page = std::malloc(1000); }
-void take_lock() { const std::lock_guard lock(nobodys); }
+void take_lock() { const std::lock_guard lock(undriven); }
 void write_nothing() { static_cast<void>(!write(-1, "x", 1)); }
 void fault() {
   constexpr std::size_t kSize = 16 * 4096;

@@ -124,7 +124,7 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
   check::check_plant(*result.plant, result.diagnostics);
   result.diagnostics = findings::apply_settings(result.diagnostics, result.plant->description->check, today);
   findings::fold_consequences(*result.plant, result.diagnostics);
-  result.diagnostics.sort_by_place(result.plant->sources());
+  result.diagnostics.sort_by_location(result.plant->sources());
   return result;
 }
 

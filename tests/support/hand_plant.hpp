@@ -14,7 +14,7 @@
 namespace symplant::test {
 
 /// One way of a unit, with its times.
-struct Way {
+struct Route {
   std::uint8_t from;
   std::uint8_t to;
   std::uint8_t on;  ///< tables::kNoOperation: automatic
@@ -26,7 +26,7 @@ struct Way {
 struct HandUnit {
   std::uint8_t states;
   std::vector<std::uint8_t> operation_targets;  ///< an operation each: the state of its name, or tables::kNoState
-  std::vector<Way> ways;
+  std::vector<Route> routes;
   tables::Actuation actuation = tables::Actuation::latched;
   std::uint8_t rest = tables::kNoState;
   std::uint8_t initial = 0;
@@ -70,14 +70,15 @@ class HandPlant {
 
   void add(const HandUnit& unit) {
     const auto bit = static_cast<std::uint32_t>(64 * rows_.size());
-    const bool timed = std::any_of(unit.ways.begin(), unit.ways.end(), [](const Way& way) { return way.after != 0; });
+    const bool timed = std::any_of(unit.routes.begin(), unit.routes.end(),
+                                   [](const Route& transition) { return transition.after != 0; });
     rows_.push_back({static_cast<std::uint32_t>(rows_.size()) & 0x7F'FFFF, unit.initial, timed ? 1U : 0U, bit, bit,
                      static_cast<std::uint32_t>(times_.size())});
     times_.push_back({0, unit.travel});
     Parts& parts = parts_[rows_.size() - 1];
-    for (const Way& way : unit.ways) {
-      parts.transitions.push_back({way.from, way.to, way.on, false, tables::kNoCondition, timed});
-      times_.push_back({way.after, way.takes});
+    for (const Route& transition : unit.routes) {
+      parts.transitions.push_back({transition.from, transition.to, transition.on, false, tables::kNoCondition, timed});
+      times_.push_back({transition.after, transition.takes});
     }
     for (std::uint8_t s = 0; s < unit.states; ++s) {
       parts.enter.push_back({std::uint64_t{1} << s, 0});

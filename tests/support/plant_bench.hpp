@@ -17,7 +17,7 @@ namespace symplant::test {
 inline constexpr tables::Time kMs = tables::kMillisecond;
 
 /// A plant description, device by device.
-struct Told {
+struct Reported {
   description::Description description = {};
 
   description::DeviceDescription& device(const std::string& name) {
@@ -28,8 +28,8 @@ struct Told {
     return description.devices.back();
   }
   /// An automatic transition; `takes` is 0.
-  Told& by_itself(const std::string& device_name, std::string from, std::string to, description::Duration after,
-                  std::string when = "") {
+  Reported& by_itself(const std::string& device_name, std::string from, std::string to, description::Duration after,
+                      std::string when = "") {
     description::GivenTransition given;
     given.from = std::move(from);
     given.to = std::move(to);
@@ -41,7 +41,7 @@ struct Told {
     return *this;
   }
   /// A commanded one, by the operation of its target.
-  Told& on_command(const std::string& device_name, std::string from, std::string to, description::Duration takes) {
+  Reported& on_command(const std::string& device_name, std::string from, std::string to, description::Duration takes) {
     description::GivenTransition given;
     given.from = std::move(from);
     given.to = std::move(to);
@@ -49,7 +49,7 @@ struct Told {
     device(device_name).transitions.push_back(std::move(given));
     return *this;
   }
-  Told& disables(const std::string& device_name, std::string state, const std::string& other) {
+  Reported& disables(const std::string& device_name, std::string state, const std::string& other) {
     device(device_name).disables.push_back({std::move(state), {"L_P_" + other}});
     return *this;
   }
@@ -61,9 +61,10 @@ inline description::Duration fixed(tables::Time time) { return description::Dura
 /// that all share.
 class BenchTables {
  public:
-  explicit BenchTables(const std::vector<std::string>& names, const Told& told = {})
-      : BenchTables(told, bits(prefixed(names))) {}
-  BenchTables(const Told& told, const std::vector<Row>& list) : text_(compile_described(list, told.description)) {
+  explicit BenchTables(const std::vector<std::string>& names, const Reported& reported = {})
+      : BenchTables(reported, bits(prefixed(names))) {}
+  BenchTables(const Reported& reported, const std::vector<Row>& list)
+      : text_(compile_described(list, reported.description)) {
     REQUIRE(text_.compiled);
     rows = text_.tables().tables();
   }
@@ -79,15 +80,15 @@ class BenchTables {
     FAIL("no symbol " << name);
     return 0;
   }
-  std::uint32_t place(const std::string& device) const {
+  std::uint32_t unit_index(const std::string& device) const {
     for (std::uint32_t i = 0; i < model().units.size(); ++i) {
       if (model().units[i].path == "L_P_" + device) return i;
     }
     FAIL("no device " << device);
     return 0;
   }
-  std::uint8_t state_place(const std::string& device, const std::string& state) const {
-    const auto& states = model().units[place(device)].states;
+  std::uint8_t state_index(const std::string& device, const std::string& state) const {
+    const auto& states = model().units[unit_index(device)].states;
     for (std::uint8_t i = 0; i < states.size(); ++i) {
       if (states[i].name == state) return i;
     }
@@ -151,7 +152,7 @@ class BenchPlant final : private engine::Observer {
   }
   bool forced(const std::string& name) const { return plant.is_forced(tables_.symbol(name)); }
   BenchPlant& put(const std::string& device, const std::string& state) {
-    plant.set_state(tables_.place(device), tables_.state_place(device, state));
+    plant.set_state(tables_.unit_index(device), tables_.state_index(device, state));
     return *this;
   }
   BenchPlant& to(tables::Time milliseconds) {
@@ -176,14 +177,14 @@ class BenchPlant final : private engine::Observer {
     const std::uint32_t bit = tables_.rows.symbols[tables_.symbol(name)].index;
     return (plant.disarmed()[bit / 64] >> (bit % 64) & 1) != 0;
   }
-  plant::UnitView unit(const std::string& device) const { return plant.unit(tables_.place(device)); }
+  plant::UnitView unit(const std::string& device) const { return plant.unit(tables_.unit_index(device)); }
   /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled; with a `#` where it is frozen.
   std::string state(const std::string& device) const {
-    const auto& states = tables_.model().units[tables_.place(device)].states;
+    const auto& states = tables_.model().units[tables_.unit_index(device)].states;
     const plant::UnitView view = unit(device);
     std::string text = states[view.state].name;
     if (view.moving) text += "->" + states[view.target].name;
-    if (view.standing) text += "!";
+    if (view.stopped_midway) text += "!";
     if (view.frozen) text += "#";
     return view.disabled ? "[" + text + "]" : text;
   }
@@ -192,7 +193,7 @@ class BenchPlant final : private engine::Observer {
   /// list order.
   std::string changes() { return std::exchange(changes_, {}); }
   /// Findings likewise, "500:lost AGV_O_P2 ...".
-  std::string told() { return std::exchange(told_, {}); }
+  std::string reported() { return std::exchange(reported_, {}); }
   /// Findings from the ring, likewise.
   std::string findings() {
     std::string text;
@@ -221,11 +222,13 @@ class BenchPlant final : private engine::Observer {
       add(changes_, instant.time, tables_.symbol_name(i) + (on ? "=1" : "=0"));
     }
   }
-  void finding(const tables::Finding& finding) noexcept override { add(told_, finding.time, tables_.words(finding)); }
+  void finding(const tables::Finding& finding) noexcept override {
+    add(reported_, finding.time, tables_.words(finding));
+  }
 
   const BenchTables& tables_;
   std::string changes_;
-  std::string told_;
+  std::string reported_;
 
  public:
   plant::OwnedPlant plant;

@@ -94,8 +94,8 @@ class Check {
       const std::vector<std::string> read = plant->input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());
     }
-    if (plant && options_.plant.verbose) tell_decisions(context_, *plant);
-    if (options_.plant.verbose) tell_ignored(context_, diagnostics);
+    if (plant && options_.plant.verbose) report_decisions(context_, *plant);
+    if (options_.plant.verbose) report_ignored(context_, diagnostics);
     left_out_.by_description += diagnostics.ignored().size();
     left_out_.by_options += diagnostics.left_out().not_selected + diagnostics.left_out().ignored;
     int code = reaches(diagnostics, fail_on_) ? host::kFindings : host::kGood;
@@ -141,7 +141,7 @@ class Check {
   std::string as_junit() const {
     diag::JunitOptions options{fail_on_, {}};
     for (const diag::RuleInfo* rule : check::catalogue()) {
-      if (selection_.verdict(*rule) == findings::Selection::Verdict::told) options.rules.push_back(rule);
+      if (selection_.verdict(*rule) == findings::Selection::Verdict::reported) options.rules.push_back(rule);
     }
     return diag::render_junit(reports_, options);
   }

@@ -63,7 +63,7 @@ std::string table_text(const std::vector<Row>& rows, const std::array<bool, kCol
 }
 
 /// Who moves a symbol.
-std::string mover(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t index) {
+std::string driver(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t index) {
   const model::Symbol& symbol = plant.symbols[index];
   const auto unit_of = [&](const model::Symbol& of) { return std::string(plant.units[of.unit].path); };
   const bool moved = tables.symbols[index].moved();
@@ -114,7 +114,7 @@ std::string map_text(const model::PlantModel& plant, const tables::PlantTables& 
                      !operation                             ? ""
                      : point->on_loss == link::OnLoss::hold ? "holds"
                                                             : "off",
-                     mover(plant, tables, i)}});
+                     driver(plant, tables, i)}});
   }
   return table_text(rows, columns_of(map, settings)) + map_notes(tables, map, settings);
 }

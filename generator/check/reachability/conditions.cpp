@@ -6,11 +6,11 @@ namespace {
 
 void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& found) {
   std::vector<bool> seen(unit.first_input);
-  for (const model::Transition& way : unit.transitions) {
-    if (way.when == model::kNone || seen[way.when]) continue;
-    seen[way.when] = true;
-    found.push_back({&unit, &unit.conditions[way.when], unit.described->transitions[way.given].when, true,
-                     transition_pointer(unit, way, "when")});
+  for (const model::Transition& transition : unit.transitions) {
+    if (transition.when == model::kNone || seen[transition.when]) continue;
+    seen[transition.when] = true;
+    found.push_back({&unit, &unit.conditions[transition.when], unit.described->transitions[transition.given].when, true,
+                     transition_pointer(unit, transition, "when")});
   }
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
     const auto& [name, text] = unit.described->inputs[i - unit.first_input];

@@ -245,7 +245,7 @@ bool is_plainly_open(const Tree& tree, const model::PlantModel& plant, const Pos
 bool travels(const model::Unit& unit) {
   if (unit.has_behaviour() || unit.actuation == tables::Actuation::spring) return true;
   return std::any_of(unit.transitions.begin(), unit.transitions.end(),
-                     [](const model::Transition& way) { return !way.takes.is_zero(); });
+                     [](const model::Transition& transition) { return !transition.takes.is_zero(); });
 }
 
 bool AllStates::moving(std::uint32_t unit) const { return travels(plant_.units[unit]); }

@@ -10,7 +10,7 @@ namespace {
 using condition::Atom;
 
 Modes unit_modes(const Thing& thing, const model::PlantModel& plant, const Possible& possible) {
-  const std::size_t states = plant.units[thing.place].states.size();
+  const std::size_t states = plant.units[thing.location].states.size();
   std::vector<bool> named(states);
   bool moving_named = false;
   Modes modes;
@@ -22,11 +22,11 @@ Modes unit_modes(const Thing& thing, const model::PlantModel& plant, const Possi
     } else {
       named[atom.state] = true;
     }
-    if (moving ? !possible.moving(thing.place) : !possible.settled(thing.place, atom.state)) continue;
+    if (moving ? !possible.moving(thing.location) : !possible.settled(thing.location, atom.state)) continue;
     modes.emplace_back(thing.atoms.size())[i] = true;
   }
-  bool other = !moving_named && possible.moving(thing.place);
-  for (std::uint32_t s = 0; s < states && !other; ++s) other = !named[s] && possible.settled(thing.place, s);
+  bool other = !moving_named && possible.moving(thing.location);
+  for (std::uint32_t s = 0; s < states && !other; ++s) other = !named[s] && possible.settled(thing.location, s);
   if (other || modes.empty()) modes.emplace_back(thing.atoms.size());
   return modes;
 }
@@ -93,7 +93,7 @@ Atom::Kind kind_of(const Atom& atom) { return atom.kind == Atom::Kind::moving ? 
 
 Thing Thing::of(const Atom& atom) { return {kind_of(atom), atom.of, {}, {}}; }
 
-bool Thing::has(const Atom& atom) const { return kind == kind_of(atom) && place == atom.of; }
+bool Thing::has(const Atom& atom) const { return kind == kind_of(atom) && location == atom.of; }
 
 Modes modes_of(const Thing& thing, const model::PlantModel& plant, const Possible& possible) {
   if (thing.kind == Atom::Kind::bit) return {{false}, {true}};

@@ -15,7 +15,7 @@ using Modes = std::vector<std::vector<bool>>;
 /// A unit, a bit or a number that a condition looks at, and all that it asks of it.
 struct Thing {
   condition::Atom::Kind kind = condition::Atom::Kind::settled;  ///< of a unit always `settled`
-  std::uint32_t place = 0;                                      ///< the unit or symbol
+  std::uint32_t location = 0;                                   ///< the unit or symbol
   std::vector<condition::Atom> atoms;                           ///< each once
   Modes modes;
 

@@ -15,7 +15,9 @@ void add_units(const Tree& tree, std::vector<std::uint32_t>& units) {
   for (const Tree& child : tree.children) add_units(child, units);
 }
 
-bool is_automatic(const model::Transition& way) { return way.on == model::kNone && !way.spring_way; }
+bool is_automatic(const model::Transition& transition) {
+  return transition.on == model::kNone && !transition.spring_return;
+}
 
 }  // namespace
 
@@ -34,10 +36,10 @@ Reach::Reach(const model::PlantModel& plant)
   for (std::uint32_t u = 0; u < count; ++u) find_overtakers(u);
   for (std::uint32_t u = 0; u < count; ++u) start(u);
   while (!open_.empty()) {
-    const Place place = open_.back();
+    const Location location = open_.back();
     open_.pop_back();
-    go_on_from(place);
-    ask_again(place.unit);
+    go_on_from(location);
+    ask_again(location.unit);
   }
 }
 
@@ -59,19 +61,20 @@ void Reach::reach(std::uint32_t unit, std::uint32_t state) {
   open_.push_back({unit, state});
 }
 
-void Reach::go_on_from(const Place& place) {
-  for (const model::Transition& way : plant_.units[place.unit].transitions) {
-    if (way.from != place.state || reached_[place.unit][way.to]) continue;
-    if (blocked(place.unit, way) == Blocked::no) reach(place.unit, way.to);
+void Reach::go_on_from(const Location& location) {
+  for (const model::Transition& transition : plant_.units[location.unit].transitions) {
+    if (transition.from != location.state || reached_[location.unit][transition.to]) continue;
+    if (blocked(location.unit, transition) == Blocked::no) reach(location.unit, transition.to);
   }
 }
 
 /// A state more of a unit: conditions that name it may hold now.
 void Reach::ask_again(std::uint32_t about) {
   for (const std::uint32_t other : asking_[about]) {
-    for (const model::Transition& way : plant_.units[other].transitions) {
-      if (way.when == model::kNone || !reached_[other][way.from] || reached_[other][way.to]) continue;
-      if (blocked(other, way) == Blocked::no) reach(other, way.to);
+    for (const model::Transition& transition : plant_.units[other].transitions) {
+      if (transition.when == model::kNone || !reached_[other][transition.from] || reached_[other][transition.to])
+        continue;
+      if (blocked(other, transition) == Blocked::no) reach(other, transition.to);
     }
   }
 }
@@ -80,12 +83,13 @@ void Reach::find_overtakers(std::uint32_t unit) {
   const model::Unit& u = plant_.units[unit];
   std::vector<std::uint32_t>& first = overtakers_[unit];
   for (std::uint32_t i = 0; i < u.transitions.size(); ++i) {
-    const model::Transition& way = u.transitions[i];
-    if (!is_automatic(way) || !way.after.is_zero()) continue;
-    const bool always = way.when == model::kNone || decide(u.conditions[way.when], plant_, AllStates(plant_)).always();
+    const model::Transition& transition = u.transitions[i];
+    if (!is_automatic(transition) || !transition.after.is_zero()) continue;
+    const bool always =
+        transition.when == model::kNone || decide(u.conditions[transition.when], plant_, AllStates(plant_)).always();
     if (!always) continue;
     if (first.empty()) first.assign(u.states.size(), model::kNone);
-    if (first[way.from] == model::kNone) first[way.from] = i;
+    if (first[transition.from] == model::kNone) first[transition.from] = i;
   }
 }
 
@@ -93,24 +97,25 @@ bool Reach::may_hold(const model::Unit& unit, std::uint32_t condition) const {
   return condition == model::kNone || !decide(unit.conditions[condition], plant_, *this).never();
 }
 
-Blocked Reach::blocked(std::uint32_t unit, const model::Transition& way) const {
+Blocked Reach::blocked(std::uint32_t unit, const model::Transition& transition) const {
   const model::Unit& u = plant_.units[unit];
   if (u.has_behaviour()) return Blocked::no;
-  if (!may_hold(u, way.when)) {
-    return decide(u.conditions[way.when], plant_, AllStates(plant_)).never() ? Blocked::contradiction : Blocked::waits;
+  if (!may_hold(u, transition.when)) {
+    return decide(u.conditions[transition.when], plant_, AllStates(plant_)).never() ? Blocked::contradiction
+                                                                                    : Blocked::waits;
   }
-  const std::uint32_t first = overtakers_[unit].empty() ? model::kNone : overtakers_[unit][way.from];
+  const std::uint32_t first = overtakers_[unit].empty() ? model::kNone : overtakers_[unit][transition.from];
   if (first == model::kNone) return Blocked::no;
-  const auto place = static_cast<std::uint32_t>(&way - u.transitions.data());
+  const auto location = static_cast<std::uint32_t>(&transition - u.transitions.data());
   // Conditional automatic ones that stand before it fire before it where they are ready.
-  return place == first || (is_automatic(way) && place < first) ? Blocked::no : Blocked::overtaken;
+  return location == first || (is_automatic(transition) && location < first) ? Blocked::no : Blocked::overtaken;
 }
 
 bool Reach::can_leave(std::uint32_t unit, std::uint32_t state) const {
   const model::Unit& u = plant_.units[unit];
   if (u.has_behaviour() || (u.actuation == tables::Actuation::spring && state != u.rest)) return true;
-  return std::any_of(u.transitions.begin(), u.transitions.end(), [&](const model::Transition& way) {
-    return way.from == state && blocked(unit, way) == Blocked::no;
+  return std::any_of(u.transitions.begin(), u.transitions.end(), [&](const model::Transition& transition) {
+    return transition.from == state && blocked(unit, transition) == Blocked::no;
   });
 }
 

@@ -29,19 +29,19 @@ class Reach final : public Possible {
   bool settled(std::uint32_t unit, std::uint32_t state) const override { return reached_[unit][state]; }
   bool moving(std::uint32_t unit) const override;
 
-  Blocked blocked(std::uint32_t unit, const model::Transition& way) const;
+  Blocked blocked(std::uint32_t unit, const model::Transition& transition) const;
   /// Whether some way leads out of a state once it is reached: a transition that is not blocked, or a spring's own.
   bool can_leave(std::uint32_t unit, std::uint32_t state) const;
 
  private:
-  struct Place {
+  struct Location {
     std::uint32_t unit;
     std::uint32_t state;
   };
 
   void start(std::uint32_t unit);
   void reach(std::uint32_t unit, std::uint32_t state);
-  void go_on_from(const Place& place);
+  void go_on_from(const Location& location);
   void ask_again(std::uint32_t about);
   void find_overtakers(std::uint32_t unit);
   bool may_hold(const model::Unit& unit, std::uint32_t condition) const;
@@ -52,7 +52,7 @@ class Reach final : public Possible {
   /// A unit, a state: the transition that overtakes others, by place in Unit::transitions, or kNone. Empty where a unit
   /// has no such transition.
   std::vector<std::vector<std::uint32_t>> overtakers_;
-  std::vector<Place> open_;  // reached and not yet gone on from
+  std::vector<Location> open_;  // reached and not yet gone on from
 };
 
 }  // namespace symplant::check

@@ -33,7 +33,7 @@ void check_address_not_understood(const Rule& rule, const Subject& subject, diag
                     is_hexadecimal(bad.cell) ? ", since X and Y count in octal here" : "", bad.row->name,
                     is_hexadecimal(bad.cell) ? "correct its digits, or say `--xy hex` if the list counts in hexadecimal"
                                              : "write it like `%IX1`, `%QW5`, `X1F` or `Y0001`"),
-        place_of(plant, *bad.row, bad.cell));
+        location_of(plant, *bad.row, bad.cell));
   }
 }
 

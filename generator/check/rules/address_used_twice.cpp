@@ -24,16 +24,16 @@ void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Di
     if (symbol.leader == model::kNone) continue;
     const model::Symbol& leader = plant.symbols[symbol.leader];
     const auto index = static_cast<std::uint32_t>(&symbol - plant.symbols.data());
-    const auto found = std::lower_bound(plant.moved_twice.begin(), plant.moved_twice.end(), index,
+    const auto found = std::lower_bound(plant.driven_twice.begin(), plant.driven_twice.end(), index,
                                         [](const auto& pair, std::uint32_t i) { return pair[0] < i; });
-    if (found != plant.moved_twice.end() && (*found)[0] == index) continue;  // SP304 tells
+    if (found != plant.driven_twice.end() && (*found)[0] == index) continue;  // SP304 tells
     diagnostics.add(
         rule.info, about(symbol, leader),
         fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "
                     "signals",
                     symbol.name(), symbol.address_cell, leader.name()),
-        place_of(plant, *symbol.row, symbol.address_cell),
-        {{place_of(plant, *leader.row, leader.address_cell), "the symbol that it follows"}});
+        location_of(plant, *symbol.row, symbol.address_cell),
+        {{location_of(plant, *leader.row, leader.address_cell), "the symbol that it follows"}});
   }
 }
 

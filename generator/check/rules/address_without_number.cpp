@@ -23,7 +23,7 @@ PLC's wiring by addresses fails without a word.
 theirs. A list whose addresses are all of words and bits (`%IX1.15`) is packed as a whole, and nothing is said.
 )";
 
-constexpr std::uint64_t kPlaces = 65'536;
+constexpr std::uint64_t kLocations = 65'536;
 constexpr std::size_t kMostRelated = 10;
 
 bool is_on_link(const model::Symbol& symbol) {
@@ -31,9 +31,9 @@ bool is_on_link(const model::Symbol& symbol) {
   return symbol.address && bits != 8 && bits == static_cast<int>(symbol.address->size);
 }
 
-bool has_place(const model::Symbol& symbol) {
-  const std::uint64_t places = static_cast<std::uint64_t>(std::max(1, model::data_type_bits(symbol.type) / 16));
-  return symbol.address->plain && symbol.address->number <= (kPlaces - places) / places;
+bool has_location(const model::Symbol& symbol) {
+  const std::uint64_t locations = static_cast<std::uint64_t>(std::max(1, model::data_type_bits(symbol.type) / 16));
+  return symbol.address->plain && symbol.address->number <= (kLocations - locations) / locations;
 }
 
 /// Of one table of one controller.
@@ -49,7 +49,7 @@ class AddressesOfLink {
   std::vector<PackedTable> run() {
     std::vector<bool> given(plant_.symbols.size());
     for (const model::ControllerLink& link : plant_.links) {
-      for (const link::PlaceRow& row : link.places) given[row.symbol] = row.number != link::PlaceRow::kDefault;
+      for (const link::MapRow& row : link.rows) given[row.symbol] = row.number != link::MapRow::kDefault;
     }
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const model::Symbol& symbol = plant_.symbols[i];
@@ -57,7 +57,7 @@ class AddressesOfLink {
       const std::size_t kind = (symbol.direction == tables::Direction::operation ? 2U : 0U) +
                                (symbol.type == tables::DataType::boolean ? 1U : 0U);
       PackedTable& table = tables_[4 * plant_.controller_of(symbol) + kind];
-      if (has_place(symbol)) {
+      if (has_location(symbol)) {
         ++table.placed;
       } else {
         table.others.push_back(i);
@@ -82,14 +82,14 @@ void check_address_without_number(const Rule& rule, const Subject& subject, diag
     std::vector<diag::Related> related;
     for (std::size_t i = 1; i < std::min(table.others.size(), kMostRelated); ++i) {
       const model::Symbol& other = plant.symbols[table.others[i]];
-      related.push_back({place_of(plant, *other.row, other.address_cell), "this one has no number, either"});
+      related.push_back({location_of(plant, *other.row, other.address_cell), "this one has no number, either"});
     }
     diagnostics.add(
         rule.info, about(symbol),
         fmt::format("`{}` has no number on a link, so that {} other {} stand in list order and not on their "
                     "own numbers: correct it, or give `{}` a `number` in `links`",
                     symbol.address_cell, table.placed + table.others.size() - 1, kTables[t % 4], symbol.name()),
-        place_of(plant, *symbol.row, symbol.address_cell), std::move(related));
+        location_of(plant, *symbol.row, symbol.address_cell), std::move(related));
   }
 }
 

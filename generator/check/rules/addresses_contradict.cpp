@@ -34,7 +34,7 @@ std::string_view side(address::Area area) {
   }
 }
 
-std::string place_words(const address::Address& address, bool with_number) {
+std::string location_words(const address::Address& address, bool with_number) {
   if (address.area == address::Area::memory) return "in the memory of the PLC";
   const std::string_view article = with_number ? "" : "an ";
   return fmt::format("{}{}{}", article, side(address.area), with_number ? fmt::format(" {}", address.number) : "");
@@ -63,12 +63,12 @@ std::string difference(const model::PlantModel& plant, const model::AddressContr
                        row.vendor_address, row.iec_address, radix_word(other_radix(radix)), radix_word(radix));
   }
   const bool numbers = found.vendor.area == found.iec.area;
-  return fmt::format("`{}` is {} and `{}` {}", row.vendor_address, place_words(found.vendor, numbers), row.iec_address,
-                     place_words(found.iec, numbers));
+  return fmt::format("`{}` is {} and `{}` {}", row.vendor_address, location_words(found.vendor, numbers),
+                     row.iec_address, location_words(found.iec, numbers));
 }
 
 /// SP314 tells of a list that counts in another way than its controller.
-bool told_of_list(const model::PlantModel& plant, const model::AddressContradiction& found) {
+bool reported_of_list(const model::PlantModel& plant, const model::AddressContradiction& found) {
   const model::PlantList& list = plant.lists[found.list];
   return list.own.by != model::RadixChoice::By::nothing && list.own.radix != list.radix.radix &&
          agree_otherwise(plant, found);
@@ -87,30 +87,30 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
   const model::PlantModel& plant = subject.plant;
   std::vector<std::size_t> count(plant.lists.size());
   for (const model::AddressContradiction& found : plant.address_contradictions) ++count[found.list];
-  std::vector<bool> told(plant.lists.size());
+  std::vector<bool> reported(plant.lists.size());
   for (const model::AddressContradiction& found : plant.address_contradictions) {
-    if (told_of_list(plant, found)) continue;
+    if (reported_of_list(plant, found)) continue;
     const model::PlantList& list = plant.lists[found.list];
     const read::ListRow& row = *found.row;
-    diag::Place place = place_of(plant, row, row.iec_address);
+    diag::Location location = location_of(plant, row, row.iec_address);
     if (count[found.list] > kFew && 2 * count[found.list] > list.compared) {
-      if (told[found.list]) continue;
-      told[found.list] = true;
+      if (reported[found.list]) continue;
+      reported[found.list] = true;
       diagnostics.add(rule.info,
                       fmt::format("the two addresses of {} of {} rows name different places, first of this one: {}; "
                                   "the IEC addresses count; export the list again, or empty the column that is wrong",
                                   count[found.list], list.compared, difference(plant, found)),
-                      std::move(place));
+                      std::move(location));
       continue;
     }
     std::vector<diag::Related> related;
     if (list.radix.proof != nullptr && found.vendor.area == found.iec.area) {
-      related.push_back({place_of(plant, *list.radix.proof, list.radix.proof->vendor_address),
+      related.push_back({location_of(plant, *list.radix.proof, list.radix.proof->vendor_address),
                          "this row proves how X and Y are counted"});
     }
     diagnostics.add(rule.info, about_row(plant, found),
                     fmt::format("{}: the IEC address counts; correct one of them", difference(plant, found)),
-                    std::move(place), std::move(related));
+                    std::move(location), std::move(related));
   }
 }
 

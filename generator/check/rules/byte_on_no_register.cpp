@@ -23,8 +23,8 @@ void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::D
   const model::PlantModel& plant = subject.plant;
   std::vector<bool> placed(plant.symbols.size());
   for (const model::ControllerLink& link : plant.links) {
-    for (const link::PlaceRow& row : link.places) {
-      if (row.number != link::PlaceRow::kDefault) placed[row.symbol] = true;
+    for (const link::MapRow& row : link.rows) {
+      if (row.number != link::MapRow::kDefault) placed[row.symbol] = true;
     }
   }
   for (std::size_t i = 0; i < plant.symbols.size(); ++i) {
@@ -35,7 +35,7 @@ void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::D
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` is {}, {} bits: it is in the images and on no register", symbol.name(),
                                 model::data_type_name(symbol.type), bits),
-                    place_of(plant, *symbol.row, symbol.row->type));
+                    location_of(plant, *symbol.row, symbol.row->type));
   }
 }
 

@@ -25,7 +25,7 @@ void check_condition_always_holds(const Rule& rule, const Subject& subject, diag
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("`{}` always holds, so that {}: correct it or leave it out", condition.text,
                                 condition.is_when ? "it never holds the transition back" : "this input is always on"),
-                    described_place(plant, *condition.unit, condition.pointer));
+                    described_location(plant, *condition.unit, condition.pointer));
   }
 }
 

@@ -26,7 +26,7 @@ void check_condition_never_holds(const Rule& rule, const Subject& subject, diag:
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("`{}` can never hold, so that {}: correct it", condition.text,
                                 condition.is_when ? "the transition is never taken" : "this input is always off"),
-                    described_place(plant, *condition.unit, condition.pointer));
+                    described_location(plant, *condition.unit, condition.pointer));
   }
 }
 

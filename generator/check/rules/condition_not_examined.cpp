@@ -28,7 +28,7 @@ void check_condition_not_examined(const Rule& rule, const Subject& subject, diag
                     fmt::format("this condition of `{}` has more than {} combinations of parts that depend on each "
                                 "other: it was not examined",
                                 condition.unit->path, kMostWorlds),
-                    described_place(plant, *condition.unit, condition.pointer));
+                    described_location(plant, *condition.unit, condition.pointer));
   }
 }
 

@@ -64,7 +64,7 @@ std::vector<std::uint32_t> circle_through(std::uint32_t start, const Edges& edge
 /// Which state of `by` disables `unit`, and where that is said.
 struct Step {
   std::string state;
-  diag::Place place;
+  diag::Location location;
 };
 
 Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t unit) {
@@ -77,8 +77,8 @@ Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t uni
       if (text::equal_ignoring_case(given.state, written)) written = given.state;
     }
     return {from.states[s].name,
-            described_place(plant, from,
-                            description::key_pointer(*from.described, description::DeviceKey::disables) / written)};
+            described_location(plant, from,
+                               description::key_pointer(*from.described, description::DeviceKey::disables) / written)};
   }
   return {};  // never: there is an edge
 }
@@ -93,7 +93,7 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
     std::string text;
     std::vector<diag::Related> others;
     std::vector<std::string> names;
-    diag::Place place;
+    diag::Location location;
     for (std::size_t i = 0; i < circle.size(); ++i) {
       const std::uint32_t next = circle[(i + 1) % circle.size()];
       const model::Unit& unit = plant.units[circle[i]];
@@ -102,17 +102,17 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
       text += fmt::format("{}`{}` in `{}` disables `{}`", i == 0 ? "" : ", ", unit.path, step.state,
                           plant.units[next].path);
       if (i == 0) {
-        place = std::move(step.place);
+        location = std::move(step.location);
       } else {
         others.push_back(
-            {std::move(step.place), fmt::format("`{}` disables `{}` here", unit.path, plant.units[next].path)});
+            {std::move(step.location), fmt::format("`{}` disables `{}` here", unit.path, plant.units[next].path)});
       }
     }
     const std::size_t more = part.size() - circle.size();
     diagnostics.add(rule.info, std::move(names),
                     fmt::format("{}: once all stand so none can leave{}; take one of these out", text,
                                 more == 0 ? "" : fmt::format(" ({} more devices are in circles with them)", more)),
-                    std::move(place), std::move(others));
+                    std::move(location), std::move(others));
   }
 }
 

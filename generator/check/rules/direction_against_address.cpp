@@ -18,20 +18,20 @@ address is the one that is wrong, a command of the device is missing, or one of 
 
 void check_direction_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  std::set<const model::Symbol*> told;  // SP407 tells those
-  for (const TaskClaim& claim : task_claims(plant)) told.insert(&plant.symbols[claim.overruled]);
+  std::set<const model::Symbol*> reported;  // SP407 tells those
+  for (const TaskClaim& claim : task_claims(plant)) reported.insert(&plant.symbols[claim.overruled]);
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address || symbol.reading.fault != name::NameFault::none) continue;
     const bool name_says_operation = symbol.reading.direction == name::Direction::operation;
     if (name_says_operation == (symbol.direction == tables::Direction::operation)) continue;
-    if (told.count(&symbol) != 0) continue;
+    if (reported.count(&symbol) != 0) continue;
     diagnostics.add(
         rule.info, about(symbol),
         fmt::format("`{}` is an {} by its name and an {} by its address `{}`: the address counts; correct one of "
                     "them",
                     symbol.name(), name_says_operation ? "operation" : "event", direction_text(symbol.direction),
                     symbol.address_cell),
-        place_of(plant, symbol), {{place_of(plant, *symbol.row, symbol.address_cell), "the address"}});
+        location_of(plant, symbol), {{location_of(plant, *symbol.row, symbol.address_cell), "the address"}});
   }
 }
 

@@ -21,8 +21,8 @@ void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diag
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::direction_not_io) continue;
-    diag::Place place = place_of(plant, symbol);
-    narrow(place, symbol);
+    diag::Location location = location_of(plant, symbol);
+    narrow(location, symbol);
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` says `{}` where its direction should stand, `{}` wants `I` or `O`: {}; "
                                 "write {}",
@@ -30,7 +30,7 @@ void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diag
                                 symbol.direction == tables::Direction::event
                                     ? fmt::format("`I`, as its address `{}` says", symbol.address_cell)
                                     : fmt::format("`O`, as its address `{}` says", symbol.address_cell)),
-                    place);
+                    location);
   }
 }
 

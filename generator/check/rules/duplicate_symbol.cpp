@@ -23,8 +23,8 @@ void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diag
         rule.info, about(*duplicate.second),
         fmt::format("`{}` is declared again, with the same address and type: this row is left out; delete it",
                     duplicate.second->name),
-        place_of(plant, *duplicate.second, duplicate.second->name),
-        {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
+        location_of(plant, *duplicate.second, duplicate.second->name),
+        {{location_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
   }
 }
 

@@ -18,13 +18,13 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::empty_level) continue;
-    diag::Place place = place_of(plant, symbol);
-    narrow(place, symbol);
+    diag::Location location = location_of(plant, symbol);
+    narrow(location, symbol);
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` has an empty level: its device is unknown, {}; write the missing word or take "
                                 "the surplus separator away",
                                 symbol.name(), consequence(symbol)),
-                    place);
+                    location);
   }
 }
 

@@ -29,7 +29,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
                       "number the tasks if it comes by itself{}",
                       symbol.name(), state.name, unit.path, state.name,
                       unit.described == nullptr ? "" : ", or describe a transition"),
-          place_of(plant, symbol));
+          location_of(plant, symbol));
     }
   }
 }

@@ -21,13 +21,13 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::illegal_character) continue;
-    diag::Place place = place_of(plant, symbol);
-    narrow(place, symbol);
+    diag::Location location = location_of(plant, symbol);
+    narrow(location, symbol);
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: {}; "
                                 "take it away or write `_` for it",
                                 symbol.name(), faulty_part(symbol), consequence(symbol)),
-                    place);
+                    location);
   }
 }
 

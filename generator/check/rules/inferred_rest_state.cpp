@@ -28,7 +28,7 @@ void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::D
     diagnostics.add(rule.info, about(unit),
                     fmt::format("`{}` has the one task `{}`: it was given the {}state `{}`{} (inference 1)", unit.path,
                                 unit.states[1].name, unit.rest == 0 ? "rest " : "", unit.states[0].name, more(unit)),
-                    place_of(plant, first_symbol_of(plant, unit)));
+                    location_of(plant, first_symbol_of(plant, unit)));
   }
 }
 

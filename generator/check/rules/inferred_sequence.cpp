@@ -21,7 +21,7 @@ void check_inferred_sequence(const Rule& rule, const Subject& subject, diag::Dia
       diagnostics.add(rule.info, about(unit),
                       fmt::format("`{}` has no operation for `{}`: it goes there by itself from `{}` (inference 3)",
                                   unit.path, to.name, unit.states[transition.from].name),
-                      place_of(plant, event_of(plant, unit, to.event)));
+                      location_of(plant, event_of(plant, unit, to.event)));
     }
   }
 }

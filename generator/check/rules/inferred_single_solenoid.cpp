@@ -34,7 +34,7 @@ void check_inferred_single_solenoid(const Rule& rule, const Subject& subject, di
     diagnostics.add(rule.info, about(unit),
                     fmt::format("`{}` has an operation for `{}` alone: it {} (inference 2)", unit.path,
                                 unit.states[unit.states[0].operation == model::kNone ? 1 : 0].name, taken),
-                    place_of(plant, first_symbol_of(plant, unit)));
+                    location_of(plant, first_symbol_of(plant, unit)));
   }
 }
 

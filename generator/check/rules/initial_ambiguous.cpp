@@ -37,7 +37,7 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
       if (first == nullptr) {
         first = &symbol;
       } else {
-        others.push_back({place_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
+        others.push_back({location_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
       }
     }
     if (first == nullptr) continue;  // never: the candidates are among the events
@@ -45,7 +45,7 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
         rule.info, about(*first),
         fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
                     unit.initial_candidates, unit.path, unit.states[unit.initial].name),
-        place_of(plant, *first->row, first->row->initial), std::move(others));
+        location_of(plant, *first->row, first->row->initial), std::move(others));
   }
 }
 

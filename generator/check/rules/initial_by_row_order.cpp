@@ -26,8 +26,8 @@ void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::
                                 unit.states[unit.initial].name,
                                 has_description(plant) ? "say `initial` in plant.json"
                                                        : "write Initial TRUE with the event that is on then"),
-                    unit.described == nullptr ? place_of(plant, first_symbol_of(plant, unit))
-                                              : described_place(plant, unit, entry_pointer(unit)));
+                    unit.described == nullptr ? location_of(plant, first_symbol_of(plant, unit))
+                                              : described_location(plant, unit, entry_pointer(unit)));
   }
 }
 

@@ -25,7 +25,7 @@ void check_initial_not_understood(const Rule& rule, const Subject& subject, diag
                     fmt::format("`{}` is no value of type {}: `{}` starts {}; correct it or leave it empty",
                                 symbol.row->initial, model::data_type_name(symbol.type), symbol.name(),
                                 symbol.type == tables::DataType::boolean ? "off" : "at 0"),
-                    place_of(plant, *symbol.row, symbol.row->initial));
+                    location_of(plant, *symbol.row, symbol.row->initial));
   }
 }
 

@@ -53,23 +53,23 @@ void check_name_slip(const Rule& rule, const Subject& subject, diag::Diagnostics
     std::vector<diag::Related> related;
     if (slip.meant_device != model::kNone && slip.level != name::Level::task) {
       const model::Symbol& known = plant.symbols[subject.classes.first_symbol(slip.meant_device)];
-      related.push_back({place_of(plant, known), "the device that is meant"});
+      related.push_back({location_of(plant, known), "the device that is meant"});
     }
     names.push_back(slip.meant_path);
     for (std::size_t i = 1; i < slip.symbols.size(); ++i) {
       const model::Symbol& other = plant.symbols[slip.symbols[i]];
-      related.push_back({place_of(plant, other), "here too"});
+      related.push_back({location_of(plant, other), "here too"});
       for (std::string& name : about(other)) names.push_back(std::move(name));
     }
-    diag::Place place = place_of(plant, first);
-    if (place.span.end - place.span.begin == first.name().size()) {
+    diag::Location location = location_of(plant, first);
+    if (location.span.end - location.span.begin == first.name().size()) {
       const auto begin = static_cast<std::size_t>(slip.written.data() - first.name().data());
-      place.span = {place.span.begin + begin, place.span.begin + begin + slip.written.size()};
+      location.span = {location.span.begin + begin, location.span.begin + begin + slip.written.size()};
     }
     diagnostics.add(rule.info, std::move(names),
                     fmt::format("`{}` differs by a slip from `{}`, {}; write `{}` if that is meant", slip.written,
                                 slip.meant, reason(slip), slip.meant),
-                    std::move(place), std::move(related));
+                    std::move(location), std::move(related));
   }
 }
 

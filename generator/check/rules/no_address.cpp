@@ -25,12 +25,13 @@ void check_no_address(const Rule& rule, const Subject& subject, diag::Diagnostic
   }
   if (found.empty()) return;
   std::vector<diag::Related> others;
-  for (std::size_t i = 1; i < found.size() && i <= 5; ++i) others.push_back({place_of(plant, *found[i]), "likewise"});
+  for (std::size_t i = 1; i < found.size() && i <= 5; ++i)
+    others.push_back({location_of(plant, *found[i]), "likewise"});
   diagnostics.add(rule.info, about(*found[0]),
                   found.size() == 1 ? fmt::format("`{}` has no address: it is on no link", found[0]->name())
                                     : fmt::format("`{}` and {} more have no address: they are on no link",
                                                   found[0]->name(), found.size() - 1),
-                  place_of(plant, *found[0]), std::move(others));
+                  location_of(plant, *found[0]), std::move(others));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
                     fmt::format("`{}` has the one task `{}`, where {} of {} devices named like it have `{}`, too: add "
                                 "its rows",
                                 unit.path, symbol.reading.task, other->having, odd.of, other->others->reading.task),
-                    place_of(plant, symbol), {{place_of(plant, *other->others), "one that has it"}});
+                    location_of(plant, symbol), {{location_of(plant, *other->others), "one that has it"}});
   }
 }
 

@@ -23,7 +23,7 @@ void check_operation_initial_ignored(const Rule& rule, const Subject& subject, d
     diagnostics.add(rule.info, about(symbol),
                     fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",
                                 symbol.name()),
-                    place_of(plant, *symbol.row, symbol.row->initial));
+                    location_of(plant, *symbol.row, symbol.row->initial));
   }
 }
 

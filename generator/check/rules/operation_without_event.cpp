@@ -40,7 +40,7 @@ void check_operation_without_event(const Rule& rule, const Subject& subject, dia
           fmt::format("`{}` commands `{}` of `{}`, but no event tells the PLC that it is reached: add an event with "
                       "task `{}`",
                       symbol.name(), state.name, unit.path, state.name),
-          place_of(plant, symbol));
+          location_of(plant, symbol));
     }
   }
 }

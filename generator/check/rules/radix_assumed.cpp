@@ -27,7 +27,7 @@ void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnos
                     fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
                                 "`--xy octal`",
                                 row.vendor_address),
-                    place_of(plant, row, row.vendor_address));
+                    location_of(plant, row, row.vendor_address));
   }
 }
 

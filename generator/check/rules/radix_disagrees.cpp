@@ -26,18 +26,18 @@ void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagn
   const model::PlantModel& plant = subject.plant;
   for (const model::PlantList& list : plant.lists) {
     if (list.own.by == model::RadixChoice::By::nothing || list.own.radix == list.radix.radix) continue;
-    diag::Place place{list.table->source, {}};
-    if (list.own.proof != nullptr) place = place_of(plant, *list.own.proof, list.own.proof->vendor_address);
+    diag::Location location{list.table->source, {}};
+    if (list.own.proof != nullptr) location = location_of(plant, *list.own.proof, list.own.proof->vendor_address);
     std::vector<diag::Related> related;
     if (list.radix.proof != nullptr) {
       const read::ListRow& proof = *list.radix.proof;
-      related.push_back({place_of(plant, proof, proof.vendor_address), "this row proves the other way"});
+      related.push_back({location_of(plant, proof, proof.vendor_address), "this row proves the other way"});
     }
     diagnostics.add(rule.info,
                     fmt::format("this list counts X and Y in {}, but all lists of its controller are read in {}: "
                                 "correct one of them, or give the lists different controllers",
                                 radix_name(list.own.radix), radix_name(list.radix.radix)),
-                    std::move(place), std::move(related));
+                    std::move(location), std::move(related));
   }
 }
 

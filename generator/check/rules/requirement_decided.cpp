@@ -48,17 +48,17 @@ class Requirements {
     const description::GivenRequirement& given = plant_.description->requirements[index];
     const Verdict first = decide(requirement.condition, plant_, reach_);
     if (requirement.kind == tables::RequirementRow::Kind::never) {
-      tell(index, "never", given.never, requirement.condition, first, consequence_of_never(first));
+      report(index, "never", given.never, requirement.condition, first, consequence_of_never(first));
       return;
     }
-    tell(index, "after", given.after, requirement.condition, first, consequence_of_after(first));
+    report(index, "after", given.after, requirement.condition, first, consequence_of_after(first));
     const Verdict expected = decide(requirement.expected, plant_, reach_);
-    tell(index, "expect", given.expect, requirement.expected, expected, consequence_of_expect(expected));
+    report(index, "expect", given.expect, requirement.expected, expected, consequence_of_expect(expected));
   }
 
  private:
-  void tell(std::size_t index, std::string_view key, const std::string& text, const condition::Tree& tree,
-            const Verdict& verdict, std::string_view consequence) {
+  void report(std::size_t index, std::string_view key, const std::string& text, const condition::Tree& tree,
+              const Verdict& verdict, std::string_view consequence) {
     if (consequence.empty()) return;
     const bool by_states = verdict.never() && !decide(tree, plant_, AllStates(plant_)).never();
     const std::string& name = plant_.requirements[index].name;
@@ -66,7 +66,7 @@ class Requirements {
         rule_.info, {name},
         fmt::format("requirement `{}`: `{}` {}{}: {}", name, text, verdict.never() ? "can never hold" : "always holds",
                     by_states ? ", since nothing leads to a state that it names" : "", consequence),
-        place_of({}, description::Pointer("/requirements") / index / key));
+        location_of({}, description::Pointer("/requirements") / index / key));
   }
 
   const Rule& rule_;

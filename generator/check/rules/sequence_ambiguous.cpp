@@ -26,7 +26,7 @@ void check_sequence_ambiguous(const Rule& rule, const Subject& subject, diag::Di
           fmt::format("several states of `{}` could come before `{}`: nothing leads there; give each a number of its "
                       "own",
                       unit.path, unit.states[state].name),
-          place_of(plant, symbol));
+          location_of(plant, symbol));
     }
   }
 }

@@ -57,7 +57,7 @@ void check_sequence_gap(const Rule& rule, const Subject& subject, diag::Diagnost
                       unit.path, unit.states[before.state].name, unit.states[after.state].name,
                       first == last ? fmt::format("number {} is missing", first)
                                     : fmt::format("numbers {} to {} are missing", first, last)),
-          place_of(plant, symbol), {{place_of(plant, plant.symbols[before.symbol]), "the number before"}});
+          location_of(plant, symbol), {{location_of(plant, plant.symbols[before.symbol]), "the number before"}});
     }
   }
 }

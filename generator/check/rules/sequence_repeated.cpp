@@ -47,7 +47,7 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
                     fmt::format("`{}` and `{}` of `{}` have one number: their rows alone say which comes first; give "
                                 "each a number of its own",
                                 unit.states[first->state].name, unit.states[second->state].name, unit.path),
-                    place_of(plant, symbol), {{place_of(plant, plant.symbols[first->symbol]), "the other one"}});
+                    location_of(plant, symbol), {{location_of(plant, plant.symbols[first->symbol]), "the other one"}});
   }
 }
 

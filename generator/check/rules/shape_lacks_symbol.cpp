@@ -45,7 +45,7 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
     std::vector<diag::Related> as_there;
     for (const Lacking& lacking : odd.lacks) {
       names.push_back(lacking.name);
-      as_there.push_back({place_of(plant, *lacking.others), "one that has it"});
+      as_there.push_back({location_of(plant, *lacking.others), "one that has it"});
     }
     diagnostics.add(
         rule.info, std::move(names),
@@ -54,7 +54,7 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
                     first.name,
                     odd.lacks.size() == 1 ? std::string(" is") : fmt::format(" and {} more are", odd.lacks.size() - 1),
                     first.having, odd.of, odd.path, odd.lacks.size() == 1 ? "the row" : "the rows"),
-        place_of(plant, nearest_symbol(subject, odd.device, first.others->reading.task)), std::move(as_there));
+        location_of(plant, nearest_symbol(subject, odd.device, first.others->reading.task)), std::move(as_there));
   }
 }
 

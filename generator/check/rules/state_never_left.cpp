@@ -27,9 +27,9 @@ std::uint32_t command_away(const model::Unit& unit, std::uint32_t state) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     if (s != state && unit.states[s].operation != model::kNone) return unit.states[s].operation;
   }
-  const auto found = std::find_if(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& way) {
-    return way.on != model::kNone && way.to != state;
-  });
+  const auto found = std::find_if(
+      unit.transitions.begin(), unit.transitions.end(),
+      [&](const model::Transition& transition) { return transition.on != model::kNone && transition.to != state; });
   return found == unit.transitions.end() ? model::kNone : found->on;
 }
 
@@ -44,20 +44,20 @@ void check_state_never_left(const Rule& rule, const Subject& subject, diag::Diag
       if (!reach.settled(u, s) || reach.can_leave(u, s)) continue;
       const std::uint32_t command = command_away(unit, s);
       if (command == model::kNone) continue;
-      std::vector<diag::Related> ways;
-      for (const model::Transition& way : unit.transitions) {
-        if (way.from != s || way.given == model::kNone || ways.size() == 5) continue;
-        ways.push_back({described_place(plant, unit, transition_pointer(unit, way, "when")),
-                        reach.blocked(u, way) == Blocked::waits
-                            ? "a way out, but its condition waits for a state that nothing leads to"
-                            : "a way out, but its condition can never hold"});
+      std::vector<diag::Related> routes;
+      for (const model::Transition& transition : unit.transitions) {
+        if (transition.from != s || transition.given == model::kNone || routes.size() == 5) continue;
+        routes.push_back({described_location(plant, unit, transition_pointer(unit, transition, "when")),
+                          reach.blocked(u, transition) == Blocked::waits
+                              ? "a way out, but its condition waits for a state that nothing leads to"
+                              : "a way out, but its condition can never hold"});
       }
       std::string message =
           fmt::format("`{}` never leaves `{}`, though `{}` commands it away: {}", unit.path, unit.states[s].name,
                       operation_of(plant, unit, command).name(),
-                      ways.empty() ? "give it a transition that leads out" : "see why the ways out are not taken");
-      diagnostics.add(rule.info, about(unit), std::move(message), described_place(plant, unit, ways_pointer(unit)),
-                      std::move(ways));
+                      routes.empty() ? "give it a transition that leads out" : "see why the ways out are not taken");
+      diagnostics.add(rule.info, about(unit), std::move(message),
+                      described_location(plant, unit, transitions_pointer(unit)), std::move(routes));
     }
   }
 }

@@ -27,8 +27,8 @@ void check_symbol_declared_differently(const Rule& rule, const Subject& subject,
         fmt::format(
             "`{}` is declared again {}: rename it, or delete the row that is wrong", duplicate.second->name,
             other ? "for another controller, and names are unique across a plant" : "with another address or type"),
-        place_of(plant, *duplicate.second, duplicate.second->name),
-        {{place_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
+        location_of(plant, *duplicate.second, duplicate.second->name),
+        {{location_of(plant, *duplicate.first, duplicate.first->name), "first declared here"}});
   }
 }
 

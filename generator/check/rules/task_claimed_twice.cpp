@@ -31,8 +31,8 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
             : fmt::format("`{}` is an {} by its address `{}`, and `{}` has that task already, so that it is in no "
                           "device: correct its name or its address",
                           symbol.name(), direction, symbol.address_cell, other.name()),
-        place_of(plant, *symbol.row, symbol.address_cell),
-        {{place_of(plant, other), "the symbol that has the task by its name"}});
+        location_of(plant, *symbol.row, symbol.address_cell),
+        {{location_of(plant, other), "the symbol that has the task by its name"}});
   }
 }
 

@@ -21,36 +21,36 @@ never reported. A program that waits for it waits for ever.
 missing.
 )";
 
-void tell(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit, const model::State& commanded,
-          const model::State& reported, diag::Diagnostics& diagnostics) {
+void report(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit, const model::State& commanded,
+            const model::State& reported, diag::Diagnostics& diagnostics) {
   const model::Symbol& operation = operation_of(plant, unit, commanded.operation);
   const model::Symbol& event = event_of(plant, unit, reported.event);
   diagnostics.add(
       rule.info, about(event),
       fmt::format("`{}` and `{}`: do `{}` and `{}` mean one state? spell them alike, or `{}` is never reported",
                   operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
-      place_of(plant, event), {{place_of(plant, operation), "the operation"}});
+      location_of(plant, event), {{location_of(plant, operation), "the operation"}});
 }
 
 /// A state that is reported and not commanded, nor led to by anything but its number.
 bool is_only_reported(const model::Unit& unit, std::uint32_t state) {
   const model::State& of = unit.states[state];
   return of.event != model::kNone && of.operation == model::kNone && state != unit.rest &&
-         std::none_of(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& way) {
-           return way.to == state && way.origin != model::Origin::inferred;
+         std::none_of(unit.transitions.begin(), unit.transitions.end(), [&](const model::Transition& transition) {
+           return transition.to == state && transition.origin != model::Origin::inferred;
          });
 }
 
 /// Of a device with further tasks: forms of one word.
-void tell_bent_words(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit,
-                     diag::Diagnostics& diagnostics) {
+void report_bent_words(const Rule& rule, const model::PlantModel& plant, const model::Unit& unit,
+                       diag::Diagnostics& diagnostics) {
   if (unit.operations.empty() || unit.events.empty() || unit.states.size() < 2) return;
   if (unit.has_behaviour() || !unit.outputs.empty()) return;  // other events may report the state
   for (const model::State& commanded : unit.states) {
     if (commanded.operation == model::kNone || commanded.event != model::kNone) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       if (!is_only_reported(unit, s) || !bent_alike(commanded.name, unit.states[s].name)) continue;
-      tell(rule, plant, unit, commanded, unit.states[s], diagnostics);
+      report(rule, plant, unit, commanded, unit.states[s], diagnostics);
       break;
     }
   }
@@ -58,11 +58,11 @@ void tell_bent_words(const Rule& rule, const model::PlantModel& plant, const mod
 
 /// Whether siblings have the other side of a word: SP414 tells what is missing.
 bool are_two_states(const Subject& subject, const model::Unit& unit) {
-  const auto place = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
+  const auto location = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
   return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
     const bool commanded = state.operation != model::kNone;
     const auto other = commanded ? tables::Direction::event : tables::Direction::operation;
-    return subject.classes.expects(place, other, state.name, false) == Expected::yes;
+    return subject.classes.expects(location, other, state.name, false) == Expected::yes;
   });
 }
 
@@ -72,9 +72,9 @@ void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::D
     if (unit.two_words) {
       if (are_two_states(subject, unit)) continue;
       const bool first = unit.states[0].operation != model::kNone;
-      tell(rule, plant, unit, unit.states[first ? 0 : 1], unit.states[first ? 1 : 0], diagnostics);
+      report(rule, plant, unit, unit.states[first ? 0 : 1], unit.states[first ? 1 : 0], diagnostics);
     } else {
-      tell_bent_words(rule, plant, unit, diagnostics);
+      report_bent_words(rule, plant, unit, diagnostics);
     }
   }
 }

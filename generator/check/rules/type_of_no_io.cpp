@@ -24,7 +24,7 @@ void check_type_of_no_io(const Rule& rule, const Subject& subject, diag::Diagnos
         fmt::format("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the "
                     "number's type",
                     io.row->type, io.row->name, io.address_cell),
-        place_of(plant, *io.row, io.row->type));
+        location_of(plant, *io.row, io.row->type));
   }
 }
 

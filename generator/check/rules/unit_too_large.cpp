@@ -24,7 +24,7 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
                     "symbols are in no device; see whether the device level of their names tells devices apart",
                     large.path, large.operations, large.events, large.states, tables::kMaxOperations,
                     tables::kMaxEvents, tables::kMaxStates),
-        place_of(plant, plant.symbols[large.symbols.front()]));
+        location_of(plant, plant.symbols[large.symbols.front()]));
   }
 }
 

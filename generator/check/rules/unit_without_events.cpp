@@ -20,7 +20,7 @@ void check_unit_without_events(const Rule& rule, const Subject& subject, diag::D
     if (!unit.events.empty()) continue;
     diagnostics.add(rule.info, about(unit),
                     fmt::format("`{}` has operations and no event: the PLC is told nothing of it", unit.path),
-                    place_of(plant, first_symbol_of(plant, unit)));
+                    location_of(plant, first_symbol_of(plant, unit)));
   }
 }
 

@@ -39,17 +39,18 @@ std::string_view reason(Blocked blocked) {
   return "a way there, but it begins in a state that nothing leads to";
 }
 
-diag::Place place_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
+diag::Location position_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
   for (std::size_t i = 0; i < unit.described->states.size(); ++i) {
     if (text::equal_ignoring_case(unit.described->states[i], state.name)) {
-      return described_place(plant, unit,
-                             description::key_pointer(*unit.described, description::DeviceKey::states) / i);
+      return described_location(plant, unit,
+                                description::key_pointer(*unit.described, description::DeviceKey::states) / i);
     }
   }
-  diag::Place place = state.event != model::kNone       ? place_of(plant, event_of(plant, unit, state.event))
-                      : state.operation != model::kNone ? place_of(plant, operation_of(plant, unit, state.operation))
-                                                        : place_of(plant, first_symbol_of(plant, unit));
-  return place_of(std::move(place), ways_pointer(unit));
+  diag::Location location = state.event != model::kNone ? location_of(plant, event_of(plant, unit, state.event))
+                            : state.operation != model::kNone
+                                ? location_of(plant, operation_of(plant, unit, state.operation))
+                                : location_of(plant, first_symbol_of(plant, unit));
+  return location_of(std::move(location), transitions_pointer(unit));
 }
 
 void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -61,22 +62,23 @@ void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Dia
     if (unit.described == nullptr) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       if (reach.settled(u, s) || unled(unit, s, subject.overruled) != Unled::no) continue;
-      std::vector<diag::Related> ways;
-      bool told = true;  // SP614 tells
-      for (const model::Transition& way : unit.transitions) {
-        if (way.to != s || way.given == model::kNone || ways.size() == 5) continue;
-        const Blocked blocked = reach.blocked(u, way);
-        told = told && blocked == Blocked::contradiction;
+      std::vector<diag::Related> routes;
+      bool reported = true;  // SP614 tells
+      for (const model::Transition& transition : unit.transitions) {
+        if (transition.to != s || transition.given == model::kNone || routes.size() == 5) continue;
+        const Blocked blocked = reach.blocked(u, transition);
+        reported = reported && blocked == Blocked::contradiction;
         const bool by_condition = blocked == Blocked::contradiction || blocked == Blocked::waits;
-        ways.push_back({described_place(plant, unit, transition_pointer(unit, way, by_condition ? "when" : "")),
-                        std::string(reason(blocked))});
+        routes.push_back(
+            {described_location(plant, unit, transition_pointer(unit, transition, by_condition ? "when" : "")),
+             std::string(reason(blocked))});
       }
-      if (told && !ways.empty()) continue;
+      if (reported && !routes.empty()) continue;
       std::string message = fmt::format(
           "nothing leads to `{}` of `{}`, only a scenario or a person can put it there: {}", unit.states[s].name,
-          unit.path, ways.empty() ? "give it a transition that leads there" : "see why the ways there are not taken");
-      diagnostics.add(rule.info, about(unit), std::move(message), place_of_state(plant, unit, unit.states[s]),
-                      std::move(ways));
+          unit.path, routes.empty() ? "give it a transition that leads there" : "see why the ways there are not taken");
+      diagnostics.add(rule.info, about(unit), std::move(message), position_of_state(plant, unit, unit.states[s]),
+                      std::move(routes));
     }
   }
 }

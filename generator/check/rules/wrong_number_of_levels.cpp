@@ -22,15 +22,15 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
   const std::size_t wanted = plant.rule->levels.size();
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;
-    diag::Place place = place_of(plant, symbol);
-    narrow(place, symbol);
+    diag::Location location = location_of(plant, symbol);
+    narrow(location, symbol);
     diagnostics.add(
         rule.info, about(symbol),
         fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
                     symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
                     consequence(symbol),
                     symbol.reading.levels > wanted ? "take a level out or join two" : "write the missing ones"),
-        place);
+        location);
   }
 }
 

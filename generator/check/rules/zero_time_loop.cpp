@@ -24,17 +24,19 @@ constexpr std::uint32_t kNowhere = model::kNone;
 
 /// Where a unit that is settled in a state is taken within the same instant, whatever else there is: a state -> the
 /// transition. Of several the first fires.
-std::vector<std::uint32_t> instant_ways(const model::PlantModel& plant, const model::Unit& unit) {
+std::vector<std::uint32_t> instant_transitions(const model::PlantModel& plant, const model::Unit& unit) {
   std::vector<std::uint32_t> first(unit.states.size(), kNowhere);
   for (std::uint32_t i = 0; i < unit.transitions.size(); ++i) {
-    const model::Transition& way = unit.transitions[i];
-    if (way.on != model::kNone || way.spring_way || !way.after.is_zero() || first[way.from] != kNowhere) continue;
-    if (way.when == model::kNone || decide(unit.conditions[way.when], plant, AllStates(plant)).always()) {
-      first[way.from] = i;
+    const model::Transition& transition = unit.transitions[i];
+    if (transition.on != model::kNone || transition.spring_return || !transition.after.is_zero() ||
+        first[transition.from] != kNowhere)
+      continue;
+    if (transition.when == model::kNone || decide(unit.conditions[transition.when], plant, AllStates(plant)).always()) {
+      first[transition.from] = i;
     }
   }
-  for (std::uint32_t& way : first) {
-    if (way != kNowhere && !unit.transitions[way].takes.is_zero()) way = kNowhere;
+  for (std::uint32_t& transition : first) {
+    if (transition != kNowhere && !unit.transitions[transition].takes.is_zero()) transition = kNowhere;
   }
   return first;
 }
@@ -45,24 +47,25 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
   for (const model::Unit& unit : plant.units) {
     // The user's code has its own times.
     if (unit.described == nullptr || unit.has_behaviour()) continue;
-    const std::vector<std::uint32_t> ways = instant_ways(plant, unit);
+    const std::vector<std::uint32_t> routes = instant_transitions(plant, unit);
     std::vector<std::uint32_t> seen_from(unit.states.size(), kNowhere);
     for (std::uint32_t start = 0; start < unit.states.size(); ++start) {
       std::uint32_t at = start;
-      while (ways[at] != kNowhere && seen_from[at] == kNowhere) {
+      while (routes[at] != kNowhere && seen_from[at] == kNowhere) {
         seen_from[at] = start;
-        at = unit.transitions[ways[at]].to;
+        at = unit.transitions[routes[at]].to;
       }
-      if (ways[at] == kNowhere || seen_from[at] != start) continue;  // it ends, or was told already
+      if (routes[at] == kNowhere || seen_from[at] != start) continue;  // it ends, or was told already
       std::string circle = "`" + unit.states[at].name + "`";
       std::vector<diag::Related> others;
       const std::uint32_t first = at;
       do {
-        const model::Transition& way = unit.transitions[ways[at]];
+        const model::Transition& transition = unit.transitions[routes[at]];
         if (at != first) {
-          others.push_back({described_place(plant, unit, transition_pointer(unit, way)), "and this one leads on"});
+          others.push_back(
+              {described_location(plant, unit, transition_pointer(unit, transition)), "and this one leads on"});
         }
-        at = way.to;
+        at = transition.to;
         circle += " -> `" + unit.states[at].name + "`";
       } while (at != first);
       diagnostics.add(
@@ -70,7 +73,8 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
           fmt::format("`{}` goes {} by itself and in no time, so that it is frozen when it runs: give one of "
                       "these transitions an `after`, a `takes` or a `when`",
                       unit.path, circle),
-          described_place(plant, unit, transition_pointer(unit, unit.transitions[ways[first]])), std::move(others));
+          described_location(plant, unit, transition_pointer(unit, unit.transitions[routes[first]])),
+          std::move(others));
     }
   }
 }

@@ -66,9 +66,9 @@ bool differ_by_ending(std::u32string_view a, std::u32string_view b) {
 }
 
 NearWords::NearWords(const std::vector<Word>& words) : words_(words) {
-  for (std::uint32_t place = 0; place < words.size(); ++place) {
-    if (words[place].text.size() > kLongest) continue;
-    for (const std::uint64_t key : neighbourhood(words[place].text)) put(key, place);
+  for (std::uint32_t location = 0; location < words.size(); ++location) {
+    if (words[location].text.size() > kLongest) continue;
+    for (const std::uint64_t key : neighbourhood(words[location].text)) put(key, location);
   }
 }
 
@@ -76,23 +76,23 @@ bool NearWords::commoner(std::uint32_t a, std::uint32_t b) const {
   return words_[a].count != words_[b].count ? words_[a].count > words_[b].count : a < b;
 }
 
-void NearWords::put(std::uint64_t key, std::uint32_t place) {
+void NearWords::put(std::uint64_t key, std::uint32_t location) {
   for (std::uint32_t& best : files_[key].best) {
-    if (best == place) return;
-    if (best == kNobody || commoner(place, best)) std::swap(best, place);
-    if (place == kNobody) return;
+    if (best == location) return;
+    if (best == kUndriven || commoner(location, best)) std::swap(best, location);
+    if (location == kUndriven) return;
   }
 }
 
-std::vector<std::uint32_t> NearWords::commoner_near(std::uint32_t place) const {
+std::vector<std::uint32_t> NearWords::commoner_near(std::uint32_t location) const {
   std::vector<std::uint32_t> near;
-  const std::u32string_view word = words_[place].text;
+  const std::u32string_view word = words_[location].text;
   if (word.size() > kLongest) return near;
   for (const std::uint64_t key : neighbourhood(word)) {
     const auto file = files_.find(key);
     if (file == files_.end()) continue;
     for (const std::uint32_t other : file->second.best) {
-      if (other == kNobody || !commoner(other, place) || !differ_by_slip(word, words_[other].text)) continue;
+      if (other == kUndriven || !commoner(other, location) || !differ_by_slip(word, words_[other].text)) continue;
       if (std::find(near.begin(), near.end(), other) == near.end()) near.push_back(other);
     }
   }

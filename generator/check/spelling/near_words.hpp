@@ -42,16 +42,16 @@ class NearWords {
   explicit NearWords(const std::vector<Word>& words);
 
   /// The words near `words[place]` that are commoner, or as common and before it, the commonest first.
-  std::vector<std::uint32_t> commoner_near(std::uint32_t place) const;
+  std::vector<std::uint32_t> commoner_near(std::uint32_t location) const;
 
  private:
-  static constexpr std::uint32_t kNobody = 0xFFFF'FFFF;
+  static constexpr std::uint32_t kUndriven = 0xFFFF'FFFF;
   struct File {
-    std::array<std::uint32_t, kBest> best{kNobody, kNobody, kNobody};
+    std::array<std::uint32_t, kBest> best{kUndriven, kUndriven, kUndriven};
   };
 
   bool commoner(std::uint32_t a, std::uint32_t b) const;
-  void put(std::uint64_t key, std::uint32_t place);
+  void put(std::uint64_t key, std::uint32_t location);
 
   const std::vector<Word>& words_;
   std::unordered_map<std::uint64_t, File> files_;

@@ -42,9 +42,9 @@ class OddSearch {
     const std::vector<std::uint32_t>& devices = kind.devices;
     common_.clear();
     bool lacking = false;
-    for (const std::uint32_t place : kind.parts) {
-      const DeviceClasses::Part& part = classes_.parts()[place];
-      const std::uint32_t having = classes_.count(place);
+    for (const std::uint32_t location : kind.parts) {
+      const DeviceClasses::Part& part = classes_.parts()[location];
+      const std::uint32_t having = classes_.count(location);
       if (having < kLeastOthers || 4 * std::size_t{having} < 3 * (devices.size() - 1)) continue;
       const std::size_t lack = devices.size() - having;
       if (lack > 1 && lack * kMeantShare > devices.size()) continue;

@@ -18,7 +18,7 @@ using model::kNone;
 using name::Level;
 
 /// A word counts as common beside another where it is that many times as common.
-constexpr std::uint64_t kCommonPlace = 8;
+constexpr std::uint64_t kCommonName = 8;
 constexpr std::uint64_t kCommonTask = 4;
 /// Letters of a word that can be told by being rare alone: UP and UPS may be two.
 constexpr std::size_t kShortestRare = 3;
@@ -71,40 +71,40 @@ class Vocabulary {
   /// O(length); nothing but a comparison where `word` is the one before.
   std::uint32_t add(std::string_view word, std::uint64_t count) {
     if (word != last_) {
-      const auto [found, added] = places_.try_emplace(class_name(word), static_cast<std::uint32_t>(words_.size()));
+      const auto [found, added] = locations_.try_emplace(class_name(word), static_cast<std::uint32_t>(words_.size()));
       if (added) {
         words_.push_back({code_points(found->first), 0});
         shown_.push_back(word);
       }
       last_ = word;
-      last_place_ = found->second;
+      last_location_ = found->second;
     }
-    words_[last_place_].count += count;
-    return last_place_;
+    words_[last_location_].count += count;
+    return last_location_;
   }
 
   /// Fills `meant`: for each word the commoner ones near it.
   void compare() {
     const NearWords near(words_);
     meant_.resize(words_.size());
-    for (std::uint32_t place = 0; place < words_.size(); ++place) {
-      meant_[place] = near.commoner_near(place);
-      any_ = any_ || !meant_[place].empty();
+    for (std::uint32_t location = 0; location < words_.size(); ++location) {
+      meant_[location] = near.commoner_near(location);
+      any_ = any_ || !meant_[location].empty();
     }
   }
 
   bool any() const { return any_; }
-  const std::vector<std::uint32_t>& meant(std::uint32_t place) const { return meant_[place]; }
-  const NearWords::Word& word(std::uint32_t place) const { return words_[place]; }
-  std::string_view shown(std::uint32_t place) const { return shown_[place]; }
+  const std::vector<std::uint32_t>& meant(std::uint32_t location) const { return meant_[location]; }
+  const NearWords::Word& word(std::uint32_t location) const { return words_[location]; }
+  std::string_view shown(std::uint32_t location) const { return shown_[location]; }
 
  private:
-  std::unordered_map<std::string, std::uint32_t> places_;
+  std::unordered_map<std::string, std::uint32_t> locations_;
   std::vector<NearWords::Word> words_;
   std::vector<std::string_view> shown_;  ///< as the first symbol writes it
   std::vector<std::vector<std::uint32_t>> meant_;
   std::string_view last_;
-  std::uint32_t last_place_ = 0;
+  std::uint32_t last_location_ = 0;
   bool any_ = false;
 };
 
@@ -138,11 +138,11 @@ class SlipSearch {
 
   void collect_words() {
     for (const Level level : {Level::line, Level::process, Level::device}) {
-      std::vector<std::uint32_t>& places = places_[static_cast<std::size_t>(level)];
-      places.reserve(classes_.devices());
+      std::vector<std::uint32_t>& locations = locations_[static_cast<std::size_t>(level)];
+      locations.reserve(classes_.devices());
       for (std::uint32_t device = 0; device < classes_.devices(); ++device) {
         const model::Symbol& first = plant_.symbols[classes_.first_symbol(device)];
-        places.push_back(vocabulary(level).add(word_at(first.reading, level), 1));
+        locations.push_back(vocabulary(level).add(word_at(first.reading, level), 1));
       }
     }
     tasks_.reserve(classes_.parts().size());
@@ -152,9 +152,9 @@ class SlipSearch {
   }
 
   /// The word's place in its vocabulary.
-  std::uint32_t place_of(std::uint32_t symbol, Level level) const {
+  std::uint32_t location_of(std::uint32_t symbol, Level level) const {
     const std::uint32_t device = classes_.device_of(symbol);
-    if (level != Level::task) return places_[static_cast<std::size_t>(level)][device];
+    if (level != Level::task) return locations_[static_cast<std::size_t>(level)][device];
     const model::Symbol& of = plant_.symbols[symbol];
     return tasks_[classes_.find(classes_.class_of(device), of.direction, of.reading.task)];
   }
@@ -163,9 +163,9 @@ class SlipSearch {
     if (classes_.device_of(symbol) == kNone) return;
     for (const Level level : kLevels) {
       if (!vocabulary(level).any()) continue;
-      const std::uint32_t place = place_of(symbol, level);
-      for (const std::uint32_t meant : vocabulary(level).meant(place)) {
-        if (try_slip(symbol, level, place, meant)) return;
+      const std::uint32_t location = location_of(symbol, level);
+      for (const std::uint32_t meant : vocabulary(level).meant(location)) {
+        if (try_slip(symbol, level, location, meant)) return;
       }
     }
   }
@@ -175,7 +175,7 @@ class SlipSearch {
     const NearWords::Word& other = vocabulary(level).word(meant);
     if (level == Level::task && differ_by_ending(word.text, other.text)) return false;  // SP405 tells
     const bool long_enough = std::min(letters_in(word.text), letters_in(other.text)) >= kShortestRare;
-    const bool rare = long_enough && other.count >= word.count * (level == Level::task ? kCommonTask : kCommonPlace);
+    const bool rare = long_enough && other.count >= word.count * (level == Level::task ? kCommonTask : kCommonName);
     const bool stray = is_stray(symbol);
     if (!rare && !stray) return false;
     const Meant as = renamed(symbol, level, vocabulary(level).shown(meant));
@@ -305,8 +305,8 @@ class SlipSearch {
   const model::PlantModel& plant_;
   const DeviceClasses& classes_;
   std::array<Vocabulary, kLevels.size()> vocabularies_;
-  std::array<std::vector<std::uint32_t>, 3> places_;  ///< by Level, then by device
-  std::vector<std::uint32_t> tasks_;                  ///< by part
+  std::array<std::vector<std::uint32_t>, 3> locations_;  ///< by Level, then by device
+  std::vector<std::uint32_t> tasks_;                     ///< by part
   std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase> names_;
   text::ByName<std::uint32_t> paths_;
   std::unordered_map<std::string, std::size_t> by_key_;

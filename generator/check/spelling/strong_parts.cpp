@@ -35,20 +35,20 @@ class PartSearch {
   std::vector<std::vector<std::uint32_t>> take() { return std::move(parts_); }
 
  private:
-  void enter(std::uint32_t place) {
-    number_[place] = lowest_[place] = count_++;
-    stack_.push_back(place);
-    stacked_[place] = true;
-    calls_.emplace_back(place, 0);
+  void enter(std::uint32_t location) {
+    number_[location] = lowest_[location] = count_++;
+    stack_.push_back(location);
+    stacked_[location] = true;
+    calls_.emplace_back(location, 0);
   }
 
-  void leave(std::uint32_t place) {
+  void leave(std::uint32_t location) {
     calls_.pop_back();
     if (!calls_.empty()) {
       const std::uint32_t caller = calls_.back().first;
-      lowest_[caller] = std::min(lowest_[caller], lowest_[place]);
+      lowest_[caller] = std::min(lowest_[caller], lowest_[location]);
     }
-    if (lowest_[place] != number_[place]) return;
+    if (lowest_[location] != number_[location]) return;
     std::vector<std::uint32_t> part;
     std::uint32_t member = kUnseen;
     do {
@@ -56,7 +56,7 @@ class PartSearch {
       stack_.pop_back();
       stacked_[member] = false;
       part.push_back(member);
-    } while (member != place);
+    } while (member != location);
     std::sort(part.begin(), part.end());
     parts_.push_back(std::move(part));
   }

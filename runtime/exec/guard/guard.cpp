@@ -55,9 +55,9 @@ std::string caller_of(const Violation& violation) {
   if (dladdr(violation.caller, &info) == 0) return {};
   if (info.dli_sname == nullptr) {
     const std::string_view path = info.dli_fname == nullptr ? "" : info.dli_fname;
-    const auto place = static_cast<const char*>(violation.caller) - static_cast<const char*>(info.dli_fbase);
+    const auto index = static_cast<const char*>(violation.caller) - static_cast<const char*>(info.dli_fbase);
     std::array<char, 24> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), place, 16).ptr;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), index, 16).ptr;
     return std::string(path.substr(path.find_last_of('/') + 1)) + "+0x" + std::string(digits.data(), end);
   }
   int fault = 0;

@@ -91,14 +91,14 @@ struct Search {
 /// Addresses that never change again may lie in pages that cannot be written.
 bool write_slot(void** slot, void* value, const dl_phdr_info& file) noexcept {
   const auto page_size = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  const auto place = reinterpret_cast<std::uintptr_t>(slot);
+  const auto index = reinterpret_cast<std::uintptr_t>(slot);
   bool constant = false;
   for (int i = 0; i < file.dlpi_phnum; ++i) {
     const ElfW(Phdr)& part = file.dlpi_phdr[i];
     const ElfW(Addr) begin = file.dlpi_addr + part.p_vaddr;
-    constant = constant || (part.p_type == PT_GNU_RELRO && place >= begin && place < begin + part.p_memsz);
+    constant = constant || (part.p_type == PT_GNU_RELRO && index >= begin && index < begin + part.p_memsz);
   }
-  void* const page = reinterpret_cast<void*>(place & ~(page_size - 1));
+  void* const page = reinterpret_cast<void*>(index & ~(page_size - 1));
   if (constant && mprotect(page, page_size, PROT_READ | PROT_WRITE) != 0) return false;
   __atomic_store_n(slot, value, __ATOMIC_RELEASE);
   return !constant || mprotect(page, page_size, PROT_READ) == 0;

@@ -125,18 +125,18 @@ constexpr sock_filter unless(std::uint32_t value, std::uint8_t otherwise) {
 constexpr sock_filter give(std::uint32_t verdict) { return {BPF_RET | BPF_K, 0, 0, verdict}; }
 
 std::string set_filter() {
-  const auto place = reinterpret_cast<std::uintptr_t>(symplant_guard_forward_return);
-  const auto low = static_cast<std::uint32_t>(place);
-  const auto high = static_cast<std::uint32_t>(place >> 32);
-  constexpr std::size_t kPlace = offsetof(seccomp_data, instruction_pointer);
+  const auto index = reinterpret_cast<std::uintptr_t>(symplant_guard_forward_return);
+  const auto low = static_cast<std::uint32_t>(index);
+  const auto high = static_cast<std::uint32_t>(index >> 32);
+  constexpr std::size_t kIndex = offsetof(seccomp_data, instruction_pointer);
   std::array program = {load(offsetof(seccomp_data, arch)),
                         unless(AUDIT_ARCH_X86_64, 8),
                         load(offsetof(seccomp_data, nr)),
                         unless(SYS_rt_sigreturn, 1),  // a handler's way back
                         give(SECCOMP_RET_ALLOW),
-                        load(kPlace),
+                        load(kIndex),
                         unless(low, 3),
-                        load(kPlace + 4),
+                        load(kIndex + 4),
                         unless(high, 1),
                         give(SECCOMP_RET_ALLOW),
                         give(SECCOMP_RET_TRAP)};

@@ -52,7 +52,7 @@ Exception check_read(Request request, std::uint32_t max, std::uint32_t size) noe
 }
 
 /// What a request read is told beside its reply.
-Answer told(std::size_t size, Table table, std::uint32_t first, std::uint32_t count) noexcept {
+Answer reported(std::size_t size, Table table, std::uint32_t first, std::uint32_t count) noexcept {
   return {.size = size,
           .read = table,
           .read_first = static_cast<std::uint16_t>(first),
@@ -74,7 +74,7 @@ Answer read_bits(Request request, Reply reply, Table table, Places<const std::ui
       reply[2 + i] = static_cast<std::uint8_t>(bits);
     }
   }
-  return told(2 + bytes, table, first, quantity);
+  return reported(2 + bytes, table, first, quantity);
 }
 
 Answer registers_from(std::uint32_t first, std::uint32_t quantity, Request request, Reply reply, Table table,
@@ -82,7 +82,7 @@ Answer registers_from(std::uint32_t first, std::uint32_t quantity, Request reque
   reply[0] = request[0];
   reply[1] = static_cast<std::uint8_t>(2 * quantity);
   for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(places.words, first + i));
-  return told(2 + 2 * quantity, table, first, quantity);
+  return reported(2 + 2 * quantity, table, first, quantity);
 }
 
 Answer read_registers(Request request, Reply reply, Table table, Places<const std::uint64_t> places) noexcept {

@@ -16,7 +16,7 @@ namespace {
 
 using When = Step::When;
 
-bool is_case(const model::PlantModel& plant) { return plant.description_faults.empty() && plant.moved_twice.empty(); }
+bool is_case(const model::PlantModel& plant) { return plant.description_faults.empty() && plant.driven_twice.empty(); }
 
 std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
   const lower::EngineTables tables = lower::lower(plant);

@@ -32,7 +32,7 @@ class ScenarioDrawer {
         operations_.push_back(i);
         continue;
       }
-      if (may_be_moved_by_code(i)) continue;
+      if (may_be_driven_by_code(i)) continue;
       const reference::World before = reference_.save();
       if (reference_.set_input(i, 0)) inputs_.push_back(i);
       reference_.restore(before);
@@ -50,7 +50,7 @@ class ScenarioDrawer {
 
  private:
   /// On an address with an event of a device that the user's code moves.
-  bool may_be_moved_by_code(std::uint32_t symbol) const {
+  bool may_be_driven_by_code(std::uint32_t symbol) const {
     const auto leader = [&](std::uint32_t of) {
       return plant_.symbols[of].leader == model::kNone ? of : plant_.symbols[of].leader;
     };
@@ -142,10 +142,10 @@ class ScenarioDrawer {
   }
 
   void state(Step& step) {
-    std::set<std::string_view> told;
+    std::set<std::string_view> reported;
     for (std::size_t i = 1 + dice_.below(2); i > 0 && !plant_.units.empty(); --i) {
       const model::Unit& unit = plant_.units[dice_.below(plant_.units.size())];
-      if (unit.states.empty() || !told.insert(unit.path).second) continue;
+      if (unit.states.empty() || !reported.insert(unit.path).second) continue;
       step.states.emplace_back(unit.path, dice_.pick(unit.states).name);
     }
   }
@@ -180,11 +180,11 @@ class ScenarioDrawer {
   }
 
   void values(Step& step, bool fails) {
-    std::set<std::uint32_t> told;
+    std::set<std::uint32_t> reported;
     for (std::size_t i = 1 + dice_.below(4); i > 0; --i) {
       const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
       const bool is_bit = plant_.symbols[symbol].type == tables::DataType::boolean;
-      if (!told.insert(symbol).second) continue;
+      if (!reported.insert(symbol).second) continue;
       std::uint64_t value = reference_.value(symbol);
       if (fails && i == 1) value = is_bit ? 1 - value : random_content(dice_, plant_.symbols[symbol].type);
       step.expect.emplace_back(name(symbol), value);

@@ -77,9 +77,9 @@ std::optional<reference::ScenarioStep> StepResolver::resolve(const Step& step) {
   }
   for (const auto& [device, state] : step.states) {
     const auto unit = names.unit(device, {});
-    const auto place = unit ? names.state(*unit, state) : std::nullopt;
-    if (!place) return std::nullopt;
-    it.states.emplace_back(*unit, *place);
+    const auto position = unit ? names.state(*unit, state) : std::nullopt;
+    if (!position) return std::nullopt;
+    it.states.emplace_back(*unit, *position);
   }
   for (const std::string& name : step.release) {
     const auto symbol = names.symbol(name);

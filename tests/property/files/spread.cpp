@@ -26,7 +26,7 @@ class Spreader {
       }
     }
     if (patterns) decoys();
-    mend();
+    fix();
     count();
     drop_empty();
     return std::move(entries_);
@@ -111,23 +111,23 @@ class Spreader {
     if (dice_.percent(10)) entry_of("NOBODY_*").keys["initial"] = "NOWHERE";
   }
 
-  void mend() {
+  void fix() {
     std::set<std::string> keys;
     for (const Entry& entry : entries_) {
       for (const auto& [key, value] : entry.keys) keys.insert(key);
     }
-    for (bool mended = true; mended;) {
-      mended = false;
+    for (bool fixed = true; fixed;) {
+      fixed = false;
       for (std::size_t i = 0; i < wishes_.size(); ++i) {
-        for (const std::string& key : keys) mended = mend(i, key) || mended;
+        for (const std::string& key : keys) fixed = fix(i, key) || fixed;
       }
       for (const std::string& key : keys) {
-        for (std::size_t i = wishes_.size(); !mended && i < entries_.size(); ++i) mended = drop_idle(i, key);
+        for (std::size_t i = wishes_.size(); !fixed && i < entries_.size(); ++i) fixed = drop_idle(i, key);
       }
     }
   }
 
-  bool mend(std::size_t device, const std::string& key) {
+  bool fix(std::size_t device, const std::string& key) {
     const Wish& wish = wishes_[device];
     const auto wanted = wish.keys.find(key);
     const Resolved found = resolve(entries_, wish, key);

@@ -16,7 +16,7 @@ enum class Counted : std::size_t {
   stayed_conflicting,
   stayed_own_state_wanted,
   spring_left_for_rest,
-  wanted_way,
+  wanted_transition,
   fired_takes_zero,
   // The table of a move under way: commanded moves of enabled units, once a round.
   latched_forth,

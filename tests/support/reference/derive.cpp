@@ -15,16 +15,16 @@ std::uint32_t find_task(const Rules& rules, const std::vector<std::uint32_t>& sy
   return kNone;
 }
 
-UnitRules gather(const Rules& rules, std::uint32_t place) {
+UnitRules gather(const Rules& rules, std::uint32_t index) {
   const model::PlantModel& model = *rules.model;
   UnitRules unit;
-  unit.path = model.units[place].path;
+  unit.path = model.units[index].path;
   for (const description::DeviceDescription& device : model.description->devices) {
     if (same_name(device.path, unit.path)) unit.described = &device;
   }
   for (std::uint32_t i = 0; i < model.symbols.size(); ++i) {
     const model::Symbol& symbol = model.symbols[i];
-    if (symbol.unit == place) {
+    if (symbol.unit == index) {
       (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
     }
     const bool named = symbol.reading.fault == name::NameFault::none;
@@ -37,7 +37,7 @@ UnitRules gather(const Rules& rules, std::uint32_t place) {
     const auto found = rules.behaviours.find(unit.described->behaviour);
     if (found != rules.behaviours.end()) unit.behaviour = &found->second;
   }
-  for (const condition::Tree& tree : model.units[place].conditions) unit.conditions.push_back(&tree);
+  for (const condition::Tree& tree : model.units[index].conditions) unit.conditions.push_back(&tree);
   unit.travel = model.description->defaults.travel;
   return unit;
 }
@@ -71,8 +71,8 @@ void derive_outputs(Rules& rules, UnitRules& unit) {
   }
 }
 
-void derive_disables(Rules& rules, std::uint32_t place) {
-  UnitRules& unit = rules.units[place];
+void derive_disables(Rules& rules, std::uint32_t index) {
+  UnitRules& unit = rules.units[index];
   if (unit.described == nullptr) return;
   for (const description::GivenDisables& given : unit.described->disables) {
     const std::uint32_t state = find_state(unit, given.state);
@@ -82,7 +82,7 @@ void derive_disables(Rules& rules, std::uint32_t place) {
     }
     for (const std::string& device : given.devices) {
       for (std::uint32_t other = 0; other < rules.units.size(); ++other) {
-        if (other == place || !same_name(rules.units[other].path, device)) continue;
+        if (other == index || !same_name(rules.units[other].path, device)) continue;
         std::vector<std::uint32_t>& disabled = unit.states[state].disables;
         if (std::find(disabled.begin(), disabled.end(), other) == disabled.end()) disabled.push_back(other);
       }
@@ -129,8 +129,8 @@ std::uint32_t find_event(const Rules& rules, const UnitRules& unit, std::string_
 
 bool UnitRules::leads_to(std::uint32_t operation, std::uint8_t state) const {
   if (states[state].operation == operation) return true;
-  for (const Way& way : ways) {
-    if (way.to == state && way.on == operation) return true;
+  for (const Transition& transition : transitions) {
+    if (transition.to == state && transition.on == operation) return true;
   }
   return false;
 }
@@ -163,10 +163,10 @@ bool Rules::moved(std::uint32_t symbol) const {
   if (is_operation(symbol) || owner == model::kNone) return false;
   const UnitRules& unit = units[owner];
   if (unit.behaviour != nullptr) return true;
-  if (unit.ways.empty() && !unit.spring()) return false;
+  if (unit.transitions.empty() && !unit.spring()) return false;
   for (std::uint8_t i = 0; i < unit.states.size(); ++i) {
     bool reached = i == unit.initial || (unit.spring() && i == unit.rest);
-    for (const Way& way : unit.ways) reached = reached || way.to == i;
+    for (const Transition& transition : unit.transitions) reached = reached || transition.to == i;
     if (!reached) continue;
     for (const auto* list : {&unit.states[i].enter, &unit.states[i].leave}) {
       for (const auto& [event, on] : *list) {
@@ -185,7 +185,7 @@ Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> be
     UnitRules unit = gather(rules, i);
     derive_states(rules, unit);
     derive_actuation_and_initial(rules, unit);
-    derive_ways(rules, unit);
+    derive_transitions(rules, unit);
     derive_outputs(rules, unit);
     rules.units.push_back(std::move(unit));
   }

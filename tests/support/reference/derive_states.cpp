@@ -7,7 +7,7 @@ namespace symplant::reference {
 namespace {
 
 /// Whether the description names a task as a state anywhere.
-bool told_as_state(const description::DeviceDescription& device, std::string_view task) {
+bool reported_as_state(const description::DeviceDescription& device, std::string_view task) {
   for (const description::GivenTransition& given : device.transitions) {
     if (same_name(given.from, task) || same_name(given.to, task)) return true;
   }
@@ -24,7 +24,7 @@ bool told_as_state(const description::DeviceDescription& device, std::string_vie
 }
 
 bool is_only_a_command(const UnitRules& unit, const StateRules& state) {
-  if (unit.described == nullptr || state.event != kNone || told_as_state(*unit.described, state.name)) return false;
+  if (unit.described == nullptr || state.event != kNone || reported_as_state(*unit.described, state.name)) return false;
   for (const description::GivenTransition& given : unit.described->transitions) {
     if (same_name(given.on, state.name)) return true;
   }
@@ -32,7 +32,8 @@ bool is_only_a_command(const UnitRules& unit, const StateRules& state) {
 }
 
 bool is_only_a_report(const UnitRules& unit, const StateRules& state) {
-  if (unit.described == nullptr || state.operation != kNone || told_as_state(*unit.described, state.name)) return false;
+  if (unit.described == nullptr || state.operation != kNone || reported_as_state(*unit.described, state.name))
+    return false;
   for (const description::GivenOutputs& given : unit.described->outputs) {
     for (const auto* list : {&given.enter, &given.leave}) {
       for (const auto& [task, on] : *list) {
@@ -51,13 +52,13 @@ std::vector<StateRules> tasks(const Rules& rules, const UnitRules& unit) {
     const auto event = std::find(unit.events.begin(), unit.events.end(), symbol);
     if (operation == unit.operations.end() && event == unit.events.end()) continue;
     const std::string_view task = rules.model->symbols[symbol].reading.task;
-    std::size_t place = 0;
-    while (place < found.size() && !same_name(found[place].name, task)) ++place;
-    if (place == found.size()) found.emplace_back().name = task;
+    std::size_t index = 0;
+    while (index < found.size() && !same_name(found[index].name, task)) ++index;
+    if (index == found.size()) found.emplace_back().name = task;
     if (operation != unit.operations.end()) {
-      found[place].operation = static_cast<std::uint32_t>(operation - unit.operations.begin());
+      found[index].operation = static_cast<std::uint32_t>(operation - unit.operations.begin());
     } else {
-      found[place].event = static_cast<std::uint32_t>(event - unit.events.begin());
+      found[index].event = static_cast<std::uint32_t>(event - unit.events.begin());
     }
   }
   return found;

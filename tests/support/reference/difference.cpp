@@ -22,13 +22,14 @@ std::string text(const description::Duration& duration) {
   return out.str();
 }
 
-std::string number(std::uint32_t place) { return place == kNone ? "-" : std::to_string(place); }
+std::string number(std::uint32_t index) { return index == kNone ? "-" : std::to_string(index); }
 
-std::string text(std::uint32_t from, std::uint32_t to, std::uint32_t on, std::uint32_t when, bool spring_way, bool once,
-                 const description::Duration& after, const description::Duration& takes) {
+std::string text(std::uint32_t from, std::uint32_t to, std::uint32_t on, std::uint32_t when, bool spring_return,
+                 bool once, const description::Duration& after, const description::Duration& takes) {
   std::ostringstream out;
-  out << from << "->" << to << " on " << number(on) << " when " << number(when) << (spring_way ? " spring's way" : "")
-      << (once ? " once" : "") << " after " << text(after) << " takes " << text(takes);
+  out << from << "->" << to << " on " << number(on) << " when " << number(when)
+      << (spring_return ? " spring's way" : "") << (once ? " once" : "") << " after " << text(after) << " takes "
+      << text(takes);
   return out.str();
 }
 
@@ -59,50 +60,52 @@ std::string switched(const std::vector<std::pair<std::uint32_t, bool>>& events, 
   return out.str();
 }
 
-std::string places(const std::vector<std::uint32_t>& list) {
+std::string indexes(const std::vector<std::uint32_t>& list) {
   std::ostringstream out;
-  for (const std::uint32_t place : list) out << place << " ";
+  for (const std::uint32_t index : list) out << index << " ";
   return out.str();
 }
 
-std::string ways_difference(const UnitRules& unit, const model::Unit& other) {
+std::string transitions_difference(const UnitRules& unit, const model::Unit& other) {
   std::ostringstream here;
   std::ostringstream there;
-  for (std::size_t i = 0; i < unit.ways.size() || i < other.transitions.size(); ++i) {
+  for (std::size_t i = 0; i < unit.transitions.size() || i < other.transitions.size(); ++i) {
     std::string ours;
     std::string theirs;
-    if (i < unit.ways.size()) {
-      const Way& way = unit.ways[i];
+    if (i < unit.transitions.size()) {
+      const Transition& transition = unit.transitions[i];
       ours =
-          text(way.from, way.to, way.on, way.when, !way.automatic && !way.commanded(), way.once, way.after, way.takes);
+          text(transition.from, transition.to, transition.on, transition.when,
+               !transition.automatic && !transition.commanded(), transition.once, transition.after, transition.takes);
     }
     if (i < other.transitions.size()) {
-      const model::Transition& way = other.transitions[i];
-      theirs = text(way.from, way.to, way.on, way.when, way.spring_way, way.once, way.after, way.takes);
+      const model::Transition& transition = other.transitions[i];
+      theirs = text(transition.from, transition.to, transition.on, transition.when, transition.spring_return,
+                    transition.once, transition.after, transition.takes);
     }
     if (const auto found = unequal("transition " + std::to_string(i), ours, theirs); !found.empty()) return found;
   }
   return "";
 }
 
-std::string state_difference(const UnitRules& unit, const model::Unit& other, std::size_t place) {
-  const StateRules& state = unit.states[place];
+std::string state_difference(const UnitRules& unit, const model::Unit& other, std::size_t index) {
+  const StateRules& state = unit.states[index];
   const std::size_t own = state.event == kNone ? 0 : 1;
-  const model::Outputs outputs = other.outputs.empty() ? model::Outputs{} : other.outputs[place];
+  const model::Outputs outputs = other.outputs.empty() ? model::Outputs{} : other.outputs[index];
   std::string found = unequal("l_enter of " + state.name, switched(state.enter, own), switched(outputs.enter, 0));
   if (found.empty()) {
     found = unequal("l_leave of " + state.name, switched(state.leave, own), switched(outputs.leave, 0));
   }
   if (found.empty()) {
-    const auto disables = other.disables.empty() ? std::vector<std::uint32_t>{} : other.disables[place];
-    found = unequal("disables of " + state.name, places(state.disables), places(disables));
+    const auto disables = other.disables.empty() ? std::vector<std::uint32_t>{} : other.disables[index];
+    found = unequal("disables of " + state.name, indexes(state.disables), indexes(disables));
   }
   return found;
 }
 
 std::string unit_difference(const UnitRules& unit, const model::Unit& other) {
-  std::string found = unequal("operations", places(unit.operations), places(other.operations));
-  if (found.empty()) found = unequal("events", places(unit.events), places(other.events));
+  std::string found = unequal("operations", indexes(unit.operations), indexes(other.operations));
+  if (found.empty()) found = unequal("events", indexes(unit.events), indexes(other.events));
   if (found.empty()) found = unequal("states", states_text(unit), states_text(other));
   if (found.empty()) {
     found = unequal("actuation", std::to_string(static_cast<int>(unit.actuation)),
@@ -111,9 +114,9 @@ std::string unit_difference(const UnitRules& unit, const model::Unit& other) {
   if (found.empty() && unit.spring()) found = unequal("rest", number(unit.rest), number(other.rest));
   if (found.empty()) found = unequal("initial", std::to_string(unit.initial), std::to_string(other.initial));
   if (found.empty()) found = unequal("travel", std::to_string(unit.travel), std::to_string(other.travel));
-  if (found.empty()) found = ways_difference(unit, other);
+  if (found.empty()) found = transitions_difference(unit, other);
   for (std::size_t i = 0; found.empty() && i < unit.states.size(); ++i) found = state_difference(unit, other, i);
-  if (found.empty()) found = unequal("values", places(unit.values), places(other.values));
+  if (found.empty()) found = unequal("values", indexes(unit.values), indexes(other.values));
   const std::size_t inputs = unit.described == nullptr ? 0 : unit.described->inputs.size();
   if (found.empty()) {
     found = unequal("conditions", std::to_string(unit.first_input + inputs), std::to_string(other.conditions.size()));

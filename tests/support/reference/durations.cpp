@@ -46,10 +46,10 @@ Time normal(SplitMix64 random, Time mean, Time sigma) {
 }
 
 /// Without code: fixed, or drawn.
-Time duration_of(Round& round, std::uint32_t unit, std::uint16_t way, const description::Duration& duration) {
+Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, const description::Duration& duration) {
   if (duration.kind == description::Duration::Kind::fixed) return duration.a;
-  const std::uint32_t k = round.next.units[unit].transitions[way].draws++;
-  const SplitMix64 random = started(round.next.seed, round.of(unit).path, way, k);
+  const std::uint32_t k = round.next.units[unit].transitions[transition].draws++;
+  const SplitMix64 random = started(round.next.seed, round.of(unit).path, transition, k);
   if (duration.kind == description::Duration::Kind::uniform) {
     ++round.counters[Counted::draw_uniform];
     return uniform(random, duration.a, duration.b);
@@ -65,36 +65,36 @@ std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uin
 }
 
 std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to) {
-  for (std::uint16_t i = 0; i < unit.ways.size(); ++i) {
-    if (unit.ways[i].from == from && unit.ways[i].to == to && !unit.ways[i].automatic) return i;
+  for (std::uint16_t i = 0; i < unit.transitions.size(); ++i) {
+    if (unit.transitions[i].from == from && unit.transitions[i].to == to && !unit.transitions[i].automatic) return i;
   }
   return kNoTransition;
 }
 
-bool remembers(const UnitRules& unit, const Way& way) {
-  return (unit.behaviour != nullptr && unit.behaviour->after != nullptr) || !way.after.is_zero();
+bool remembers(const UnitRules& unit, const Transition& transition) {
+  return (unit.behaviour != nullptr && unit.behaviour->after != nullptr) || !transition.after.is_zero();
 }
 
-Time takes_of(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t from, std::uint8_t to) {
+Time takes_of(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint8_t from, std::uint8_t to) {
   const UnitRules& rules = round.of(unit);
   if (rules.behaviour != nullptr && rules.behaviour->takes != nullptr) {
     View view(round, unit);
-    return std::max<Time>(0, rules.behaviour->takes(view, way));
+    return std::max<Time>(0, rules.behaviour->takes(view, transition));
   }
-  const std::uint16_t source = way != kNoTransition ? way : first_not_automatic(rules, from, to);
+  const std::uint16_t source = transition != kNoTransition ? transition : first_not_automatic(rules, from, to);
   if (source == kNoTransition) return rules.travel;
-  if (rules.ways[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
-  return duration_of(round, unit, source, rules.ways[source].takes);
+  if (rules.transitions[source].takes.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_takes];
+  return duration_of(round, unit, source, rules.transitions[source].takes);
 }
 
-Time after_of(Round& round, std::uint32_t unit, std::uint16_t way) {
+Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition) {
   const UnitRules& rules = round.of(unit);
   if (rules.behaviour != nullptr && rules.behaviour->after != nullptr) {
     View view(round, unit);
-    return std::max<Time>(0, rules.behaviour->after(view, way));
+    return std::max<Time>(0, rules.behaviour->after(view, transition));
   }
-  if (rules.ways[way].after.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
-  return duration_of(round, unit, way, rules.ways[way].after);
+  if (rules.transitions[transition].after.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
+  return duration_of(round, unit, transition, rules.transitions[transition].after);
 }
 
 }  // namespace symplant::reference

@@ -43,7 +43,7 @@ void find_of_units(Finder& finder) {
     }
     unit.conflicting = conflicting;
     unit.stopped = stopped;
-    if (acts && finder.notes.enabled[i] && unit.moving && !unit.standing) {
+    if (acts && finder.notes.enabled[i] && unit.moving && !unit.stopped_midway) {
       finder.add(FindingKind::started_on_enabling, i, Counted::found_started_on_enabling);
     }
   }
@@ -51,16 +51,16 @@ void find_of_units(Finder& finder) {
 
 bool no_effect(const UnitRules& rules, const UnitWorld& unit, std::uint32_t operation) {
   if (unit.moving || rules.leads_to(operation, unit.state)) return false;
-  for (const Way& way : rules.ways) {
-    if (way.from == unit.state && way.on == operation) return false;
+  for (const Transition& transition : rules.transitions) {
+    if (transition.from == unit.state && transition.on == operation) return false;
   }
   return true;
 }
 
 /// An operation that has risen in this instant and served nothing in it. True where there is something to say.
-bool find_of_risen(Finder& finder, std::uint32_t place, std::uint32_t operation) {
-  const UnitRules& rules = finder.rules.units[place];
-  const UnitWorld& unit = finder.world.units[place];
+bool find_of_risen(Finder& finder, std::uint32_t index, std::uint32_t operation) {
+  const UnitRules& rules = finder.rules.units[index];
+  const UnitWorld& unit = finder.world.units[index];
   const std::uint32_t symbol = rules.operations[operation];
   if (unit.frozen) return false;
   if (unit.disabled) {
@@ -72,9 +72,9 @@ bool find_of_risen(Finder& finder, std::uint32_t place, std::uint32_t operation)
   return true;
 }
 
-void find_of_operation(Finder& finder, std::uint32_t place, std::uint32_t operation) {
-  const UnitRules& rules = finder.rules.units[place];
-  UnitWorld& unit = finder.world.units[place];
+void find_of_operation(Finder& finder, std::uint32_t index, std::uint32_t operation) {
+  const UnitRules& rules = finder.rules.units[index];
+  UnitWorld& unit = finder.world.units[index];
   OperationWorld& its = unit.operations[operation];
   const SymbolWorld& symbol = finder.world.symbols[rules.operations[operation]];
   const bool on = effective(symbol) != 0;
@@ -86,10 +86,10 @@ void find_of_operation(Finder& finder, std::uint32_t place, std::uint32_t operat
     its.served = its.had_finding = its.reached = false;
     return;
   }
-  const bool served_now = finder.notes.served[place][operation];
+  const bool served_now = finder.notes.served[index][operation];
   if (!was_on) {
     its.served = its.reached = false;
-    its.had_finding = !served_now && find_of_risen(finder, place, operation);
+    its.had_finding = !served_now && find_of_risen(finder, index, operation);
   }
   its.served = its.served || served_now;
   its.reached = its.reached || rules.leads_to(operation, unit.target);

@@ -26,11 +26,11 @@ std::uint64_t level_of(const Rules& rules, const World& world, std::uint32_t sym
   return rules.is_operation(symbol) ? world.symbols[symbol].written : world.symbols[symbol].value;
 }
 
-void add_operations(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
-  const UnitRules& unit = rules.units[place];
+void add_operations(Digest& digest, const Rules& rules, const World& world, std::uint32_t index) {
+  const UnitRules& unit = rules.units[index];
   for (std::uint32_t i = 0; i < unit.operations.size(); ++i) {
     const std::uint32_t symbol = unit.operations[i];
-    const OperationWorld& its = world.units[place].operations[i];
+    const OperationWorld& its = world.units[index].operations[i];
     const bool on = effective(world.symbols[symbol]) != 0;
     digest.flag(level_of(rules, world, symbol) != 0);
     digest.flag(!on || its.armed || unit.actuation != tables::Actuation::latched);
@@ -41,12 +41,12 @@ void add_operations(Digest& digest, const Rules& rules, const World& world, std:
   }
 }
 
-void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
-  const UnitRules& unit = rules.units[place];
-  const UnitWorld& its = world.units[place];
+void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint32_t index) {
+  const UnitRules& unit = rules.units[index];
+  const UnitWorld& its = world.units[index];
   digest.byte(its.state);
   digest.byte(its.target);
-  digest.u16(its.under_way);
+  digest.u16(its.moving_now);
   digest.i64(its.remaining);
   digest.i64(its.whole);
   digest.byte(static_cast<std::uint8_t>((its.moving ? 1 : 0) | (its.disabled ? 2 : 0) | (its.frozen ? 4 : 0)));
@@ -55,7 +55,7 @@ void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint3
     digest.i64(transition.left);
     digest.u32(transition.draws);
   }
-  add_operations(digest, rules, world, place);
+  add_operations(digest, rules, world, index);
   for (const std::uint32_t symbol : unit.events) {
     digest.flag(world.symbols[symbol].value != 0);
     digest.byte(force_of(world.symbols[symbol]));
@@ -68,14 +68,14 @@ void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint3
   }
 }
 
-void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std::uint32_t place) {
-  const SymbolWorld& symbol = world.symbols[place];
-  if (rules.is_bool(place)) {
-    digest.flag(level_of(rules, world, place) != 0);
+void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std::uint32_t index) {
+  const SymbolWorld& symbol = world.symbols[index];
+  if (rules.is_bool(index)) {
+    digest.flag(level_of(rules, world, index) != 0);
     digest.byte(force_of(symbol));
     return;
   }
-  digest.u64(level_of(rules, world, place));
+  digest.u64(level_of(rules, world, index));
   digest.flag(symbol.forced);
   digest.u64(symbol.forced ? symbol.forced_value : 0);
 }

@@ -15,8 +15,8 @@ struct Command {
 };
 
 bool is_on_of(const UnitRules& unit, std::uint32_t operation, std::uint8_t from, std::uint8_t to) {
-  for (const Way& way : unit.ways) {
-    if (way.from == from && way.to == to && way.on == operation) return true;
+  for (const Transition& transition : unit.transitions) {
+    if (transition.from == from && transition.to == to && transition.on == operation) return true;
   }
   return false;
 }
@@ -33,11 +33,11 @@ Command command_of(Round& round, std::uint32_t unit) {
       rules.actuation == tables::Actuation::latched ? tables::kNoState : wanted_by_behaviour(round, unit);
   if (wanted == to) command.forth = true;
   if (wanted == from) command.back = true;
-  for (std::uint16_t i = 0; i < rules.ways.size(); ++i) {
-    const Way& way = rules.ways[i];
-    if (way.from != to || way.to != from) continue;
-    const bool commands = way.commanded() && operation_on(round, unit, way.on) && !is_on_of(rules, way.on, from, to) &&
-                          when_holds(round, unit, way);
+  for (std::uint16_t i = 0; i < rules.transitions.size(); ++i) {
+    const Transition& transition = rules.transitions[i];
+    if (transition.from != to || transition.to != from) continue;
+    const bool commands = transition.commanded() && operation_on(round, unit, transition.on) &&
+                          !is_on_of(rules, transition.on, from, to) && when_holds(round, unit, transition);
     if (!commands) continue;
     command.back = true;
     if (command.back_by == kNoTransition) command.back_by = i;
@@ -46,34 +46,35 @@ Command command_of(Round& round, std::uint32_t unit) {
 }
 
 /// Back by a transition, or, kNoTransition, without a command.
-bool turn_round(Round& round, std::uint32_t unit, std::uint16_t way) {
+bool turn_round(Round& round, std::uint32_t unit, std::uint16_t transition) {
   ++round.counters[Counted::turned_round];
   UnitWorld& world = round.next.units[unit];
   const std::uint8_t from = world.state;
   const std::uint8_t to = world.target;
-  const Time takes = takes_of(round, unit, way, to, from);
-  if (way != kNoTransition && round.of(unit).ways[way].commanded()) serve(round, unit, round.of(unit).ways[way].on);
+  const Time takes = takes_of(round, unit, transition, to, from);
+  if (transition != kNoTransition && round.of(unit).transitions[transition].commanded())
+    serve(round, unit, round.of(unit).transitions[transition].on);
   const Time gone = std::max<Time>(0, world.whole - world.remaining);
   world.remaining = static_cast<Time>(static_cast<Wide>(takes) * gone / world.whole);
   world.whole = takes;
   world.state = to;
   world.target = from;
-  world.under_way = way;
-  world.standing = false;
+  world.moving_now = transition;
+  world.stopped_midway = false;
   return true;
 }
 
 bool go_on(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
-  if (world.standing) ++round.counters[Counted::went_on];
-  world.standing = false;
+  if (world.stopped_midway) ++round.counters[Counted::went_on];
+  world.stopped_midway = false;
   return false;
 }
 
-bool stand_still(Round& round, std::uint32_t unit) {
+bool stop_midway(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
-  if (!world.standing) ++round.counters[Counted::stood_still];
-  world.standing = true;
+  if (!world.stopped_midway) ++round.counters[Counted::stood_still];
+  world.stopped_midway = true;
   return false;
 }
 
@@ -95,7 +96,7 @@ bool held(Round& round, std::uint32_t unit, const Command& command) {
   if (command.forth && command.back) {
     ++round.counters[Counted::held_both];
     round.notes.looks[unit].conflicting = true;
-    return stand_still(round, unit);
+    return stop_midway(round, unit);
   }
   if (command.back) {
     ++round.counters[Counted::held_back];
@@ -107,14 +108,14 @@ bool held(Round& round, std::uint32_t unit, const Command& command) {
   }
   ++round.counters[Counted::held_neither];
   round.notes.looks[unit].neither = true;
-  return stand_still(round, unit);
+  return stop_midway(round, unit);
 }
 
 bool spring(Round& round, std::uint32_t unit, const Command& command) {
   if (command.forth && command.back) {
     ++round.counters[Counted::spring_both];
     round.notes.looks[unit].conflicting = true;
-    return stand_still(round, unit);
+    return stop_midway(round, unit);
   }
   if (command.back) {
     ++round.counters[Counted::spring_back];

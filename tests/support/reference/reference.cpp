@@ -25,22 +25,22 @@ InstantNotes empty_notes(const Rules& rules) {
 UnitWorld first_world(const UnitRules& rules) {
   UnitWorld unit;
   unit.state = unit.target = rules.initial;
-  unit.transitions.resize(rules.ways.size());
+  unit.transitions.resize(rules.transitions.size());
   unit.operations.resize(rules.operations.size());
   if (rules.behaviour != nullptr) unit.memory.resize((rules.behaviour->memory_size + 7) / 8);
   return unit;
 }
 
 /// Where a symbol stands before any unit has entered its initial state.
-std::uint64_t first_value(const Rules& rules, std::uint32_t place) {
-  const model::Symbol& symbol = rules.model->symbols[place];
-  if (!rules.is_bool(place)) return symbol.initial;
-  if (rules.is_operation(place)) return 0;
+std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
+  const model::Symbol& symbol = rules.model->symbols[index];
+  if (!rules.is_bool(index)) return symbol.initial;
+  if (rules.is_operation(index)) return 0;
   if (symbol.unit != model::kNone) {
     // Where the event of a state of the unit stands on the address, the state says.
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-      if (rules.leader(unit.events[i]) == place && unit.event_is_a_state(i)) return 0;
+      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) return 0;
     }
   }
   return symbol.initial != 0 ? 1 : 0;
@@ -73,7 +73,7 @@ void pass(World& world, Time time) {
   world.time = time;
   for (UnitWorld& unit : world.units) {
     if (unit.disabled || unit.frozen) continue;
-    if (unit.moving && !unit.standing && unit.remaining != tables::kNever) unit.remaining -= gone;
+    if (unit.moving && !unit.stopped_midway && unit.remaining != tables::kNever) unit.remaining -= gone;
     for (TransitionWorld& transition : unit.transitions) {
       if (transition.left == 0 || transition.left == tables::kNever) continue;
       transition.left -= gone;
@@ -179,21 +179,21 @@ bool Plant::is_forced(std::uint32_t symbol) const { return world_.symbols[symbol
 
 // A person's move is a leaving and an entering like any other: the user's code is told of both. It sees conditions and
 // operations as the last instant left them.
-void Plant::set_state(std::uint32_t place, std::uint8_t state) {
+void Plant::set_state(std::uint32_t index, std::uint8_t state) {
   const World old = as_shown(world_);
   InstantNotes notes = empty_notes(*rules_);
   Round round{*rules_, old, world_, counters, notes};
-  UnitWorld& unit = world_.units[place];
+  UnitWorld& unit = world_.units[index];
   if (unit.moving) ++counters[Counted::set_state_moving];
   if (unit.disabled) ++counters[Counted::set_state_disabled];
   if (unit.frozen) ++counters[Counted::set_state_frozen];
   end_holds(unit);
-  if (!unit.moving) leave(round, place, unit.state);
+  if (!unit.moving) leave(round, index, unit.state);
   unit.state = unit.target = state;
-  unit.moving = unit.standing = unit.automatic = false;
-  unit.under_way = kNoTransition;
+  unit.moving = unit.stopped_midway = unit.automatic = false;
+  unit.moving_now = kNoTransition;
   unit.remaining = unit.whole = 0;
-  enter(round, place, state);
+  enter(round, index, state);
   world_.instant_pending = true;
 }
 
@@ -223,7 +223,7 @@ Time Plant::next_due() const {
   Time due = tables::kNever;
   for (const UnitWorld& unit : world_.units) {
     if (unit.disabled || unit.frozen) continue;
-    if (unit.moving && !unit.standing) due = std::min(due, later(world_.time, unit.remaining));
+    if (unit.moving && !unit.stopped_midway) due = std::min(due, later(world_.time, unit.remaining));
     for (const TransitionWorld& transition : unit.transitions) {
       if (transition.holds && transition.left > 0) due = std::min(due, later(world_.time, transition.left));
     }
@@ -240,17 +240,17 @@ void Plant::clear_instants() { instants_.clear(); }
 
 std::uint64_t Plant::value(std::uint32_t symbol) const { return effective(world_.symbols[symbol]); }
 
-UnitView Plant::unit(std::uint32_t place) const {
-  const UnitWorld& unit = world_.units[place];
-  return {unit.state, unit.target, unit.moving, unit.standing, unit.disabled, unit.frozen, unit.remaining};
+UnitView Plant::unit(std::uint32_t index) const {
+  const UnitWorld& unit = world_.units[index];
+  return {unit.state, unit.target, unit.moving, unit.stopped_midway, unit.disabled, unit.frozen, unit.remaining};
 }
 
 bool Plant::disarmed(std::uint32_t symbol) const {
   const std::uint32_t owner = model_.symbols[symbol].unit;
   if (owner == model::kNone || !rules_->is_operation(symbol) || value(symbol) == 0) return false;
   const std::vector<std::uint32_t>& operations = rules_->units[owner].operations;
-  const auto place = std::find(operations.begin(), operations.end(), symbol) - operations.begin();
-  return !world_.units[owner].operations[static_cast<std::size_t>(place)].armed;
+  const auto index = std::find(operations.begin(), operations.end(), symbol) - operations.begin();
+  return !world_.units[owner].operations[static_cast<std::size_t>(index)].armed;
 }
 
 std::uint64_t Plant::state_hash() const { return reference::state_hash(*rules_, world_); }

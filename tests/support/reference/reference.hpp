@@ -36,7 +36,7 @@ struct UnitView {
   std::uint8_t state;
   std::uint8_t target;
   bool moving;
-  bool standing;
+  bool stopped_midway;
   bool disabled;
   bool frozen;
   Time remaining;  ///< 0 where it is settled

@@ -44,13 +44,13 @@ bool holds(const condition::Tree& tree, const World& world);
 /// On and armed, in the snapshot.
 bool operation_on(const Round& round, std::uint32_t unit, std::uint32_t operation);
 /// The transition's `when` holds in the snapshot, or it has none.
-bool when_holds(const Round& round, std::uint32_t unit, const Way& way);
+bool when_holds(const Round& round, std::uint32_t unit, const Transition& transition);
 
 /// Draws or reads a transition's time; `way` may be kNoTransition: a way without a command from `from` to `to`.
-Time takes_of(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t from, std::uint8_t to);
-Time after_of(Round& round, std::uint32_t unit, std::uint16_t way);
+Time takes_of(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint8_t from, std::uint8_t to);
+Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition);
 /// Whether a transition remembers that its cause holds.
-bool remembers(const UnitRules& unit, const Way& way);
+bool remembers(const UnitRules& unit, const Transition& transition);
 
 /// The first output of SplitMix64 started at draw `k` of stream `n` of a unit.
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k);

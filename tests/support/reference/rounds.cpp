@@ -36,7 +36,7 @@ void never_comes(World& world) {
   const auto beyond = [&](Time left) { return left >= tables::kNever - world.time; };
   for (UnitWorld& unit : world.units) {
     if (unit.disabled || unit.frozen) continue;
-    if (unit.moving && !unit.standing && beyond(unit.remaining)) unit.remaining = tables::kNever;
+    if (unit.moving && !unit.stopped_midway && beyond(unit.remaining)) unit.remaining = tables::kNever;
     for (TransitionWorld& transition : unit.transitions) {
       if (beyond(transition.left)) transition.left = tables::kNever;
     }

@@ -17,7 +17,7 @@ namespace symplant::reference {
 inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
 /// A transition of a unit's table. What is neither automatic nor has an `on` is a spring's own way.
-struct Way {
+struct Transition {
   std::uint8_t from = 0;
   std::uint8_t to = 0;
   std::uint32_t on = kNone;  ///< a place in UnitRules::operations
@@ -47,7 +47,7 @@ struct UnitRules {
   std::vector<std::uint32_t> events;      ///< symbols
   std::vector<std::uint32_t> values;      ///< symbols: numeric ones of the device
   std::vector<StateRules> states;
-  std::vector<Way> ways;
+  std::vector<Transition> transitions;
   std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when`, then of the inputs
   std::uint32_t first_input = 0;
   tables::Actuation actuation = tables::Actuation::latched;
@@ -83,7 +83,7 @@ Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> be
 /// The parts of derive(), a unit each.
 void derive_states(Rules& rules, UnitRules& unit);
 void derive_actuation_and_initial(Rules& rules, UnitRules& unit);
-void derive_ways(Rules& rules, UnitRules& unit);
+void derive_transitions(Rules& rules, UnitRules& unit);
 
 /// Names compare without regard to the case of ASCII letters.
 bool same_name(std::string_view a, std::string_view b);

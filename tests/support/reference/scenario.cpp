@@ -100,8 +100,8 @@ void ScenarioPlayer::play(const ScenarioStep& step) {
       }
     }
   }
-  const bool told = !verdicts_.empty() && verdicts_.back().step == number_;
-  if (cut_ && !told && (step.expects || step.when == When::wait)) {
+  const bool reported = !verdicts_.empty() && verdicts_.back().step == number_;
+  if (cut_ && !reported && (step.expects || step.when == When::wait)) {
     verdicts_.push_back({number_, false, false, until_.value_or(0)});
   }
   ++number_;

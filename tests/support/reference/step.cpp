@@ -10,14 +10,14 @@ namespace {
 bool behaves(const UnitRules& unit) { return unit.behaviour != nullptr; }
 
 /// The ways from where the unit is settled whose cause has held for their `after`, in the order of the table.
-std::vector<std::uint16_t> ready_ways(Round& round, std::uint32_t unit) {
+std::vector<std::uint16_t> ready_transitions(Round& round, std::uint32_t unit) {
   const UnitRules& rules = round.of(unit);
   std::vector<std::uint16_t> ready;
-  for (std::uint16_t i = 0; i < rules.ways.size(); ++i) {
-    const Way& way = rules.ways[i];
+  for (std::uint16_t i = 0; i < rules.transitions.size(); ++i) {
+    const Transition& route = rules.transitions[i];
     // A spring's own way is never ready by itself.
-    if (way.from != round.old.units[unit].state || (!way.automatic && !way.commanded())) continue;
-    const bool cause = (way.automatic || operation_on(round, unit, way.on)) && when_holds(round, unit, way);
+    if (route.from != round.old.units[unit].state || (!route.automatic && !route.commanded())) continue;
+    const bool cause = (route.automatic || operation_on(round, unit, route.on)) && when_holds(round, unit, route);
     TransitionWorld& world = round.next.units[unit].transitions[i];
     if (!cause) {
       if (world.holds) ++round.counters[Counted::after_broken];
@@ -25,7 +25,7 @@ std::vector<std::uint16_t> ready_ways(Round& round, std::uint32_t unit) {
       world.left = 0;
       continue;
     }
-    if (!remembers(rules, way)) {
+    if (!remembers(rules, route)) {
       ready.push_back(i);
       continue;
     }
@@ -50,7 +50,7 @@ void disarm_leading_to(Round& round, std::uint32_t unit, std::uint8_t state) {
 }
 
 /// Off from where the unit is settled. `way`: kNoTransition for a way without a command.
-void depart(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t to, Time takes) {
+void depart(Round& round, std::uint32_t unit, std::uint16_t route, std::uint8_t to, Time takes) {
   UnitWorld& world = round.next.units[unit];
   const std::uint8_t from = world.state;
   end_holds(world);
@@ -63,9 +63,9 @@ void depart(Round& round, std::uint32_t unit, std::uint16_t way, std::uint8_t to
     return;
   }
   world.moving = true;
-  world.standing = false;
-  world.under_way = way;
-  world.automatic = way != kNoTransition && round.of(unit).ways[way].automatic;
+  world.stopped_midway = false;
+  world.moving_now = route;
+  world.automatic = route != kNoTransition && round.of(unit).transitions[route].automatic;
   world.remaining = takes;
   world.whole = takes;
 }
@@ -78,17 +78,17 @@ void depart_without_command(Round& round, std::uint32_t unit, std::uint8_t to) {
 // The user's code is asked how long it takes before anything else.
 void fire(Round& round, std::uint32_t unit, std::uint16_t number) {
   const UnitRules& rules = round.of(unit);
-  const Way& way = rules.ways[number];
-  const Time takes = takes_of(round, unit, number, way.from, way.to);
+  const Transition& route = rules.transitions[number];
+  const Time takes = takes_of(round, unit, number, route.from, route.to);
   const bool latched = rules.actuation == tables::Actuation::latched;
-  ++round.counters[way.automatic ? Counted::automatic_fired : Counted::commanded_fired];
-  if (way.automatic && latched) disarm_leading_to(round, unit, way.from);
-  if (way.commanded() && way.once && latched) {
+  ++round.counters[route.automatic ? Counted::automatic_fired : Counted::commanded_fired];
+  if (route.automatic && latched) disarm_leading_to(round, unit, route.from);
+  if (route.commanded() && route.once && latched) {
     ++round.counters[Counted::disarmed_once];
-    round.next.units[unit].operations[way.on].armed = false;
+    round.next.units[unit].operations[route.on].armed = false;
   }
-  if (way.commanded()) serve(round, unit, way.on);
-  depart(round, unit, number, way.to, takes);
+  if (route.commanded()) serve(round, unit, route.on);
+  depart(round, unit, number, route.to, takes);
 }
 
 /// What is wanted: the targets of the ready commanded transitions, the unit's own state, a behaviour's.
@@ -98,8 +98,8 @@ std::set<std::uint8_t> wanted_states(Round& round, std::uint32_t unit, const std
   std::set<std::uint8_t> wanted;
   std::set<std::uint32_t> commanding;
   for (const std::uint16_t i : ready) {
-    wanted.insert(rules.ways[i].to);
-    commanding.insert(rules.ways[i].on);
+    wanted.insert(rules.transitions[i].to);
+    commanding.insert(rules.transitions[i].on);
   }
   for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
     if (rules.leads_to(i, own) && operation_on(round, unit, i) && commanding.count(i) == 0) wanted.insert(own);
@@ -115,7 +115,8 @@ bool step_settled(Round& round, std::uint32_t unit) {
   const std::uint8_t own = round.old.units[unit].state;
   std::vector<std::uint16_t> commanded;
   std::vector<std::uint16_t> automatic;
-  for (const std::uint16_t i : ready_ways(round, unit)) (rules.ways[i].automatic ? automatic : commanded).push_back(i);
+  for (const std::uint16_t i : ready_transitions(round, unit))
+    (rules.transitions[i].automatic ? automatic : commanded).push_back(i);
   if (!automatic.empty()) {
     fire(round, unit, automatic.front());
     return true;
@@ -130,7 +131,7 @@ bool step_settled(Round& round, std::uint32_t unit) {
     if (!commanded.empty()) {
       fire(round, unit, commanded.front());
     } else {
-      ++round.counters[Counted::wanted_way];
+      ++round.counters[Counted::wanted_transition];
       depart_without_command(round, unit, *wanted.begin());
     }
     return true;
@@ -150,9 +151,9 @@ void settle(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
   world.state = world.target;
   world.moving = false;
-  world.standing = false;
+  world.stopped_midway = false;
   world.automatic = false;
-  world.under_way = kNoTransition;
+  world.moving_now = kNoTransition;
   world.remaining = 0;
   world.whole = 0;
   enter(round, unit, world.state);
@@ -165,8 +166,8 @@ bool operation_on(const Round& round, std::uint32_t unit, std::uint32_t operatio
   return effective(round.old.symbols[symbol]) != 0 && round.old.units[unit].operations[operation].armed;
 }
 
-bool when_holds(const Round& round, std::uint32_t unit, const Way& way) {
-  return way.when == kNone || holds(*round.of(unit).conditions[way.when], round.old);
+bool when_holds(const Round& round, std::uint32_t unit, const Transition& route) {
+  return route.when == kNone || holds(*round.of(unit).conditions[route.when], round.old);
 }
 
 std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit) {

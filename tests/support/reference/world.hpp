@@ -30,11 +30,11 @@ struct UnitWorld {
   std::uint8_t state = 0;   ///< settled in, or moving from
   std::uint8_t target = 0;  ///< moving to; `state` where it is settled
   bool moving = false;
-  bool standing = false;  ///< moving, but standing still
+  bool stopped_midway = false;  ///< moving, but standing still
   bool disabled = false;
   bool frozen = false;
   bool automatic = false;  ///< the move under way is an automatic one
-  std::uint16_t under_way = kNoTransition;
+  std::uint16_t moving_now = kNoTransition;
   Time remaining = 0;
   Time whole = 0;
   std::uint8_t shown_settled = 0xFF;  ///< at the end of the last instant: the state settled in, 0xFF where in none

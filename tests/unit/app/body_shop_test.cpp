@@ -56,11 +56,11 @@ class Drive final : public engine::Observer {
     for (std::uint32_t u = 0; u < model_.units.size(); ++u) {
       const model::Unit& unit = model_.units[u];
       std::uint32_t command = model::kNone;
-      for (const model::Transition& way : unit.transitions) {
-        if (command == model::kNone && way.from == settled_[u]) command = way.on;
+      for (const model::Transition& transition : unit.transitions) {
+        if (command == model::kNone && transition.from == settled_[u]) command = transition.on;
       }
-      for (std::uint32_t place = 0; place < unit.operations.size(); ++place) {
-        plant_.set_operation(tables_.units[u].operation_bit + place, place == command);
+      for (std::uint32_t location = 0; location < unit.operations.size(); ++location) {
+        plant_.set_operation(tables_.units[u].operation_bit + location, location == command);
       }
     }
     plant_.advance_to(plant_.now(), this);  // the PLC wrote before the minute, not at its end

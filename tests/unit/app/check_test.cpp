@@ -139,20 +139,20 @@ TEST_CASE("check: what follows from a finding that is left out is told by itself
   rows[3].type = "BOL";  // so that B2 has an operation alone
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(rows);
-  const auto told = [&](std::vector<std::string> options) {
+  const auto reported = [&](std::vector<std::string> options) {
     options.insert(options.begin(), {"check", "list.csv"});
     return run_tool(options, files).out;
   };
-  CHECK(contains(told({}), "[SP313 type-of-no-io]"));
-  CHECK(contains(told({}), "follows from this (operation-without-event)"));
-  CHECK(contains(told({}), "; 1 warning\n"));
+  CHECK(contains(reported({}), "[SP313 type-of-no-io]"));
+  CHECK(contains(reported({}), "follows from this (operation-without-event)"));
+  CHECK(contains(reported({}), "; 1 warning\n"));
   for (const auto& options : {std::vector<std::string>{"--select", "SP401"}, {"--ignore", "SP313"}}) {
     INFO(options[0]);
-    const std::string text = told(options);
+    const std::string text = reported(options);
     CHECK(contains(text, "[SP401 operation-without-event]"));
     CHECK(contains(text, "; 1 warning, 1 left out by " + options[0]));
   }
-  const std::string cause = told({"--ignore", "SP401"});
+  const std::string cause = reported({"--ignore", "SP401"});
   CHECK(contains(cause, "[SP313 type-of-no-io]"));
   CHECK_FALSE(contains(cause, "operation-without-event"));
 }

@@ -106,9 +106,9 @@ TEST_CASE("init: as it stands it is the plant of the bare list, and each key unc
     files.files["list.csv"] = list;
     const std::string text = run_tool({"init", "list.csv"}, files).out;
     const ToolRun bare = run_tool({"model", "list.csv", "--format", "json"}, files);
-    const Tried as_it_stands = tried(list, text);
-    CHECK(as_it_stands.code == 0);
-    CHECK(as_it_stands.model_hash == json_of(bare.out).at("model_hash").get<std::string>());
+    const Tried as_is = tried(list, text);
+    CHECK(as_is.code == 0);
+    CHECK(as_is.model_hash == json_of(bare.out).at("model_hash").get<std::string>());
 
     const std::vector<std::string> lines = lines_of(text);
     const Tried all = tried(list, without_comments(lines, [](std::size_t) { return true; }));

@@ -113,7 +113,7 @@ TEST_CASE("run: the line of a link counts the operations that go to zero as map 
 }
 
 TEST_CASE("check: a URL that no link can have, and a port that two links have, is told at its place") {
-  const auto told = [](const std::string& links) {
+  const auto reported = [](const std::string& links) {
     MemoryFileSystem files = plant("");
     files.files["m.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,A_B_C_I_D,X1,,BOOL,FALSE\n";
     files.files["plant.json"] = R"({"symplant": 1, "symbols": [{"file": "l.csv", "controller": "A"},
@@ -123,7 +123,7 @@ TEST_CASE("check: a URL that no link can have, and a port that two links have, i
     CHECK(run.code == (run.out.find("error") == std::string::npos ? 0 : 1));
     return run.out;
   };
-  const auto url = [&](const std::string& text) { return told(R"({"controller": "A", "url": ")" + text + "\"}"); };
+  const auto url = [&](const std::string& text) { return reported(R"({"controller": "A", "url": ")" + text + "\"}"); };
   CHECK(contains(url("modbus-tcp-server://127.0.0.1:99999"),
                  "plant.json:3:28: error: `127.0.0.1:99999` ends in no port"));
   CHECK(contains(url("modbus-tcp-server://127.0.0.1"), "has no port: give HOST:PORT"));
@@ -132,20 +132,20 @@ TEST_CASE("check: a URL that no link can have, and a port that two links have, i
   CHECK(contains(url("loop:x"), "`loop:` takes nothing behind the colon"));
   CHECK_FALSE(contains(url("modbus-tcp-server://some.host:1502"), "error"));
   const std::string one = R"({"controller": "A", "url": "modbus-tcp-server://:1502"},)";
-  CHECK(contains(told(one + "\n" + R"({"controller": "B", "url": "modbus-tcp-server://:1502"})"),
+  CHECK(contains(reported(one + "\n" + R"({"controller": "B", "url": "modbus-tcp-server://:1502"})"),
                  "plant.json:4:28: error: another link has this port already: give each a port of its own"));
-  CHECK_FALSE(contains(told(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
+  CHECK_FALSE(contains(reported(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
 }
 
 TEST_CASE("check: a symbol of 8 bits that has a register of its own is not told to have none") {
-  const auto told = [](const std::string& link) {
+  const auto reported = [](const std::string& link) {
     MemoryFileSystem files = plant(link);
     files.files["l.csv"] += "VAR_GLOBAL,MODE,,%IB3,BYTE,7\n";
     return run_tool({"check", "plant.json"}, files).out;
   };
-  CHECK(contains(told(""), "`MODE` is BYTE, 8 bits: it is in the images and on no register"));
-  CHECK(contains(told(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])"), "SP312"));
-  CHECK_FALSE(contains(told(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
+  CHECK(contains(reported(""), "`MODE` is BYTE, 8 bits: it is in the images and on no register"));
+  CHECK(contains(reported(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])"), "SP312"));
+  CHECK_FALSE(contains(reported(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
 }
 
 TEST_CASE("run: a time of silence that the cycle cannot keep is warned of, by the key that counts") {
@@ -170,7 +170,7 @@ TEST_CASE("generate: the settings of the links stand in the tables") {
   const std::string& tables = files.files["out/tables_gen.cpp"];
   CHECK(contains(tables, "    {2, 7, link::WordOrder::low_first, link::OnLoss::as_link},  // SPEED\n"));
   CHECK(contains(tables,
-                 "    {.places = links::kPlaces0, .word_order = link::WordOrder::low_first, .status_block = "
+                 "    {.rows = links::kLinkRows0, .word_order = link::WordOrder::low_first, .status_block = "
                  "link::kNowhere, .keep = links::kKeep0},\n"));
 }
 

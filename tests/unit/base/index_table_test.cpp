@@ -16,23 +16,23 @@ TEST_CASE("A table of places finds what a map finds, whatever the hashes") {
   std::mt19937 random(1);
   for (const std::uint64_t mask : {~std::uint64_t{0}, std::uint64_t{0xFF}, std::uint64_t{0}}) {
     std::vector<std::string> keys;
-    std::map<std::string, std::uint32_t> places;
+    std::map<std::string, std::uint32_t> indexes;
     IndexTable table;
     CHECK(table.find(1, [](std::uint32_t) { return true; }) == IndexTable::kNothing);
     for (int i = 0; i < 3000; ++i) {
       const std::string key = std::to_string(random() % 1000);
       const std::uint64_t hash = hash_ignoring_case(key) & mask;
-      const auto is_at = [&](std::uint32_t place) { return keys[place] == key; };
-      const auto known = places.find(key);
-      REQUIRE(table.find(hash, is_at) == (known == places.end() ? IndexTable::kNothing : known->second));
+      const auto is_at = [&](std::uint32_t index) { return keys[index] == key; };
+      const auto known = indexes.find(key);
+      REQUIRE(table.find(hash, is_at) == (known == indexes.end() ? IndexTable::kNothing : known->second));
       const auto next = static_cast<std::uint32_t>(keys.size());
       keys.push_back(key);
-      REQUIRE(table.find_or_add(hash, next, is_at) == places.try_emplace(key, next).first->second);
+      REQUIRE(table.find_or_add(hash, next, is_at) == indexes.try_emplace(key, next).first->second);
       if (random() % 8 != 0) continue;
-      places[key] = next;  // the key stands there, too
+      indexes[key] = next;  // the key stands there, too
       table.move(hash, next, is_at);
     }
-    CHECK(table.size() == places.size());
+    CHECK(table.size() == indexes.size());
   }
 }
 

@@ -25,7 +25,7 @@ inline description::DeviceDescription device(std::string path = "L_P_D") {
   return described;
 }
 
-inline description::GivenTransition way(std::string from, std::string to, std::string when = "") {
+inline description::GivenTransition transition(std::string from, std::string to, std::string when = "") {
   description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
@@ -34,7 +34,7 @@ inline description::GivenTransition way(std::string from, std::string to, std::s
 }
 
 inline description::GivenTransition by_itself(std::string from, std::string to, std::string when = "") {
-  description::GivenTransition given = way(std::move(from), std::move(to), std::move(when));
+  description::GivenTransition given = transition(std::move(from), std::move(to), std::move(when));
   given.automatic = true;
   return given;
 }
@@ -46,14 +46,14 @@ inline description::Description describing(std::vector<description::DeviceDescri
 }
 
 /// The findings of a rule: "pointer: message", a line each, related places behind them in brackets.
-inline std::string told(const Analysed& analysed, std::string_view slug) {
+inline std::string reported(const Analysed& analysed, std::string_view slug) {
   CHECK(analysed.model().description_faults.empty());
   std::string text;
   for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
     if (finding.rule->slug != slug) continue;
-    text += (text.empty() ? "" : "\n") + finding.place.pointer + ": " + finding.message;
+    text += (text.empty() ? "" : "\n") + finding.location.pointer + ": " + finding.message;
     for (const diag::Related& related : finding.related) {
-      text += " [" + related.place.pointer + ": " + related.message + "]";
+      text += " [" + related.location.pointer + ": " + related.message + "]";
     }
   }
   return text;

@@ -11,7 +11,7 @@ using check::Verdict;
 
 Verdict verdict(const std::string& when) {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", when)};
+  d.transitions = {transition("P1", "P2", when)};
   const Analysed list = analyse_described(two_devices(), describing({d}));
   REQUIRE(list.model().description_faults.empty());
   return check::decide(list.model().units[0].conditions[0], list.model(), check::AllStates(list.model()));
@@ -69,7 +69,7 @@ std::vector<Row> many_bits() {
 
 Verdict of_many(const std::string& when) {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", when)};
+  d.transitions = {transition("P1", "P2", when)};
   const Analysed list = analyse_described(many_bits(), describing({d}));
   REQUIRE(list.model().description_faults.empty());
   return check::decide(list.model().units[0].conditions[0], list.model(), check::AllStates(list.model()));

@@ -7,7 +7,7 @@ namespace {
 const std::vector<std::string> kCylinder = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
 
 std::string inference_2(const description::DeviceDescription& d) {
-  return told(analyse_described(bits(kCylinder), describing({d})), "inferred-single-solenoid");
+  return reported(analyse_described(bits(kCylinder), describing({d})), "inferred-single-solenoid");
 }
 
 TEST_CASE("Inference 2 tells only what the description left open") {
@@ -30,46 +30,46 @@ TEST_CASE("Inference 2 tells only what the description left open") {
 }
 
 TEST_CASE("Inference 1 speaks of a spring only where it is one") {
-  const auto told_of = [](const description::DeviceDescription& d) {
-    return told(analyse_described(bits({"L_P_D_O_RUN", "L_P_D_I_RUN"}), describing({d})), "inferred-rest-state");
+  const auto subject = [](const description::DeviceDescription& d) {
+    return reported(analyse_described(bits({"L_P_D_O_RUN", "L_P_D_I_RUN"}), describing({d})), "inferred-rest-state");
   };
   description::DeviceDescription d = device();
-  CHECK(told_of(d) ==
+  CHECK(subject(d) ==
         ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` and returns to it like a spring "
         "(inference 1)");
   d.actuation = tables::Actuation::held;
-  CHECK(told_of(d) ==
+  CHECK(subject(d) ==
         ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN`, in which it starts (inference 1)");
   d.initial = "RUN";
-  CHECK(told_of(d) == ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` (inference 1)");
+  CHECK(subject(d) == ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` (inference 1)");
 }
 
-std::string nobody(const std::vector<std::string>& names, const description::DeviceDescription& d) {
-  return told(analyse_described(bits(names), describing({d})), "nobody-moves");
+std::string undriven(const std::vector<std::string>& names, const description::DeviceDescription& d) {
+  return reported(analyse_described(bits(names), describing({d})), "nobody-moves");
 }
 
 TEST_CASE("Nobody moves what no automatic transition, output or behaviour does") {
   const std::vector<std::string> names{"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_I_P3"};
   description::DeviceDescription d = device();
-  CHECK(nobody(names, d) ==
+  CHECK(undriven(names, d) ==
         ": `L_P_D_I_P1` and 2 more of `L_P_D`: nobody moves them, since the device has no operation; they stay as they "
         "start");
   d.transitions = {by_itself("P1", "P2"), by_itself("P2", "P1")};
-  CHECK(nobody(names, d) ==
+  CHECK(undriven(names, d) ==
         ": `L_P_D_I_P3`: nobody moves it, since no state that the device comes into switches it; it stays off; if it "
         "is a contact that is on in a healthy plant, write Initial TRUE");
   d.outputs = {{"P2", {{"P3", true}}, {{"P3", false}}}};
-  CHECK(nobody(names, d) == "");
+  CHECK(undriven(names, d) == "");
   d.outputs.clear();
   d.behaviour = "MyOwn";
-  CHECK(nobody(names, d) == "");
+  CHECK(undriven(names, d) == "");
 }
 
 TEST_CASE("An event that nobody moves stands as the description has it start") {
   description::DeviceDescription d = device();
   d.initial = "ON";
   CHECK_THAT(
-      nobody({"L_P_D_I_ON"}, d),
+      undriven({"L_P_D_I_ON"}, d),
       Catch::StartsWith(": `L_P_D_I_ON`: nobody moves it, since the device has no operation; it stays on, as the "
                         "description says [: follows from this (inferred-rest-state): "));
 }
@@ -88,15 +88,15 @@ TEST_CASE("An operation without an event is none where the state reports otherwi
   CHECK(count() == 0);
   d.behaviour.clear();
   d.only = true;
-  d.transitions = {way("P1", "P3"), way("P3", "P1")};
+  d.transitions = {transition("P1", "P3"), transition("P3", "P1")};
   CHECK(count() == 0);
 }
 
 TEST_CASE("With a description, its `initial` mends a start by the order of rows") {
   const auto text = [](std::vector<description::DeviceDescription> devices) {
-    return told(analyse_described(bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET", "L_P_D_I_RET"}),
-                                  describing(std::move(devices))),
-                "initial-by-row-order");
+    return reported(analyse_described(bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET", "L_P_D_I_RET"}),
+                                      describing(std::move(devices))),
+                    "initial-by-row-order");
   };
   CHECK(text({}) ==
         ": `L_P_D` starts in `ADV`, only because its row comes first: write Initial TRUE with the event that is on "

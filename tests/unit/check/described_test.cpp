@@ -10,23 +10,24 @@ TEST_CASE("A state is reached by a chain of commanded and automatic transitions,
   description::DeviceDescription d = device();
   d.states = {"MID", "END"};
   d.only = true;
-  d.transitions = {way("P1", "P2"), by_itself("P2", "MID", "L_P_E.A2"), by_itself("MID", "END"), way("END", "P1")};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") == "");
+  d.transitions = {transition("P1", "P2"), by_itself("P2", "MID", "L_P_E.A2"), by_itself("MID", "END"),
+                   transition("END", "P1")};
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") == "");
   description::DeviceDescription s = device();
   s.only = true;
   s.actuation = tables::Actuation::spring;
   s.rest = "P1";
   s.initial = "P2";
-  CHECK(told(analyse_described(two_devices(), describing({s})), "unreachable-state") == "");
+  CHECK(reported(analyse_described(two_devices(), describing({s})), "unreachable-state") == "");
 }
 
 TEST_CASE("A state without a way to it is told where the description adds it, or at `only`") {
   description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
-  d.transitions = {way("MID", "P2"), way("P2", "MID"), way("P2", "P1")};
+  d.transitions = {transition("MID", "P2"), transition("P2", "MID"), transition("P2", "P1")};
   d.transitions[1].on = "P1";
-  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
         "/devices/L_P_D/states/0: nothing leads to `MID` of `L_P_D`, only a scenario or a person can put it there: see "
         "why the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but it begins in a state that "
         "nothing leads to]\n"
@@ -37,25 +38,25 @@ TEST_CASE("A state without a way to it is told where the description adds it, or
 
 TEST_CASE("Two devices that wait for each other reach neither state") {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "L_P_E.A2")};
+  d.transitions = {transition("P1", "P2", "L_P_E.A2")};
   description::DeviceDescription e = device("L_P_E");
-  e.transitions = {way("A1", "A2", "L_P_D.P2")};
+  e.transitions = {transition("A1", "A2", "L_P_D.P2")};
   const Analysed list = analyse_described(two_devices(), describing({d, e}));
   CHECK(list.count("unreachable-state") == 2);
   CHECK(list.count("state-never-left") == 2);
   CHECK(list.count("condition-never-holds") == 0);
-  e.transitions = {way("A1", "A2", "L_P_D.P1")};
+  e.transitions = {transition("A1", "A2", "L_P_D.P1")};
   CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
 }
 
 TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so may one with the user's code") {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "L_P_B.ON")};
+  d.transitions = {transition("P1", "P2", "L_P_B.ON")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
   description::DeviceDescription e = device("L_P_E");
   e.only = true;
   e.behaviour = "MyMachine";
-  d.transitions = {way("P1", "P2", "L_P_E.A2")};
+  d.transitions = {transition("P1", "P2", "L_P_E.A2")};
   CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
 }
 
@@ -63,8 +64,8 @@ TEST_CASE("What stands behind an automatic transition without condition and time
   description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
-  d.transitions = {by_itself("P1", "MID"), way("P1", "P2"), way("MID", "P1")};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
+  d.transitions = {by_itself("P1", "MID"), transition("P1", "P2"), transition("MID", "P1")};
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
         "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
         "the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but an automatic transition leaves "
         "its state before]");
@@ -85,8 +86,8 @@ TEST_CASE("A symbol that is missing in the list is told as that, and not once mo
 TEST_CASE("A state that is commanded away and has no way out is told") {
   description::DeviceDescription d = device();
   d.only = true;
-  d.transitions = {way("P1", "P2")};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "state-never-left") ==
+  d.transitions = {transition("P1", "P2")};
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "state-never-left") ==
         "/devices/L_P_D/only: `L_P_D` never leaves `P2`, though `L_P_D_O_P1` commands it away: give it a transition "
         "that leads out");
   d.transitions.push_back(by_itself("P2", "P1"));
@@ -97,7 +98,7 @@ TEST_CASE("A state that no operation commands away may be the last") {
   description::DeviceDescription d = device();
   d.only = true;
   d.actuation = tables::Actuation::latched;
-  d.transitions = {way("NOT_ON", "ON")};
+  d.transitions = {transition("NOT_ON", "ON")};
   CHECK(analyse_described(bits({"L_P_D_O_ON", "L_P_D_I_ON"}), describing({d})).count("state-never-left") == 0);
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("A circle of automatic transitions is told once, whatever leads into i
   description::DeviceDescription d = device();
   d.states = {"A", "B"};
   d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
         "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` by itself and in no time, so that it is frozen "
         "when it runs: give one of these transitions an `after`, a `takes` or a `when` [/devices/L_P_D/transitions/2: "
         "and this one leads on]");
@@ -150,7 +151,7 @@ description::DeviceDescription disabling(const std::string& path, std::vector<st
 TEST_CASE("A circle of disables is told once, with its members") {
   const auto described = describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"}),
                                      disabling("L_P_R2", {"L_P_R0"}), disabling("L_P_R3", {"L_P_R0"})});
-  CHECK(told(analyse_described(ring(4), described), "cycle-of-disables") ==
+  CHECK(reported(analyse_described(ring(4), described), "cycle-of-disables") ==
         "/devices/L_P_R0/disables/P2: `L_P_R0` in `P2` disables `L_P_R1`, `L_P_R1` in `P2` disables `L_P_R2`, `L_P_R2` "
         "in `P2` disables `L_P_R0`: once all stand so none can leave; take one of these out "
         "[/devices/L_P_R1/disables/P2: `L_P_R1` disables `L_P_R2` here] "
@@ -165,7 +166,7 @@ TEST_CASE("Two circles apart are two findings, two that share a device are one")
       analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1", "L_P_R2"}), disabling("L_P_R1", {"L_P_R0"}),
                                              disabling("L_P_R2", {"L_P_R0"})}));
   CHECK(shared.count("cycle-of-disables") == 1);
-  CHECK(told(shared, "cycle-of-disables").find("(1 more devices are in circles with them)") != std::string::npos);
+  CHECK(reported(shared, "cycle-of-disables").find("(1 more devices are in circles with them)") != std::string::npos);
   CHECK(analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"})}))
             .count("cycle-of-disables") == 0);
 }
@@ -174,8 +175,8 @@ TEST_CASE("Two circles apart are two findings, two that share a device are one")
 
 TEST_CASE("A condition that stands in several transitions of a device is told once") {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P2", "P1", "L_P_E.A1 and L_P_E.A2")};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "condition-never-holds") ==
+  d.transitions = {transition("P1", "P2", "L_P_E.A1 and L_P_E.A2"), transition("P2", "P1", "L_P_E.A1 and L_P_E.A2")};
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "condition-never-holds") ==
         "/devices/L_P_D/transitions/0/when: `L_P_E.A1 and L_P_E.A2` can never hold, so that the transition is never "
         "taken: correct it");
 }
@@ -184,14 +185,14 @@ TEST_CASE("Inputs of a behaviour are looked at, too") {
   description::DeviceDescription d = device();
   d.behaviour = "MyOwn";
   d.inputs = {{"fast", "L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6"}, {"part", "L_P_E.A1"}};
-  CHECK(told(analyse_described(two_devices(), describing({d})), "condition-always-holds") ==
+  CHECK(reported(analyse_described(two_devices(), describing({d})), "condition-always-holds") ==
         "/devices/L_P_D/inputs/fast: `L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6` always holds, so that this input is "
         "always on: correct it or leave it out");
 }
 
 TEST_CASE("A description with faults is not looked at further") {
   description::DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "L_P_E.A1 and L_P_E.A2"), way("P1", "P9")};
+  d.transitions = {transition("P1", "P2", "L_P_E.A1 and L_P_E.A2"), transition("P1", "P9")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
 }
 
@@ -201,7 +202,7 @@ std::string of_requirement(description::GivenRequirement given,
                            std::vector<description::DeviceDescription> devices = {}) {
   description::Description description = describing(std::move(devices));
   description.requirements = {std::move(given)};
-  return told(analyse_described(two_devices(), std::move(description)), "requirement-decided");
+  return reported(analyse_described(two_devices(), std::move(description)), "requirement-decided");
 }
 
 TEST_CASE("A requirement that cannot be violated, or always is, is told") {

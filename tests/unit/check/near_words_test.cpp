@@ -53,19 +53,19 @@ TEST_CASE("Every near pair is found but where more than the best three share a f
     for (char32_t b = U'A'; b <= U'E'; ++b) words.push_back({std::u32string{U'X', a, b, U'X'}, words.size() + 1});
   }
   const NearWords near(words);
-  for (std::uint32_t place = 0; place < words.size(); ++place) {
-    const auto found = near.commoner_near(place);
+  for (std::uint32_t location = 0; location < words.size(); ++location) {
+    const auto found = near.commoner_near(location);
     std::size_t all = 0;
-    for (std::uint32_t other = place + 1; other < words.size(); ++other) {
-      if (differ_by_slip(words[place].text, words[other].text)) ++all;
+    for (std::uint32_t other = location + 1; other < words.size(); ++other) {
+      if (differ_by_slip(words[location].text, words[other].text)) ++all;
     }
     CHECK(found.size() <= all);
     CHECK((all == 0 || !found.empty()));
     if (all != 0) {
       // The commonest of all near ones is always among them.
-      std::uint32_t best = place;
-      for (std::uint32_t other = place + 1; other < words.size(); ++other) {
-        if (differ_by_slip(words[place].text, words[other].text)) best = other;
+      std::uint32_t best = location;
+      for (std::uint32_t other = location + 1; other < words.size(); ++other) {
+        if (differ_by_slip(words[location].text, words[other].text)) best = other;
       }
       CHECK(found.front() == best);
     }

@@ -15,29 +15,29 @@ std::vector<Row> device_with(const std::vector<std::string>& tasks) {
   return bits(names);
 }
 
-std::size_t told_of(const std::vector<Row>& rows, std::string_view slug) { return analyse_rows(rows).count(slug); }
+std::size_t subject(const std::vector<Row>& rows, std::string_view slug) { return analyse_rows(rows).count(slug); }
 
 TEST_CASE("A gap is a number or a few that are missing among even steps") {
-  CHECK(told_of(device_with({"P1", "P2", "P4"}), "sequence-gap") == 1);
-  CHECK(told_of(device_with({"P1", "P3", "P4"}), "sequence-gap") == 1);
-  CHECK(told_of(device_with({"P1", "P2", "P3", "P6"}), "sequence-gap") == 1);
-  CHECK(told_of(device_with({"P10", "P20", "P40"}), "sequence-gap") == 1);
-  CHECK(told_of(device_with({"P1", "P2", "P4", "P5", "P7"}), "sequence-gap") == 2);
-  CHECK(told_of(device_with({"P1", "P2", "P3"}), "sequence-gap") == 0);
-  CHECK(told_of(device_with({"P10", "P20", "P30"}), "sequence-gap") == 0);
-  CHECK(told_of(device_with({"P1", "P3"}), "sequence-gap") == 0);
-  CHECK(told_of(device_with({"P1", "P2", "P100"}), "sequence-gap") == 0);
-  CHECK(told_of(device_with({"P3", "P4", "P5"}), "sequence-gap") == 0);
-  CHECK(told_of(device_with({"P1", "P2", "P99999999999999999999999999"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P1", "P2", "P4"}), "sequence-gap") == 1);
+  CHECK(subject(device_with({"P1", "P3", "P4"}), "sequence-gap") == 1);
+  CHECK(subject(device_with({"P1", "P2", "P3", "P6"}), "sequence-gap") == 1);
+  CHECK(subject(device_with({"P10", "P20", "P40"}), "sequence-gap") == 1);
+  CHECK(subject(device_with({"P1", "P2", "P4", "P5", "P7"}), "sequence-gap") == 2);
+  CHECK(subject(device_with({"P1", "P2", "P3"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P10", "P20", "P30"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P1", "P3"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P1", "P2", "P100"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P3", "P4", "P5"}), "sequence-gap") == 0);
+  CHECK(subject(device_with({"P1", "P2", "P99999999999999999999999999"}), "sequence-gap") == 0);
 }
 
 TEST_CASE("A number repeats where one pair has it; more pairs count sensors") {
-  CHECK(told_of(device_with({"HOME1", "JOB2", "DONE2"}), "sequence-repeated") == 1);
-  CHECK(told_of(device_with({"HOME1", "JOB1", "DONE2"}), "sequence-repeated") == 1);
-  CHECK(told_of(device_with({"HOME1", "JOB2", "DONE3"}), "sequence-repeated") == 0);
-  CHECK(told_of(device_with({"ADV1", "RET1", "ADV2", "RET2"}), "sequence-repeated") == 0);
-  CHECK(told_of(device_with({"A1", "B1", "C1"}), "sequence-repeated") == 0);
-  CHECK(told_of(device_with({"ADV1", "RET1"}), "sequence-repeated") == 0);
+  CHECK(subject(device_with({"HOME1", "JOB2", "DONE2"}), "sequence-repeated") == 1);
+  CHECK(subject(device_with({"HOME1", "JOB1", "DONE2"}), "sequence-repeated") == 1);
+  CHECK(subject(device_with({"HOME1", "JOB2", "DONE3"}), "sequence-repeated") == 0);
+  CHECK(subject(device_with({"ADV1", "RET1", "ADV2", "RET2"}), "sequence-repeated") == 0);
+  CHECK(subject(device_with({"A1", "B1", "C1"}), "sequence-repeated") == 0);
+  CHECK(subject(device_with({"ADV1", "RET1"}), "sequence-repeated") == 0);
 }
 
 /// `whole` clamps of two tasks, then `single` with the coil OPEN alone.
@@ -54,11 +54,11 @@ std::vector<Row> clamps(int whole, int single) {
 }
 
 TEST_CASE("A device that lacks a symbol is told where three others and three quarters have it, and it is not meant") {
-  CHECK(told_of(clamps(3, 1), "shape-lacks-symbol") == 1);
-  CHECK(told_of(clamps(2, 1), "shape-lacks-symbol") == 0);
-  CHECK(told_of(clamps(14, 2), "shape-lacks-symbol") == 2);
-  CHECK(told_of(clamps(9, 3), "shape-lacks-symbol") == 0);  // three of them: single solenoids
-  CHECK(told_of(clamps(5, 0), "shape-lacks-symbol") == 0);
+  CHECK(subject(clamps(3, 1), "shape-lacks-symbol") == 1);
+  CHECK(subject(clamps(2, 1), "shape-lacks-symbol") == 0);
+  CHECK(subject(clamps(14, 2), "shape-lacks-symbol") == 2);
+  CHECK(subject(clamps(9, 3), "shape-lacks-symbol") == 0);  // three of them: single solenoids
+  CHECK(subject(clamps(5, 0), "shape-lacks-symbol") == 0);
 }
 
 TEST_CASE("The finding names the symbol that is missing, and stands at the other one of its task") {
@@ -67,7 +67,8 @@ TEST_CASE("The finding names the symbol that is missing, and stands at the other
   const diag::Diagnostic& finding = list.diagnostics.all()[0];
   CHECK(finding.message.find("`L_P_CLAMP5_O_CLOSE` is missing: 4 of 5 devices") == 0);
   CHECK(finding.about == std::vector<std::string>{"L_P_CLAMP5", "L_P_CLAMP5_O_CLOSE"});
-  CHECK(finding.place.source->line_at(finding.place.span.begin).find("L_P_CLAMP5_I_CLOSE") != std::string_view::npos);
+  CHECK(finding.location.source->line_at(finding.location.span.begin).find("L_P_CLAMP5_I_CLOSE") !=
+        std::string_view::npos);
 }
 
 TEST_CASE("A number that the others have is missing as a bit is, also where devices have numbers only") {
@@ -76,8 +77,8 @@ TEST_CASE("A number that the others have is missing as a bit is, also where devi
     for (const char* part : {"_O_RUN", "_I_RUN", "_O_STOP", "_I_STOP*"}) names.push_back("L_P_DRIVE" + i + part);
   }
   std::vector<Row> rows = bits(names);
-  const auto number = [&](const std::string& name, std::size_t place) {
-    rows.push_back({name, "", "INT", "0", "%IW" + std::to_string(100 + place)});
+  const auto number = [&](const std::string& name, std::size_t location) {
+    rows.push_back({name, "", "INT", "0", "%IW" + std::to_string(100 + location)});
   };
   for (std::size_t i = 1; i <= 5; ++i) {
     if (i != 2) number("L_P_DRIVE" + std::to_string(i) + "_I_SPEED", 10 * i);
@@ -129,12 +130,12 @@ TEST_CASE("Forms of one word are alike, other words and other numbers are not") 
 }
 
 TEST_CASE("Two forms of one word are told of a device with further tasks, too") {
-  const auto told = [](const std::vector<std::string>& names) {
+  const auto reported = [](const std::vector<std::string>& names) {
     return analyse_rows(bits(names)).fired(diag::Severity::warning);
   };
-  CHECK(told({"L_P_D_O_OPEN", "L_P_D_I_OPEN", "L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
-  CHECK(told({"L_P_D_O_HOME1", "L_P_D_I_HOME1", "L_P_D_O_WELD2", "L_P_D_I_WELDED2"}) == "two-words-one-state");
-  CHECK(told({"L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
+  CHECK(reported({"L_P_D_O_OPEN", "L_P_D_I_OPEN", "L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
+  CHECK(reported({"L_P_D_O_HOME1", "L_P_D_I_HOME1", "L_P_D_O_WELD2", "L_P_D_I_WELDED2"}) == "two-words-one-state");
+  CHECK(reported({"L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ inline std::string text_of(const condition::Expression& expression) {
 inline std::string parsed(std::string_view text) {
   const auto result = condition::parse(text);
   if (const auto* fault = std::get_if<condition::Fault>(&result)) {
-    return std::to_string(fault->place.offset) + "+" + std::to_string(fault->place.length) + " " + fault->message;
+    return std::to_string(fault->index.offset) + "+" + std::to_string(fault->index.length) + " " + fault->message;
   }
   return text_of(std::get<condition::Expression>(result));
 }

@@ -56,14 +56,14 @@ TEST_CASE("Every name has its place, with its quotes, in bytes") {
   const auto result = condition::parse("not 'Ä b'.OPEN and xy < 12");
   const auto& both = std::get<condition::Expression>(result);
   const condition::Expression& state = both.children.at(0).children.at(0);
-  CHECK(state.names.at(0).place.offset == 4);
-  CHECK(state.names.at(0).place.length == 6);
-  CHECK(state.names.at(1).place.offset == 11);
-  CHECK(state.names.at(1).place.length == 4);
+  CHECK(state.names.at(0).index.offset == 4);
+  CHECK(state.names.at(0).index.length == 6);
+  CHECK(state.names.at(1).index.offset == 11);
+  CHECK(state.names.at(1).index.length == 4);
   const condition::Expression& comparison = both.children.at(1);
-  CHECK(comparison.names.at(0).place.offset == 20);
-  CHECK(comparison.number_place.offset == 25);
-  CHECK(comparison.number_place.length == 2);
+  CHECK(comparison.names.at(0).index.offset == 20);
+  CHECK(comparison.number_index.offset == 25);
+  CHECK(comparison.number_index.length == 2);
 }
 
 TEST_CASE("A text that is no condition says what is there and what was expected") {

@@ -85,7 +85,7 @@ std::string text_of(const Tree& tree) {
 std::string resolved(std::string_view text) {
   const auto result = condition::parse_and_resolve(text, SmallPlant());
   if (const auto* fault = std::get_if<condition::Fault>(&result)) {
-    return std::to_string(fault->place.offset) + "+" + std::to_string(fault->place.length) + " " + fault->message;
+    return std::to_string(fault->index.offset) + "+" + std::to_string(fault->index.length) + " " + fault->message;
   }
   return text_of(std::get<Tree>(result));
 }

@@ -18,7 +18,7 @@ TEST_CASE("JSON has the rule, the place and the related places of each finding")
   const auto source = std::make_shared<const text::SourceFile>("list.csv", "\xC3\x84,X1\nA,X2\n");
   diag::Diagnostics found;
   std::vector<diag::Related> related(1);
-  related[0].place = {source, {0, 2}};
+  related[0].location = {source, {0, 2}};
   related[0].message = "first";
   found.add(kJsonRule, "say `A` \"once\"", {source, {6, 7}}, related);
   const json document = json::parse(diag::render_json(found.all()));

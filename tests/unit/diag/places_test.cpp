@@ -7,7 +7,7 @@ namespace {
 
 constexpr diag::RuleInfo kSomeRule{"SP999", "some-rule", diag::Severity::warning, "summary", "page"};
 
-diag::Place at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
+diag::Location at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
 
 TEST_CASE("Pointers of all places are listed once, sorted, and each place gets its span") {
   const auto list = std::make_shared<const text::SourceFile>("symbols.csv", "A\n");
@@ -22,12 +22,12 @@ TEST_CASE("Pointers of all places are listed once, sorted, and each place gets i
   const std::vector<std::optional<text::Span>> spans{text::Span{2, 5}, text::Span{10, 13}, std::nullopt};
   found.locate(file, spans);
   const auto all = found.all();
-  CHECK(all[0].place.source == file);
-  CHECK(all[0].place.span.begin == 10);
-  CHECK(all[0].related[0].place.span.begin == 2);
-  CHECK(all[1].place.span.end == 13);
-  CHECK(all[2].place.source == list);
-  CHECK(all[3].place.source == list);  // not found: what stands for it stays
+  CHECK(all[0].location.source == file);
+  CHECK(all[0].location.span.begin == 10);
+  CHECK(all[0].related[0].location.span.begin == 2);
+  CHECK(all[1].location.span.end == 13);
+  CHECK(all[2].location.source == list);
+  CHECK(all[3].location.source == list);  // not found: what stands for it stays
   CHECK(found.pointers() == std::vector<std::string>{"/c"});
 }
 

@@ -23,7 +23,7 @@ std::shared_ptr<const text::SourceFile> list(std::string text, std::string path 
 }
 
 /// The first place of a word in a list.
-diag::Place at(const std::shared_ptr<const text::SourceFile>& source, std::string_view word) {
+diag::Location at(const std::shared_ptr<const text::SourceFile>& source, std::string_view word) {
   const std::size_t begin = source->text().find(word);
   return {source, {begin, begin + word.size()}};
 }

@@ -43,7 +43,7 @@ TEST_CASE("Related places follow as notes") {
   const auto source = source_of("A,X1\nA,X2\n");
   Diagnostics found;
   std::vector<diag::Related> related(1);
-  related[0].place = {source, {0, 1}};
+  related[0].location = {source, {0, 1}};
   related[0].message = "first declared here";
   found.add(kRule, "`A` again", {source, {5, 6}}, related);
   CHECK(render_text(found.all()) ==

@@ -90,7 +90,7 @@ TEST_CASE("A class says what guards its transitions and what its states switch")
            ", true, symplant::tables::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
            "{0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds\n",
            ", false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds\n",
-           ", symplant::tables::kSpringWay",
+           ", symplant::tables::kSpringReturn",
            "// the spring's own way: ADV to RET\n",
            "{0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on\n",
            "{0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off\n",

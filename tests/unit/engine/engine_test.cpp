@@ -193,7 +193,7 @@ TEST_CASE("ways that take no time are gone in one instant, round by round") {
 
 TEST_CASE("a time beyond all time is never due") {
   HandUnit unit = double_solenoid();
-  unit.ways[1].takes = tables::kNever;
+  unit.routes[1].takes = tables::kNever;
   HandPlant plant({unit});
   plant.to(0);
   plant.set(0, 1, true);

@@ -34,13 +34,14 @@ enum Event : std::uint32_t { kAgvAtP1, kAgvAtP2, kMachineIdle1, kMachineRun2 };
 
 inline constexpr std::array<tables::EventMasks, 2> kEnter = {{{1, 0}, {2, 0}}};
 inline constexpr std::array<tables::EventMasks, 2> kLeave = {{{0, 1}, {0, 2}}};
-inline constexpr std::array kAgvWays = {tables::Transition{0, 1, 0}, tables::Transition{1, 0, 1}};
+inline constexpr std::array kAgvTransitions = {tables::Transition{0, 1, 0}, tables::Transition{1, 0, 1}};
 inline constexpr std::array<std::uint8_t, 2> kAgvTargets = {1, 0};
-inline constexpr std::array kMachineWays = {tables::Transition{0, 1, 1}, tables::Transition{1, 0, 0}};
+inline constexpr std::array kMachineTransitions = {tables::Transition{0, 1, 1}, tables::Transition{1, 0, 0}};
 inline constexpr std::array<std::uint8_t, 2> kMachineTargets = {0, 1};
 inline constexpr std::array kTypes = {
-    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kAgvWays, kEnter, kLeave, kAgvTargets},
-    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kMachineWays, kEnter, kLeave,
+    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kAgvTransitions, kEnter, kLeave,
+                    kAgvTargets},
+    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kMachineTransitions, kEnter, kLeave,
                     kMachineTargets},
 };
 inline constexpr std::array kUnits = {tables::UnitRow{0, 0, 0, 0, 0, 0}, tables::UnitRow{1, 0, 0, 2, 2, 0}};

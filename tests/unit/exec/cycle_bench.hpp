@@ -58,7 +58,7 @@ class FakeLink final : public exec::Exchange {
   }
   void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override {
     entries.push_back({Call::write, plant.now(), plant.changed_events().size()});
-    told.push_back(status);
+    reported.push_back(status);
     if (on_write) on_write(plant);
   }
 
@@ -77,7 +77,7 @@ class FakeLink final : public exec::Exchange {
 
   std::vector<Entry> entries;
   std::vector<Time> read_at;
-  std::vector<exec::CycleStatus> told;
+  std::vector<exec::CycleStatus> reported;
   int left = 0;
   exec::LinkState stands = exec::LinkState::live;
   bool freezes = false;

@@ -181,17 +181,17 @@ TEST_CASE("a link that freezes the plant has its turns while plant time stands s
   CHECK(statistics.overruns == 0);
   CHECK(statistics.slipped == 0);
   CHECK(bench.clock.now() == begin + 90 * ms);
-  CHECK(bench.link.told[2].live == 1);
-  CHECK_FALSE(bench.link.told[2].frozen);
-  CHECK(bench.link.told[3].live == 0);
-  CHECK(bench.link.told[3].frozen);
+  CHECK(bench.link.reported[2].live == 1);
+  CHECK_FALSE(bench.link.reported[2].frozen);
+  CHECK(bench.link.reported[3].live == 0);
+  CHECK(bench.link.reported[3].frozen);
 }
 
 TEST_CASE("a link is told how many cycles were, what time it is, and at the end that it is over") {
   Bench bench;
   bench.run({.until = 30 * kMillisecond});
   std::vector<std::uint64_t> cycles;
-  for (const exec::CycleStatus& status : bench.link.told) cycles.push_back(status.cycles);
+  for (const exec::CycleStatus& status : bench.link.reported) cycles.push_back(status.cycles);
   CHECK(cycles == std::vector<std::uint64_t>{0, 0, 1, 2});
   CHECK(bench.link.read_at.size() == 3);
   CHECK(bench.link.read_at.back() - bench.link.read_at.front() == 20 * kMillisecond);

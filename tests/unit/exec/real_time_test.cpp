@@ -116,9 +116,9 @@ TEST_CASE("who may not write the kernel's device is told so in one line") {
   if (child == 0) {
     if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
     const exec::RealTimeSetup setup = exec::set_up_real_time({.stay_awake = true});
-    const bool told = setup.awake == nullptr && setup.refused.size() == 1 &&
-                      contains(setup.refused[0].message, "`--stay-awake` is refused (");
-    _exit(told || (geteuid() != 65534 && setup.awake != nullptr) ? 0 : 1);
+    const bool reported = setup.awake == nullptr && setup.refused.size() == 1 &&
+                          contains(setup.refused[0].message, "`--stay-awake` is refused (");
+    _exit(reported || (geteuid() != 65534 && setup.awake != nullptr) ? 0 : 1);
   }
   int status = -1;
   REQUIRE(waitpid(child, &status, 0) == child);

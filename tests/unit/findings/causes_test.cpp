@@ -126,15 +126,15 @@ TEST_CASE("Folding loses nothing: each finding stands alone or below another") {
       Analysed folded = analyse_rows(rows);
       diag::Diagnostics plain;
       check::check_plant(folded.model(), plain);
-      std::size_t told = 0;
+      std::size_t reported = 0;
       for (const diag::Diagnostic& finding : folded.diagnostics.all()) {
-        ++told;
+        ++reported;
         for (const diag::Related& related : finding.related) {
-          told += related.message.starts_with("follows from this (") ? 1U : 0U;
+          reported += related.message.starts_with("follows from this (") ? 1U : 0U;
         }
       }
       INFO(rows[i].name << " for row " << i << ": " << folded.fired());
-      CHECK(told == plain.all().size());
+      CHECK(reported == plain.all().size());
     }
   }
 }

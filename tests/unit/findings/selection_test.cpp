@@ -20,7 +20,7 @@ std::string verdict(const Words& select, const Words& ignore, std::string_view r
   const auto selection = Selection::of(select, ignore);
   REQUIRE(selection);
   switch (selection->verdict(*check::find_rule(rule))) {
-    case Selection::Verdict::told:
+    case Selection::Verdict::reported:
       return "told";
     case Selection::Verdict::not_selected:
       return "not selected";

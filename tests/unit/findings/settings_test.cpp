@@ -49,18 +49,18 @@ TEST_CASE("An entry counts up to its day, that one included, and says so after i
 }
 
 TEST_CASE("An entry that hides nothing is told, also where it is over") {
-  CHECK(told(with({{"SP402", "*_MOTOR*", "later", ""}}), "ignore-without-finding") ==
+  CHECK(reported(with({{"SP402", "*_MOTOR*", "later", ""}}), "ignore-without-finding") ==
         "/check/ignore/0: nothing is found by `SP402` of `*_MOTOR*`: take this entry out");
   CHECK(with({{"SP402", "*_MOTOR*", "later", "2026-01-01"}}).count("ignore-without-finding") == 1);
   // Of two entries that fit, the first hides; the second has nothing left.
-  CHECK(told(with({{"SP402", "*", "a", ""}, {"SP402", "*_HOT", "b", ""}}), "ignore-without-finding") ==
+  CHECK(reported(with({{"SP402", "*", "a", ""}, {"SP402", "*_HOT", "b", ""}}), "ignore-without-finding") ==
         "/check/ignore/1: nothing is found by `SP402` of `*_HOT`: take this entry out");
 }
 
 TEST_CASE("A rule that is none is told with the nearest, a date that is none likewise") {
-  CHECK(told(with({{"nobody-moved", "*", "x", ""}}), "unknown-rule") ==
+  CHECK(reported(with({{"nobody-moved", "*", "x", ""}}), "unknown-rule") ==
         "/check/ignore/0/rule: there is no rule `nobody-moved`, the nearest is `nobody-moves`");
-  CHECK(told(with({}, {{"loud", "error"}}), "unknown-rule") ==
+  CHECK(reported(with({}, {{"loud", "error"}}), "unknown-rule") ==
         "/check/severity/loud: there is no rule `loud`: `symplant rules` lists all");
   for (const char* date :
        {"2026-02-29", "2026-13-01", "2026-00-10", "2026-6-30", "30.06.2026", "2026-06-31", "tomorrow"}) {
@@ -79,7 +79,7 @@ TEST_CASE("A severity set reaches counts and errors") {
 }
 
 TEST_CASE("Errors that leave no sound plant are neither lowered nor ignored") {
-  CHECK(told(with({}, {{"event-moved-twice", "note"}}), "binding-rule") ==
+  CHECK(reported(with({}, {{"event-moved-twice", "note"}}), "binding-rule") ==
         "/check/severity/event-moved-twice: `event-moved-twice` cannot be lowered: after this error there is nothing "
         "sound to go on with, mend its cause");
   CHECK(with({{"SP101", "*", "x", ""}}).count("binding-rule") == 1);

@@ -25,17 +25,18 @@ struct Outcome {
 
 /// A vehicle and a door that disables it, one requirement, a folder for files.
 struct Cell {
-  Cell() : tables(names(), told()) {}
+  Cell() : tables(names(), reported()) {}
 
   static std::vector<std::string> names() {
     return {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "DOOR_I_SHUT1", "DOOR_I_OPEN2"};
   }
-  static Told told() {
-    Told told;
-    told.disables("DOOR", "OPEN2", "AGV");
-    told.description.requirements.push_back({"both <at> \"once\" \x01", "L_P_AGV_O_P1 and L_P_AGV_O_P2", "", "", 0});
-    told.description.requirements.push_back({"arrives", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 60 * tables::kSecond});
-    return told;
+  static Reported reported() {
+    Reported reported;
+    reported.disables("DOOR", "OPEN2", "AGV");
+    reported.description.requirements.push_back(
+        {"both <at> \"once\" \x01", "L_P_AGV_O_P1 and L_P_AGV_O_P2", "", "", 0});
+    reported.description.requirements.push_back({"arrives", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 60 * tables::kSecond});
+    return reported;
   }
   Outcome run(const std::string& steps) {
     options.scenario = folder.write("s.json", R"({"symplant-scenario":1,"steps":[)" + steps + "]}");
@@ -318,11 +319,11 @@ TEST_CASE("a guarded run that a signal ends says how many cycles are missing, an
   cell.options.rt_check = 100;
   for (const auto clock : {host::RunOptions::Clock::virtual_time, host::RunOptions::Clock::real_time}) {
     cell.options.clock = clock;
-    EndedEarly told;
-    std::ostream out(&told);
+    EndedEarly reported;
+    std::ostream out(&reported);
     std::ostringstream err;
     CHECK(host::run({.tables = cell.tables.rows}, cell.options, out, err) == host::kFindings);
-    CHECK(contains(told.str(), "rt-check: 100 of 100 cycles were not looked at, since a signal ended the run\n"));
+    CHECK(contains(reported.str(), "rt-check: 100 of 100 cycles were not looked at, since a signal ended the run\n"));
   }
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("the service manager hears by a path and by an abstract name") {
     const host::ServiceManager manager(name, 5 * tables::kSecond);
     CHECK(manager.listens());
     CHECK(manager.watchdog() == 5 * tables::kSecond);
-    manager.tell("READY=1");
+    manager.report("READY=1");
     CHECK(systemd.next() == "READY=1");
   }
 }
@@ -81,14 +81,14 @@ TEST_CASE("without a service manager nothing is told and nothing goes wrong") {
     const host::ServiceManager manager(name, tables::kSecond);
     CHECK_FALSE(manager.listens());
     CHECK(manager.watchdog() == 0);
-    manager.tell("READY=1");
+    manager.report("READY=1");
   }
 }
 
 TEST_CASE("a service manager that does not read is not waited for") {
   FakeManager systemd(abstract_name());
   const host::ServiceManager manager(abstract_name(), 0);
-  for (int i = 0; i < 100'000; ++i) manager.tell("WATCHDOG=1");
+  for (int i = 0; i < 100'000; ++i) manager.report("WATCHDOG=1");
   CHECK(systemd.next() == "WATCHDOG=1");
 }
 

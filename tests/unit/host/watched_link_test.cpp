@@ -40,10 +40,10 @@ struct Bench {
     watched = std::make_unique<host::WatchedLinks>(links, plant, recorder);
     recorder.attach(plant);
   }
-  static Told told() {
-    Told told;
-    told.device("A").behaviour = "Safe";
-    return told;
+  static Reported reported() {
+    Reported reported;
+    reported.device("A").behaviour = "Safe";
+    return reported;
   }
   /// A cycle of 10 ms while the link stands so.
   void cycle(LinkState state) {
@@ -61,7 +61,7 @@ struct Bench {
     return text;
   }
 
-  BenchTables tables{{"A_O_P1", "A_I_P1", "A_O_P2", "A_I_P2"}, told()};
+  BenchTables tables{{"A_O_P1", "A_I_P1", "A_O_P2", "A_I_P2"}, reported()};
   plant::OwnedPlant plant{tables.rows, kBehaviours};
   trace::Recorder recorder{tables.rows, 256};
   SetLink* link = nullptr;

@@ -42,7 +42,7 @@ constexpr std::string_view kSchema = R"({
   }
 })";
 
-std::string told(const std::string& text) {
+std::string reported(const std::string& text) {
   static const Schema schema(kSchema);
   std::string all;
   for (const Fault& fault : schema.check(nlohmann::json::parse(text))) {
@@ -52,60 +52,64 @@ std::string told(const std::string& text) {
 }
 
 TEST_CASE("What fits is told nothing of") {
-  CHECK(told(R"({"version": 1})") == "");
+  CHECK(reported(R"({"version": 1})") == "");
   CHECK(
-      told(
+      reported(
           R"({"version": 1, "count": 2, "devices": {"X": {"kind": "held", "names": ["A"], "takes": {"mean": "1s"}}}})") ==
       "");
 }
 
 TEST_CASE("An unknown key is told with the nearest one, or with those known") {
-  CHECK(told(R"({"version": 1, "devises": {}})") ==
+  CHECK(reported(R"({"version": 1, "devises": {}})") ==
         "/devises (key): the key `devises` is unknown here, the nearest is `devices`\n");
-  CHECK(told(R"({"version": 1, "q": {}})") ==
+  CHECK(reported(R"({"version": 1, "q": {}})") ==
         "/q (key): the key `q` is unknown here, known are `count`, `devices`, `version`\n");
 }
 
 TEST_CASE("A missing key is told with what it holds") {
-  CHECK(told("{}") == " (key): the key `version` is missing here, it holds the version of the format, 1\n");
+  CHECK(reported("{}") == " (key): the key `version` is missing here, it holds the version of the format, 1\n");
 }
 
 TEST_CASE("A number with a point or an exponent is told that it is to be a whole one") {
-  CHECK(told(R"({"version": 1, "count": 1e3})") ==
+  CHECK(reported(R"({"version": 1, "count": 1e3})") ==
         "/count: the number `1000.0` stands here, wanted is a count from 1 on, a whole one, written without a point or "
         "exponent\n");
-  CHECK(told(R"({"version": 1, "count": 1.5})") ==
+  CHECK(reported(R"({"version": 1, "count": 1.5})") ==
         "/count: the number `1.5` stands here, wanted is a count from 1 on, a whole one, written without a point or "
         "exponent\n");
-  CHECK(told(R"({"version": 1, "count": 0})") == "/count: the number `0` stands here, wanted is a count from 1 on\n");
+  CHECK(reported(R"({"version": 1, "count": 0})") ==
+        "/count: the number `0` stands here, wanted is a count from 1 on\n");
 }
 
 TEST_CASE("A wrong type is told with what is there and what is wanted") {
-  CHECK(told(R"({"version": 1, "count": "2"})") == "/count: the text `2` stands here, wanted is a count from 1 on\n");
-  CHECK(told(R"({"version": 1, "devices": [1]})") == "/devices: an array stands here, wanted is an object\n");
+  CHECK(reported(R"({"version": 1, "count": "2"})") ==
+        "/count: the text `2` stands here, wanted is a count from 1 on\n");
+  CHECK(reported(R"({"version": 1, "devices": [1]})") == "/devices: an array stands here, wanted is an object\n");
 }
 
 TEST_CASE("Bounds, empty texts and other versions are told") {
-  CHECK(told(R"({"version": 1, "count": 0})") == "/count: the number `0` stands here, wanted is a count from 1 on\n");
-  CHECK(told(R"({"version": 1, "devices": {"X": {"names": [""]}}})") ==
+  CHECK(reported(R"({"version": 1, "count": 0})") ==
+        "/count: the number `0` stands here, wanted is a count from 1 on\n");
+  CHECK(reported(R"({"version": 1, "devices": {"X": {"names": [""]}}})") ==
         "/devices/X/names/0: an empty text stands here, wanted is a state's name\n");
-  CHECK(told(R"({"version": 2})") == "/version: the number `2` stands here, wanted is the version of the format, 1\n");
+  CHECK(reported(R"({"version": 2})") ==
+        "/version: the number `2` stands here, wanted is the version of the format, 1\n");
 }
 
 TEST_CASE("One of several words is told with all and the nearest") {
-  CHECK(told(R"({"version": 1, "devices": {"X/Y": {"kind": "helt"}}})") ==
+  CHECK(reported(R"({"version": 1, "devices": {"X/Y": {"kind": "helt"}}})") ==
         "/devices/X~1Y/kind: the text `helt` stands here, wanted is one of `latched`, `held`; the nearest is `held`\n");
 }
 
 TEST_CASE("Of several shapes the likeliest is explained") {
-  CHECK(told(R"({"version": 1, "devices": {"X": {"takes": {"min": "1s"}}}})") ==
+  CHECK(reported(R"({"version": 1, "devices": {"X": {"takes": {"min": "1s"}}}})") ==
         "/devices/X/takes (key): the key `max` is missing here\n");
-  CHECK(told(R"({"version": 1, "devices": {"X": {"takes": 5}}})") ==
+  CHECK(reported(R"({"version": 1, "devices": {"X": {"takes": 5}}})") ==
         "/devices/X/takes: the number `5` stands here, wanted is a duration such as `1s`, or {\"min\", \"max\"}\n");
 }
 
 TEST_CASE("Every fault is told at once, up to a hundred") {
-  CHECK(told(R"({"version": 1, "count": 0, "x": 1})").find("count") != std::string::npos);
+  CHECK(reported(R"({"version": 1, "count": 0, "x": 1})").find("count") != std::string::npos);
   nlohmann::json many = {{"version", 1}};
   for (int i = 0; i < 500; ++i) many["devices"]["D" + std::to_string(i)] = {{"kind", 1}};
   CHECK(Schema(kSchema).check(many).size() == 100);

@@ -75,9 +75,9 @@ TEST_CASE("numbers of 8 bits are on no register, unless their number is given: t
   const DataType type = GENERATE(DataType::sint, DataType::usint, DataType::byte);
   list.add("A", kOut, 1, type);
   list.add("B", kOut, 2, type);
-  const std::array<link::PlaceRow, 1> places{{{1, 7}}};
+  const std::array<link::MapRow, 1> places{{{1, 7}}};
   link::LinkSettings settings = kBare;
-  settings.places = places;
+  settings.rows = places;
   const auto map = link::make_io_map(list.tables(), 0, settings);
   CHECK(points(map) == Points{{1, Table::holding_register, 7}});
   CHECK(map.of_8_bits == std::vector<std::uint32_t>{0});

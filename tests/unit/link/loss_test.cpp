@@ -6,8 +6,8 @@
 using namespace symplant;
 using exec::LinkState;
 using link::LinkSettings;
+using link::MapRow;
 using link::OnLoss;
-using link::PlaceRow;
 using tables::kMillisecond;
 using tables::kSecond;
 using test::Bytes;
@@ -112,9 +112,9 @@ TEST_CASE("what a silent PLC wrote is held, and the link is lost after its time"
 }
 
 TEST_CASE("operations whose policy is zero go to zero when the link is lost, others hold") {
-  const std::array<PlaceRow, 1> places = {PlaceRow{.symbol = 1, .on_loss = OnLoss::hold}};
+  const std::array<MapRow, 1> places = {MapRow{.symbol = 1, .on_loss = OnLoss::hold}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   settings.on_loss = OnLoss::zero;
   LossBench bench(settings);
   bench.write_coil(0, true);
@@ -154,9 +154,9 @@ TEST_CASE("on return writes are collected, and act together when all that was wr
 }
 
 TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live after the resync time") {
-  const std::array<PlaceRow, 1> places = {PlaceRow{.symbol = 1, .on_loss = OnLoss::zero}};
+  const std::array<MapRow, 1> places = {MapRow{.symbol = 1, .on_loss = OnLoss::zero}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   settings.resync = 500 * kMillisecond;
   LossBench bench(settings);
   bench.write_coil(0, true);

@@ -6,7 +6,7 @@
 
 using namespace symplant;
 using link::LinkSettings;
-using link::PlaceRow;
+using link::MapRow;
 using link::Table;
 using link::WordOrder;
 using tables::AddressForm;
@@ -141,9 +141,9 @@ TEST_CASE("one address read as two types of one size is one place, but not two a
   list.add("B", kOperation, 5, DataType::word);
   CHECK(faults(list).empty());
   list.add("C", kOperation, 6, DataType::word);
-  const std::array<PlaceRow, 1> places{{{2, 5}}};
+  const std::array<MapRow, 1> places{{{2, 5}}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   REQUIRE(faults(list, settings).size() == 1);
   CHECK(faults(list, settings)[0].substr(0, 61) == "`A` stands on holding register 5, and so does `C` on holding ");
 }
@@ -151,9 +151,9 @@ TEST_CASE("one address read as two types of one size is one place, but not two a
 TEST_CASE("a symbol that ends behind the last place, or beyond the size that its table was given, is a fault") {
   SymbolList list;
   list.add("A", kOperation, AddressForm::none, 0, DataType::dint);
-  const std::array<PlaceRow, 1> places{{{0, 65'535}}};
+  const std::array<MapRow, 1> places{{{0, 65'535}}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   CHECK(faults(list, settings) ==
         Texts{"`A` would end behind place 65535, the last that Modbus has: give it a lower number"});
   SymbolList sized;
@@ -173,9 +173,9 @@ TEST_CASE("symbols with numbers of their own stand there, and a packed table fil
   list.add("B", kOperation, AddressForm::other, 0, DataType::dint);
   list.add("C", kOperation, 7, DataType::int_);
   list.add("D", kOperation, AddressForm::none, 0, DataType::int_);
-  const std::array<PlaceRow, 1> places{{{3, 2}}};
+  const std::array<MapRow, 1> places{{{3, 2}}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   const auto map = link::make_io_map(list.tables(), 0, settings);
   CHECK(numbers(map) == std::vector<int>{0, 3, 5, 2});  // B takes 3 and 4, since D stands on 2
   CHECK(map.packed[kHolding]);
@@ -187,9 +187,9 @@ TEST_CASE("a number that is given to the only symbol without one keeps its table
   SymbolList list;
   list.add("A", kOperation, AddressForm::other);
   list.add("B", kOperation, 7);
-  const std::array<PlaceRow, 1> places{{{0, 3}}};
+  const std::array<MapRow, 1> places{{{0, 3}}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   CHECK(numbers(link::make_io_map(list.tables(), 0, settings)) == std::vector<int>{3, 7});
 }
 
@@ -197,9 +197,9 @@ TEST_CASE("word order and on-loss are the link's, or the symbol's own") {
   SymbolList list;
   list.add("A", kOperation, 5, DataType::dint);
   list.add("B", kOperation, 6, DataType::dint);
-  const std::array<PlaceRow, 1> places{{{1, PlaceRow::kDefault, WordOrder::low_first, link::OnLoss::zero}}};
+  const std::array<MapRow, 1> places{{{1, MapRow::kDefault, WordOrder::low_first, link::OnLoss::zero}}};
   LinkSettings settings;
-  settings.places = places;
+  settings.rows = places;
   settings.word_order = WordOrder::high_first;
   const auto map = link::make_io_map(list.tables(), 0, settings);
   CHECK(map.points[0].word_order == WordOrder::high_first);
@@ -217,11 +217,11 @@ TEST_CASE("the digest of a map changes with all that a PLC's programmer has to k
     tables::Direction direction = kOperation;
     LinkSettings settings = {};
   };
-  const auto hash = [](const Wanted& wanted, bool other_way_round = false) {
+  const auto hash = [](const Wanted& wanted, bool reversed = false) {
     SymbolList list;
-    if (other_way_round) list.add("LAMP", kOperation, 1);
+    if (reversed) list.add("LAMP", kOperation, 1);
     list.add(wanted.name, wanted.direction, wanted.number, wanted.type);
-    if (!other_way_round) list.add("LAMP", kOperation, 1);
+    if (!reversed) list.add("LAMP", kOperation, 1);
     return link::map_hash(list.tables(), link::make_io_map(list.tables(), 0, wanted.settings));
   };
   const std::uint64_t before = hash({});

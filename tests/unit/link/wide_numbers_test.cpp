@@ -79,8 +79,8 @@ TEST_CASE("a number written in one request reaches the plant whole, whatever its
     SymbolList list;
     list.add("BEFORE", SymbolList::kOut, 2, DataType::int_);
     list.add("NUMBER", SymbolList::kOut, tables::AddressForm::none, 0, sample.type);
-    const std::array<link::PlaceRow, 1> places{{{1, 3, order}}};  // registers 3 and 4 lie in different words
-    ImageBench bench(list.tables(), {.places = places});
+    const std::array<link::MapRow, 1> places{{{1, 3, order}}};  // registers 3 and 4 lie in different words
+    ImageBench bench(list.tables(), {.rows = places});
     const Bytes data = wire(sample, order);
     const auto count = static_cast<std::uint8_t>(data.size() / 2);
     CHECK(bench.ask(with({16, 0, 3, 0, count, static_cast<std::uint8_t>(2 * count)}, data)) ==
@@ -101,8 +101,8 @@ TEST_CASE("the plant's numbers stand in their registers, whatever their type and
     list.add("BEFORE", SymbolList::kIn, 2, DataType::int_);
     list.add("NUMBER", SymbolList::kIn, tables::AddressForm::none, 0, sample.type);
     list.add("AFTER", SymbolList::kIn, 7, DataType::int_);
-    const std::array<link::PlaceRow, 1> places{{{1, 3, order}}};
-    ImageBench bench(list.tables(), {.places = places});
+    const std::array<link::MapRow, 1> places{{{1, 3, order}}};
+    ImageBench bench(list.tables(), {.rows = places});
     bench.plant->set_input(1, sample.slot);
     bench.plant->set_input(2, 5);
     bench.cycle();
@@ -155,8 +155,8 @@ TEST_CASE("a number of 8 bits lies in the lower half of its register") {
   list.add("A", SymbolList::kOut, tables::AddressForm::none, 0, DataType::sint);
   list.add("B", SymbolList::kOut, tables::AddressForm::none, 0, DataType::byte);
   list.add("C", SymbolList::kIn, tables::AddressForm::none, 0, DataType::sint);
-  const std::array<link::PlaceRow, 3> places{{{0, 0}, {1, 1}, {2, 0}}};
-  ImageBench bench(list.tables(), {.places = places});
+  const std::array<link::MapRow, 3> places{{{0, 0}, {1, 1}, {2, 0}}};
+  ImageBench bench(list.tables(), {.rows = places});
   bench.ask({16, 0, 0, 0, 2, 4, 0x00, 0xFE, 0x12, 0xFE});
   bench.plant->set_input(2, signed_slot(-3));
   bench.cycle();

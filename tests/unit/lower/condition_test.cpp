@@ -198,9 +198,9 @@ TEST_CASE("A unit that a condition watches, and one that has conditions, is rich
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {settled(1, 1), bit(symbol_of(plant, "L_P_D3_I_A1"))};
   const EngineTables tables = lower::lower(plant);
-  CHECK(tables.units[0].rich == 1);
-  CHECK(tables.units[1].rich == 1);
-  CHECK(tables.units[2].rich == 0);
+  CHECK(tables.units[0].general == 1);
+  CHECK(tables.units[1].general == 1);
+  CHECK(tables.units[2].general == 0);
 }
 
 }  // namespace

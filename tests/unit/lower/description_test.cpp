@@ -39,7 +39,7 @@ TEST_CASE("A transition keeps its operation, or that it has none, or that it is 
   CHECK(tables.types[0].rest == 1);
   CHECK(transition(tables, 0, 0).on == 1);
   CHECK(transition(tables, 0, 1).on == tables::kNoOperation);
-  CHECK(transition(tables, 0, 2).on == tables::kSpringWay);
+  CHECK(transition(tables, 0, 2).on == tables::kSpringReturn);
   CHECK_FALSE(transition(tables, 0, 0).once);
   CHECK(transition(tables, 0, 0).when == tables::kNoCondition);
 }
@@ -154,10 +154,10 @@ TEST_CASE("A transition is timed where in some unit of its type it waits, or dra
   CHECK(waits.types.size() == 1);
   CHECK_FALSE(transition(waits, 0, 0).timed);
   CHECK(transition(waits, 0, 1).timed);
-  CHECK(waits.units[0].rich == 1);
+  CHECK(waits.units[0].general == 1);
   plant.units[2].transitions[1].after = {};
   CHECK_FALSE(transition(lower::lower(plant), 0, 1).timed);
-  CHECK(lower::lower(plant).units[2].rich == 0);
+  CHECK(lower::lower(plant).units[2].general == 0);
   plant.units[2].transitions[1].takes = {Duration::Kind::uniform, 0, 0};
   CHECK(transition(lower::lower(plant), 0, 1).timed);
 }
@@ -170,8 +170,8 @@ TEST_CASE("Disables stand by who disables, then by state, then by whom; both are
   std::vector<std::array<std::uint32_t, 3>> rows;
   for (const tables::DisableRow& row : tables.disables) rows.push_back({row.by, row.state, row.unit});
   CHECK(rows == std::vector<std::array<std::uint32_t, 3>>{{1, 0, 2}, {1, 1, 0}, {1, 1, 3}, {3, 0, 0}, {3, 0, 1}});
-  for (std::uint32_t u = 0; u < 4; ++u) CHECK(tables.units[u].rich == 1);
-  CHECK(tables.units[4].rich == 0);
+  for (std::uint32_t u = 0; u < 4; ++u) CHECK(tables.units[u].general == 1);
+  CHECK(tables.units[4].general == 0);
 }
 
 TEST_CASE("A unit with a behaviour shares its type with its like alone; classes of one name are one") {
@@ -206,9 +206,9 @@ TEST_CASE("A unit with a behaviour shares its type with its like alone; classes 
   CHECK(tables.behaviour_units[2].first_value == 2);
   CHECK(tables.behaviour_values == std::vector<std::uint32_t>{4, 9, 11});
   CHECK(tables::split_names(tables.behaviour_names) == std::vector<std::string_view>{"MyStopper", "MyLift"});
-  CHECK(tables.units[2].rich == 1);
+  CHECK(tables.units[2].general == 1);
   CHECK(transition(tables, 2, 0).timed);
-  CHECK(tables.units[4].rich == 0);
+  CHECK(tables.units[4].general == 0);
 }
 
 TEST_CASE("Units with operations in one word lie less than 255 apart") {

@@ -29,7 +29,7 @@ TEST_CASE("A cell that is no address is told once, and the name gives the direct
   CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::operation);
   CHECK(list.count("address-not-understood") == 1);
   CHECK(list.count("no-address") == 0);
-  CHECK(place_text(finding_of(list, "address-not-understood")) == "?Q?");
+  CHECK(index_text(finding_of(list, "address-not-understood")) == "?Q?");
 }
 
 TEST_CASE("Rows with both addresses prove that X and Y count in hexadecimal or in octal") {
@@ -60,7 +60,7 @@ TEST_CASE("Without proof and option it is hexadecimal, with a note where a numbe
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X0001"}, {"L_P_D_O_A", "Y0010"}, {"L_P_E_I_A", "X20"}});
   CHECK(list.model().lists.front().radix.radix == Radix::hexadecimal);
   CHECK(symbol_of(list, "L_P_D_O_A").address->number == 16);
-  CHECK(place_text(finding_of(list, "radix-assumed")) == "Y0010");
+  CHECK(index_text(finding_of(list, "radix-assumed")) == "Y0010");
   CHECK(analyse_rows({{"L_P_D_I_A", "X7"}, {"L_P_D_O_A", "Y0007"}}).count("radix-assumed") == 0);
   // Rows that agree in both systems prove nothing.
   CHECK(analyse_rows({{"L_P_D_I_A", "X7", "BOOL", "", "%IX7"}, {"L_P_D_O_A", "Y10"}}).count("radix-assumed") == 1);
@@ -103,7 +103,7 @@ TEST_CASE("Two events on one address that different units move are an error, and
   CHECK(list.fired(diag::Severity::warning) == "event-moved-twice");
   CHECK(list.diagnostics.has_errors());
   const diag::Diagnostic& finding = finding_of(list, "event-moved-twice");
-  CHECK(finding.place.source->position(finding.place.span.begin).line == 4);
+  CHECK(finding.location.source->position(finding.location.span.begin).line == 4);
 }
 
 TEST_CASE("An event that nobody moves may share the address of one that a unit moves") {

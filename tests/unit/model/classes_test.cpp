@@ -26,7 +26,7 @@ TEST_CASE("A behaviour may be that of many devices which are alike") {
   CHECK(faults_of_twins([](DeviceDescription&) {}) == "");
   CHECK(faults_of_twins([](DeviceDescription& d) {
           d.initial = "B2";
-          d.transitions = {taking(way("A1", "B2"), 7)};
+          d.transitions = {taking(transition("A1", "B2"), 7)};
           d.outputs = {{"A1", {{"B2", true}}, {}}};
         }) == "");
 }

@@ -196,7 +196,7 @@ TEST_CASE("Where several states have the predecessor's number nothing is inferre
   // That the predecessor is ambiguous follows from the number that is there twice.
   CHECK(list.fired(diag::Severity::warning) == "sequence-repeated");
   const diag::Diagnostic& finding = finding_of(list, "sequence-repeated");
-  CHECK(place_text(finding) == "L_P_D_O_B1");
+  CHECK(index_text(finding) == "L_P_D_O_B1");
   CHECK(std::any_of(finding.related.begin(), finding.related.end(), [](const diag::Related& related) {
     return related.message.starts_with("follows from this (sequence-ambiguous)");
   }));
@@ -282,10 +282,10 @@ TEST_CASE("A unit without events moves and is reported once") {
 TEST_CASE("A state that nothing leads to is told, a state without an event, too") {
   const Analysed unreached = analyse_bits({"L_P_D_O_A", "L_P_D_I_A", "L_P_D_O_B", "L_P_D_I_B", "L_P_D_I_C"});
   CHECK(unreached.fired(diag::Severity::warning) == "event-without-operation");
-  CHECK(place_text(finding_of(unreached, "event-without-operation")) == "L_P_D_I_C");
+  CHECK(index_text(finding_of(unreached, "event-without-operation")) == "L_P_D_I_C");
   const Analysed silent = analyse_bits({"L_P_D_O_A", "L_P_D_I_A", "L_P_D_O_B", "L_P_D_I_B", "L_P_D_O_C"});
   CHECK(silent.fired(diag::Severity::warning) == "operation-without-event");
-  CHECK(place_text(finding_of(silent, "operation-without-event")) == "L_P_D_O_C");
+  CHECK(index_text(finding_of(silent, "operation-without-event")) == "L_P_D_O_C");
 }
 
 TEST_CASE("A device's symbols need not stand together in the list") {

@@ -84,7 +84,7 @@ TEST_CASE("A device with too many symbols for one cannot be described") {
 TEST_CASE(
     "An operation without event that only commands given transitions is no state, and nothing is derived from it") {
   DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "index"), way("P2", "P1", "INDEX")};
+  d.transitions = {transition("P1", "P2", "index"), transition("P2", "P1", "INDEX")};
   const Analysed list = described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"}, {d});
   CHECK(faults(list) == "");
   CHECK(states_text(unit_of(list)) == "P1 P2");
@@ -95,14 +95,14 @@ TEST_CASE(
 TEST_CASE("A command is a state where it has an event, or is named as a state anywhere") {
   const std::vector<std::string> names = {"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"};
   DeviceDescription plain = device();
-  plain.transitions = {way("P1", "P2", "INDEX")};
+  plain.transitions = {transition("P1", "P2", "INDEX")};
   CHECK(states_text(unit_of(described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX", "L_P_D_I_INDEX"}, {plain}))) ==
         "P1 P2 INDEX");
   CHECK(states_text(unit_of(described(names, {device()}))) == "P1 P2 INDEX");
 
   std::vector<DeviceDescription> named(6, plain);
   named[0].transitions.push_back(automatic("INDEX", "P1"));
-  named[1].transitions.push_back(way("P1", "INDEX"));
+  named[1].transitions.push_back(transition("P1", "INDEX"));
   named[2].initial = "INDEX";
   named[3].outputs = {{"INDEX", {{"P1", true}}, {}}};
   named[4].disables = {{"INDEX", {}}};
@@ -226,7 +226,7 @@ TEST_CASE("A given initial state wins over Initial columns, and no two of those 
 TEST_CASE("A state that inference adds may be named") {
   DeviceDescription d = device();
   d.initial = "RUN";
-  d.transitions = {taking(way("RUN", "NOT_RUN"), tables::kSecond / 2)};
+  d.transitions = {taking(transition("RUN", "NOT_RUN"), tables::kSecond / 2)};
   const Analysed list = described({"L_P_D_O_RUN", "L_P_D_I_RUN"}, {d});
   CHECK(faults(list) == "");
   CHECK(initial_text(unit_of(list)) == "RUN");

@@ -20,7 +20,7 @@ inline DeviceDescription device(std::string path = "L_P_D") {
 }
 
 /// A commanded transition; without `on`, by the target's own operation.
-inline GivenTransition way(std::string from, std::string to, std::string on = "", std::string when = "") {
+inline GivenTransition transition(std::string from, std::string to, std::string on = "", std::string when = "") {
   GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
@@ -30,7 +30,7 @@ inline GivenTransition way(std::string from, std::string to, std::string on = ""
 }
 
 inline GivenTransition automatic(std::string from, std::string to, std::string when = "") {
-  GivenTransition given = way(std::move(from), std::move(to), "", std::move(when));
+  GivenTransition given = transition(std::move(from), std::move(to), "", std::move(when));
   given.automatic = true;
   return given;
 }

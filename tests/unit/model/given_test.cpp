@@ -8,8 +8,8 @@ using model::Origin;
 using tables::Actuation;
 using tables::kSecond;
 
-const std::vector<std::string> kThreePlaces = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2",
-                                               "L_P_D_I_P2", "L_P_D_O_P3", "L_P_D_I_P3"};
+const std::vector<std::string> kThreeIndexes = {"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2",
+                                                "L_P_D_I_P2", "L_P_D_O_P3", "L_P_D_I_P3"};
 const std::vector<std::string> kPiston = {"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"};
 
 DeviceDescription with(std::vector<GivenTransition> transitions) {
@@ -33,10 +33,10 @@ TEST_CASE("Default times are the description's") {
 }
 
 TEST_CASE("A commanded transition takes the default travel time, an automatic one none, where nothing is given") {
-  GivenTransition timed = way("P2", "P1");
+  GivenTransition timed = transition("P2", "P1");
   timed.after = Duration::fixed(7);
   timed.takes = Duration{Duration::Kind::uniform, 1, 2};
-  const Analysed list = described(kThreePlaces, {with({way("P1", "P2"), automatic("P3", "P1"), timed})});
+  const Analysed list = described(kThreeIndexes, {with({transition("P1", "P2"), automatic("P3", "P1"), timed})});
   CHECK(faults(list) == "");
   const auto& transitions = unit_of(list).transitions;
   CHECK(transitions[0].after.is_zero());
@@ -49,7 +49,7 @@ TEST_CASE("A commanded transition takes the default travel time, an automatic on
 }
 
 TEST_CASE("A commanded transition replaces every derived one with its source and operation") {
-  const Analysed list = described(kThreePlaces, {with({way("P1", "P3", "P2")})});
+  const Analysed list = described(kThreeIndexes, {with({transition("P1", "P3", "P2")})});
   CHECK(transitions_text(list, unit_of(list)) == "P1-O_P2>P3 P2-O_P1>P1 P3-O_P1>P1 P3-O_P2>P2 P1-O_P3>P3 P2-O_P3>P3");
   CHECK(origins(unit_of(list)) == "gddddd");
 }
@@ -69,7 +69,7 @@ TEST_CASE("An automatic transition replaces the inferred one of its source and t
 
 TEST_CASE("A numbered state that a given command leads to is not inferred to come by itself") {
   const Analysed list = described({"L_P_D_O_RUN2", "L_P_D_I_RUN2", "L_P_D_I_IDLE1", "L_P_D_O_STOP"},
-                                  {with({way("RUN2", "IDLE1", "STOP")})});
+                                  {with({transition("RUN2", "IDLE1", "STOP")})});
   CHECK(transitions_text(list, unit_of(list)) == "RUN2-O_STOP>IDLE1 IDLE1-O_RUN2>RUN2");
 }
 
@@ -92,7 +92,8 @@ TEST_CASE("A sequence is inferred in `latched` devices only") {
 }
 
 TEST_CASE("`*` stands for every state other than the target, in the order of S, behind what stands before it") {
-  const Analysed list = described(kThreePlaces, {with({way("P3", "P1"), way("*", "P2", "P1"), automatic("*", "P3")})});
+  const Analysed list =
+      described(kThreeIndexes, {with({transition("P3", "P1"), transition("*", "P2", "P1"), automatic("*", "P3")})});
   CHECK(faults(list) == "");
   CHECK(transitions_text(list, unit_of(list)) ==
         "P3-O_P1>P1 P1-O_P1>P2 P3-O_P1>P2 P1>P3 P2>P3 P2-O_P1>P1 P1-O_P2>P2 P3-O_P2>P2 P1-O_P3>P3 P2-O_P3>P3");
@@ -115,35 +116,35 @@ TEST_CASE("`only` derives and infers no transitions, but states, rest and actuat
 }
 
 TEST_CASE("In a spring a transition to rest without operation says what the spring's own way takes") {
-  const Analysed list = described(kPiston, {with({taking(way("ADV", "RET"), 800)})});
+  const Analysed list = described(kPiston, {with({taking(transition("ADV", "RET"), 800)})});
   CHECK(faults(list) == "");
   const model::Transition& own = unit_of(list).transitions.front();
-  CHECK(own.spring_way);
+  CHECK(own.spring_return);
   CHECK(own.on == model::kNone);
   CHECK(own.takes == Duration::fixed(800));
   CHECK(origins(unit_of(list)) == "gd");
-  DeviceDescription d = with({taking(way("*", "RET"), 800)});
+  DeviceDescription d = with({taking(transition("*", "RET"), 800)});
   d.states = {"MID"};
   d.actuation = Actuation::spring;
   d.rest = "RET";
   const Analysed all = described(kPiston, {d});
   CHECK(transitions_text(all, unit_of(all)) == "ADV>RET MID>RET RET-O_ADV>ADV MID-O_ADV>ADV");
-  CHECK(unit_of(all).transitions[1].spring_way);
+  CHECK(unit_of(all).transitions[1].spring_return);
 }
 
 TEST_CASE("A rest state with an operation is commanded by it, and may be reached by another operation or by itself") {
-  DeviceDescription d = with({way("P2", "P1")});
+  DeviceDescription d = with({transition("P2", "P1")});
   d.actuation = Actuation::spring;
-  CHECK_FALSE(unit_of(described(kThreePlaces, {d})).transitions.front().spring_way);
+  CHECK_FALSE(unit_of(described(kThreeIndexes, {d})).transitions.front().spring_return);
   const Analysed list = described({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"},
-                                  {with({way("ADV", "RET", "ADV"), automatic("ADV", "RET")})});
+                                  {with({transition("ADV", "RET", "ADV"), automatic("ADV", "RET")})});
   CHECK(faults(list) == "");
-  CHECK_FALSE(unit_of(list).transitions[0].spring_way);
-  CHECK_FALSE(unit_of(list).transitions[1].spring_way);
+  CHECK_FALSE(unit_of(list).transitions[0].spring_return);
+  CHECK_FALSE(unit_of(list).transitions[1].spring_return);
 }
 
 TEST_CASE("In what the spring's own way takes only `takes` may stand") {
-  GivenTransition given = way("ADV", "RET", "", "L_P_D_O_ADV");
+  GivenTransition given = transition("ADV", "RET", "", "L_P_D_O_ADV");
   given.after = Duration::fixed(1);
   given.once = true;
   const std::string end =
@@ -155,7 +156,7 @@ TEST_CASE("In what the spring's own way takes only `takes` may stand") {
 }
 
 TEST_CASE("In other devices a transition to a state without operation says what is missing") {
-  DeviceDescription d = with({way("ADV", "RET")});
+  DeviceDescription d = with({transition("ADV", "RET")});
   d.actuation = Actuation::latched;
   CHECK(faults(described(kPiston, {d})) ==
         "/devices/L_P_D/transitions/0/to: `RET` has no operation of its name, say with `on` which one commands the "
@@ -163,22 +164,22 @@ TEST_CASE("In other devices a transition to a state without operation says what 
 }
 
 TEST_CASE("`once` is kept in commanded transitions of latched devices") {
-  GivenTransition once = way("P1", "P2");
+  GivenTransition once = transition("P1", "P2");
   once.once = true;
-  CHECK(unit_of(described(kThreePlaces, {with({once})})).transitions.front().once);
+  CHECK(unit_of(described(kThreeIndexes, {with({once})})).transitions.front().once);
   DeviceDescription held = with({once});
   held.actuation = Actuation::held;
-  CHECK(faults(described(kThreePlaces, {held})) ==
+  CHECK(faults(described(kThreeIndexes, {held})) ==
         "/devices/L_P_D/transitions/0/once: `once` stands in a device that is `held`, leave it out or make the device "
         "`latched`");
   GivenTransition by_itself = automatic("P1", "P2");
   by_itself.once = true;
-  CHECK(faults(described(kThreePlaces, {with({by_itself})})) ==
+  CHECK(faults(described(kThreeIndexes, {with({by_itself})})) ==
         "/devices/L_P_D/transitions/0/once: `once` stands in an automatic transition, leave it out");
 }
 
 TEST_CASE("States and operations that are not there are told with the nearest that are, all in one run") {
-  CHECK(faults(described(kThreePlaces, {with({way("P9", "Q2", "P4"), way("*", "*")})})) ==
+  CHECK(faults(described(kThreeIndexes, {with({transition("P9", "Q2", "P4"), transition("*", "*")})})) ==
         "/devices/L_P_D/transitions/0/to: there is no state `Q2` of `L_P_D`, the nearest is `P2`\n"
         "/devices/L_P_D/transitions/0/from: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"
         "/devices/L_P_D/transitions/0/on: there is no operation `P4` of `L_P_D`, the nearest is `P1`\n"
@@ -188,22 +189,23 @@ TEST_CASE("States and operations that are not there are told with the nearest th
 TEST_CASE("A transition to itself, and an automatic one with an operation, are faults") {
   GivenTransition both = automatic("P1", "P2");
   both.on = "P2";
-  CHECK(faults(described(kThreePlaces, {with({way("P1", "p1"), both})})) ==
+  CHECK(faults(described(kThreeIndexes, {with({transition("P1", "p1"), both})})) ==
         "/devices/L_P_D/transitions/0: `p1` to itself is no transition, name two states\n"
         "/devices/L_P_D/transitions/1/on: an automatic transition has an operation, leave `on` or `automatic` out");
 }
 
 TEST_CASE("The same source, target, operation and text of `when` twice is a fault, after `*` is expanded") {
   const std::string when = "L_P_D_I_P3";
-  CHECK(faults(described(kThreePlaces, {with({way("P1", "P2"), way("P1", "P2", "P2")})})) ==
+  CHECK(faults(described(kThreeIndexes, {with({transition("P1", "P2"), transition("P1", "P2", "P2")})})) ==
         "/devices/L_P_D/transitions/1: the transition from `P1` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
         "with the same `on` and `when`, leave one out");
-  CHECK(faults(described(kThreePlaces, {with({way("P3", "P2", "", when), way("*", "P2", "", when)})})) ==
+  CHECK(faults(described(kThreeIndexes, {with({transition("P3", "P2", "", when), transition("*", "P2", "", when)})})) ==
         "/devices/L_P_D/transitions/1: the transition from `P3` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
         "with the same `on` and `when`, leave one out");
   // Another operation, another condition, another cause: other transitions.
-  CHECK(faults(described(kThreePlaces, {with({way("P1", "P2"), way("P1", "P2", "P3"), way("P1", "P2", "", when),
-                                              automatic("P1", "P2"), way("*", "P3")})})) == "");
+  CHECK(faults(described(kThreeIndexes,
+                         {with({transition("P1", "P2"), transition("P1", "P2", "P3"), transition("P1", "P2", "", when),
+                                automatic("P1", "P2"), transition("*", "P3")})})) == "");
 }
 
 TEST_CASE("A device may have 65534 transitions") {
@@ -225,7 +227,7 @@ TEST_CASE("A device may have 65534 transitions") {
 // Outputs.
 
 TEST_CASE("Outputs are further events on entering and leaving, in their order") {
-  std::vector<std::string> names = kThreePlaces;
+  std::vector<std::string> names = kThreeIndexes;
   names.push_back("L_P_D_I_BUSY");
   names.push_back("L_P_D_I_FAULT");
   DeviceDescription d = device();
@@ -245,7 +247,7 @@ TEST_CASE("An event that outputs of a state switch is moved where the device com
   DeviceDescription d = device();
   d.states = {"NEVER"};
   d.outputs = {{"NEVER", {{"BUSY", true}}, {}}};
-  std::vector<std::string> names = kThreePlaces;
+  std::vector<std::string> names = kThreeIndexes;
   names.push_back("L_P_D_I_BUSY");
   CHECK_FALSE(unit_of(described(names, {d})).moves_event(3));
   d.transitions = {automatic("P1", "NEVER")};

@@ -36,7 +36,7 @@ Analysed linked(const std::string& members, const std::string& list = kList) {
 }
 
 /// What is said of the description, a line each.
-std::string told(const Analysed& analysed) {
+std::string reported(const Analysed& analysed) {
   std::string text;
   for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
     if (finding.rule->id.substr(0, 3) != "SP6" && finding.rule->slug != "places-overlap") continue;
@@ -44,21 +44,21 @@ std::string told(const Analysed& analysed) {
   }
   return text;
 }
-std::string told(const std::string& members) { return told(linked(members)); }
+std::string reported(const std::string& members) { return reported(linked(members)); }
 
 LinkSettings settings(const std::string& members) {
   const Analysed analysed = linked(members);
-  CHECK(told(analysed).empty());
+  CHECK(reported(analysed).empty());
   return analysed.model().links.at(0).link;
 }
 
 /// Numbers that entries of a map give, by symbol.
 std::map<std::string, std::uint32_t> numbers(const std::string& map) {
   const Analysed analysed = linked("\"map\": [" + map + "]");
-  CHECK(told(analysed).empty());
+  CHECK(reported(analysed).empty());
   std::map<std::string, std::uint32_t> result;
-  for (const link::PlaceRow& row : analysed.model().links.at(0).places) {
-    if (row.number != link::PlaceRow::kDefault) result.emplace(analysed.model().symbols[row.symbol].name(), row.number);
+  for (const link::MapRow& row : analysed.model().links.at(0).rows) {
+    if (row.number != link::MapRow::kDefault) result.emplace(analysed.model().symbols[row.symbol].name(), row.number);
   }
   return result;
 }
@@ -102,15 +102,15 @@ TEST_CASE("every key of a link arrives in its settings") {
   CHECK(kept.model().links.at(0).settings().keep[1] == "::1");
   // However they are written, they are compared as the system tells them.
   const Analysed forms = linked(R"("keep": ["0:0:0:0:0:0:0:1", "::ffff:10.0.0.7", "FD00::00A1"])");
-  CHECK(told(forms).empty());
+  CHECK(reported(forms).empty());
   const auto keep = forms.model().links.at(0).settings().keep;
   CHECK(std::vector<std::string>(keep.begin(), keep.end()) == std::vector<std::string>{"::1", "10.0.0.7", "fd00::a1"});
 }
 
 TEST_CASE("a client to be kept is one numeric address") {
   for (const std::string text : {"127.0.0.01", "foo", "10.0.0.0/24", "1.2.3", "::g"}) {
-    CHECK(
-        told("\"keep\": [\"::1\", \"" + text + "\"]").starts_with("`" + text + "` is no numeric address of one host"));
+    CHECK(reported("\"keep\": [\"::1\", \"" + text + "\"]")
+              .starts_with("`" + text + "` is no numeric address of one host"));
   }
 }
 
@@ -155,92 +155,96 @@ TEST_CASE("a symbol's own entry comes before a range's, that before an area's, k
 TEST_CASE("word order and on-loss of patterns: the one with more letters wins") {
   const Analysed analysed = linked(R"("map": [{"symbol": "*", "on-loss": "zero", "word-order": "low-first"},
                                               {"symbol": "SP*", "on-loss": "hold"}])");
-  CHECK(told(analysed).empty());
-  for (const link::PlaceRow& row : analysed.model().links.at(0).places) {
+  CHECK(reported(analysed).empty());
+  for (const link::MapRow& row : analysed.model().links.at(0).rows) {
     const bool speed = analysed.model().symbols[row.symbol].name() == "SPEED";
     CHECK(row.on_loss == (speed ? OnLoss::hold : OnLoss::zero));
     CHECK(row.word_order == WordOrder::low_first);
-    CHECK(row.number == link::PlaceRow::kDefault);
+    CHECK(row.number == link::MapRow::kDefault);
   }
-  CHECK(analysed.model().links.at(0).places.size() == analysed.model().symbols.size());
+  CHECK(analysed.model().links.at(0).rows.size() == analysed.model().symbols.size());
 }
 
 TEST_CASE("what an entry names and is not there is told with the nearest") {
-  CHECK(told(R"("map": [{"symbol": "SPED", "number": 1}])") == "there is no symbol `SPED`, the nearest is `SPEED`");
-  CHECK(
-      told(R"("map": [{"area": "%MW", "number": 1}])").starts_with("`%MW` is no area of inputs or outputs, write X, "));
-  CHECK(told(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is no area of inputs or outputs"));
-  CHECK(told(R"("map": [{"area": "%IL", "number": 1}])") == "no symbol of this controller stands in the area `%IL`");
-  CHECK(told(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
+  CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "there is no symbol `SPED`, the nearest is `SPEED`");
+  CHECK(reported(R"("map": [{"area": "%MW", "number": 1}])")
+            .starts_with("`%MW` is no area of inputs or outputs, write X, "));
+  CHECK(reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is no area of inputs or outputs"));
+  CHECK(reported(R"("map": [{"area": "%IL", "number": 1}])") ==
+        "no symbol of this controller stands in the area `%IL`");
+  CHECK(reported(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
         "no symbol of this controller stands between `%QW1` and `%QW2`");
-  CHECK(told(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") == "no symbol of this controller is matched by `Q*`");
+  CHECK(reported(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") ==
+        "no symbol of this controller is matched by `Q*`");
 }
 
 TEST_CASE("a row that is no input or output is told as what it is") {
   const std::string list = kList + "VAR_GLOBAL,STEP,M100,,BOOL,FALSE\n";
   CHECK(
-      told(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
+      reported(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
       "`Step` is in the list, but no input or output of this controller, its address is `M100`: leave this entry away");
 }
 
 TEST_CASE("a setting without effect on any symbol of its entry is told") {
-  CHECK(told(R"("map": [{"symbol": "LEVEL", "on-loss": "zero"}])") ==
+  CHECK(reported(R"("map": [{"symbol": "LEVEL", "on-loss": "zero"}])") ==
         "this says what operations do without their PLC, and no operation is matched by `LEVEL`");
-  CHECK(told(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])") ==
+  CHECK(reported(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])") ==
         "this is the order of several registers, and no number of 32 or 64 bits is matched by `MODE`");
-  CHECK(told(R"("map": [{"symbol": "*", "word-order": "low-first", "on-loss": "zero"}])").empty());
+  CHECK(reported(R"("map": [{"symbol": "*", "word-order": "low-first", "on-loss": "zero"}])").empty());
 }
 
 TEST_CASE("entries that cannot be are told") {
-  CHECK(told(R"("map": [{"symbol": "S*", "number": 1}])") ==
+  CHECK(reported(R"("map": [{"symbol": "S*", "number": 1}])") ==
         "`S*` is a pattern, and its symbols cannot all stand on one `number`: name each");
-  CHECK(told(R"("map": [{"range": ["%QW9", "%QW2"], "number": 1}])") ==
+  CHECK(reported(R"("map": [{"range": ["%QW9", "%QW2"], "number": 1}])") ==
         "`%QW9` and `%QW2` are not the first and the last address of one area, write them in their order");
-  CHECK(
-      told(R"("map": [{"range": ["%QW2", "%QD9"], "number": 1}])").starts_with("`%QW2` and `%QD9` are not the first"));
-  CHECK(told(R"("map": [{"range": ["%MW2", "%IX1.2.3"], "number": 1}])") ==
+  CHECK(reported(R"("map": [{"range": ["%QW2", "%QD9"], "number": 1}])")
+            .starts_with("`%QW2` and `%QD9` are not the first"));
+  CHECK(reported(R"("map": [{"range": ["%MW2", "%IX1.2.3"], "number": 1}])") ==
         "`%MW2` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`\n"
         "`%IX1.2.3` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
-  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}])") ==
+  CHECK(reported(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}])") ==
         "two entries that are equally specific give `MODE` different values of `number`: leave one away, or name the "
         "symbol");
-  CHECK(told(R"("map": [{"symbol": "MODE", "number": 1}, {"symbol": "mode", "number": 2}])") ==
+  CHECK(reported(R"("map": [{"symbol": "MODE", "number": 1}, {"symbol": "mode", "number": 2}])") ==
         "two entries that are equally specific give `MODE` different values of `number`: leave one away");
-  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
-  CHECK(told(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}, {"symbol": "MODE", "number": 3}])")
+  CHECK(reported(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
+  CHECK(reported(
+            R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}, {"symbol": "MODE", "number": 3}])")
             .empty());
-  CHECK(told(R"("map": [{"symbol": "LEVEL", "number": 1}, {"symbol": "LEVEL2", "number": 2}])") ==
+  CHECK(reported(R"("map": [{"symbol": "LEVEL", "number": 1}, {"symbol": "LEVEL2", "number": 2}])") ==
         "`LEVEL2` stands on the same address as `LEVEL`, which has another `number`: give both the same");
-  CHECK(told(R"("map": [{"number": 1, "on-loss": "zero"}])") ==
+  CHECK(reported(R"("map": [{"number": 1, "on-loss": "zero"}])") ==
         "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
-  CHECK(told(R"("map": [{"number": 1, "area": "X", "symbol": "MODE"}])") ==
+  CHECK(reported(R"("map": [{"number": 1, "area": "X", "symbol": "MODE"}])") ==
         "this entry has several of `area`, `range` and `symbol`: make an entry of each");
 }
 
 TEST_CASE("an entry that says nothing of its symbols is told") {
-  CHECK(told(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
-  CHECK(told(R"("map": [{"symbol": "MODE"}])") ==
+  CHECK(reported(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
+  CHECK(reported(R"("map": [{"symbol": "MODE"}])") ==
         "this entry says nothing of its symbols: give it a `number`, a `word-order` or `on-loss`");
-  CHECK(told(R"("map": [{}])") ==
+  CHECK(reported(R"("map": [{}])") ==
         "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
 }
 
 TEST_CASE("values that do not fit are told in the schema's words") {
-  CHECK(told(R"("status": "on")") != "");
-  CHECK(told(R"("status": 65536)") != "");
-  CHECK(told(R"("word-order": "big")") == "the text `big` stands here, wanted is one of `low-first`, `high-first`");
-  CHECK(told(R"("on-loss": "zeros")") ==
+  CHECK(reported(R"("status": "on")") != "");
+  CHECK(reported(R"("status": 65536)") != "");
+  CHECK(reported(R"("word-order": "big")") == "the text `big` stands here, wanted is one of `low-first`, `high-first`");
+  CHECK(reported(R"("on-loss": "zeros")") ==
         "the text `zeros` stands here, wanted is one of `hold`, `zero`; the nearest is `zero`");
-  CHECK(told(R"("size": {"coil": 5})") == "the key `coil` is unknown here, the nearest is `coils`");
-  CHECK(told(R"("size": {"coils": 0})") != "");
-  CHECK(told(R"("connections": 0)") != "");
-  CHECK(told(R"("watchdog": {"within": "1s"})") ==
+  CHECK(reported(R"("size": {"coil": 5})") == "the key `coil` is unknown here, the nearest is `coils`");
+  CHECK(reported(R"("size": {"coils": 0})") != "");
+  CHECK(reported(R"("connections": 0)") != "");
+  CHECK(reported(R"("watchdog": {"within": "1s"})") ==
         "the key `register` is missing here, it holds a number from 0 to 65535");
-  CHECK(told(R"("loss-after": "0s")") == "the time is 0, write a longer one, such as `500ms`");
-  CHECK(told(R"("watchdog": {"register": 1, "within": "0s"})") == "the time is 0, write a longer one, such as `500ms`");
-  CHECK(told(R"("loss-after": "1 fortnight")") != "");
+  CHECK(reported(R"("loss-after": "0s")") == "the time is 0, write a longer one, such as `500ms`");
+  CHECK(reported(R"("watchdog": {"register": 1, "within": "0s"})") ==
+        "the time is 0, write a longer one, such as `500ms`");
+  CHECK(reported(R"("loss-after": "1 fortnight")") != "");
   CHECK(
-      told(R"("idle": "999ms")") ==
+      reported(R"("idle": "999ms")") ==
       "the time is shorter than a second, a connection would be closed between two requests: write `0s` for never, or "
       "a longer one, such as `60s`");
   CHECK(settings(R"("idle": "1s")").idle == tables::kSecond);
@@ -248,17 +252,18 @@ TEST_CASE("values that do not fit are told in the schema's words") {
 }
 
 TEST_CASE("symbols that meet, and settings that do not fit the map, are told by check") {
-  CHECK(told(R"("map": [{"symbol": "MODE", "number": 11}])") ==
+  CHECK(reported(R"("map": [{"symbol": "MODE", "number": 11}])") ==
         "`SPEED` stands on holding registers 10 to 11, and so does `MODE` on holding register 11: give one of them "
         "another number, in the list or in `links`");
-  CHECK(told(R"("status": 0)").starts_with("the status block begins on input register 0 and meets `LEVEL`"));
-  CHECK(told(R"("watchdog": {"register": 30})")
+  CHECK(reported(R"("status": 0)").starts_with("the status block begins on input register 0 and meets `LEVEL`"));
+  CHECK(reported(R"("watchdog": {"register": 30})")
             .starts_with("the watchdog stands on holding register 30, and so does `MODE`"));
-  CHECK(told(R"("size": {"holding-registers": 30})")
+  CHECK(reported(R"("size": {"holding-registers": 30})")
             .starts_with("1 symbol stands beyond the size of 30, `MODE` the furthest on holding register 30: give a "
                          "size of 31 or more"));
-  CHECK(told(R"("size": {"holding-registers": 3})").starts_with("2 symbols stand beyond the size of 3, `MODE` the"));
-  CHECK(told(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
+  CHECK(
+      reported(R"("size": {"holding-registers": 3})").starts_with("2 symbols stand beyond the size of 3, `MODE` the"));
+  CHECK(reported(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
         "`SPEED` would end behind place 65535, the last that Modbus has: give a lower number");
 }
 
@@ -278,16 +283,16 @@ TEST_CASE("settings are a controller's: of one link, and of `loop:` only where t
   };
   const Analysed sound = of_two(R"({"url": "loop:", "controller": "plc2", "on-loss": "zero"},
                                    {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "resync": "2s"})");
-  CHECK(told(sound).empty());
+  CHECK(reported(sound).empty());
   CHECK(sound.model().links.at(0).link.resync == 2 * tables::kSecond);
   CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
   CHECK(
-      told(R"("controller": "PLC9")") ==
+      reported(R"("controller": "PLC9")") ==
       "this plant's one controller has no name, so that `PLC9` is none: leave `controller` out here, or name it beside "
       "its list in `symbols`");
-  CHECK(told(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
+  CHECK(reported(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
         "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
-  CHECK(told(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
+  CHECK(reported(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
                        {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "on-loss": "zero"})")) ==
         "another link of this controller has settings too, give them in one place");
 }

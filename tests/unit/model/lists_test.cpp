@@ -15,7 +15,7 @@ Analysed two(const std::vector<Row>& first, const std::vector<Row>& second, cons
   return analyse_lists({{"first.csv", list_text(first), controller}, {"second.csv", list_text(second), other}});
 }
 
-std::string file_of(const diag::Place& place) { return place.source->path(); }
+std::string file_of(const diag::Location& index) { return index.source->path(); }
 
 TEST_CASE("Rows of all lists make one plant, in the order of the lists") {
   const Analysed plant = two({{"L_P_D_O_A", "Y1"}, {"L_P_E_I_A", "X1"}}, {{"L_P_E_O_A", "Y2"}, {"L_P_D_I_A", "X2"}});
@@ -54,16 +54,16 @@ TEST_CASE("One address in two lists of one controller is one place") {
   CHECK(plant.count("event-moved-twice") == 2);
   for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
     if (finding.rule->slug != "event-moved-twice") continue;
-    CHECK(file_of(finding.place) == "second.csv");
-    CHECK(file_of(finding.related.front().place) == "first.csv");
+    CHECK(file_of(finding.location) == "second.csv");
+    CHECK(file_of(finding.related.front().location) == "first.csv");
   }
 }
 
 TEST_CASE("A name in two lists is declared twice, and both places are told in their files") {
   const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}});
   const diag::Diagnostic& finding = finding_of(plant, "duplicate-symbol");
-  CHECK(file_of(finding.place) == "second.csv");
-  CHECK(file_of(finding.related.front().place) == "first.csv");
+  CHECK(file_of(finding.location) == "second.csv");
+  CHECK(file_of(finding.related.front().location) == "first.csv");
   CHECK(plant.model().symbols.size() == 4);
   CHECK(two(kFirst, {{"L_P_D_O_A", "Y7"}}).count("symbol-declared-differently") == 1);
 }
@@ -83,7 +83,7 @@ TEST_CASE("Findings stand in the order of the lists, whatever the order of rules
   const Analysed plant = two(long_list, {{"L_P_D_O_A", "?"}, {"WORSE", "X9"}});
   std::string order;
   for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
-    const std::string file = file_of(finding.place);
+    const std::string file = file_of(finding.location);
     if (order.empty() || !std::string_view(order).ends_with(file + " ")) order += file + " ";
   }
   CHECK(order == "first.csv second.csv ");
@@ -110,7 +110,7 @@ TEST_CASE("What a list of a controller proves counts for its other lists") {
 
 TEST_CASE("What is assumed of a controller is told once for all its lists") {
   const Analysed plant = two({{"L_P_D_I_A", "X1"}, {"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}});
-  CHECK(place_text(finding_of(plant, "radix-assumed")) == "X10");
+  CHECK(index_text(finding_of(plant, "radix-assumed")) == "X10");
   CHECK(two({{"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}}, "PLC1", "PLC2").count("radix-assumed") == 2);
 }
 
@@ -120,9 +120,9 @@ TEST_CASE("Two lists of one controller that count X and Y differently: most rows
                                                                             {"L_P_E_I_C", "X0020"}});
   CHECK(symbol_of(plant, "L_P_E_I_C").address->number == 32);
   const diag::Diagnostic& finding = finding_of(plant, "radix-disagrees");
-  CHECK(file_of(finding.place) == "first.csv");
-  CHECK(place_text(finding) == "X0010");
-  CHECK(file_of(finding.related.front().place) == "second.csv");
+  CHECK(file_of(finding.location) == "first.csv");
+  CHECK(index_text(finding) == "X0010");
+  CHECK(file_of(finding.related.front().location) == "second.csv");
 }
 
 TEST_CASE("Of the options of one controller's lists the first counts, and another one is told") {
@@ -131,7 +131,7 @@ TEST_CASE("Of the options of one controller's lists the first counts, and anothe
                                         {"c.csv", list_text({{"L_P_F_I_A", "X30"}}), "", Radix::hexadecimal}});
   CHECK(symbol_of(plant, "L_P_D_I_A").address->number == 8);
   CHECK(symbol_of(plant, "L_P_F_I_A").address->number == 24);
-  CHECK(file_of(finding_of(plant, "radix-disagrees").place) == "c.csv");
+  CHECK(file_of(finding_of(plant, "radix-disagrees").location) == "c.csv");
 }
 
 TEST_CASE("A list without a symbol is a list all the same") {

@@ -82,9 +82,9 @@ inline const diag::Diagnostic& finding_of(const Analysed& analysed, std::string_
 }
 
 /// The underlined text.
-inline std::string place_text(const diag::Diagnostic& finding) {
-  const text::Span span = finding.place.span;
-  return std::string(finding.place.source->text().substr(span.begin, span.end - span.begin));
+inline std::string index_text(const diag::Diagnostic& finding) {
+  const text::Span span = finding.location.span;
+  return std::string(finding.location.source->text().substr(span.begin, span.end - span.begin));
 }
 
 }  // namespace symplant::test

@@ -60,8 +60,8 @@ TEST_CASE("Of patterns the one with more literal characters beats the other, key
 TEST_CASE("An array replaces an array, also an empty one") {
   DeviceDescription nothing = device("L_P_S1");
   nothing.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;
-  const Analysed list = described(
-      kStoppers, {with("L_P_S*", {taking(way("ADV", "RET"), 5)}), with("L_P_S2", {way("RET", "ADV")}), nothing});
+  const Analysed list = described(kStoppers, {with("L_P_S*", {taking(transition("ADV", "RET"), 5)}),
+                                              with("L_P_S2", {transition("RET", "ADV")}), nothing});
   CHECK(origins(unit_of(list, "L_P_S1")) == "dd");
   CHECK(transitions_text(list, unit_of(list, "L_P_S2")) == "RET-O_ADV>ADV ADV-O_RET>RET");
   CHECK(unit_of(list, "L_P_S2").transitions[1].takes == Duration::fixed(tables::kSecond));
@@ -119,8 +119,8 @@ TEST_CASE("A pattern that matches no device is a warning") {
 }
 
 TEST_CASE("Under a pattern an entry is left out for devices that lack what it names, with a warning") {
-  const Analysed list =
-      described(kStoppers, {with("L_P_*", {taking(way("ADV", "RET"), 5), taking(way("RUN1", "END2"), 6)})});
+  const Analysed list = described(
+      kStoppers, {with("L_P_*", {taking(transition("ADV", "RET"), 5), taking(transition("RUN1", "END2"), 6)})});
   CHECK(faults(list) == "");
   CHECK(transitions_text(list, unit_of(list, "L_P_S1")) == "ADV-O_RET>RET RET-O_ADV>ADV");
   CHECK(unit_of(list, "L_P_S1").transitions[0].takes == Duration::fixed(5));
@@ -138,7 +138,7 @@ TEST_CASE("Under a pattern an entry is left out for devices that lack what it na
 }
 
 TEST_CASE("What all of them lack is an error") {
-  DeviceDescription d = with("L_P_S?", {way("ADV", "REF"), way("ADV", "RET", "RETT")});
+  DeviceDescription d = with("L_P_S?", {transition("ADV", "REF"), transition("ADV", "RET", "RETT")});
   d.initial = "HOME";
   d.outputs = {{"ADV", {{"BUSY", true}}, {}}};
   const Analysed list = described(kStoppers, {d});
@@ -186,15 +186,15 @@ TEST_CASE("A state that only a left out entry would have made a mere command sta
   // O_GO is `on` of a transition to P2; L_P_B has no P2, so nothing is said of its O_GO.
   const std::vector<std::string> names{"L_P_A_O_GO", "L_P_A_I_P1", "L_P_A_O_P1", "L_P_A_I_P2",
                                        "L_P_A_O_P2", "L_P_B_O_GO", "L_P_B_I_P1", "L_P_B_O_P1"};
-  const Analysed list = described(names, {with("L_P_?", {way("P1", "P2", "GO")})});
+  const Analysed list = described(names, {with("L_P_?", {transition("P1", "P2", "GO")})});
   CHECK(states_text(unit_of(list, "L_P_A")) == "P1 P2");
   CHECK(states_text(unit_of(list, "L_P_B")) == "P1 GO");
   CHECK(unit_of(list, "L_P_B").left_out == std::vector<std::uint32_t>{0});
 }
 
 TEST_CASE("The condition of a left out entry is no condition of the device") {
-  GivenTransition left = way("RUN1", "END2", "", "L_P_S1.ADV");
-  GivenTransition stays = way("ADV", "RET", "", "L_P_M.END2");
+  GivenTransition left = transition("RUN1", "END2", "", "L_P_S1.ADV");
+  GivenTransition stays = transition("ADV", "RET", "", "L_P_M.END2");
   const Analysed list = described(kStoppers, {with("L_P_*", {left, stays})});
   REQUIRE(unit_of(list, "L_P_S1").conditions.size() == 1);
   CHECK(unit_of(list, "L_P_S1").transitions[0].when == 0);
@@ -204,7 +204,7 @@ TEST_CASE("The condition of a left out entry is no condition of the device") {
 TEST_CASE("A commanded transition under a pattern is left out where its target has no operation") {
   const std::vector<std::string> names{"L_P_A_O_P1", "L_P_A_I_P1", "L_P_A_O_P2", "L_P_A_I_P2", "L_P_A_O_P3",
                                        "L_P_B_O_P1", "L_P_B_I_P1", "L_P_B_I_P2", "L_P_B_O_P3"};
-  const Analysed list = described(names, {with("L_P_?", {way("P1", "P2")})});
+  const Analysed list = described(names, {with("L_P_?", {transition("P1", "P2")})});
   CHECK(faults(list) == "");
   CHECK(
       warnings(list) ==
@@ -213,7 +213,7 @@ TEST_CASE("A commanded transition under a pattern is left out where its target h
 }
 
 TEST_CASE("A fault under a pattern is told once for all its devices") {
-  CHECK(faults(described(kStoppers, {with("L_P_S?", {way("ADV", "ADV")})})) ==
+  CHECK(faults(described(kStoppers, {with("L_P_S?", {transition("ADV", "ADV")})})) ==
         "/devices/L_P_S?/transitions/0: `ADV` to itself is no transition, name two states; so it is with other devices "
         "that `L_P_S?` matches");
   DeviceDescription rest = device("L_P_S?");
@@ -223,7 +223,7 @@ TEST_CASE("A fault under a pattern is told once for all its devices") {
 
 TEST_CASE("A fault leads to the entry that gave the key") {
   DeviceDescription exact = actuated("L_P_S1", tables::Actuation::held);
-  const Analysed list = described(kStoppers, {exact, with("L_P_S*", {way("ADV", "RET", "", "L_P_X.RUN")})});
+  const Analysed list = described(kStoppers, {exact, with("L_P_S*", {transition("ADV", "RET", "", "L_P_X.RUN")})});
   REQUIRE(list.model().description_faults.size() == 1);
   CHECK(list.model().description_faults[0].pointer == "/devices/L_P_S*/transitions/0/when");
   CHECK(list.model().description_faults[0].kind == description::FaultKind::condition);
@@ -265,7 +265,7 @@ TEST_CASE("`--verbose` will tell which pattern speaks of how many devices") {
 
 TEST_CASE("Devices of which the same entries speak share what is joined, and nothing is joined of one entry") {
   const Analysed list =
-      described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), with("L_*_S?", {way("ADV", "RET")}),
+      described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), with("L_*_S?", {transition("ADV", "RET")}),
                             actuated("L_P_M", tables::Actuation::held)});
   CHECK(list.model().joined.size() == 1);
   CHECK(unit_of(list, "L_P_S1").described == unit_of(list, "L_P_S2").described);
@@ -284,7 +284,7 @@ TEST_CASE("What is left out for a device is not wrong for it either") {
   DeviceDescription pattern = device("L_P_*");
   pattern.rest = "RET";
   pattern.disables = {{"ADV", {"L_P_M"}}};
-  pattern.transitions = {taking(way("ADV", "RET"), 5)};
+  pattern.transitions = {taking(transition("ADV", "RET"), 5)};
   pattern.transitions[0].once = true;
   DeviceDescription spring = actuated("L_P_S?", tables::Actuation::spring);
   spring.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;

@@ -20,7 +20,7 @@ std::vector<Row> cell_with_numbers() {
 
 TEST_CASE("A `when` becomes a tree over the plant") {
   DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "", "not l_p_e.A2 and L_P_D_I_SPEED < 3.5 or L_P_E.moving and L_P_E_O_A1")};
+  d.transitions = {transition("P1", "P2", "", "not l_p_e.A2 and L_P_D_I_SPEED < 3.5 or L_P_E.moving and L_P_E_O_A1")};
   const Analysed list = analyse_described(cell_with_numbers(), describing({d}));
   REQUIRE(faults(list) == "");
   const model::Unit& unit = unit_of(list);
@@ -44,9 +44,10 @@ TEST_CASE("A `when` becomes a tree over the plant") {
 
 TEST_CASE("Equal texts within a device share one condition, `*` has one") {
   DeviceDescription d = device();
-  d.transitions = {way("*", "P2", "", "L_P_E.A1"), way("P2", "P1", "", "L_P_E.A2"), automatic("P1", "P2", "L_P_E.A1")};
+  d.transitions = {transition("*", "P2", "", "L_P_E.A1"), transition("P2", "P1", "", "L_P_E.A2"),
+                   automatic("P1", "P2", "L_P_E.A1")};
   DeviceDescription e = device("L_P_E");
-  e.transitions = {way("A1", "A2", "", "L_P_D.P1")};
+  e.transitions = {transition("A1", "A2", "", "L_P_D.P1")};
   const Analysed list = described(kCell, {d, e});
   REQUIRE(faults(list) == "");
   const model::Unit& unit = unit_of(list);
@@ -60,8 +61,8 @@ TEST_CASE("Equal texts within a device share one condition, `*` has one") {
 
 TEST_CASE("A fault in a condition stands where it is in the text, in every transition that has it") {
   DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "", "L_P_E.A1 and L_P_E.A9"), way("P2", "P1", "", "L_P_E.A1 and L_P_E.A9"),
-                   automatic("P1", "P2", "(L_P_E.A1")};
+  d.transitions = {transition("P1", "P2", "", "L_P_E.A1 and L_P_E.A9"),
+                   transition("P2", "P1", "", "L_P_E.A1 and L_P_E.A9"), automatic("P1", "P2", "(L_P_E.A1")};
   const Analysed list = described(kCell, {d});
   CHECK(faults(list) ==
         "/devices/L_P_D/transitions/0/when: there is no state `A9` of `L_P_E`, the nearest is `A1`\n"
@@ -75,13 +76,13 @@ TEST_CASE("A fault in a condition stands where it is in the text, in every trans
 TEST_CASE("A condition may name states that a description adds, and is told why a mere command or event is none") {
   DeviceDescription d = device();
   d.states = {"DOCK"};
-  d.transitions = {way("P1", "DOCK", "GO")};
+  d.transitions = {transition("P1", "DOCK", "GO")};
   d.outputs = {{"P2", {{"BUSY", true}}, {}}};
   std::vector<std::string> names = kCell;
   names.push_back("L_P_D_O_GO");
   names.push_back("L_P_D_I_BUSY");
   DeviceDescription e = device("L_P_E");
-  e.transitions = {way("A1", "A2", "", "L_P_D.DOCK"), way("A2", "A1", "", "L_P_D.go"),
+  e.transitions = {transition("A1", "A2", "", "L_P_D.DOCK"), transition("A2", "A1", "", "L_P_D.go"),
                    automatic("A1", "A2", "not L_P_D.BUSY")};
   CHECK(faults(described(names, {d, e})) ==
         "/devices/L_P_E/transitions/1/when: `go` only commands given transitions and is no state of `L_P_D`, name the "
@@ -92,7 +93,7 @@ TEST_CASE("A condition may name states that a description adds, and is told why 
 
 TEST_CASE("A condition may name a symbol of no device, and no facet of a device with one unit") {
   DeviceDescription d = device();
-  d.transitions = {way("P1", "P2", "", "START and 'L_P_E'.A1"), way("P2", "P1", "", "L_P_E.CLAMP.A1")};
+  d.transitions = {transition("P1", "P2", "", "START and 'L_P_E'.A1"), transition("P2", "P1", "", "L_P_E.CLAMP.A1")};
   std::vector<Row> rows = bits(kCell);
   rows.push_back({"START", "X77"});
   CHECK(faults(analyse_described(rows, describing({d}))) ==
@@ -121,7 +122,7 @@ TEST_CASE("Units keep their places where one before them is too large to be one"
   names.insert(names.end(), kCell.begin(), kCell.end());
   DeviceDescription d = device();
   d.disables = {{"P1", {"L_P_E"}}};
-  d.transitions = {way("P1", "P2", "", "L_P_E.A1")};
+  d.transitions = {transition("P1", "P2", "", "L_P_E.A1")};
   const Analysed list = described(names, {d});
   CHECK(faults(list) == "");
   CHECK(unit_of(list).disables[0] == std::vector<std::uint32_t>{1});
@@ -143,7 +144,7 @@ TEST_CASE("Disabling itself, a device or in a state that is not there, and a sta
 TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, by name, equal texts too") {
   DeviceDescription d = device();
   d.behaviour = "MyTable";
-  d.transitions = {way("P1", "P2", "", "L_P_E.A1")};
+  d.transitions = {transition("P1", "P2", "", "L_P_E.A1")};
   d.inputs = {{"part", "L_P_E.A1"}, {"clear", "not L_P_E.moving"}};
   const Analysed list = described(kCell, {d});
   CHECK(faults(list) == "");

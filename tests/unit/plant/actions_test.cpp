@@ -178,7 +178,7 @@ TEST_CASE("levels count also where a person has moved the unit") {
 }
 
 TEST_CASE("put into the state that it is in, a unit begins to wait anew") {
-  const BenchTables tables({"MC_I_A1", "MC_I_B2"}, Told().by_itself("MC", "A1", "B2", fixed(1000 * kMs)));
+  const BenchTables tables({"MC_I_A1", "MC_I_B2"}, Reported().by_itself("MC", "A1", "B2", fixed(1000 * kMs)));
   BenchPlant plant(tables);
   plant.to(600).changes();
   plant.put("MC", "A1").to(1599);
@@ -191,7 +191,7 @@ TEST_CASE("put into the state that it is in, a unit begins to wait anew") {
 TEST_CASE("a disabled unit that a person puts elsewhere stays disabled") {
   const BenchTables tables(
       {"GATE_O_OPEN1", "GATE_I_OPEN1", "GATE_O_SHUT2", "GATE_I_SHUT2", "ARM_O_A1", "ARM_I_A1", "ARM_O_B2", "ARM_I_B2"},
-      Told().disables("GATE", "OPEN1", "ARM"));
+      Reported().disables("GATE", "OPEN1", "ARM"));
   BenchPlant plant(tables);
   plant.to(0).set("ARM_O_A1", 1).put("ARM", "B2").to(1000);
   CHECK(plant.state("ARM") == "[B2]");

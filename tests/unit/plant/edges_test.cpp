@@ -35,9 +35,10 @@ const std::array<engine::Behaviour, 1> kAsking{engine::Behaviour{.wanted = [](en
 
 const BenchTables& asking() {
   static const BenchTables tables = [] {
-    Told told;
-    told.device("ARM").behaviour = "Asking";
-    return BenchTables(told, {{"L_P_ARM_O_A1"}, {"L_P_ARM_I_A1"}, {"L_P_ARM_I_B2"}, {"L_P_ARM_I_LEVEL", "", "INT"}});
+    Reported reported;
+    reported.device("ARM").behaviour = "Asking";
+    return BenchTables(reported,
+                       {{"L_P_ARM_O_A1"}, {"L_P_ARM_I_A1"}, {"L_P_ARM_I_B2"}, {"L_P_ARM_I_LEVEL", "", "INT"}});
   }();
   return tables;
 }
@@ -107,11 +108,12 @@ const std::array<engine::Behaviour, 1> kSlow{engine::Behaviour{
 }};
 
 TEST_CASE("a behaviour may ask what the model's own rule says, also of a way without a command and of a random time") {
-  Told told;
-  told.device("CYL").behaviour = "Slow";
-  told.on_command("CYL", "RET", "ADV", {description::Duration::Kind::uniform, 700 * kMs, 900 * kMs});
-  told.by_itself("CYL", "ADV", "RET", {description::Duration::Kind::uniform, 5 * tables::kSecond, 6 * tables::kSecond});
-  const BenchTables tables({"CYL_O_ADV", "CYL_I_ADV", "CYL_I_RET"}, told);
+  Reported reported;
+  reported.device("CYL").behaviour = "Slow";
+  reported.on_command("CYL", "RET", "ADV", {description::Duration::Kind::uniform, 700 * kMs, 900 * kMs});
+  reported.by_itself("CYL", "ADV", "RET",
+                     {description::Duration::Kind::uniform, 5 * tables::kSecond, 6 * tables::kSecond});
+  const BenchTables tables({"CYL_O_ADV", "CYL_I_ADV", "CYL_I_RET"}, reported);
   plant::OwnedPlant slow(tables.rows, kSlow);
   plant::OwnedPlant own(tables.rows);
   for (plant::Plant* plant : {static_cast<plant::Plant*>(&slow), static_cast<plant::Plant*>(&own)}) {

@@ -14,14 +14,14 @@ std::size_t words_in(const std::string& text) {
 }
 
 TEST_CASE("findings of one instant stand by their kind, then by their unit or symbol, for ring and observer alike") {
-  Told told;
-  told.description.requirements.push_back({"not both", "L_P_AGV_O_P2 and L_P_BUS_O_P2", "", "", 0});
-  const BenchTables tables(kTwoAgvs, told);
+  Reported reported;
+  reported.description.requirements.push_back({"not both", "L_P_AGV_O_P2 and L_P_BUS_O_P2", "", "", 0});
+  const BenchTables tables(kTwoAgvs, reported);
   BenchPlant plant(tables);
   plant.to(0).set("BUS_O_P1", 1).set("BUS_O_P2", 1).set("AGV_O_P1", 1).set("AGV_O_P2", 1).to(5);
   plant.set("AGV_O_P2", 0).set("BUS_O_P2", 0).to(7);
   const std::string all = "5:conflicting AGV 5:conflicting BUS 5:violated not both 7:lost AGV_O_P2 7:lost BUS_O_P2";
-  CHECK(plant.told() == all);
+  CHECK(plant.reported() == all);
   CHECK(plant.findings() == all);
   CHECK(plant.findings() == "");
 }
@@ -43,7 +43,7 @@ TEST_CASE("a full ring keeps the oldest findings and counts the rest; the observ
   for (tables::Time i = 0; i < 300; ++i) {  // two findings each
     plant.set("AGV_O_P2", 1).to(2 * i + 1).set("AGV_O_P2", 0).to(2 * i + 2);
   }
-  CHECK(words_in(plant.told()) == 2 * 600);  // "1:conflicting AGV": two words each
+  CHECK(words_in(plant.reported()) == 2 * 600);  // "1:conflicting AGV": two words each
   CHECK(plant.plant.lost_findings() == 88);
   tables::Finding finding{};
   for (tables::Time i = 1; i <= 512; ++i) {
@@ -70,14 +70,14 @@ TEST_CASE("reset throws away what nobody took") {
 }
 
 TEST_CASE("an instant with nothing but a finding is told") {
-  Told told;
-  told.description.requirements.push_back({"answer", "", "L_P_AGV_O_P2", "L_P_BUS.P2", 20 * kMs});
-  const BenchTables tables(kTwoAgvs, told);
+  Reported reported;
+  reported.description.requirements.push_back({"answer", "", "L_P_AGV_O_P2", "L_P_BUS.P2", 20 * kMs});
+  const BenchTables tables(kTwoAgvs, reported);
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P2", 1).to(5);
   CHECK(plant.plant.next_due() == 25 * kMs);
   plant.to(30);
-  CHECK(plant.told() == "25:violated answer");
+  CHECK(plant.reported() == "25:violated answer");
 }
 
 /// While GO is on, `FLIP` changes state for ever in no time, `FLOP` follows it; `CALM` is a machine of 1 s.
@@ -89,7 +89,7 @@ std::vector<Row> loop_rows() {
 }
 
 const BenchTables& loops() {
-  static const BenchTables tables(Told()
+  static const BenchTables tables(Reported()
                                       .by_itself("FLIP", "A1", "B2", fixed(0), "GO")
                                       .by_itself("FLIP", "B2", "A1", fixed(0))
                                       .by_itself("FLOP", "A1", "B2", fixed(0), "L_P_FLIP.B2")
@@ -133,21 +133,21 @@ TEST_CASE("a frozen unit that a person puts elsewhere stays frozen; reset thaws 
 }
 
 /// A row of devices, each of which follows the one before it in no time.
-std::vector<std::string> row_of_devices(std::size_t count, Told& told) {
+std::vector<std::string> row_of_devices(std::size_t count, Reported& reported) {
   std::vector<std::string> names = {"D0_O_A1", "D0_I_A1", "D0_O_B2", "D0_I_B2"};
-  told.on_command("D0", "A1", "B2", fixed(0));
+  reported.on_command("D0", "A1", "B2", fixed(0));
   for (std::size_t i = 1; i < count; ++i) {
     const std::string name = "D" + std::to_string(i);
     names.push_back(name + "_I_A1");
     names.push_back(name + "_I_B2");
-    told.by_itself(name, "A1", "B2", fixed(0), "L_P_D" + std::to_string(i - 1) + ".B2");
+    reported.by_itself(name, "A1", "B2", fixed(0), "L_P_D" + std::to_string(i - 1) + ".B2");
   }
   return names;
 }
 
 TEST_CASE("a ripple through hundreds of devices in one instant is no loop, however many rounds it takes") {
-  Told told;
-  const BenchTables tables(row_of_devices(950, told), told);  // beyond 200, 400 and 800 rounds
+  Reported reported;
+  const BenchTables tables(row_of_devices(950, reported), reported);  // beyond 200, 400 and 800 rounds
   BenchPlant plant(tables);
   plant.to(0).set("D0_O_B2", 1).to(7);
   CHECK(plant.findings() == "");
@@ -157,11 +157,11 @@ TEST_CASE("a ripple through hundreds of devices in one instant is no loop, howev
 }
 
 TEST_CASE("a loop at the end of a long ripple is found, and nothing else is frozen") {
-  Told told;
-  std::vector<std::string> names = row_of_devices(300, told);
+  Reported reported;
+  std::vector<std::string> names = row_of_devices(300, reported);
   names.insert(names.end(), {"FLIP_I_A1", "FLIP_I_B2"});
-  told.by_itself("FLIP", "A1", "B2", fixed(0), "L_P_D299.B2").by_itself("FLIP", "B2", "A1", fixed(0));
-  const BenchTables tables(names, told);
+  reported.by_itself("FLIP", "A1", "B2", fixed(0), "L_P_D299.B2").by_itself("FLIP", "B2", "A1", fixed(0));
+  const BenchTables tables(names, reported);
   BenchPlant plant(tables);
   plant.to(0).set("D0_O_B2", 1).to(7);
   CHECK(plant.findings() == "7:loop FLIP");
@@ -172,7 +172,7 @@ TEST_CASE("a loop at the end of a long ripple is found, and nothing else is froz
 const BenchTables& quick_machine() {
   static const BenchTables tables(
       {"MC_I_IDLE1", "MC_O_RUN2", "MC_I_RUN2"},
-      Told().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(10 * kMs)));
+      Reported().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(10 * kMs)));
   return tables;
 }
 
@@ -195,7 +195,7 @@ TEST_CASE("in virtual time no event is too short that is seen between two instan
 TEST_CASE("an event on and off within one instant is too short in virtual time, too") {
   const BenchTables tables(
       {"MC_I_IDLE1", "MC_O_RUN2", "MC_I_RUN2"},
-      Told().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(0)));
+      Reported().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(0)));
   BenchPlant plant(tables);
   plant.to(0).set("MC_O_RUN2", 1).to(100);
   CHECK(plant.findings() == "100:short MC_I_IDLE1 100:short MC_I_RUN2");

@@ -11,15 +11,15 @@ namespace {
 const std::vector<std::string> kCell = {"ARM_O_A1",  "ARM_I_A1",  "ARM_O_B2",    "ARM_I_B2",    "MC_I_IDLE1",
                                         "MC_O_RUN2", "MC_I_RUN2", "GATE_O_SHUT", "GATE_I_SHUT", "GATE_I_OPEN"};
 
-Told said() {
+Reported said() {
   const auto uniform = [](tables::Time min, tables::Time max) {
     return description::Duration{description::Duration::Kind::uniform, min * kMs, max * kMs};
   };
-  Told told;
-  told.on_command("ARM", "A1", "B2", uniform(100, 300)).on_command("ARM", "B2", "A1", uniform(100, 300));
-  told.by_itself("MC", "RUN2", "IDLE1", uniform(50, 150), "L_P_ARM.B2").disables("GATE", "OPEN", "MC");
-  told.description.requirements.push_back({"arm answers", "", "L_P_ARM_O_B2", "L_P_ARM.B2", 250 * kMs});
-  return told;
+  Reported reported;
+  reported.on_command("ARM", "A1", "B2", uniform(100, 300)).on_command("ARM", "B2", "A1", uniform(100, 300));
+  reported.by_itself("MC", "RUN2", "IDLE1", uniform(50, 150), "L_P_ARM.B2").disables("GATE", "OPEN", "MC");
+  reported.description.requirements.push_back({"arm answers", "", "L_P_ARM_O_B2", "L_P_ARM.B2", 250 * kMs});
+  return reported;
 }
 
 /// Arming, random times, a condition, a disable, a requirement, a spring: something of everything.
@@ -40,7 +40,7 @@ std::string run(BenchPlant& plant, std::uint64_t script, tables::Time first, tab
     if (state % 13 == 0) plant.force("ARM_O_B2", state >> 30 & 1);
     if (state % 13 == 1) plant.release("ARM_O_B2");
     if (state % 17 == 0) plant.put("GATE", (state >> 40 & 1) != 0 ? "SHUT" : "OPEN");
-    text += plant.changes() + plant.told() + " " + std::to_string(plant.plant.state_hash()) + "\n";
+    text += plant.changes() + plant.reported() + " " + std::to_string(plant.plant.state_hash()) + "\n";
   }
   return text;
 }
@@ -122,7 +122,7 @@ TEST_CASE("a copy of its bytes is all of a block, at any alignment") {
 }
 
 TEST_CASE("a block that is another model's, too short, too long, empty or no block at all is refused") {
-  Told slower = said();
+  Reported slower = said();
   slower.description.defaults.travel = 2000 * kMs;  // of equal size and structure
   const BenchTables others(kCell, slower);
   BenchPlant other(others);

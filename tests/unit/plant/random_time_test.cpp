@@ -16,7 +16,7 @@ description::Duration uniform(tables::Time min, tables::Time max) { return {Kind
 description::Duration normal(tables::Time mean, tables::Time sigma) { return {Kind::normal, mean, sigma}; }
 
 /// How long the arm's next ways to B2 take, one after the other; the way back takes what it takes.
-std::vector<tables::Time> ways_to_b2(BenchPlant& arm, std::size_t count) {
+std::vector<tables::Time> transitions_to_b2(BenchPlant& arm, std::size_t count) {
   std::vector<tables::Time> times;
   tables::Time now = 0;
   arm.to(0);
@@ -41,53 +41,54 @@ TEST_CASE("the generator is SplitMix64") {
 TEST_CASE("a uniform travel is drawn anew each time that it begins") {
   const BenchTables tables(
       kArm,
-      Told().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
+      Reported().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
   BenchPlant arm(tables);
-  CHECK(ways_to_b2(arm, 3) == std::vector<tables::Time>{1'109'507'313, 1'559'391'523, 1'353'017'584});
+  CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'109'507'313, 1'559'391'523, 1'353'017'584});
 }
 
 TEST_CASE("the seed is that of reset") {
   const BenchTables tables(
       kArm,
-      Told().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
+      Reported().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
   BenchPlant arm(tables);
   arm.plant.reset(7);
-  CHECK(ways_to_b2(arm, 3) == std::vector<tables::Time>{1'437'784'872, 1'037'864'581, 1'391'056'880});
+  CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'437'784'872, 1'037'864'581, 1'391'056'880});
 }
 
 TEST_CASE("every transition counts its own draws, by its place in the unit's table") {
   // Two ways drawn: the one counted 0 is the way back, and does not disturb the other.
-  const BenchTables tables(kArm, Told()
+  const BenchTables tables(kArm, Reported()
                                      .on_command("ARM", "B2", "A1", uniform(1, kSecond))
                                      .on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)));
   BenchPlant arm(tables);
-  CHECK(ways_to_b2(arm, 2) == std::vector<tables::Time>{1'924'800'410, 1'649'502'940});
+  CHECK(transitions_to_b2(arm, 2) == std::vector<tables::Time>{1'924'800'410, 1'649'502'940});
 }
 
 TEST_CASE("a normal travel is the sum of twelve draws") {
   const BenchTables tables(
-      kArm, Told().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond, kSecond / 5)));
+      kArm,
+      Reported().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond, kSecond / 5)));
   BenchPlant arm(tables);
-  CHECK(ways_to_b2(arm, 3) == std::vector<tables::Time>{1'136'719'656, 918'231'870, 913'457'333});
+  CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'136'719'656, 918'231'870, 913'457'333});
   arm.plant.reset(7);
-  CHECK(ways_to_b2(arm, 3) == std::vector<tables::Time>{1'226'961'869, 883'677'981, 818'519'827});
+  CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'226'961'869, 883'677'981, 818'519'827});
 }
 
 TEST_CASE("a normal time is cut at 0, and the arm is there at once then") {
   const BenchTables tables(
       kArm,
-      Told().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond / 10, kSecond)));
+      Reported().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond / 10, kSecond)));
   BenchPlant arm(tables);
-  CHECK(ways_to_b2(arm, 8) ==
+  CHECK(transitions_to_b2(arm, 8) ==
         std::vector<tables::Time>{783'598'282, 0, 0, 379'336'955, 938'913'196, 0, 0, 1'234'809'346});
 }
 
 TEST_CASE("after and takes of one transition count with one number, after first") {
-  Told told;
-  told.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond));
-  told.device("ARM").transitions[0].takes = uniform(kSecond, 2 * kSecond);
-  told.on_command("ARM", "B2", "A1", fixed(0));
-  const BenchTables tables(kArm, told);
+  Reported reported;
+  reported.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond));
+  reported.device("ARM").transitions[0].takes = uniform(kSecond, 2 * kSecond);
+  reported.on_command("ARM", "B2", "A1", fixed(0));
+  const BenchTables tables(kArm, reported);
   BenchPlant arm(tables);
   arm.to(0);
   CHECK(arm.plant.next_due() == 1'109'507'313);  // `after`, drawn when its cause began to hold
@@ -98,11 +99,11 @@ TEST_CASE("after and takes of one transition count with one number, after first"
 }
 
 TEST_CASE("an after is drawn anew when its cause has been broken") {
-  Told told;
-  told.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond), "START");
+  Reported reported;
+  reported.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond), "START");
   std::vector<Row> list = bits({"L_P_ARM_O_A1", "L_P_ARM_I_A1", "L_P_ARM_O_B2", "L_P_ARM_I_B2"});
   list.push_back({"START", "", "BOOL", "FALSE", "%IX100"});
-  const BenchTables tables(told, list);
+  const BenchTables tables(reported, list);
   BenchPlant arm(tables);
   arm.to(0);
   CHECK(arm.plant.next_due() == tables::kNever);

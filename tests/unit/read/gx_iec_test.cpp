@@ -78,7 +78,7 @@ TEST_CASE("A cell of more than 65,536 bytes is refused at its place, a long comm
   REQUIRE(refused.diagnostics.all().size() == 1);
   const diag::Diagnostic& finding = refused.diagnostics.all().front();
   CHECK(finding.rule->slug == "cell-too-long");
-  CHECK(finding.place.span.begin == header.size() + std::string_view("VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL,").size());
+  CHECK(finding.location.span.begin == header.size() + std::string_view("VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL,").size());
 }
 
 TEST_CASE("Ill lists of many megabytes are read in one go") {

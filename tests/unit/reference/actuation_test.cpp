@@ -79,7 +79,7 @@ TEST_CASE("What stands still keeps its time and goes on with it") {
 
 TEST_CASE("Turning round takes its part of the way back, rounded down") {
   Said said = actuated(Actuation::bistable);
-  said.device("L_P_V").transitions = {way("A1", "B2"), way("B2", "A1")};
+  said.device("L_P_V").transitions = {transition("A1", "B2"), transition("B2", "A1")};
   said.device("L_P_V").transitions[0].takes = description::Duration::fixed(3);
   said.device("L_P_V").transitions[1].takes = description::Duration::fixed(10);
   Bench bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, said);
@@ -94,7 +94,7 @@ TEST_CASE("Turning round takes its part of the way back, rounded down") {
 
 TEST_CASE("A spring's own way takes what its transition says") {
   Said said;
-  said.device("L_P_V").transitions = {way("ADV", "RET")};
+  said.device("L_P_V").transitions = {transition("ADV", "RET")};
   said.device("L_P_V").transitions[0].takes = description::Duration::fixed(500 * kMs);
   Bench bench({"V_O_ADV", "V_I_ADV", "V_I_RET"}, said);
   bench.set("V_O_ADV", true).at(0).at(1000);

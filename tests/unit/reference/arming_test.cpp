@@ -36,7 +36,8 @@ TEST_CASE("An operation is armed again while its unit is disabled") {
 
 TEST_CASE("once: an index table steps once a pulse") {
   Said said;
-  said.device("L_P_T").transitions = {way("P1", "P2", "STEP"), way("P2", "P3", "STEP"), way("P3", "P1", "STEP")};
+  said.device("L_P_T").transitions = {transition("P1", "P2", "STEP"), transition("P2", "P3", "STEP"),
+                                      transition("P3", "P1", "STEP")};
   for (auto& given : said.device("L_P_T").transitions) given.once = true;
   Bench bench({"T_O_STEP", "T_I_P1", "T_I_P2", "T_I_P3"}, said);
   bench.set("T_O_STEP", true).at(0).at(5000);
@@ -47,7 +48,7 @@ TEST_CASE("once: an index table steps once a pulse") {
 
 TEST_CASE("One operation on steps a unit again and again where nothing says once") {
   Said said;
-  said.device("L_P_T").transitions = {way("P1", "P2", "STEP"), way("P2", "P1", "STEP")};
+  said.device("L_P_T").transitions = {transition("P1", "P2", "STEP"), transition("P2", "P1", "STEP")};
   Bench bench({"T_O_STEP", "T_I_P1", "T_I_P2"}, said);
   bench.set("T_O_STEP", true).at(0).at(1500);
   CHECK(bench.state("T") == "P2->P1");

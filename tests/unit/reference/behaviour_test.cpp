@@ -24,7 +24,7 @@ TEST_CASE("SplitMix64 begins as published") { CHECK(first_output(0) == 0xE220A83
 
 TEST_CASE("A uniform time is drawn by seed, unit, transition and count") {
   Said said;
-  said.device("l_p_a").transitions = {way("P1", "P2"), way("P2", "P1")};
+  said.device("l_p_a").transitions = {transition("P1", "P2"), transition("P2", "P1")};
   said.device("l_p_a").transitions[1].takes = description::Duration{description::Duration::Kind::uniform, 0, 999};
   Bench bench(said, bits({"l_p_a_o_P1", "l_p_a_o_P2", "l_p_a_i_P1", "l_p_a_i_P2"}));
   bench.plant.reset(42);

@@ -28,7 +28,7 @@ struct Said {
   }
 };
 
-inline description::GivenTransition way(std::string from, std::string to, std::string on = "") {
+inline description::GivenTransition transition(std::string from, std::string to, std::string on = "") {
   description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
@@ -38,7 +38,7 @@ inline description::GivenTransition way(std::string from, std::string to, std::s
 
 inline description::GivenTransition automatic(std::string from, std::string to, tables::Time after = 0,
                                               std::string when = "") {
-  description::GivenTransition given = way(std::move(from), std::move(to));
+  description::GivenTransition given = transition(std::move(from), std::move(to));
   given.automatic = true;
   given.after = description::Duration::fixed(after);
   given.when = std::move(when);
@@ -64,15 +64,15 @@ class Bench {
     FAIL("no symbol " << name);
     return 0;
   }
-  std::uint32_t place(const std::string& device) const {
+  std::uint32_t index(const std::string& device) const {
     for (std::uint32_t i = 0; i < analysed.model().units.size(); ++i) {
       if (analysed.model().units[i].path == "L_P_" + device) return i;
     }
     FAIL("no device " << device);
     return 0;
   }
-  std::uint8_t state_place(const std::string& device, const std::string& state) const {
-    const auto& states = analysed.model().units[place(device)].states;
+  std::uint8_t state_index(const std::string& device, const std::string& state) const {
+    const auto& states = analysed.model().units[index(device)].states;
     for (std::uint8_t i = 0; i < states.size(); ++i) {
       if (states[i].name == state) return i;
     }
@@ -85,7 +85,7 @@ class Bench {
     return *this;
   }
   Bench& put(const std::string& device, const std::string& state) {
-    plant.set_state(place(device), state_place(device, state));
+    plant.set_state(index(device), state_index(device, state));
     return *this;
   }
   Bench& at(tables::Time milliseconds) {
@@ -96,14 +96,14 @@ class Bench {
   bool on(const std::string& name) const { return plant.value(symbol(name)) != 0; }
   /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled.
   std::string state(const std::string& device) const {
-    const auto& unit = analysed.model().units[place(device)];
-    const reference::UnitView view = plant.unit(place(device));
+    const auto& unit = analysed.model().units[index(device)];
+    const reference::UnitView view = plant.unit(index(device));
     std::string text = unit.states[view.state].name;
     if (view.moving) text += "->" + unit.states[view.target].name;
-    if (view.standing) text += "!";
+    if (view.stopped_midway) text += "!";
     return view.disabled ? "[" + text + "]" : text;
   }
-  tables::Time remaining(const std::string& device) const { return plant.unit(place(device)).remaining / kMs; }
+  tables::Time remaining(const std::string& device) const { return plant.unit(index(device)).remaining / kMs; }
 
   /// All changes since the last call, "500:AGV_O_P2=1 ...".
   std::string changes() {

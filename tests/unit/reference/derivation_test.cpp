@@ -38,8 +38,8 @@ TEST_CASE("What the description says stands over what is derived, by the rules o
   Said said;
   description::DeviceDescription& device = said.device("l_p_a");
   device.states = {"DOCK", "PARK4"};
-  device.transitions = {way("*", "IDLE1", "HOME"), way("IDLE1", "DOCK", "RUN2"), automatic("RUN2", "DONE3", 5),
-                        way("DOCK", "RUN2")};
+  device.transitions = {transition("*", "IDLE1", "HOME"), transition("IDLE1", "DOCK", "RUN2"),
+                        automatic("RUN2", "DONE3", 5), transition("DOCK", "RUN2")};
   device.transitions[0].when = "L_P_A.moving";
   device.outputs = {{"RUN2", {{"BUSY", true}}, {{"BUSY", false}}}};
   CHECK(difference(names, said) == "");
@@ -49,7 +49,7 @@ TEST_CASE("What the description says stands over what is derived, by the rules o
   CHECK(difference(names, said) == "");
   device.rest = "DOCK";
   device.initial = "DONE3";
-  device.transitions.push_back(way("RUN2", "DOCK"));
+  device.transitions.push_back(transition("RUN2", "DOCK"));
   CHECK(difference(names, said) == "");
   said.description.defaults = {7, 9, tables::Actuation::held};
   device.only = false;

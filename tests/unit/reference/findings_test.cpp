@@ -7,7 +7,7 @@ namespace {
 TEST_CASE("A command that leads nowhere from where the unit is has no effect") {
   Said said;
   said.device("L_P_A").only = true;
-  said.device("L_P_A").transitions = {way("P1", "P2"), way("P2", "P3")};
+  said.device("L_P_A").transitions = {transition("P1", "P2"), transition("P2", "P3")};
   Bench bench({"A_O_P2", "A_O_P3", "A_I_P1", "A_I_P2", "A_I_P3"}, said);
   bench.set("A_O_P3", true).at(0);
   CHECK(bench.findings() == "0:ineffective A_O_P3");
@@ -17,7 +17,7 @@ TEST_CASE("A command that leads nowhere from where the unit is has no effect") {
 
 TEST_CASE("A command that falls before anything came of it is lost") {
   Said said;
-  said.device("L_P_A").transitions = {way("P1", "P2")};
+  said.device("L_P_A").transitions = {transition("P1", "P2")};
   said.device("L_P_A").transitions[0].when = "L_P_B.ON";
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2", "B_I_ON"}, said);
   bench.set("A_O_P2", true).at(0).set("A_O_P2", false).at(10);

@@ -76,12 +76,12 @@ TEST_CASE("An instantaneous loop is named and frozen, the others go on") {
   bench.set("B_O_P1", true).at(0);
   CHECK(bench.findings() == "0:loop A");
   bench.set("B_O_P1", false).set("B_O_P2", true).at(0);
-  CHECK(bench.plant.unit(bench.place("A")).frozen);
+  CHECK(bench.plant.unit(bench.index("A")).frozen);
   CHECK(bench.at(1000).state("B") == "P2");
   bench.put("A", "P2").at(2000);
   CHECK(bench.state("A") == "P2");
   bench.plant.reset();
-  CHECK_FALSE(bench.plant.unit(bench.place("A")).frozen);
+  CHECK_FALSE(bench.plant.unit(bench.index("A")).frozen);
 }
 
 TEST_CASE("Two units that make each other go are one loop") {

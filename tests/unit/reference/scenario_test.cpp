@@ -35,8 +35,8 @@ class Scene {
     step.time = within;
     condition::Tree& tree = trees_.emplace_back();
     tree.kind = condition::Tree::Kind::atom;
-    tree.atom.of = bench.place("CYL");
-    tree.atom.state = bench.state_place("CYL", state);
+    tree.atom.of = bench.index("CYL");
+    tree.atom.state = bench.state_index("CYL", state);
     step.wait = &tree;
     player_.play(step);
     return *this;

@@ -65,7 +65,7 @@ TEST_CASE("a device put into a state leaves and enters at once, its outputs foll
 
 TEST_CASE("a disabled device can be put into a state, and stays disabled") {
   const BenchTables tables({"DOOR_I_OPEN1", "DOOR_I_SHUT2", "AGV_I_P1", "AGV_I_P2", "AGV_O_P2"},
-                           Told().disables("DOOR", "OPEN1", "AGV"));
+                           Reported().disables("DOOR", "OPEN1", "AGV"));
   const Play play(tables, R"({"at":"1s","state":{"L_P_AGV":"P2"},"expect":{"L_P_AGV_I_P2":true}},
                              {"at":"2s","state":{"L_P_AGV":"P1"}},{"at":"3s","set":{"L_P_AGV_O_P2":true}},
                              {"at":"5s","expect":"L_P_AGV.P1"},{"at":"6s","state":{"L_P_DOOR":"SHUT2"}},
@@ -86,7 +86,7 @@ TEST_CASE("a force holds until the release, what is written meanwhile shows then
 
 TEST_CASE("numbers are set and compared exactly, whatever their type") {
   const BenchTables tables(
-      Told(),
+      Reported(),
       {{"SPEED", "", "INT", "0", "%QW1"}, {"COUNT", "", "ULINT", "0", "%IW8"}, {"WEIGHT", "", "REAL", "0.0", "%ID20"}});
   const Play play(tables, R"({"at":"1s","set":{"SPEED":-3,"COUNT":"18446744073709551615","WEIGHT":0.1},
                               "expect":{"speed":-3,"count":"16#FFFF_FFFF_FFFF_FFFF","weight":0.1}},

@@ -7,7 +7,7 @@ namespace {
 /// The faults of a scenario against the vehicle, a lamp and a speed; operations of the vehicle are the PLC's with
 /// `carried`.
 std::string faults_of(const std::string& text, bool carried = false) {
-  static const BenchTables tables(Told(), [] {
+  static const BenchTables tables(Reported(), [] {
     std::vector<Row> rows = bits({"L_P_AGV_I_P1", "L_P_AGV_I_P2", "L_P_AGV_O_P2", "START"});
     rows.push_back({"SPEED", "", "INT", "0", "%IW9"});
     return rows;

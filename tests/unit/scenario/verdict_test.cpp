@@ -24,7 +24,7 @@ TEST_CASE("a failed condition tells what it names") {
 
 TEST_CASE("a wait for several things tells those that did not come, and who disables their devices") {
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "DOOR_I_OPEN1", "DOOR_I_SHUT2"},
-                           Told().disables("DOOR", "OPEN1", "AGV"));
+                           Reported().disables("DOOR", "OPEN1", "AGV"));
   const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},
                              {"wait":"L_P_DOOR.OPEN1 and L_P_AGV.P2","within":"2s"})");
   CHECK(play.failures() ==
@@ -33,7 +33,7 @@ TEST_CASE("a wait for several things tells those that did not come, and who disa
 }
 
 TEST_CASE("a symbol of no device tells itself alone") {
-  const BenchTables tables(Told(), {{"SPEED", "D1", "INT", "7", "%IW9"}});
+  const BenchTables tables(Reported(), {{"SPEED", "D1", "INT", "7", "%IW9"}});
   const Play play(tables, R"({"at":"1s","expect":{"SPEED":8}})");
   CHECK(play.failures() ==
         "expected SPEED 8 at 1 s; SPEED is 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");

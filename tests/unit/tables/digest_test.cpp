@@ -115,7 +115,7 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.units[0].event_bit = 1; },
       [](Sample& s) { s.units[0].times = 1; },
       [](Sample& s) { s.units[0].initial = 1; },
-      [](Sample& s) { s.units[0].rich = 1; },
+      [](Sample& s) { s.units[0].general = 1; },
       [](Sample& s) { s.times[1].takes = 7; },
       [](Sample& s) { s.times[2].after = 8; },
       [](Sample& s) { s.random[0].kind = tables::RandomTime::Kind::normal; },

@@ -14,18 +14,18 @@ namespace symplant::test {
 namespace {
 
 /// A plant whose records are told as sentences, "2 s: ..." a line each.
-class Teller {
+class Reporter {
  public:
-  explicit Teller(const BenchTables& tables)
+  explicit Reporter(const BenchTables& tables)
       : tables_(tables), names_(tables.rows), history_(names_), recorder_(tables.rows, 1024), plant(tables.rows) {
     recorder_.attach(plant);
     to(0);
   }
-  Teller& set(const std::string& name, bool on) {
+  Reporter& set(const std::string& name, bool on) {
     plant.set_operation(tables_.rows.symbols[tables_.symbol(name)].index, on);
     return *this;
   }
-  Teller& to(tables::Time milliseconds) {
+  Reporter& to(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs, &recorder_);
     std::vector<trace::FoundThing> found;  // of one instant: told as the plant stood at its end
     bool more = false;
@@ -38,15 +38,15 @@ class Teller {
       }
       if (!record.last) return;
       for (const trace::FoundThing& thing : found) {
-        told += trace::seconds(thing.time) + ": " +
-                fmt::format("{}\n", fmt::join(trace::finding_parts(thing, names_, history_), "; "));
+        reported += trace::seconds(thing.time) + ": " +
+                    fmt::format("{}\n", fmt::join(trace::finding_parts(thing, names_, history_), "; "));
         names += trace::name_of(thing, names_) + "\n";
       }
       found.clear();
     });
     return *this;
   }
-  std::string told;
+  std::string reported;
   std::string names;
 
  private:
@@ -63,93 +63,94 @@ const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_
 
 TEST_CASE("a finding of a unit tells its state and its operations, one of an operation its address and row") {
   const BenchTables tables(kAgv);
-  Teller teller(tables);
-  teller.set("AGV_O_P2", true).set("AGV_O_P1", true).to(500);
-  CHECK(teller.told ==
+  Reporter reporter(tables);
+  reporter.set("AGV_O_P2", true).set("AGV_O_P1", true).to(500);
+  CHECK(reporter.reported ==
         "0.5 s: conflicting operations: L_P_AGV (P1) is sent to several states at once and obeys none of them; "
         "operations: %QX2 (P2 of L_P_AGV) on since 0.5 s, %QX3 (P1 of L_P_AGV) on since 0.5 s; look for an interlock "
         "that is missing between these outputs\n");
-  teller.told.clear();
-  teller.set("AGV_O_P2", false).to(700);
-  CHECK(contains(teller.told,
+  reporter.reported.clear();
+  reporter.set("AGV_O_P2", false).to(700);
+  CHECK(contains(reporter.reported,
                  "0.7 s: lost command: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), on since "
                  "0.5 s, went off before L_P_AGV (P1) moved on it"));
 }
 
 TEST_CASE("a command that leads nowhere, and one to a disabled device, say why") {
-  Told told;
-  told.disables("DOOR", "SHUT2", "AGV").on_command("AGV", "P1", "P2", fixed(100 * kMs));
-  told.device("AGV").only = true;
-  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "DOOR_I_OPEN1", "DOOR_I_SHUT2"}, told);
-  Teller teller(tables);
-  teller.plant.set_state(tables.place("DOOR"), tables.state_place("DOOR", "SHUT2"));
-  teller.to(100).set("AGV_O_P2", true).to(200);
-  CHECK(contains(teller.told,
+  Reported reported;
+  reported.disables("DOOR", "SHUT2", "AGV").on_command("AGV", "P1", "P2", fixed(100 * kMs));
+  reported.device("AGV").only = true;
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1", "DOOR_I_OPEN1", "DOOR_I_SHUT2"}, reported);
+  Reporter reporter(tables);
+  reporter.plant.set_state(tables.unit_index("DOOR"), tables.state_index("DOOR", "SHUT2"));
+  reporter.to(100).set("AGV_O_P2", true).to(200);
+  CHECK(contains(reporter.reported,
                  "0.2 s: command to a disabled unit: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), "
                  "came on while L_P_AGV (P1, disabled) cannot move, disabled by L_P_DOOR in SHUT2"));
-  teller.told.clear();
-  teller.plant.set_state(tables.place("DOOR"), tables.state_place("DOOR", "OPEN1"));
-  teller.to(300);
-  CHECK(contains(teller.told, "0.2 s: started on enabling: L_P_AGV (P1->P2) moved as soon as nothing disabled it"));
-  teller.told.clear();
-  teller.to(400).set("AGV_O_P2", false).to(500).set("AGV_O_P1", true).to(600);
-  CHECK(contains(teller.told,
+  reporter.reported.clear();
+  reporter.plant.set_state(tables.unit_index("DOOR"), tables.state_index("DOOR", "OPEN1"));
+  reporter.to(300);
+  CHECK(
+      contains(reporter.reported, "0.2 s: started on enabling: L_P_AGV (P1->P2) moved as soon as nothing disabled it"));
+  reporter.reported.clear();
+  reporter.to(400).set("AGV_O_P2", false).to(500).set("AGV_O_P1", true).to(600);
+  CHECK(contains(reporter.reported,
                  "0.6 s: command without effect: PLC output %QX3, operation P1 of L_P_AGV (symbols.csv:5), "
                  "came on while L_P_AGV is in P2, from where it leads nowhere"));
 }
 
 TEST_CASE("a held device that is stopped says which command is on instead") {
-  Told told;
-  told.device("AGV").actuation = tables::Actuation::held;
-  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_I_P3", "AGV_O_P1", "AGV_O_P2", "AGV_O_P3"}, told);
-  Teller teller(tables);
-  teller.set("AGV_O_P2", true).to(100).set("AGV_O_P2", false).set("AGV_O_P3", true).to(200);
-  CHECK(contains(teller.told,
+  Reported reported;
+  reported.device("AGV").actuation = tables::Actuation::held;
+  const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_I_P3", "AGV_O_P1", "AGV_O_P2", "AGV_O_P3"}, reported);
+  Reporter reporter(tables);
+  reporter.set("AGV_O_P2", true).to(100).set("AGV_O_P2", false).set("AGV_O_P3", true).to(200);
+  CHECK(contains(reporter.reported,
                  "0.2 s: stopped under another command: L_P_AGV (P1->P2, standing still midway) stands still"));
-  CHECK(
-      contains(teller.told, "%QX5 (P3 of L_P_AGV) on since 0.2 s, %QX4 (P2 of L_P_AGV) on at 0.1 s, off since 0.2 s"));
+  CHECK(contains(reporter.reported,
+                 "%QX5 (P3 of L_P_AGV) on since 0.2 s, %QX4 (P2 of L_P_AGV) on at 0.1 s, off since 0.2 s"));
 }
 
 TEST_CASE("an instantaneous loop names its units in one finding") {
   const BenchTables tables({"A_I_P1", "A_I_P2"},
-                           Told().by_itself("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(0)));
-  Teller teller(tables);
-  CHECK(contains(teller.told,
+                           Reported().by_itself("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(0)));
+  Reporter reporter(tables);
+  CHECK(contains(reporter.reported,
                  "0 s: instantaneous loop: L_P_A goes round without time passing and is frozen until the run ends"));
-  CHECK(contains(teller.names, "L_P_A\n"));
+  CHECK(contains(reporter.names, "L_P_A\n"));
 }
 
 TEST_CASE("an event that comes and goes within an instant is too short for a PLC") {
-  const BenchTables tables({"A_I_P1", "A_I_P2", "A_I_P3", "A_O_P2"}, Told().by_itself("A", "P2", "P3", fixed(0)));
-  Teller teller(tables);
-  teller.set("A_O_P2", true).to(100).to(2000);
+  const BenchTables tables({"A_I_P1", "A_I_P2", "A_I_P3", "A_O_P2"}, Reported().by_itself("A", "P2", "P3", fixed(0)));
+  Reporter reporter(tables);
+  reporter.set("A_O_P2", true).to(100).to(2000);
   CHECK(
-      contains(teller.told,
+      contains(reporter.reported,
                "1.1 s: event too short: PLC input %IX1, event P2 of L_P_A (symbols.csv:3), changed and changed back"));
-  CHECK(contains(teller.told, "L_P_A is in P3; operations: %QX3 (P2 of L_P_A) on since 0.1 s"));
+  CHECK(contains(reporter.reported, "L_P_A is in P3; operations: %QX3 (P2 of L_P_A) on since 0.1 s"));
 }
 
 TEST_CASE("a requirement tells the devices that it looks at, and what they were told") {
-  Told told;
-  told.description.requirements.push_back({"soon", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 500 * kMs});
-  const BenchTables tables(kAgv, told);
-  Teller teller(tables);
-  teller.to(100).set("AGV_O_P2", true).to(200).to(1000);
-  CHECK(teller.told ==
+  Reported reported;
+  reported.description.requirements.push_back({"soon", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 500 * kMs});
+  const BenchTables tables(kAgv, reported);
+  Reporter reporter(tables);
+  reporter.to(100).set("AGV_O_P2", true).to(200).to(1000);
+  CHECK(reporter.reported ==
         "0.7 s: requirement violated: `soon`, what was expected within 0.5 s has not come; L_P_AGV is in P1->P2 since "
         "0.2 s, %QX2 (operation P2, symbols.csv:4) is on since 0.2 s\n");
 }
 
 TEST_CASE(
     "of several devices of a requirement the last to change is told first, with the operation that led it there") {
-  Told told;
-  told.description.requirements.push_back({"apart", "L_P_AGV.moving and L_P_MC.RUN2", "", "", 0});
+  Reported reported;
+  reported.description.requirements.push_back({"apart", "L_P_AGV.moving and L_P_MC.RUN2", "", "", 0});
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "MC_I_IDLE1", "MC_I_RUN2", "MC_O_IDLE1", "MC_O_RUN2"},
-                           told);
-  Teller teller(tables);
-  teller.set("MC_O_IDLE1", true).to(50).set("MC_O_IDLE1", false).set("MC_O_RUN2", true).to(100).to(1200);
-  teller.set("MC_O_RUN2", false).to(1300).set("AGV_O_P2", true).to(1400);
-  CHECK(contains(teller.told,
+                           reported);
+  Reporter reporter(tables);
+  reporter.set("MC_O_IDLE1", true).to(50).set("MC_O_IDLE1", false).set("MC_O_RUN2", true).to(100).to(1200);
+  reporter.set("MC_O_RUN2", false).to(1300).set("AGV_O_P2", true).to(1400);
+  CHECK(contains(reporter.reported,
                  "requirement violated: `apart`, what must never hold begins to hold; "
                  "L_P_AGV is in P1->P2 since 1.4 s, %QX2 (operation P2, symbols.csv:4) is on since 1.4 s; "
                  "L_P_MC is in RUN2 since 1.1 s, %QX6 (operation RUN2, symbols.csv:8) was on from 0.1 s to 1.3 s\n"));

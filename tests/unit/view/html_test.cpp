@@ -69,7 +69,7 @@ TEST_CASE("The page carries the whole model") {
   CHECK(agv.at("requirements") == Json({0, 1}));
   const Json& kind = data.at("kinds")[agv.at("kind").get<std::size_t>()];
   CHECK(kind.at("external")[3] ==
-        Json::parse(R"way([1, 2, "O_CHARGE, once", 0, "", "takes 4 s (sigma 100 ms)", 1, "given"])way"));
+        Json::parse(R"edge([1, 2, "O_CHARGE, once", 0, "", "takes 4 s (sigma 100 ms)", 1, "given"])edge"));
   CHECK(kind.at("enter")[2] == Json::parse("[[2, 1]]"));
   const Json& layout = data.at("layouts")[kind.at("layout").get<std::size_t>()];
   CHECK(layout.at("arrows").size() == kind.at("edges").size());
@@ -92,7 +92,7 @@ TEST_CASE("Devices of one structure share what the page draws, whatever conditio
   for (int i = 0; i < 2; ++i) {
     description::DeviceDescription device;
     device.path = "L_P_V" + std::to_string(i);
-    device.transitions = {way("ADV1", "RET2")};
+    device.transitions = {transition("ADV1", "RET2")};
     device.transitions[0].when = i == 0 ? "L_P_V7.ADV1" : "L_P_V8.ADV1 and L_P_V9.RET2 or L_P_V10.moving";
     description.devices.push_back(device);
   }

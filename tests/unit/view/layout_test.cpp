@@ -91,7 +91,7 @@ TEST_CASE("Arrows begin and end at the edges of their states, there and back apa
   const view::Layout layout = view::lay_out(complete(3));
   const LayoutKey key = complete(3);
   for (std::size_t i = 0; i < layout.arrows.size(); ++i) {
-    const view::ArrowPlace& arrow = layout.arrows[i];
+    const view::ArrowPosition& arrow = layout.arrows[i];
     const auto at_edge = [&](view::Point point, view::Point middle) {
       const int x = std::abs(2 * std::abs(point.x - middle.x) - layout.box_width);
       const int y = std::abs(2 * std::abs(point.y - middle.y) - layout.box_height);

@@ -13,7 +13,7 @@
 
 namespace symplant::test {
 
-inline description::GivenTransition way(std::string from, std::string to) {
+inline description::GivenTransition transition(std::string from, std::string to) {
   description::GivenTransition given;
   given.from = std::move(from);
   given.to = std::move(to);
@@ -43,16 +43,16 @@ inline CompiledText described_cell() {
                         {"LEVEL", "", "REAL", "1.5", "%ID20"},
                         {"BIG", "", "ULINT", "18446744073709551615", "%IL30"},
                         {"START", "X11"}};
-  for (const char* place : {"A1", "B2", "C3", "D4", "E5", "F6"}) {
-    rows.push_back({std::string("M_T_TABLE_O_") + place});
-    rows.push_back({std::string("M_T_TABLE_I_") + place});
+  for (const char* index : {"A1", "B2", "C3", "D4", "E5", "F6"}) {
+    rows.push_back({std::string("M_T_TABLE_O_") + index});
+    rows.push_back({std::string("M_T_TABLE_I_") + index});
   }
 
   description::DeviceDescription agv;
   agv.path = "L_P_AGV";
   agv.states = {"DOCK"};
   agv.initial = "P1";
-  agv.transitions = {way("P1", "P2"), way("*", "P1"), way("P2", "DOCK"), way("P1", "P2")};
+  agv.transitions = {transition("P1", "P2"), transition("*", "P1"), transition("P2", "DOCK"), transition("P1", "P2")};
   agv.transitions[0].takes = Duration::fixed(2 * tables::kSecond);
   agv.transitions[1].takes = {Duration::Kind::uniform, 1'800 * tables::kMillisecond, 2'200 * tables::kMillisecond};
   agv.transitions[2].on = "CHARGE";
@@ -65,7 +65,7 @@ inline CompiledText described_cell() {
   description::DeviceDescription machine;
   machine.path = "L_P_MC";
   machine.only = true;
-  machine.transitions = {way("IDLE1", "RUN2"), way("RUN2", "IDLE1")};
+  machine.transitions = {transition("IDLE1", "RUN2"), transition("RUN2", "IDLE1")};
   machine.transitions[0].when = "L_P_AGV.P2";
   machine.transitions[1].automatic = true;
   machine.transitions[1].after = Duration::fixed(5 * tables::kSecond);
@@ -76,7 +76,7 @@ inline CompiledText described_cell() {
   stopper.type = "Stopper";
   stopper.behaviour = "MyStopper";
   stopper.inputs = {{"part", "L_P_AGV.P2 and not L_P_AGV.moving"}};
-  stopper.transitions = {way("ADV", "RET")};
+  stopper.transitions = {transition("ADV", "RET")};
   stopper.transitions[0].takes = Duration::fixed(800 * tables::kMillisecond);
 
   description::Description description;
@@ -98,7 +98,7 @@ inline CompiledText hostile_cell() {
   device.type = "Harm";
   device.behaviour = "OwnHarm";
   device.inputs = {{kHarm, "L_P_D.A1"}};
-  device.transitions = {way("A1", kHarm), way(kHarm, "A1")};
+  device.transitions = {transition("A1", kHarm), transition(kHarm, "A1")};
   device.transitions[0].automatic = true;
   device.transitions[0].when = "'</script><b>'";
   description::Description description;

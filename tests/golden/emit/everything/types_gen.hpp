@@ -218,7 +218,7 @@ class class_ {
  private:
   static constexpr std::array<symplant::tables::Transition, 2> kTransitions{{
       {1, 0, 0, false, symplant::tables::kNoCondition, true},  // d_ext(RET, O_ADV) = ADV
-      {0, 1, symplant::tables::kSpringWay, false, symplant::tables::kNoCondition, true},  // the spring's own way: ADV to RET
+      {0, 1, symplant::tables::kSpringReturn, false, symplant::tables::kNoCondition, true},  // the spring's own way: ADV to RET
   }};
   static constexpr std::array<symplant::tables::EventMasks, 2> kEnter{{{0x1, 0x0}, {0x2, 0x0}}};
   static constexpr std::array<symplant::tables::EventMasks, 2> kLeave{{{0x0, 0x1}, {0x0, 0x2}}};

@@ -1,5 +1,5 @@
 // Where values stand in a JSON text.
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 #include <string>
 
@@ -49,7 +49,7 @@ TEST_CASE("Where a pointer leads nowhere the nearest value above it is found") {
 
 TEST_CASE("Many are found in one pass, each its own") {
   const std::vector<Fault> faults{{"/devices/A", "one"}, {"/devices/A~1B~0/only", "two"}, {"/devices/A", "three"}};
-  const std::vector<Placed> placed = place(kText, faults);
+  const std::vector<Placed> placed = locate(kText, faults);
   REQUIRE(placed.size() == 3);
   CHECK(placed[0].span == placed[2].span);
   CHECK(placed[1].message == "two");
@@ -60,10 +60,10 @@ TEST_CASE("A column is found behind escapes") {
   const std::string text = R"({"when": "\u00e4\ud83d\ude00 \"A\".P1 and B"})";
   const std::string decoded = "\xC3\xA4\xF0\x9F\x98\x80 \"A\".P1 and B";
   const Fault fault{"/when", "no such device", decoded.find('B')};
-  const Placed placed = place(text, {&fault, 1})[0];
+  const Placed placed = locate(text, {&fault, 1})[0];
   CHECK(text.substr(placed.span.begin, placed.span.end - placed.span.begin) == "B\"");
   const Fault behind{"/when", "more is wanted", decoded.size()};
-  CHECK(text[place(text, {&behind, 1})[0].span.begin] == '"');
+  CHECK(text[locate(text, {&behind, 1})[0].span.begin] == '"');
 }
 
 TEST_CASE("Lines and columns count from one, columns in letters") {

@@ -1,5 +1,5 @@
 // Where in a JSON text a value stands: a second reading of the text, of interest only where there is a fault.
-#include "symplant/json/place.hpp"
+#include "symplant/json/location.hpp"
 
 #include <algorithm>
 #include <map>
@@ -181,7 +181,7 @@ std::vector<Span> spans(std::string_view text, std::span<const Fault> faults) {
   return found;
 }
 
-std::vector<Placed> place(std::string_view text, std::span<const Fault> faults) {
+std::vector<Placed> locate(std::string_view text, std::span<const Fault> faults) {
   const std::vector<Span> found = spans(text, faults);
   std::vector<Placed> placed;
   placed.reserve(faults.size());

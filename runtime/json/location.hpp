@@ -44,7 +44,7 @@ struct Placed {
 std::vector<Span> spans(std::string_view text, std::span<const Fault> faults);
 
 /// The faults with their spans. `column` is counted in the value's decoded text, and found again behind escapes.
-std::vector<Placed> place(std::string_view text, std::span<const Fault> faults);
+std::vector<Placed> locate(std::string_view text, std::span<const Fault> faults);
 
 struct LineColumn {
   std::size_t line;    ///< from 1

@@ -9,7 +9,7 @@
 namespace symplant::check {
 namespace {
 
-constexpr std::string_view kNobodyMovesPage =
+constexpr std::string_view kEventNotDrivenPage =
     R"(A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air, doors).
 
 **What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
@@ -20,7 +20,7 @@ it, say so in plant.json: automatic transitions with a `when`, or a behaviour.
 )";
 
 /// Whether an event follows another on its address that a unit moves.
-bool follows_a_moved_one(const model::PlantModel& plant, std::uint32_t event) {
+bool follows_a_driven_one(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t leader = plant.symbols[event].leader;
   if (leader == model::kNone || plant.symbols[leader].unit == model::kNone) return false;
   return plant.units[plant.symbols[leader].unit].moves();
@@ -29,14 +29,15 @@ bool follows_a_moved_one(const model::PlantModel& plant, std::uint32_t event) {
 /// The events of a unit without operations that nothing switches.
 std::vector<std::uint32_t> left_alone(const model::PlantModel& plant, const model::Unit& unit) {
   std::vector<std::uint32_t> left;
-  for (std::uint32_t place = 0; place < unit.events.size(); ++place) {
-    if (!unit.moves_event(place) && !follows_a_moved_one(plant, unit.events[place])) left.push_back(unit.events[place]);
+  for (std::uint32_t location = 0; location < unit.events.size(); ++location) {
+    if (!unit.moves_event(location) && !follows_a_driven_one(plant, unit.events[location]))
+      left.push_back(unit.events[location]);
   }
   return left;
 }
 
 /// Whether an event that nobody moves is on: that of the initial state, or no state's at all and Initial TRUE.
-bool stands_on(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t symbol) {
+bool is_on(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t symbol) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
     if (event != model::kNone && unit.events[event] == symbol) return s == unit.initial;
@@ -44,7 +45,7 @@ bool stands_on(const model::PlantModel& plant, const model::Unit& unit, std::uin
   return plant.symbols[symbol].initial != 0;
 }
 
-void check_nobody_moves(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+void check_event_not_driven(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.operations.empty()) continue;
@@ -57,7 +58,7 @@ void check_nobody_moves(const Rule& rule, const Subject& subject, diag::Diagnost
     if (left.size() > 1) {
       message = fmt::format("`{}` and {} more of `{}`: nobody moves them, {}; they stay as they start", symbol.name(),
                             left.size() - 1, unit.path, why);
-    } else if (stands_on(plant, unit, left.front())) {
+    } else if (is_on(plant, unit, left.front())) {
       message = fmt::format("`{}`: nobody moves it, {}; it stays on, as {} says", symbol.name(), why,
                             symbol.initial != 0 ? "Initial" : "the description");
     } else {
@@ -66,14 +67,14 @@ void check_nobody_moves(const Rule& rule, const Subject& subject, diag::Diagnost
           "write Initial TRUE",
           symbol.name(), why);
     }
-    diagnostics.add(rule.info, about(symbol), std::move(message), place_of(plant, symbol));
+    diagnostics.add(rule.info, about(symbol), std::move(message), location_of(plant, symbol));
   }
 }
 
 }  // namespace
 
-const Rule kNobodyMoves{
-    {"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kNobodyMovesPage},
-    check_nobody_moves};
+const Rule kEventNotDriven{
+    {"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage},
+    check_event_not_driven};
 
 }  // namespace symplant::check

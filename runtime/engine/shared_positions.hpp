@@ -11,25 +11,25 @@
 namespace symplant::engine {
 
 /// A symbol's place, with the one that leads all symbols of its address.
-struct SharedPlace {
-  std::uint32_t place;   ///< a bit, or kSharedSlot + a slot
-  std::uint32_t leader;  ///< likewise
+struct SharedPosition {
+  std::uint32_t position;  ///< a bit, or kSharedSlot + a slot
+  std::uint32_t leader;    ///< likewise
 };
 inline constexpr std::uint32_t kSharedSlot = 0x8000'0000;
 
 /// All symbols of one direction that share an address with others; empty in almost every plant.
-class SharedPlaces {
+class SharedPositions {
  public:
   void build(const tables::PlantTables& tables, tables::Direction direction, Arena& arena) noexcept;
 
   bool empty() const noexcept { return size_ == 0; }
   /// All places of the address that `place` stands on, itself included; empty where it has its address for itself.
   /// O(log shared symbols).
-  std::span<const SharedPlace> with(std::uint32_t place) const noexcept;
+  std::span<const SharedPosition> with(std::uint32_t position) const noexcept;
 
  private:
-  const SharedPlace* by_place_ = nullptr;
-  const SharedPlace* by_leader_ = nullptr;
+  const SharedPosition* by_position_ = nullptr;
+  const SharedPosition* by_leader_ = nullptr;
   std::size_t size_ = 0;
 };
 

@@ -7,7 +7,7 @@ namespace {
 using description::Duration;
 
 /// The number of a `when` among the distinct texts of the unit's given transitions, by first appearance.
-std::uint32_t condition_place(const UnitRules& unit, const std::string& text) {
+std::uint32_t condition_index(const UnitRules& unit, const std::string& text) {
   std::vector<std::string> texts;
   for (const description::GivenTransition& given : unit.described->transitions) {
     bool known = given.when.empty();
@@ -25,8 +25,8 @@ std::uint32_t distinct_conditions(const UnitRules& unit) {
   if (unit.described == nullptr) return 0;
   for (const description::GivenTransition& given : unit.described->transitions) {
     if (given.when.empty()) continue;
-    const std::uint32_t place = condition_place(unit, given.when);
-    count = place + 1 > count ? place + 1 : count;
+    const std::uint32_t index = condition_index(unit, given.when);
+    count = index + 1 > count ? index + 1 : count;
   }
   return count;
 }
@@ -38,51 +38,52 @@ void add_given(Rules& rules, UnitRules& unit, const description::GivenTransition
     rules.fault = unit.path + ": a transition from " + given.from + " to " + given.to + ", of which one is no state";
     return;
   }
-  Way way;
-  way.to = static_cast<std::uint8_t>(to);
-  way.automatic = given.automatic;
-  way.once = given.once;
+  Transition transition;
+  transition.to = static_cast<std::uint8_t>(to);
+  transition.automatic = given.automatic;
+  transition.once = given.once;
   if (!given.automatic) {
-    way.on = given.on.empty() ? unit.states[to].operation : find_operation(rules, unit, given.on);
-    const bool spring_way = given.on.empty() && unit.spring() && to == unit.rest;
-    if (way.on == kNone && !spring_way) rules.fault = unit.path + ": nothing commands the transition to " + given.to;
+    transition.on = given.on.empty() ? unit.states[to].operation : find_operation(rules, unit, given.on);
+    const bool spring_return = given.on.empty() && unit.spring() && to == unit.rest;
+    if (transition.on == kNone && !spring_return)
+      rules.fault = unit.path + ": nothing commands the transition to " + given.to;
   }
-  way.after = given.after.value_or(Duration::fixed(0));
-  way.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit.travel));
-  if (!given.when.empty()) way.when = condition_place(unit, given.when);
+  transition.after = given.after.value_or(Duration::fixed(0));
+  transition.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit.travel));
+  if (!given.when.empty()) transition.when = condition_index(unit, given.when);
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
     if (i == to || (given.from != "*" && i != from)) continue;
-    way.from = static_cast<std::uint8_t>(i);
-    unit.ways.push_back(way);
+    transition.from = static_cast<std::uint8_t>(i);
+    unit.transitions.push_back(transition);
   }
 }
 
-bool commanded_given(const std::vector<Way>& given, const Way& derived) {
-  for (const Way& way : given) {
-    if (way.commanded() && way.from == derived.from && way.on == derived.on) return true;
-  }
-  return false;
-}
-
-bool automatic_given(const std::vector<Way>& given, const Way& inferred) {
-  for (const Way& way : given) {
-    if (way.automatic && way.from == inferred.from && way.to == inferred.to) return true;
+bool commanded_given(const std::vector<Transition>& given, const Transition& derived) {
+  for (const Transition& transition : given) {
+    if (transition.commanded() && transition.from == derived.from && transition.on == derived.on) return true;
   }
   return false;
 }
 
-void add_derived(UnitRules& unit, const std::vector<Way>& given) {
+bool automatic_given(const std::vector<Transition>& given, const Transition& inferred) {
+  for (const Transition& transition : given) {
+    if (transition.automatic && transition.from == inferred.from && transition.to == inferred.to) return true;
+  }
+  return false;
+}
+
+void add_derived(UnitRules& unit, const std::vector<Transition>& given) {
   for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
     if (unit.states[to].operation == kNone) continue;
     for (std::uint8_t from = 0; from < unit.states.size(); ++from) {
       if (from == to) continue;
-      Way way;
-      way.from = from;
-      way.to = to;
-      way.on = unit.states[to].operation;
-      way.after = Duration::fixed(0);
-      way.takes = Duration::fixed(unit.travel);
-      if (!commanded_given(given, way)) unit.ways.push_back(way);
+      Transition transition;
+      transition.from = from;
+      transition.to = to;
+      transition.on = unit.states[to].operation;
+      transition.after = Duration::fixed(0);
+      transition.takes = Duration::fixed(unit.travel);
+      if (!commanded_given(given, transition)) unit.transitions.push_back(transition);
     }
   }
 }
@@ -107,7 +108,7 @@ std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
   return found;
 }
 
-void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Way>& given) {
+void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Transition>& given) {
   if (unit.actuation != tables::Actuation::latched) return;
   bool some_operation = false;
   for (const StateRules& state : unit.states) {
@@ -117,30 +118,30 @@ void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Way>& g
   for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
     const StateRules& state = unit.states[to];
     bool led_to = state.operation != kNone;
-    for (const Way& way : given) led_to = led_to || (way.commanded() && way.to == to);
+    for (const Transition& transition : given) led_to = led_to || (transition.commanded() && transition.to == to);
     const std::string number = sequence_number(state.name);
     if (number.empty() || state.event == kNone || led_to) continue;
     const std::uint32_t from = predecessor(unit, number);
     if (from == kNone || from == to) continue;
-    Way way;
-    way.from = static_cast<std::uint8_t>(from);
-    way.to = to;
-    way.automatic = true;
-    way.after = Duration::fixed(rules.model->description->defaults.dwell);
-    way.takes = Duration::fixed(0);
-    if (!automatic_given(given, way)) unit.ways.push_back(way);
+    Transition transition;
+    transition.from = static_cast<std::uint8_t>(from);
+    transition.to = to;
+    transition.automatic = true;
+    transition.after = Duration::fixed(rules.model->description->defaults.dwell);
+    transition.takes = Duration::fixed(0);
+    if (!automatic_given(given, transition)) unit.transitions.push_back(transition);
   }
 }
 
 }  // namespace
 
-void derive_ways(Rules& rules, UnitRules& unit) {
+void derive_transitions(Rules& rules, UnitRules& unit) {
   unit.first_input = distinct_conditions(unit);
   if (unit.described != nullptr) {
     for (const description::GivenTransition& given : unit.described->transitions) add_given(rules, unit, given);
     if (unit.described->only) return;
   }
-  const std::vector<Way> given = unit.ways;
+  const std::vector<Transition> given = unit.transitions;
   add_derived(unit, given);
   add_inferred(rules, unit, given);
 }
