@@ -1,4 +1,4 @@
-# What the scripts share: words to the user, packages, the build by a preset. To be sourced, in the project's root.
+# Functions that the scripts share: messages, packages, builds by preset. Source it in the root of the project.
 # shellcheck shell=bash
 
 readonly EXIT_USAGE=2 EXIT_ENVIRONMENT=3
@@ -6,7 +6,7 @@ readonly EXIT_USAGE=2 EXIT_ENVIRONMENT=3
 say() { printf '== %s\n' "$*"; }
 
 usage_error() { # WHAT
-  printf '%s: %s; --help tells what there is\n' "${0##*/}" "$1" >&2
+  printf '%s: %s; see --help\n' "${0##*/}" "$1" >&2
   exit "$EXIT_USAGE"
 }
 
@@ -15,17 +15,17 @@ environment_error() { # WHAT
   exit "$EXIT_ENVIRONMENT"
 }
 
-# The packages by whose names Debian 12 and Ubuntu 24.04 have what the build, the tests and the demo need.
+# The packages of Debian 12 and Ubuntu 24.04 that the build, the tests and the demo need.
 # shellcheck disable=SC2034 # for the scripts that source this
 readonly BUILD_PACKAGES=(g++ cmake ninja-build make pkg-config libboost-dev libfmt-dev nlohmann-json3-dev libvalijson-dev libcli11-dev
-  catch2 libkainjow-mustache-dev libmodbus-dev)
+  catch2 libkainjow-mustache-dev libmodbus-dev libuchardet-dev)
 
-# "-14" for clang 14, on which the project is tried; nothing, for the system's own clang, where there is no such package.
+# "-14" for clang 14, with which the project is tested; nothing, for the default clang, if there is no such package.
 clang_suffix() {
   if command -v clang++-14 >/dev/null || apt-cache show clang-14 >/dev/null 2>&1; then echo "-14"; fi
 }
 
-# "-16" for clang 16, from which on libFuzzer does what scripts/fuzz needs, or the next later one that there is.
+# "-16" for clang 16, the first whose libFuzzer has what scripts/fuzz needs, or the next later one that is available.
 fuzzer_clang_suffix() {
   local version
   for version in 16 17 18 19 20 21; do
@@ -40,7 +40,7 @@ fuzzer_clang_suffix() {
       return
     fi
   done
-  echo "-16" # which Debian 12 and Ubuntu 24.04 have, though apt may not know yet
+  echo "-16" # Debian 12 and Ubuntu 24.04 have it, even if the package lists are not loaded yet
 }
 
 require_known_system() {
@@ -54,11 +54,11 @@ require_known_system() {
     ubuntu) dpkg --compare-versions "$version" ge 24.04 && return ;;
   esac
   environment_error "made for Debian 12 and Ubuntu 24.04 or later, and this is ${id:-another system} $version: install \
-g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, valijson, CLI11, Catch2, mustache, libmodbus by hand, \
+g++ 12 or clang 14, CMake 3.25, Boost, fmt, nlohmann-json, valijson, CLI11, Catch2, mustache, uchardet, libmodbus by hand, \
 then: cmake --workflow --preset release"
 }
 
-# A program may come from elsewhere than its package.
+# Whether a package is installed, or its program is available from another source.
 is_installed() { # PACKAGE
   case $1 in
     g++ | cmake | make | pkg-config | mbpoll | npm | clang-format-14 | clang-tidy-14) command -v "$1" >/dev/null && return ;;
@@ -75,7 +75,7 @@ as_root() {
   fi
 }
 
-# Installs by apt what is missing of the packages named; asks for nothing and touches nothing where none is.
+# Installs those of the packages by apt that are missing. Does nothing, and asks nothing, if none is missing.
 install_missing() { # PACKAGE...
   local missing=() package
   for package; do is_installed "$package" || missing+=("$package"); done

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Runs both scenarios of the body-shop line and draws what happened, cycle.svg and clamps-too-early.svg.
-# usage: charts.sh SYMPLANT FOLDER; SYMPLANT may be a path
+# usage: charts.sh SYMPLANT FOLDER; SYMPLANT: name or path of the tool
 set -eu
 symplant=$1 output=$2
 here=$(dirname "$0")
 
-trace() { # SCENARIO: its trace; a violated requirement is no failure here
+trace() { # SCENARIO: writes its trace; exit code 1 (a violated requirement) is accepted here
   "$symplant" run "$here/plant.json" --scenario "$here/$1.json" --trace "$output/$1.jsonl" >/dev/null 2>&1 || test $? -eq 1
 }
 

@@ -1,11 +1,11 @@
 # Writes the symbol list of the body-shop line, which is committed. usage: awk -f list.awk /dev/null >body-shop.csv
 #
-# One PLC, one line, 40 stations. Each station takes whole modules of 32 points, so its addresses begin at X..00, 20, 40 ...
-# and some points stay free. X and Y count in hexadecimal: X0010 is %IX16. Words lie behind the bits, from %IW256 on, and
-# have no MELSEC address of their own.
+# One PLC, one line, 40 stations. Each station uses whole modules of 32 points: its addresses begin at X..00, 20, 40 ...
+# and some points stay free. X and Y count in hexadecimal: X0010 is %IX16. Words begin after the bits, at %IW256, and
+# have no MELSEC address.
 
-# The symbols of each device shape: direction, task, then T for Initial TRUE or the type of a number, then the comment;
-# and what a comment calls a device where its name does not say it.
+# The symbols of each device shape: direction, task, then T for Initial TRUE or the type of a number, then the comment.
+# `said` has the words for a device in comments, if its name is not descriptive.
 function shapes() {
   shape["ROBOT"] = "O HOME1 . go home|O JOB2 . begin the job|I HOME1 T is at home|I JOB2 . works|I DONE3 . work complete" \
     "|O PROG WORD program to run|I PROG WORD program that runs"
@@ -31,7 +31,7 @@ function shapes() {
   shape["GAUGE"] = "I GAP1 INT um at the front left|I GAP2 INT um at the front right|I GAP3 INT um at the rear left|I GAP4 INT um at the rear right"
   shape["VARIANT"] = "O CODE WORD wanted|I CODE WORD read from the skid"
   shape["CYCLE"] = "I TIME INT s/10 that the last one took"
-  shape["SELECTOR"] = "I AUTO T stands on automatic|I MANUAL . stands on manual"
+  shape["SELECTOR"] = "I AUTO T is on automatic|I MANUAL . is on manual"
   shape["ESTOP"] = "I SAFE T is not pressed"
   shape["DOOR"] = "I SHUT T is shut"
   shape["CURTAIN"] = "I CLEAR T is clear"
@@ -55,7 +55,7 @@ function shapes() {
   said["LIGHTGREEN"] = "green light"
 }
 
-# The kinds of station: how many there are, and the devices of each.
+# The kinds of station: their numbers, and the devices of each.
 function kinds() {
   common = "SELECTOR AIR ESTOP2 DOOR2 CURTAIN BUTTONSTART BUTTONHALT BUTTONRESET LIGHTRED LIGHTAMBER LIGHTGREEN HORN VARIANT CYCLE"
   kind("UNDER", 10, "underbody", "PART2 PIN2 CLAMP4 LATCH1 GRIPPER1 ROBOT2 WELDER2 DRESSER1")
@@ -68,10 +68,10 @@ function kinds() {
   kind("MOVE", 4, "transfer", "PART2 SHUTTLE1 CONVEYOR1 LIFTER1 DRIVE2 LATCH2")
 }
 
-# A module of 32 points is done: the next station begins on a fresh one.
+# The first point of the next unused module of 32 points, where the next station begins.
 function next_module(place) { return int((place + 31) / 32) * 32 }
 
-# A number after the device says how many of them there are; without one there is just one, and it carries no number.
+# A number after a device is the count of such devices. Without a number there is one device, and its name has no number.
 function station(name, words, devices,    list, count, i, n, all) {
   input = next_module(input)
   output = next_module(output)

@@ -1,6 +1,6 @@
 # Writes the description of the body-shop line from its list. usage: awk -f plant.awk body-shop.csv >plant.json
 #
-# Times stand under patterns. Interlocks and requirements name the devices of one station, so they are written station by station.
+# Times are given for patterns. Interlocks and requirements name the devices of one station: they are written station by station.
 
 BEGIN { FS = "," }
 
@@ -18,7 +18,7 @@ $2 ~ /^BODY_/ {
 
 END {
   print "{"
-  print "  // The body-shop line. Made from its list by plant.awk: mend that, not this."
+  print "  // The body-shop line. Generated from its list by plant.awk: edit that script, not this file."
   print "  \"symplant\": 1,"
   print "  \"name\": \"body-shop\","
   print "  \"symbols\": [\"body-shop.csv\"],"
@@ -33,7 +33,7 @@ END {
   print "}"
 }
 
-# How long ways take, shape by shape.
+# Travel times, shape by shape.
 function times() {
   double_acting("PIN", "DOWN", "UP", "0.8s", "0.6s")
   double_acting("CLAMP", "OPEN", "CLOSE", "0.6s", "0.6s")
@@ -59,7 +59,7 @@ function double_acting(shape, rest, work, there, back) {
   entry("BODY_*_" shape "?", "\"actuation\": \"bistable\", \"transitions\": [ " way(rest, work, there) ", " way(work, rest, back) " ]")
 }
 
-# What is wired and stands in no program: who stops whom, and what a robot waits for.
+# Hard-wired interlocks, which no program contains: what disables a device, and what a robot waits for.
 function interlocks(place,    air, power) {
   separator = ",\n\n    // " place "\n"
   air = those(place, "CLAMP PIN LATCH GRIPPER")
@@ -75,7 +75,7 @@ function interlocks(place,    air, power) {
   }
 }
 
-# A robot begins when what it works with is on, and works as long as its job is.
+# A robot begins when its welder or pump is on, and works for the duration of its job.
 function robots(place,    i, when) {
   for (i = 1; i <= has(place, "ROBOT"); i++) {
     when = ""
@@ -96,7 +96,7 @@ function job_of(place, robot) {
   return "\"12s\""
 }
 
-# What the program must see to.
+# Requirements on the program.
 function requirements(place,    robots_work, robots_home, i) {
   robots_work = every(place, "ROBOT", "JOB2", "or")
   robots_home = every(place, "ROBOT", "HOME1", "and")

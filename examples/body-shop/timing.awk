@@ -1,12 +1,12 @@
-# Draws a trace as a timing chart in SVG: of each device what the PLC commands, and the state that it reports.
+# Draws a trace as a timing chart in SVG: for each device, the commands of the PLC and the reported state.
 #
 # usage: awk -v devices="DEVICE DEVICE ..." -v until=SECONDS -v title=TEXT [-v mark=SECONDS -v note=TEXT] -f timing.awk \
 #   trace.jsonl >chart.svg
 #
-# A device is LINE_PROCESS_DEVICE. Its operations are the blue bars; below them stands the state whose event is on, dark where
-# it is not the one that the device began in. No event on means that it is on its way, where it has more than one.
+# A device is LINE_PROCESS_DEVICE. The blue bars are its operations. Below them is the state whose event is on: dark, unless
+# it is the initial state. If a device has more than one event and none is on, it is moving.
 
-function text_after(key,    at) { # of this line: what stands behind a key, up to its end
+function text_after(key,    at) { # the rest of this line after a key
   at = index($0, key)
   return at == 0 ? "" : substr($0, at + length(key))
 }
@@ -80,7 +80,7 @@ END {
   draw()
 }
 
-function sort(list, count,    i, j, text) { # few
+function sort(list, count,    i, j, text) { # insertion sort, for short lists
   for (i = 2; i <= count; i++) {
     text = list[i]
     for (j = i - 1; j >= 1 && list[j] > text; j--) list[j + 1] = list[j]
@@ -101,7 +101,7 @@ function draw(    d, bottom) {
   print "</svg>"
 }
 
-# So many stations begin above a lane, or with it.
+# The number of stations that begin above a lane or with it, the first one not counted.
 function groups_above(d,    i, count) {
   for (i = 2; i <= d; i++) count += station(i) != station(i - 1)
   return count + 0
@@ -130,11 +130,11 @@ function legend() {
   print "<rect x=\"16\" y=\"36\" width=\"26\" height=\"9\" rx=\"2\" fill=\"#2563c9\"/>"
   words(47, 45, "#3a4652", "", "the PLC's operation is on")
   box(212, 242, 34, 13, "#e6eaee", "#c3ccd5")
-  words(247, 45, "#3a4652", "", "where it began")
+  words(247, 45, "#3a4652", "", "initial state")
   box(348, 378, 34, 13, "#0e7c66", "#0b6353")
   words(383, 45, "#3a4652", "", "another state, its event is on")
   box(566, 596, 34, 13, "url(#moving)", "#e8a33d")
-  words(601, 45, "#3a4652", "", "on its way, no event is on")
+  words(601, 45, "#3a4652", "", "moving, no event is on")
 }
 
 function draw_lane(d, y,    part, s, o) {

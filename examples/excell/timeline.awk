@@ -1,10 +1,10 @@
 # A trace as a timeline in symbols, states and seconds. usage: awk [-v need=CYCLES] -f timeline.awk trace.jsonl
 #
-# A symbol LINE_GROUP_DEVICE_DIRECTION_TASK says all that is needed: operations (O) are the PLC's, events (I) the
-# plant's, and the task is the state that is commanded or reported. A cycle is completed when every event is again
-# as it was after time 0. Exit code 1 where fewer than `need` cycles were.
+# The name LINE_PROCESS_DEVICE_DIRECTION_TASK of a symbol gives all that is needed: the PLC sets operations (O), the
+# plant sets events (I), and the task is the state that is commanded or reported. A cycle is complete when every event
+# has the value again that it had after time 0. Exit code 1 if there were fewer than `need` cycles.
 
-function text_after(key,    at) { # of this line: what stands behind a key, up to its end
+function text_after(key,    at) { # the rest of this line after a key
   at = index($0, key)
   return at == 0 ? "" : substr($0, at + length(key))
 }
@@ -32,14 +32,14 @@ function show(s,    verb, what) {
   else printf "%-" width "s  %s\n", s, what
 }
 
-function note_event(s,    was) { # keeps `moved`, the number of events that are not as at the start
+function note_event(s,    was) { # keeps `moved`, the number of events that differ from their value at the start
   if (now == 0) start[s] = value[s]
   was = differs[s]
   differs[s] = (value[s] != ((s in start) ? start[s] : "false"))
   moved += differs[s] - was
 }
 
-# Within an instant the PLC's part comes first: what it takes back, what it sets; then the plant's answer.
+# Within an instant the operations come first: those that go off, those that come on; then the events.
 function end_instant(    i, s, part) {
   for (i = 1; i <= count; i++) value[changed[i]] = changed_to[i]
   for (part = 1; part <= 4; part++) {

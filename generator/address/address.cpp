@@ -1,4 +1,4 @@
-// Addresses of I/O, whatever a vendor calls them, as one value.
+// Addresses of I/O in any vendor's notation, as one value.
 #include "address/address.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// All of `digits` as a number; nothing where one is no digit of the base, there is none, or it passes 64 bits.
+/// All of `digits` as a number; nothing if it is empty, holds another character or exceeds 64 bits.
 std::optional<std::uint64_t> number_of(std::string_view digits, int base) {
   std::uint64_t value = 0;
   const char* const end = digits.data() + digits.size();
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> number_of(std::string_view digits, int base) {
   return value;
 }
 
-/// Tells addresses apart that have no number on a link: FNV-1a over their parts.
+/// Distinguishes addresses that have no number on a link: FNV-1a over their parts.
 class Key {
  public:
   void add(std::uint64_t part) {
@@ -75,7 +75,7 @@ std::optional<Size> iec_size(char letter) {
   }
 }
 
-/// What stands between the dots of `%IX1.2.3`.
+/// The numbers between the dots of `%IX1.2.3`.
 struct Parts {
   std::array<std::uint64_t, 8> values{};
   std::size_t count = 0;
@@ -106,7 +106,7 @@ void set_number(Address& address, const Parts& parts) {
     Key key;
     for (std::size_t i = 0; i < parts.count; ++i) key.add(values[i]);
     if (address.area != Area::memory && address.size != Size::bit && parts.count == 2) {
-      key.add(static_cast<std::uint64_t>(address.size));  // %IW5.3 is a bit of a word, and not the bit %IX5.3
+      key.add(static_cast<std::uint64_t>(address.size));  // %IW5.3 is a bit of a word, not the bit %IX5.3
       address.size = Size::bit;
     }
     address.number = key.value();
@@ -116,12 +116,12 @@ void set_number(Address& address, const Parts& parts) {
 
 struct Device {
   std::string_view name;
-  int base;  ///< 0: the radix that the list counts its X and Y in
+  int base;  ///< 0: the radix in which the list counts its X and Y
   Area area;
   Size size;
 };
 
-/// By first letter, the longer names first, so that SB10 is no S.
+/// By first letter, longer names first, so that SB10 is not read as S.
 constexpr std::array kDevices{Device{"BL", 10, Area::memory, Size::bit},   Device{"B", 16, Area::memory, Size::bit},
                               Device{"CS", 10, Area::memory, Size::bit},   Device{"CC", 10, Area::memory, Size::bit},
                               Device{"CN", 10, Area::memory, Size::word},  Device{"C", 10, Area::memory, Size::word},
@@ -143,7 +143,7 @@ constexpr std::array kDevices{Device{"BL", 10, Area::memory, Size::bit},   Devic
                               Device{"Y", 0, Area::output, Size::bit},     Device{"ZR", 10, Area::memory, Size::word},
                               Device{"Z", 10, Area::memory, Size::word}};
 
-/// Where those of a letter begin in kDevices; behind the last letter its size.
+/// The index in kDevices at which the devices of a letter begin; after the last letter its size.
 constexpr auto kDevicesOf = [] {
   std::array<std::uint8_t, 27> begins{};
   for (std::size_t letter = 0; letter <= 26; ++letter) {
@@ -159,7 +159,7 @@ bool begins_with(std::string_view text, std::string_view name) {
          std::equal(name.begin(), name.end(), text.begin(), [](char a, char b) { return a == upper(b); });
 }
 
-/// A device of this name with the number that follows it; a word of memory may have a bit (D10.5, W0.F).
+/// Reads a device with this name and the number after it; a word of memory may have a bit (D10.5, W0.F).
 std::optional<Address> parse_device(std::string_view text, const Device& device, Radix radix) {
   const int base = device.base != 0 ? device.base : static_cast<int>(radix);
   std::string_view digits = text.substr(device.name.size());

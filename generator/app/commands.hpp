@@ -1,4 +1,4 @@
-// The commands, a file each: what they take, and what they do.
+// Adds the commands to the option tree. Each command has a source file.
 #pragma once
 
 #include "app/tool.hpp"

@@ -1,4 +1,4 @@
-// Dependency files.
+// Dependency files, as make and ninja read them.
 #include "app/depfile.hpp"
 
 namespace symplant::app {

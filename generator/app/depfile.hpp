@@ -6,7 +6,7 @@
 
 namespace symplant::app {
 
-/// `target: input input ...`, blanks and other special characters escaped.
+/// `target: input input ...`, with spaces and other special characters escaped.
 std::string depfile(const std::string& target, const std::vector<std::string>& inputs);
 
 }  // namespace symplant::app

@@ -1,4 +1,4 @@
-// The tool symplant.
+// The entry point of the tool symplant.
 #include <unistd.h>
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace {
 
-/// The day where this runs.
+/// The local date.
 std::string today() {
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
@@ -60,11 +60,11 @@ int main(int argc, char** argv) {
   int code = symplant::app::run_tool(argc, argv, context);
   std::cout.flush();
   if (!std::cout) {
-    std::cerr << "error: the output could not be written (a full disk, or a reader that went away)\n";
+    std::cerr << "error: cannot write the output (the disk is full, or the reader of the pipe has ended)\n";
     code = 3;
   }
   std::cerr.flush();
   std::fflush(nullptr);
   if (kLeaksAreLookedFor) return code;
-  std::_Exit(code);  // without taking down what `context` keeps
+  std::_Exit(code);  // skips the destruction of the plant in `context`
 }

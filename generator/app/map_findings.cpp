@@ -1,4 +1,4 @@
-// What is wrong with the maps of a plant's links.
+// Findings about the maps of a plant's links.
 #include "app/map_findings.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,6 @@
 #include "app/map_notes.hpp"
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
-#include "lower/lower.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/names.hpp"
 #include "text/ascii.hpp"
@@ -20,7 +19,7 @@ namespace {
 
 using Kind = link::MapFault::Kind;
 
-/// "/links/0": the link whose settings a controller has.
+/// "/links/0": the link that has the settings of a controller.
 description::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t controller) {
   const auto& links = plant.description->links;
   const auto is_its = [&](const description::LinkDescription& link) {
@@ -35,7 +34,7 @@ description::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t 
 constexpr std::array<std::string_view, link::kTables> kSizeKeys{"coils", "discrete-inputs", "holding-registers",
                                                                 "input-registers"};
 
-/// The key that is to be changed.
+/// The key that the user must change.
 description::Pointer key_of(Kind kind, const description::Pointer& link) {
   switch (kind) {
     case Kind::status_overlap:
@@ -52,7 +51,7 @@ description::Pointer key_of(Kind kind, const description::Pointer& link) {
   return link;
 }
 
-/// One fault for each table whose size is too small, however many symbols stand beyond it.
+/// Adds one fault for each table whose size is too small, however many symbols are beyond it.
 void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, const description::Pointer& link,
                      std::vector<description::DescriptionFault>& faults) {
   std::array<const link::IoPoint*, link::kTables> last{};
@@ -71,9 +70,9 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
     if (last[t] == nullptr) continue;
     faults.push_back(
         {(link / "size" / kSizeKeys[t]).text(),
-         fmt::format("{} {} beyond the size of {}, `{}` the furthest on {}: give a size of {} or more, or leave it out",
-                     count[t], count[t] == 1 ? "symbol stands" : "symbols stand", map.sizes[t],
-                     texts[std::size_t{last[t]->symbol} * 2], place_text(*last[t]), last[t]->last() + 1),
+         fmt::format("{} {} beyond the size of {}, the last is `{}` on {}: give a size of {} or more, or omit the size",
+                     count[t], count[t] == 1 ? "symbol is" : "symbols are", map.sizes[t],
+                     texts[std::size_t{last[t]->symbol} * 2], address_text(*last[t]), last[t]->last() + 1),
          0, description::FaultKind::contradiction});
   }
 }
@@ -84,18 +83,18 @@ bool symbols_can_overlap(const model::PlantModel& plant) {
   const bool is_set = std::any_of(plant.description->links.begin(), plant.description->links.end(),
                                   [](const description::LinkDescription& link) { return link.has_settings; });
   return is_set || std::any_of(plant.symbols.begin(), plant.symbols.end(),
-                               [](const model::Symbol& symbol) { return link::places_of(symbol.type) > 1; });
+                               [](const model::Symbol& symbol) { return link::width_of(symbol.type) > 1; });
 }
 
-void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
-  const lower::EngineTables lowered = lower::lower(plant);
+void add_map_findings(const model::PlantModel& plant, const lower::EngineTables& lowered,
+                      diag::Diagnostics& diagnostics) {
   const tables::PlantTables tables = lowered.tables();
   std::vector<description::DescriptionFault> faults;
   for (std::uint32_t controller = 0; controller < plant.links.size(); ++controller) {
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
     add_size_faults(tables, map, link_pointer(plant, controller), faults);
     for (const link::MapFault& fault : map.faults) {
-      if (fault.kind == Kind::beyond_size || fault.kind == Kind::beyond_end) continue;  // told above, and by its entry
+      if (fault.kind == Kind::beyond_size || fault.kind == Kind::beyond_end) continue;  // already reported
       std::string message = link::fault_text(tables, map, fault);
       if (fault.kind != Kind::overlap) {
         faults.push_back({key_of(fault.kind, link_pointer(plant, controller)).text(), std::move(message), 0,

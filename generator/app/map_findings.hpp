@@ -1,17 +1,19 @@
-// What is wrong with the maps of a plant's links.
+// Findings about the maps of a plant's links.
 #pragma once
 
 #include "diag/diagnostic.hpp"
+#include "lower/engine_tables.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::app {
 
-/// Whether places of this plant can meet at all: some number is of more than 16 bits, or the description moves
-/// something. O(symbols).
+/// Whether addresses of this plant can overlap at all: a symbol has more than 16 bits, or a link of the description has
+/// settings. O(symbols).
 bool symbols_can_overlap(const model::PlantModel& plant);
 
-/// Tells of symbols that stand on one place (SP316), and of settings that do not fit the map, where they stand in the
+/// Reports symbols with overlapping addresses (SP316), and settings that do not fit the map, at their locations in the
 /// description. The plant must be without errors. O(symbols).
-void add_map_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics);
+void add_map_findings(const model::PlantModel& plant, const lower::EngineTables& lowered,
+                      diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::app

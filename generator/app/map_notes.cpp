@@ -1,4 +1,4 @@
-// What `symplant map` says below the rows: sizes, status block, watchdog, policies.
+// The lines below the rows of `symplant map`: sizes, status block, watchdog, policies.
 #include "app/map_notes.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::string range_text(std::uint32_t first, std::uint32_t count) {
 void add_sizes(std::string& text, const link::IoMap& map) {
   for (std::size_t t = 0; t < link::kTables; ++t) {
     if (map.sizes[t] == 0) continue;
-    fmt::format_to(std::back_inserter(text), "{}s: {} places{}\n", link::table_name(static_cast<link::Table>(t)),
+    fmt::format_to(std::back_inserter(text), "{}s: size {}{}\n", link::table_name(static_cast<link::Table>(t)),
                    map.sizes[t],
                    map.packed[t] ? ", packed in list order, since an address has no number below 65536" : "");
   }
@@ -30,8 +30,8 @@ void add_sizes(std::string& text, const link::IoMap& map) {
     if (!symbols.empty()) fmt::format_to(std::back_inserter(text), "on no link: {} {}\n", symbols.size(), why);
   };
   count(map.without_address, "without a usable address");
-  count(map.of_8_bits, "of 8 bits, whose place nobody gives");
-  count(map.too_many, "beyond the 65536 places of a table");
+  count(map.of_8_bits, "of 8 bits, for which plant.json gives no register");
+  count(map.too_many, "beyond the 65536 addresses of a table");
 }
 
 void add_status_block(std::string& text, const link::IoMap& map) {
@@ -56,25 +56,24 @@ void add_policies(std::string& text, const link::IoMap& map, const link::LinkSet
   const std::string silence = map.watchdog ? time_text(settings.watchdog_within) + " without a change of the watchdog"
                                            : time_text(settings.loss_after) + " without a request";
   fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence,
-                 link::loss_words(map),
-                 settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
-  fmt::format_to(std::back_inserter(text), "back again: writes are collected for {} at most\n",
+                 link::loss_words(map), settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
+  fmt::format_to(std::back_inserter(text), "on return: writes are collected for {} at most\n",
                  time_text(settings.resync));
 }
 
 }  // namespace
 
-std::string place_text(const link::IoPoint& point) {
-  return fmt::format("{}{} {}", link::table_name(point.table), point.places == 1 ? "" : "s",
-                     range_text(point.number, point.places));
+std::string address_text(const link::IoPoint& point) {
+  return fmt::format("{}{} {}", link::table_name(point.table), point.width == 1 ? "" : "s",
+                     range_text(point.number, point.width));
 }
 
 std::string modicon_text(const link::IoPoint& point) {
   const auto one = [&](std::uint16_t number) {
-    constexpr std::uint16_t kLastOfFiveDigits = 9998;  // a coil's leading 0 tells 010000 from discrete input 10000
+    constexpr std::uint16_t kLastOfFiveDigits = 9998;  // coil 010000 and discrete input 10000 differ by the 0
     return fmt::format("{:0{}}", link::modicon_number(point.table, number), number > kLastOfFiveDigits ? 6 : 5);
   };
-  if (point.places == 1) return one(point.number);
+  if (point.width == 1) return one(point.number);
   return one(point.number) + "-" + one(static_cast<std::uint16_t>(point.last()));
 }
 

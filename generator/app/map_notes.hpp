@@ -1,4 +1,4 @@
-// What `symplant map` says below the rows: sizes, status block, watchdog, policies.
+// The lines below the rows of `symplant map`: sizes, status block, watchdog, policies.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 namespace symplant::app {
 
 /// "coil 1", "holding registers 10-11".
-std::string place_text(const link::IoPoint& point);
+std::string address_text(const link::IoPoint& point);
 /// "00002", "40011-40012".
 std::string modicon_text(const link::IoPoint& point);
 /// "low word first".
 std::string word_order_text(link::WordOrder order);
 
-/// Lines about a map.
+/// The lines about a map.
 std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings);
 
 }  // namespace symplant::app

@@ -26,12 +26,12 @@ text::Encoding encoding_of(const std::string& name) {
 
 void add_plant_options(CLI::App& command, PlantOptions& options) {
   command
-      .add_option("--input-format", options.read.input_format, "the kind of list, instead of what is sniffed: gx-iec")
+      .add_option("--input-format", options.read.input_format, "the format of the list (default: detected): gx-iec")
       ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
           "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },
-          "the list's encoding, instead of what is sniffed: utf-8, utf-16le, utf-16be, cp932 (shift_jis), cp949 "
+          "the encoding of the list (default: detected): utf-8, utf-16le, utf-16be, cp932 (shift_jis), cp949 "
           "(euc-kr), "
           "gb18030 (gbk), cp950 (big5), cp1250 to cp1258 (cp1252 is latin1), cp874, cp437, cp850, cp852, cp866")
       ->type_name("ENCODING");
@@ -40,18 +40,18 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
           "--xy",
           [&options](const std::string& text) {
             if (text != "hex" && text != "octal") {
-              throw CLI::ValidationError("--xy", "`" + text + "` is no way to count X and Y: write hex or octal");
+              throw CLI::ValidationError("--xy", "`" + text + "` is not a base for X and Y: write hex or octal");
             }
             options.xy = text == "hex" ? address::Radix::hexadecimal : address::Radix::octal;
           },
-          "how X and Y count where no row proves it (default: hex)")
+          "how X and Y count if no row proves it (default: hex)")
       ->type_name("hex|octal");
-  command.add_flag("--verbose", options.verbose, "tell what was decided and why, notes included");
+  command.add_flag("--verbose", options.verbose, "show what was decided and why, and notes");
 }
 
 namespace {
 
-/// How X and Y of a list count, and what says so.
+/// How X and Y of a list count, and what decided it.
 std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
   const model::PlantList& list = plant.lists[index];
   const std::string_view counts = list.radix.radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
@@ -67,15 +67,16 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
     case model::RadixChoice::By::nothing:
       break;
   }
-  return fmt::format("X and Y{} count in {}, since nothing says otherwise", of, counts);
+  return fmt::format("X and Y{} count in {} by default", of, counts);
 }
 
 }  // namespace
 
-void report_decisions(Context& context, const model::PlantModel& plant) {
+void report_decisions(Context& context, const Compiled& compiled) {
+  const model::PlantModel& plant = compiled.plant;
   if (plant.description_source != nullptr) {
     context.err << "decided: the plant is called " << diag::visible(plant.name) << "\n";
-    for (const std::string& decision : plant.description_decisions) {
+    for (const std::string& decision : compiled.evidence.decisions) {
       context.err << "decided: " << diag::visible(decision) << "\n";
     }
   }
@@ -116,23 +117,26 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   auto compiled = compile({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
   std::vector<diag::Diagnostic> shown;
   for (const diag::Diagnostic& finding : diagnostics.all()) {
-    if (options.verbose || finding.severity != diag::Severity::note) shown.push_back(finding);
+    if (options.verbose || finding.severity == diag::Severity::error) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
   if (options.verbose) report_ignored(context, diagnostics);
-  if (compiled && options.verbose) report_decisions(context, compiled->plant);
-  if (!compiled) {
-    const std::string counts =
-        count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
-    context.err << diag::visible(plant) << ": " << counts << "; nothing is made of it while there are errors\n";
+  if (compiled && options.verbose) report_decisions(context, *compiled);
+  const std::string counts =
+      count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
+  if (!compiled || diagnostics.has_errors()) {
+    compiled.reset();
+    context.err << diag::visible(plant) << ": " << counts << "; fix the errors first\n";
     context.exit_code = host::kBadInput;
+  } else if (diagnostics.count(diag::Severity::warning) != 0 && !options.verbose) {
+    context.err << diag::visible(plant) << ": " << counts << "; `symplant check` shows them\n";
   }
   return compiled;
 }
 
 bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
-    std::error_code unknown;  // files that are not there are not the same
+    std::error_code unknown;  // a missing file is never the same file
     if (!std::filesystem::equivalent(output, input, unknown) || unknown) continue;
     context.err << "error: `" << output << "` is an input: writing there would destroy it; name another file\n";
     context.exit_code = host::kBadInput;

@@ -10,7 +10,7 @@
 
 namespace symplant::app {
 
-/// What every command that reads a plant takes: --input-format, --encoding, --xy, --verbose.
+/// The options of every command that reads a plant: --input-format, --encoding, --xy, --verbose.
 struct PlantOptions {
   read::ReadOptions read;
   std::optional<address::Radix> xy;
@@ -18,25 +18,25 @@ struct PlantOptions {
 };
 void add_plant_options(CLI::App& command, PlantOptions& options);
 
-/// compile() for a command: shows errors and warnings on `context.err` (notes with --verbose) and sets the exit code to
-/// 2 where there is nothing to go on with.
+/// compile() for a command. Shows the errors on `context.err`, and the warnings as a line of counts (with --verbose all
+/// findings). If there are errors, returns no value and sets the exit code to 2.
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
 
-/// Tells what the reader decided, for --verbose.
-void report_decisions(Context& context, const model::PlantModel& plant);
+/// Shows the decisions of the reader, for --verbose.
+void report_decisions(Context& context, const Compiled& compiled);
 
-/// Tells the findings that plant.json ignores, and why, for --verbose.
+/// Shows the findings that plant.json ignores, with the reasons, for --verbose.
 void report_ignored(Context& context, const diag::Diagnostics& diagnostics);
 
-/// Whether an output would take the place of an input; says so and sets the exit code.
+/// Whether an output would overwrite an input. If so, reports it and sets the exit code.
 bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs);
 
-/// Writes a result: to the file where one is named, else to `context.out`. False, and the exit code set, where it
+/// Writes a result to `file`, or to `context.out` if `file` is empty. Returns false and sets the exit code if writing
 /// fails or the file is one of `inputs`.
 bool write_result(Context& context, const std::string& file, const std::string& text,
                   const std::vector<std::string>& inputs);
 
-/// "3 warnings, 1 note, 2 ignored by plant.json"; of those alone that weigh `least` or more.
+/// "3 warnings, 1 note, 2 ignored by plant.json"; counts findings of severity `least` or higher.
 std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity least = diag::Severity::note);
 
 }  // namespace symplant::app

@@ -1,4 +1,4 @@
-// The whole road of the tool.
+// The pipeline of the tool.
 #include "app/pipeline.hpp"
 
 #include <algorithm>
@@ -19,25 +19,27 @@
 #include "findings/settings.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
-#include "model/build_plant.hpp"
+#include "model/derive.hpp"
+#include "name/named_table.hpp"
+#include "name/naming_rule.hpp"
 #include "symplant/json/location.hpp"
 
 namespace symplant::app {
 namespace {
 
-/// "/devices/L_P_D" of what stands in a device's entry; empty of what does not.
+/// "/devices/L_P_D" for a pointer into a device's entry; empty for other pointers.
 std::string_view device_of(std::string_view pointer) {
   constexpr std::string_view kDevices = "/devices/";
   return pointer.starts_with(kDevices) ? pointer.substr(0, pointer.find('/', kDevices.size())) : std::string_view();
 }
 
-/// Faults and warnings of the description at their places. Where an entry's form is at fault already, what follows from
-/// that is not told.
-void add_description_findings(const Inputs& inputs, const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+/// Adds the faults and warnings of the description at their locations. If the form of a device's entry has a fault, its
+/// consequences are not reported.
+void add_description_findings(const Inputs& inputs, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
   std::set<std::string_view> faulty;
   for (const description::DescriptionFault& fault : inputs.faults) faulty.insert(device_of(fault.pointer));
   std::vector<description::DescriptionFault> all = inputs.faults;
-  for (const auto* list : {&plant.description_faults, &plant.description_warnings}) {
+  for (const auto* list : {&evidence.faults, &evidence.warnings}) {
     std::copy_if(list->begin(), list->end(), std::back_inserter(all), [&](const description::DescriptionFault& fault) {
       const std::string_view device = device_of(fault.pointer);
       return device.empty() || faulty.count(device) == 0;
@@ -46,7 +48,7 @@ void add_description_findings(const Inputs& inputs, const model::PlantModel& pla
   description::add_findings(inputs.source, all, diagnostics);
 }
 
-/// Finds the places that rules told as JSON pointers. One pass over the text for all of them.
+/// Finds the locations that rules gave as JSON pointers, in one pass over the text.
 void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnostics& diagnostics) {
   const std::vector<std::string> pointers = diagnostics.pointers();
   if (source == nullptr || pointers.empty()) return;
@@ -60,52 +62,65 @@ void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnos
   diagnostics.locate(source, spans);
 }
 
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists) {
+  std::vector<model::ListInput> named;
+  named.reserve(lists.size());
+  for (const ReadList& list : lists) {
+    named.push_back({list.table, name::read_names(*list.table, name::built_in_rule()), list.controller, list.xy});
+  }
+  return named;
+}
+
+/// Adds all findings about the plant. A description that does not fit its schema is not checked further.
+void check(const Inputs& inputs, const model::Derived& derived, const lower::EngineTables& tables,
+           diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = derived.plant;
+  if (inputs.source != nullptr) {
+    add_description_findings(inputs, derived.evidence, diagnostics);
+    add_url_findings(plant, diagnostics);
+  }
+  if (!inputs.readable) return;
+  check::check_plant(plant, derived.evidence, diagnostics);
+  lower::check_limits(tables, diagnostics);
+  if (!diagnostics.has_errors() && symbols_can_overlap(plant)) add_map_findings(plant, tables, diagnostics);
+}
+
+/// Prepares the findings for the user: settings, selection, folding, locations, order.
+void finish(const Inputs& inputs, const model::PlantModel& plant, const CompileOptions& options,
+            diag::Diagnostics& diagnostics) {
+  if (const description::GivenCheck& settings = plant.description->check;
+      inputs.readable && (!settings.severity.empty() || !settings.ignore.empty())) {
+    diagnostics = findings::apply_settings(diagnostics, settings, options.today);
+  }
+  diagnostics = findings::select(std::move(diagnostics), options.selection);
+  if (inputs.readable) {
+    findings::fold_consequences(plant, diagnostics);
+    locate(inputs.source, diagnostics);
+  }
+  diagnostics.sort_by_location(plant.sources());
+}
+
 }  // namespace
 
-std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
-                                         Progress& progress, diag::Diagnostics& diagnostics) {
-  const auto inputs = read_inputs(options, files, progress, diagnostics);
+std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
+                                diag::Diagnostics& diagnostics) {
+  const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
     diagnostics = findings::select(std::move(diagnostics), options.selection);
     return std::nullopt;
   }
-
+  progress.stage("parsing names");
+  const std::vector<model::ListInput> lists = parse_names(inputs->lists);
   progress.stage("deriving models");
-  model::PlantModel plant = model::build_plant(inputs->lists, {inputs->name, inputs->description});
-  plant.description_source = inputs->source;
-  if (inputs->source != nullptr) {
-    add_description_findings(*inputs, plant, diagnostics);
-    add_url_findings(plant, diagnostics);
-  }
-
-  if (inputs->readable) {
-    progress.stage("checking");
-    check::check_plant(plant, diagnostics);
-    if (!diagnostics.has_errors() && symbols_can_overlap(plant)) add_map_findings(plant, diagnostics);
-    if (const description::GivenCheck& settings = plant.description->check;
-        !settings.severity.empty() || !settings.ignore.empty()) {
-      diagnostics = findings::apply_settings(diagnostics, settings, options.today);
-    }
-  }
-  diagnostics = findings::select(std::move(diagnostics), options.selection);
-  if (inputs->readable) {
-    findings::fold_consequences(plant, diagnostics);
-    locate(inputs->source, diagnostics);
-  }
-  diagnostics.sort_by_location(plant.sources());
-  if (!inputs->readable) return std::nullopt;
-  return plant;
-}
-
-std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
-                                diag::Diagnostics& diagnostics) {
-  auto plant = analyse(options, files, progress, diagnostics);
-  if (!plant || diagnostics.has_errors()) return std::nullopt;
+  model::Derived derived = model::describe(model::derive(lists, inputs->name), inputs->description, inputs->source);
+  const bool sound = inputs->readable && derived.evidence.faults.empty();
   progress.stage("lowering");
-  lower::EngineTables tables = lower::lower(*plant);
-  lower::check_limits(tables, diagnostics);
-  if (diagnostics.has_errors()) return std::nullopt;
-  return Compiled{std::move(*plant), std::move(tables)};
+  lower::EngineTables tables = sound ? lower::lower(derived.plant) : lower::EngineTables();
+  progress.stage("checking");
+  check(*inputs, derived, tables, diagnostics);
+  finish(*inputs, derived.plant, options, diagnostics);
+  if (!inputs->readable) return std::nullopt;
+  return Compiled{std::move(derived.plant), std::move(derived.evidence), std::move(tables)};
 }
 
 }  // namespace symplant::app

@@ -1,40 +1,26 @@
-// The whole road of the tool.
+// The pipeline of the tool: from files to the model, the engine's tables and the findings.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string>
 
-#include "address/address.hpp"
+#include "app/compile_options.hpp"
 #include "app/progress.hpp"
 #include "base/file_system.hpp"
 #include "diag/diagnostic.hpp"
-#include "findings/selection.hpp"
 #include "lower/engine_tables.hpp"
-#include "model/plant_model.hpp"
-#include "read/readers.hpp"
+#include "model/derived.hpp"
 
 namespace symplant::app {
 
-struct CompileOptions {
-  std::string plant;                   ///< a plant.json, or a symbol list
-  read::ReadOptions read;              ///< of lists of which plant.json says nothing else
-  std::optional<address::Radix> xy;    ///< likewise
-  std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: none is over
-  findings::Selection selection = {};  ///< of the findings that are told
-};
-
 struct Compiled {
   model::PlantModel plant;
-  lower::EngineTables tables;
+  model::Evidence evidence;
+  lower::EngineTables tables;  ///< empty if the description has errors
 };
 
-/// Reads a plant.json and its lists, or a bare list, derives the model and checks it. Nothing where a file cannot be
-/// read or does not fit its format; findings are in `diagnostics`.
-std::optional<model::PlantModel> analyse(const CompileOptions& options, const base::FileSystem& files,
-                                         Progress& progress, diag::Diagnostics& diagnostics);
-
-/// analyse(), then the engine's tables. Nothing where an error stands. O(rows).
+/// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.
+/// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has errors the
+/// result is fit for reports only, not for running or generating. O(rows).
 std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                 diag::Diagnostics& diagnostics);
 

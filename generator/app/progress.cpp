@@ -1,4 +1,4 @@
-// A line on a terminal that says what takes so long.
+// A progress line on a terminal.
 #include "app/progress.hpp"
 
 #include <ostream>

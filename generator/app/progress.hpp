@@ -1,4 +1,4 @@
-// A line on a terminal that says what takes so long.
+// A progress line on a terminal.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace symplant::app {
 
-/// Says nothing in the first second, and nothing at all without a terminal.
+/// Shows the current stage after the first second; shows nothing without a terminal.
 class Progress {
  public:
   Progress(std::ostream& err, bool terminal);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "description/description_rules.hpp"
-#include "name/naming_rule.hpp"
 
 namespace symplant::app {
 namespace {
@@ -34,9 +33,7 @@ class InputReader {
 
  private:
   void add_list(read::SymbolTable table, const std::string& controller, std::optional<address::Radix> xy) {
-    const auto list = std::make_shared<const read::SymbolTable>(std::move(table));
-    progress_.stage("reading names");
-    inputs_.lists.push_back({list, name::read_names(*list, name::built_in_rule()), controller, xy});
+    inputs_.lists.push_back({std::make_shared<const read::SymbolTable>(std::move(table)), controller, xy});
   }
 
   bool read_description(std::string bytes) {
@@ -60,11 +57,11 @@ class InputReader {
     return false;
   }
 
-  /// False where one of them cannot be read, or there is none.
+  /// False if a list cannot be read, or there is no list.
   bool read_lists(const std::vector<description::ListReference>& lists) {
     bool all = !lists.empty();
     for (const description::ListReference& reference : lists) {
-      if (reference.file.empty()) {  // told already
+      if (reference.file.empty()) {  // already reported
         all = false;
         continue;
       }

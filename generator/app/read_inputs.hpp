@@ -6,22 +6,31 @@
 #include <string>
 #include <vector>
 
-#include "app/pipeline.hpp"
+#include "app/compile_options.hpp"
+#include "app/progress.hpp"
+#include "base/file_system.hpp"
 #include "description/plant_file.hpp"
-#include "model/build_plant.hpp"
+#include "diag/diagnostic.hpp"
 
 namespace symplant::app {
+
+/// A symbol list as it was read.
+struct ReadList {
+  std::shared_ptr<const read::SymbolTable> table;
+  std::string controller;            ///< whose addresses these are; empty: the default controller
+  std::optional<address::Radix> xy;  ///< without a value: what the rows prove, else hexadecimal
+};
 
 struct Inputs {
   std::string name;                                             ///< the plant's
   std::shared_ptr<const text::SourceFile> source;               ///< the plant.json; null: a bare list
   std::shared_ptr<const description::Description> description;  ///< null: a bare list
   std::vector<description::DescriptionFault> faults;            ///< of the description's form
-  bool readable = true;  ///< all of it could be read and fits its format; else the plant is made to find faults only
-  std::vector<model::ListInput> lists;
+  bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
+  std::vector<ReadList> lists;
 };
 
-/// Reads them all. Nothing where there is no list to make a plant of; findings but for `faults` are in `diagnostics`.
+/// Reads all files of a plant. Nothing if there is no list. Adds findings to `diagnostics`, except those in `faults`.
 std::optional<Inputs> read_inputs(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                   diag::Diagnostics& diagnostics);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array kCommands{&add_init,  &add_check, &add_explain, &add_rules,  &add_generate,
                                &add_model, &add_map,   &add_run,     &add_schema, &add_completion};
 
-/// Line by line, without what may steer a terminal.
+/// Writes a text line by line, with control characters made visible.
 void report_visibly(const std::string& text, std::ostream& err) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) err << diag::visible(line) << "\n";
@@ -35,8 +35,7 @@ void build_commands(CLI::App& app, Context& context) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 good; 1 findings or failed expectations; 2 bad input or usage; 3 the environment (a port in use, "
-      "no "
-      "permission).\nThe code that symplant generates is your own.");
+      "no permission).\nThe code that symplant generates is yours.");
   for (const auto add : kCommands) add(app, context);
 }
 
@@ -47,11 +46,11 @@ int run_tool(int argc, char** argv, Context& context) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream said;  // the user's words as they are
+    std::ostringstream said;  // may contain unsafe characters of the user's arguments
     const int code = app.exit(error, context.out, said);
     report_visibly(said.str(), context.err);
     return code == 0 ? host::kGood : host::kBadInput;
-  } catch (const std::exception& error) {  // memory, or what a library thinks impossible
+  } catch (const std::exception& error) {  // out of memory, or an unexpected error of a library
     context.err << "error: " << error.what() << "\n";
     return host::kEnvironment;
   }

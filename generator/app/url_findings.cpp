@@ -1,4 +1,4 @@
-// What is wrong with the URLs of a plant's links.
+// Findings about the URLs of a plant's links.
 #include "app/url_findings.hpp"
 
 #include <set>
@@ -20,12 +20,12 @@ void add_url_findings(const model::PlantModel& plant, diag::Diagnostics& diagnos
   std::set<std::string_view> ports;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const std::string& url = links[i].url;
-    if (url.empty()) continue;  // its form is at fault
+    if (url.empty()) continue;  // reported as a fault of its form
     const std::string pointer = (description::Pointer("/links") / i / "url").text();
     if (std::string fault = link::url_fault(url); !fault.empty()) {
       faults.push_back({pointer, std::move(fault), 0, description::FaultKind::shape});
     } else if (link::has_fixed_port(url) && !ports.insert(url).second) {
-      faults.push_back({pointer, "another link has this port already: give each a port of its own", 0,
+      faults.push_back({pointer, "another link already has this port: give each link a different port", 0,
                         description::FaultKind::contradiction});
     }
   }

@@ -1,4 +1,4 @@
-// What is wrong with the URLs of a plant's links.
+// Findings about the URLs of a plant's links.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -6,8 +6,8 @@
 
 namespace symplant::app {
 
-/// Tells of links that cannot be opened on whatever machine, and of two that cannot be on one, where they stand in the
-/// description. O(links log links).
+/// Reports links that no machine can open, and links that share a port, at their locations in the description.
+/// O(links log links).
 void add_url_findings(const model::PlantModel& plant, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::app

@@ -1,4 +1,4 @@
-// A file descriptor with an owner, for what writes files.
+// An owned file descriptor, and reading and writing through it.
 #pragma once
 
 #include <sys/types.h>
@@ -13,10 +13,10 @@
 
 namespace symplant::base {
 
-/// Closes it in the end.
+/// Owns a file descriptor and closes it.
 class Descriptor {
  public:
-  explicit Descriptor(int number = -1) : number_(number) {}  ///< below 0: none
+  explicit Descriptor(int number = -1) : number_(number) {}  ///< below 0: not open
   ~Descriptor() { close(); }
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
@@ -27,7 +27,7 @@ class Descriptor {
 
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
-  /// False where the system kept an error of a write until now.
+  /// False if the system reports an error of an earlier write.
   bool close() {
     const int closing = std::exchange(number_, -1);
     return closing < 0 || ::close(closing) == 0;
@@ -37,7 +37,7 @@ class Descriptor {
   int number_;
 };
 
-/// 0, or why not all could be written.
+/// Writes all of `content`. Returns 0 or errno.
 inline int write_all(int descriptor, std::string_view content) {
   while (!content.empty()) {
     const ssize_t count = ::write(descriptor, content.data(), content.size());
@@ -48,7 +48,8 @@ inline int write_all(int descriptor, std::string_view content) {
   return 0;
 }
 
-/// How much was read into the buffer: less than its size at the end of the file only; below 0 where reading failed.
+/// Reads until the buffer is full. Returns the number of bytes, less than `size` only at the end of the file; -1 on
+/// failure.
 inline ssize_t read_full(int descriptor, char* buffer, std::size_t size) {
   std::size_t filled = 0;
   while (filled < size) {
@@ -61,7 +62,7 @@ inline ssize_t read_full(int descriptor, char* buffer, std::size_t size) {
   return static_cast<ssize_t>(filled);
 }
 
-/// Whether the next bytes of a file are these; it then stands behind them.
+/// Reads the next bytes of a file and returns whether they equal `bytes`.
 inline bool holds_next(int descriptor, std::string_view bytes) {
   std::array<char, 64 * 1024> there;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled before it is read
   while (!bytes.empty()) {

@@ -1,4 +1,4 @@
-// The machine's own files.
+// Files on the disk of the machine.
 #include "base/file_system.hpp"
 
 #include <fcntl.h>
@@ -27,7 +27,7 @@ std::string reason(int code) {
     case EISDIR:
       return "it is a directory; give a file";
     case ENOTDIR:
-      return "a part of its path is no folder";
+      return "a part of its path is not a folder";
     case ENOSPC:
       return "no space is left on the disk";
     case EROFS:
@@ -43,7 +43,7 @@ FileError error_of(std::string_view act, const std::string& path, int code) {
   return {"cannot " + std::string(act) + " `" + path + "`: " + reason(code)};
 }
 
-/// What is no plain file (a pipe, /dev/stdout): it is there to be written to, not to be replaced.
+/// Writes to what is not a regular file (a pipe, /dev/stdout), which must not be replaced.
 class Through final : public TextSink {
  public:
   explicit Through(const std::string& path) : file_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
@@ -84,10 +84,10 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
   if (::fstat(file.number(), &about) != 0) return error_of("read", path, errno);
   if (S_ISDIR(about.st_mode)) return error_of("read", path, EISDIR);
   constexpr std::size_t kAtLeast = 64 * 1024;
-  constexpr std::size_t kMostOfAStream = std::size_t{256} << 20U;  // of what has no size: a pipe, /dev/zero
+  constexpr std::size_t kMostOfAStream = std::size_t{256} << 20U;  // of a file without a size: a pipe, /dev/zero
   std::string content;
   std::size_t filled = 0;
-  // One byte more than the size, so that the end of the file shows without growing.
+  // One byte more than the size, so that the end of the file is found without growing the buffer.
   const std::size_t size = S_ISREG(about.st_mode) ? static_cast<std::size_t>(about.st_size) + 1 : kAtLeast;
   reserve_large(content, size);
   content.resize(size);
@@ -146,7 +146,7 @@ Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::
   int fault = made.open(folder.empty() ? "." : folder);
   if (fault == 0) fault = made.append(content);
   if (fault == 0) fault = made.finish({});
-  if (fault == 0) fault = made.link_as(path);  // unlike a rename it replaces nothing
+  if (fault == 0) fault = made.link_as(path);  // unlike rename(), link() replaces nothing
   if (fault == EEXIST) return false;
   if (fault != 0) return error_of("write", path, fault);
   return true;

@@ -1,4 +1,4 @@
-// Files as a parameter: the tool's come from disk, a test's from memory.
+// Reads and writes files, behind an interface that tests can replace.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace symplant::base {
 
-/// Why a file could not be read or written, in words that name it.
+/// Why a file could not be read or written; the message names the file.
 struct FileError {
   std::string message;
 };
@@ -18,33 +18,33 @@ class FileSystem {
  public:
   virtual ~FileSystem() = default;
 
-  /// All bytes of a file. A directory, a missing file, one without permission are errors.
+  /// All bytes of a file. A directory, a missing file and missing permission are errors.
   virtual Result<std::string, FileError> read(const std::string& path) const = 0;
 
-  /// Writes a file whole: beside its place first, then renamed, so that whoever reads sees the old or the new one.
-  /// Makes missing folders. Leaves a file with the same content alone (its time too) and gives false.
+  /// Replaces a file atomically: writes a temporary file in the same folder and renames it, so that a reader sees the
+  /// old or the new content. Makes missing folders. Returns false, and leaves the file untouched, if nothing changes.
   virtual Result<bool, FileError> write(const std::string& path, std::string_view content) = 0;
 
-  /// The same of a text that is made while it is written. It may be compared with what is there before anything is
-  /// written; while it is made nothing of it shows. The default holds it whole.
+  /// The same as write() for a text that is made while it is written. It may be compared with the existing file before
+  /// anything is written. The default holds the whole text in memory.
   virtual Result<bool, FileError> write_made(const std::string& path, const TextSource& content) {
     return write(path, text_of(content));
   }
 
-  /// Whether a file holds just this text; false where it cannot be read.
+  /// Whether a file holds exactly this text; false if it cannot be read.
   virtual bool holds(const std::string& path, const TextSource& content) const {
     const auto there = read(path);
     return there && *there == text_of(content);
   }
 
-  /// Writes a file where there is none, missing folders too; gives false, and leaves it alone, where anything is there.
+  /// Writes a new file and makes missing folders. Returns false, and changes nothing, if the path exists.
   virtual Result<bool, FileError> write_new(const std::string& path, std::string_view content) = 0;
 
-  /// Whether anything is there, readable or not.
+  /// Whether the path exists, readable or not.
   virtual bool exists(const std::string& path) const = 0;
 };
 
-/// The machine's own files.
+/// Files on the disk of the machine.
 class DiskFileSystem final : public FileSystem {
  public:
   Result<std::string, FileError> read(const std::string& path) const override;

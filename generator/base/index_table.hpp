@@ -1,4 +1,4 @@
-// A hash table of places in a table of somebody else's, who keeps the keys.
+// A hash table of indexes into a table that holds the keys.
 #pragma once
 
 #include <cstddef>
@@ -9,27 +9,27 @@
 
 namespace symplant::base {
 
-/// Places are numbers below 0xFFFFFFFF. A search looks at the key of a place only where all 32 bits kept of its hash
-/// agree, so that it costs one access to memory mostly. O(1) with a good hash.
+/// Indexes are numbers below 0xFFFFFFFF. A search compares a key only if all 32 stored bits of its hash agree, so that
+/// it mostly costs one memory access. O(1) with a good hash.
 class IndexTable {
  public:
   static constexpr std::uint32_t kNothing = 0xFFFF'FFFF;
 
   IndexTable() = default;
-  /// With room for so many.
+  /// Reserves room for `expected` keys.
   explicit IndexTable(std::size_t expected) {
     if (expected != 0) resize(expected);
   }
 
   std::size_t size() const { return size_; }
 
-  /// The place of a key that is there; kNothing else. `is_at(place)` tells whether the key is that of a place.
+  /// The index of a key; kNothing if it is not in the table. `is_at(index)` returns whether the key is at an index.
   template <class IsAt>
   std::uint32_t find(std::uint64_t hash, const IsAt& is_at) const {
     return slots_.empty() ? kNothing : slots_[slot_of(folded(hash), is_at)].index;
   }
 
-  /// The place of a key; `place` where it is new, which then is its place.
+  /// The index of a key. A new key is added with `index`.
   template <class IsAt>
   std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t index, const IsAt& is_at) {
     if ((size_ + 1) * 2 > slots_.size()) resize(size_ + 1);
@@ -41,12 +41,12 @@ class IndexTable {
     return index;
   }
 
-  /// Tells that this hash will be asked for soon.
+  /// Fetches the slot of a hash into the cache, before a search for it.
   void prefetch(std::uint64_t hash) const {
     if (!slots_.empty()) __builtin_prefetch(&slots_[folded(hash) & (slots_.size() - 1)], 1);
   }
 
-  /// Gives a key that is there another place.
+  /// Changes the index of a key that is in the table.
   template <class IsAt>
   void move(std::uint64_t hash, std::uint32_t index, const IsAt& is_at) {
     slots_[slot_of(folded(hash), is_at)].index = index;
@@ -62,7 +62,7 @@ class IndexTable {
     return static_cast<std::uint32_t>((hash * 0x9E37'79B9'7F4A'7C15U) >> 32U);
   }
 
-  /// Where the key stands, or the empty slot that waits for it.
+  /// The slot of the key, or the empty slot for it.
   template <class IsAt>
   std::size_t slot_of(std::uint32_t kept, const IsAt& is_at) const {
     const std::size_t mask = slots_.size() - 1;
@@ -87,7 +87,7 @@ class IndexTable {
     }
   }
 
-  std::vector<Slot> slots_;  ///< a power of two of them, half of them empty at least
+  std::vector<Slot> slots_;  ///< a power of two in number, at least half of them empty
   std::size_t size_ = 0;
 };
 

@@ -13,7 +13,7 @@ void expect_large(void* begin, std::size_t bytes) {
   if (bytes < 2 * kLargePage) return;
   constexpr std::size_t kPage = 4096;
   const std::size_t before = (kPage - reinterpret_cast<std::uintptr_t>(begin) % kPage) % kPage;
-  // Where the system has none, all stays as it is.
+  // A failure is ignored: then the pages stay small.
   static_cast<void>(::madvise(static_cast<char*>(begin) + before, (bytes - before) / kPage * kPage, MADV_HUGEPAGE));
 #else
   static_cast<void>(begin);

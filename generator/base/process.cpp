@@ -27,7 +27,7 @@ ProcessError failure(Kind kind, const ProcessCall& call, const std::string& what
   return {kind, "`" + call.program + "` " + what};
 }
 
-/// One run of a program. Ends it, if it still runs, when this ends.
+/// One run of a program. The destructor ends the program if it still runs.
 class Child {
  public:
   explicit Child(const ProcessCall& call) : call_(call), deadline_(Clock::now() + call.limit) {}
@@ -42,7 +42,7 @@ class Child {
   std::optional<ProcessError> start() {
     std::array<int, 2> in{};
     std::array<int, 2> out{};
-    // A socket, since writing to a pipe whose reader is gone would end this program by a signal.
+    // A socket: writing to a pipe without a reader would end this program by a signal.
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) != 0) return error_of("has no input", errno);
     const Descriptor child_in(in[0]);
     in_ = Descriptor(in[1]);
@@ -79,7 +79,7 @@ class Child {
     pid_ = -1;
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return output;
     if (WIFEXITED(status)) {
-      // What could not be executed after all ends in 127, as in a shell.
+      // Exit code 127: the program could not be executed, as in a shell.
       const int code = WEXITSTATUS(status);
       return failure(code == 127 ? Kind::absent : Kind::failed, call_, "ended with code " + std::to_string(code));
     }
@@ -94,7 +94,7 @@ class Child {
     return failure(Kind::too_slow, call_, "took more than " + std::to_string(call_.limit.count()) + " ms");
   }
 
-  /// Writes the input and reads the output, both as far as the program wants, until it closes its output.
+  /// Writes the input and reads the output until the program closes its output.
   std::optional<ProcessError> exchange(std::string& output) {
     std::string_view rest = call_.input;
     if (rest.empty()) in_.close();

@@ -1,4 +1,4 @@
-// Other programs as a parameter: the tool's are the machine's, a test's are invented.
+// Runs other programs, behind an interface that tests can replace.
 #pragma once
 
 #include <chrono>
@@ -14,9 +14,9 @@ namespace symplant::base {
 /// Why a program gave no output.
 struct ProcessError {
   enum class Kind {
-    absent,     ///< there is no such program on the path
-    too_slow,   ///< it was ended at its time limit
-    too_large,  ///< its output was more than the limit
+    absent,     ///< the program was not found on the path
+    too_slow,   ///< it was ended after its time limit
+    too_large,  ///< its output exceeded the limit
     failed,     ///< it could not be started, or its exit code was not 0
   };
   Kind kind = Kind::failed;
@@ -24,9 +24,9 @@ struct ProcessError {
 };
 
 struct ProcessCall {
-  std::string program;                 ///< a name looked for on the path
-  std::vector<std::string> arguments;  ///< as they are: no shell sees them
-  std::string_view input = {};         ///< what its standard input holds
+  std::string program;                 ///< a name that is searched for on the path
+  std::vector<std::string> arguments;  ///< passed as they are, without a shell
+  std::string_view input = {};         ///< its standard input
   std::chrono::milliseconds limit{8'000};
   std::size_t most_output = std::size_t{64} << 20;  ///< bytes
 };
@@ -34,11 +34,11 @@ struct ProcessCall {
 class ProcessRunner {
  public:
   virtual ~ProcessRunner() = default;
-  /// Runs a program to its end and gives its standard output; its standard error goes nowhere.
+  /// Runs a program to its end and returns its standard output; discards its standard error.
   virtual Result<std::string, ProcessError> run(const ProcessCall& call) = 0;
 };
 
-/// The machine's own programs. Not to be used by two threads at once.
+/// Runs programs of the machine. Not thread-safe.
 class SystemProcessRunner final : public ProcessRunner {
  public:
   Result<std::string, ProcessError> run(const ProcessCall& call) override;

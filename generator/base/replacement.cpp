@@ -1,4 +1,4 @@
-// A file that takes the place of another once it is whole.
+// Replaces a file by a new one once that is complete.
 #include "base/replacement.hpp"
 
 #include <fcntl.h>
@@ -72,7 +72,7 @@ int Replacement::begin() {
   std::array<char, 64 * 1024> part{};
   for (std::size_t left = equal_; left != 0;) {
     const ssize_t count = read_full(old_.number(), part.data(), std::min(left, part.size()));
-    if (count <= 0) return count < 0 ? errno : EIO;  // it has become shorter meanwhile
+    if (count <= 0) return count < 0 ? errno : EIO;  // the file became shorter in the meantime
     if (const int failed = made_.append({part.data(), static_cast<std::size_t>(count)}); failed != 0) return failed;
     left -= static_cast<std::size_t>(count);
   }

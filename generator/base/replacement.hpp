@@ -1,4 +1,4 @@
-// A file that takes the place of another once it is whole.
+// Replaces a file by a new one once that is complete.
 #pragma once
 
 #include <sys/types.h>
@@ -13,8 +13,8 @@
 
 namespace symplant::base {
 
-/// A new file in a folder, under a name of its own, which goes away again unless it is put in place. Every function
-/// gives 0, or the system's number of what went wrong.
+/// A new file in a folder, under a temporary name. The destructor removes it unless it was renamed or linked. Every
+/// function returns 0 or errno.
 class NewFile {
  public:
   NewFile() : file_(-1) {}
@@ -25,41 +25,41 @@ class NewFile {
   bool is_open() const { return static_cast<bool>(file_); }
   int open(const std::filesystem::path& folder);
   int append(std::string_view content) { return write_all(file_.number(), content); }
-  /// Sets its permissions, where any are given, and closes it.
+  /// Sets the permissions, if given, and closes the file.
   int finish(std::optional<mode_t> mode);
-  /// Takes the place of `target`, whatever is there.
+  /// Renames the file to `target` and replaces what exists there.
   int replace(const std::filesystem::path& target);
-  /// Takes the place where nothing is: EEXIST else.
+  /// Gives the file the name `target`; EEXIST if that exists.
   int link_as(const std::filesystem::path& target);
 
  private:
   Descriptor file_;
-  std::string path_;  ///< empty: there is nothing to take away
+  std::string path_;  ///< empty: there is nothing to remove
 };
 
-/// Makes the file at a path, a plain file or nothing, hold a text, comparing both part by part: from the first
-/// difference on it is written anew beside its place, and put there when it is whole. A link stays a link: what it
-/// points to is replaced.
+/// Makes the file at a path hold a text; the path is a regular file or does not exist. Compares both part by part. From
+/// the first difference on it writes a temporary file, which replaces the old one when it is complete. A symbolic link
+/// stays a link: its target is replaced.
 class Replacement final : public TextSink {
  public:
-  /// `mode` are the permissions of the file that is there; nothing: there is none.
+  /// `mode`: the permissions of the existing file; nothing if there is no file.
   Replacement(const std::string& path, std::optional<mode_t> mode);
 
   void put(std::string_view part) override;
-  /// After the last part: 0, or what went wrong; then all is as it was.
+  /// Call after the last part. Returns 0 or errno; on failure the old file is unchanged.
   int finish();
-  /// Whether the file holds another text than before.
+  /// Whether the content of the file changed.
   bool changed() const { return changed_; }
 
  private:
-  /// From here on it is written: what was equal so far is copied.
+  /// Starts the temporary file and copies the part that was equal.
   int begin();
 
   std::filesystem::path target_;
   std::optional<mode_t> mode_;
   Descriptor old_;
   NewFile made_;
-  std::size_t equal_ = 0;  ///< bytes that were found equal
+  std::size_t equal_ = 0;  ///< the number of equal bytes at the beginning
   int fault_ = 0;
   bool changed_ = false;
 };

@@ -1,4 +1,4 @@
-// A value, or the one reason why there is none.
+// A value or an error.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// A text that is made while it is written, so that nobody has to hold it whole.
+// A text that is made while it is written, so that it is never whole in memory.
 #pragma once
 
 #include <functional>
@@ -7,15 +7,15 @@
 
 namespace symplant::base {
 
-/// Takes a text part by part.
+/// Receives a text part by part.
 class TextSink {
  public:
   virtual ~TextSink() = default;
-  /// Later parts may be passed over where an earlier one could not be taken.
+  /// May ignore later parts after an earlier one failed.
   virtual void put(std::string_view part) = 0;
 };
 
-/// Makes a text: the same one, however often it is asked for.
+/// Makes a text. Every call makes the same text.
 using TextSource = std::function<void(TextSink&)>;
 
 /// The text as a whole.

@@ -1,4 +1,4 @@
-// Looking at eight bytes of a text at once.
+// Searches a text eight bytes at a time.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@ namespace symplant::base {
 inline constexpr std::uint64_t kLowBits = 0x0101010101010101U;
 inline constexpr std::uint64_t kHighBits = 0x8080808080808080U;
 
-/// Eight bytes, the first of them lowest whatever the machine's byte order.
+/// Eight bytes as a number, the first byte lowest, on machines of either byte order.
 inline std::uint64_t load_word(const char* bytes) {
   std::uint64_t word;
   std::memcpy(&word, bytes, sizeof word);
@@ -20,16 +20,16 @@ inline std::uint64_t load_word(const char* bytes) {
   return word;
 }
 
-/// `byte` eight times over.
+/// `byte` repeated eight times.
 constexpr std::uint64_t spread(char byte) { return kLowBits * static_cast<unsigned char>(byte); }
 
-/// Not zero if a byte of the word is zero; the lowest bit set then tells the first (bits above it may be wrong).
+/// Nonzero if a byte of the word is zero; its lowest set bit is in the first such byte (bits above it may be wrong).
 constexpr std::uint64_t zero_bytes(std::uint64_t word) { return (word - kLowBits) & ~word & kHighBits; }
 
-/// Which byte, counted from 0, the lowest bit set of such a mask tells.
+/// The byte, counted from 0, of the lowest set bit in a mask of zero_bytes().
 constexpr std::size_t first_byte(std::uint64_t mask) { return static_cast<std::size_t>(std::countr_zero(mask)) / 8; }
 
-/// Where the first of three characters stands at or after `from`; the text's size where none does.
+/// The first offset, from `from` on, of one of three characters; the text's size if there is none.
 inline std::size_t find_any(std::string_view text, std::size_t from, char a, char b, char c) {
   const std::uint64_t as = spread(a);
   const std::uint64_t bs = spread(b);

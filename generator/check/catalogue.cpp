@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
@@ -13,6 +14,20 @@
 #include "text/ascii.hpp"
 
 namespace symplant::check {
+namespace {
+
+/// Slugs of earlier versions. Each still works, with a warning.
+struct FormerSlug {
+  std::string_view former;
+  std::string_view now;
+};
+constexpr std::array kFormerSlugs{
+    FormerSlug{"event-moved-twice", "event-driven-twice"},
+    FormerSlug{"nobody-moves", "event-not-driven"},
+    FormerSlug{"places-overlap", "symbols-overlap"},
+};
+
+}  // namespace
 
 std::vector<const diag::RuleInfo*> catalogue() {
   std::vector<const diag::RuleInfo*> all(read::rules().begin(), read::rules().end());
@@ -24,11 +39,23 @@ std::vector<const diag::RuleInfo*> catalogue() {
 }
 
 const diag::RuleInfo* find_rule(std::string_view id_or_slug) {
+  if (const std::string_view now = slug_now(id_or_slug); !now.empty()) id_or_slug = now;
   for (const diag::RuleInfo* rule : catalogue()) {
     if (text::equal_ignoring_case(rule->id, id_or_slug) || text::equal_ignoring_case(rule->slug, id_or_slug))
       return rule;
   }
   return nullptr;
+}
+
+std::string_view slug_now(std::string_view slug) {
+  for (const FormerSlug& each : kFormerSlugs) {
+    if (text::equal_ignoring_case(each.former, slug)) return each.now;
+  }
+  return {};
+}
+
+std::string renamed_rule(std::string_view former) {
+  return fmt::format("`{}` is now `{}`", former, slug_now(former));
 }
 
 std::string no_such_rule(std::string_view name) {

@@ -12,10 +12,16 @@ namespace symplant::check {
 /// By id.
 std::vector<const diag::RuleInfo*> catalogue();
 
-/// The rule of an id (`SP201`) or slug, without regard to case; null for an unknown one.
+/// The rule of an id (`SP201`), a slug or a former slug, without regard to case; null for an unknown one.
 const diag::RuleInfo* find_rule(std::string_view id_or_slug);
 
-/// For a message: that no rule has this name, and the nearest one.
+/// The slug that replaces a former one, without regard to case; empty if `slug` is not a former one.
+std::string_view slug_now(std::string_view slug);
+
+/// For a message: "`nobody-moves` is now `event-not-driven`".
+std::string renamed_rule(std::string_view former);
+
+/// For a message: no rule has this name, and the nearest one.
 std::string no_such_rule(std::string_view name);
 
 }  // namespace symplant::check

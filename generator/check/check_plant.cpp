@@ -1,15 +1,20 @@
 // Looks a plant model over by every rule.
 #include "check/check_plant.hpp"
 
+#include <vector>
+
+#include "check/reachability/conditions.hpp"
 #include "check/rules.hpp"
 #include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
 
-void check_plant(const model::PlantModel& plant, diag::Diagnostics& diagnostics) {
+void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
   const DeviceClasses classes(plant);
   const OverruledNames overruled(plant);
-  const Subject subject{plant, classes, overruled};
+  std::vector<WrittenCondition> conditions;
+  const Subject subject{plant, evidence, classes, overruled, conditions};
+  conditions = conditions_of(subject);
   for (const Rule* rule : kRules) {
     if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);
   }

@@ -48,9 +48,13 @@ bool has_description(const model::PlantModel& plant) {
          !plant.description->requirements.empty();
 }
 
-bool is_described(const model::PlantModel& plant) {
-  const description::Description& description = *plant.description;
-  return plant.description_faults.empty() && (!description.devices.empty() || !description.requirements.empty());
+bool is_described(const Subject& subject) {
+  const description::Description& description = *subject.plant.description;
+  return subject.evidence.faults.empty() && (!description.devices.empty() || !description.requirements.empty());
+}
+
+const model::UnitEvidence& evidence_of(const Subject& subject, const model::Unit& unit) {
+  return subject.evidence.units[static_cast<std::size_t>(&unit - subject.plant.units.data())];
 }
 
 const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location) {

@@ -7,18 +7,22 @@
 
 #include "description/faults.hpp"
 #include "diag/diagnostic.hpp"
+#include "model/evidence.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::check {
 
 class DeviceClasses;
 class OverruledNames;
+struct WrittenCondition;
 
 /// What rules look at: the plant, and what several of them need to know of it, made once.
 struct Subject {
   const model::PlantModel& plant;
+  const model::Evidence& evidence;
   const DeviceClasses& classes;
   const OverruledNames& overruled;
+  const std::vector<WrittenCondition>& conditions;  ///< of the description
 };
 
 struct Rule {
@@ -48,7 +52,9 @@ description::Pointer transition_pointer(const model::Unit& unit, const model::Tr
 /// Whether the plant has a description at all.
 bool has_description(const model::PlantModel& plant);
 /// Whether it says something of devices or has requirements, and is without faults, so that it can be looked at.
-bool is_described(const model::PlantModel& plant);
+bool is_described(const Subject& subject);
+/// What the derivation noticed about a unit of the plant.
+const model::UnitEvidence& evidence_of(const Subject& subject, const model::Unit& unit);
 /// The symbol at a place of a unit's operations or events.
 const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
 const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);

@@ -82,15 +82,16 @@ bool OverruledNames::has(const model::Unit& unit, const model::State& state, nam
   return !names_.empty() && names_.count(task_key(unit.path, state.name, direction == name::Direction::operation)) != 0;
 }
 
-Unled unled(const model::Unit& unit, std::uint32_t state, const OverruledNames& overruled) {
+Unled unled(const Subject& subject, const model::Unit& unit, std::uint32_t state) {
   const model::State& of = unit.states[state];
   if (unit.operations.empty() || of.event == model::kNone || of.operation != model::kNone) return Unled::no;
   if (unit.reaches(state) || switched_by_outputs(unit, of.event)) return Unled::no;
   // Its description says the ways, and the list is not to blame.
   if (unit.described != nullptr && unit.described->only) return Unled::no;
-  if (unit.two_words) return Unled::two_words;
-  if (overruled.has(unit, of, name::Direction::operation)) return Unled::overruled;
-  const auto& ambiguous = unit.ambiguous_sequence;
+  const model::UnitEvidence& evidence = evidence_of(subject, unit);
+  if (evidence.two_words) return Unled::two_words;
+  if (subject.overruled.has(unit, of, name::Direction::operation)) return Unled::overruled;
+  const auto& ambiguous = evidence.ambiguous_sequence;
   if (std::find(ambiguous.begin(), ambiguous.end(), state) != ambiguous.end()) return Unled::ambiguous;
   return Unled::no_operation;
 }

@@ -33,6 +33,7 @@ extern const Rule kRadixDisagrees;             // SP314
 extern const Rule kAddressesContradict;        // SP315
 extern const Rule kSymbolsOverlap;             // SP316
 extern const Rule kAddressWithoutNumber;       // SP317
+extern const Rule kNoIo;                       // SP318
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -47,6 +48,7 @@ extern const Rule kSequenceGap;                // SP411
 extern const Rule kSequenceRepeated;           // SP412
 extern const Rule kOneTaskAlone;               // SP413
 extern const Rule kShapeLacksSymbol;           // SP414
+extern const Rule kNoDevice;                   // SP415
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
@@ -65,9 +67,10 @@ extern const Rule kIgnoreIsOver;          // SP621
 extern const Rule kUnknownRule;           // SP622
 extern const Rule kBindingRule;           // SP623
 extern const Rule kDateNotUnderstood;     // SP624
+extern const Rule kRuleRenamed;           // SP625
 
 /// In the order of their ids.
-inline constexpr std::array<const Rule*, 52> kRules{
+inline constexpr std::array kRules{
     &kWrongNumberOfLevels,
     &kEmptyLevel,
     &kDirectionNotIo,
@@ -90,6 +93,7 @@ inline constexpr std::array<const Rule*, 52> kRules{
     &kAddressesContradict,
     &kSymbolsOverlap,
     &kAddressWithoutNumber,
+    &kNoIo,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,
@@ -104,6 +108,7 @@ inline constexpr std::array<const Rule*, 52> kRules{
     &kSequenceRepeated,
     &kOneTaskAlone,
     &kShapeLacksSymbol,
+    &kNoDevice,
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,
@@ -120,6 +125,7 @@ inline constexpr std::array<const Rule*, 52> kRules{
     &kUnknownRule,
     &kBindingRule,
     &kDateNotUnderstood,
+    &kRuleRenamed,
 };
 
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
@@ -159,6 +165,6 @@ enum class Unled : std::uint8_t {
   ambiguous,     ///< SP409
   no_operation,  ///< SP402
 };
-Unled unled(const model::Unit& unit, std::uint32_t state, const OverruledNames& overruled);
+Unled unled(const Subject& subject, const model::Unit& unit, std::uint32_t state);
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-# symplant_cpp_literals(VARIABLE FILE): the file's text as string literals; several, since compilers bound the length of one.
+# symplant_cpp_literals(VARIABLE FILE): the file's text as string literals; several, since compilers limit their length.
 function(symplant_cpp_literals VARIABLE FILE)
   file(READ ${FILE} text)
   string(LENGTH "${text}" length)

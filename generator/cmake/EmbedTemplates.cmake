@@ -1,4 +1,4 @@
-# Writes the templates into a C++ file, so that the tool needs no files beside it.
+# Writes the templates into a C++ file, so that the tool needs no other files at run time.
 # -DNAMES=a|b -DFOLDER=... -DOUTPUT=...
 include(${CMAKE_CURRENT_LIST_DIR}/CppLiterals.cmake)
 string(REPLACE "|" ";" NAMES "${NAMES}")

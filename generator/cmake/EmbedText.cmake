@@ -1,4 +1,4 @@
-# Writes a text into a C++ file, so that no file is needed beside the program.
+# Writes a text into a C++ file, so that the program needs no other file at run time.
 # -DNAMESPACE=a::b -DNAME=x -DINPUT=... -DOUTPUT=...
 include(${CMAKE_CURRENT_LIST_DIR}/CppLiterals.cmake)
 symplant_cpp_literals(literals ${INPUT})

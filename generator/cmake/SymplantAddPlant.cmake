@@ -1,19 +1,19 @@
 # symplant_add_plant(TARGET PLANT plant.json [BEHAVIOURS folder] [LINK_DEFAULT url] [TEMPLATES folder])
 #
-# Generates the plant of a description, or of a bare symbol list, and makes two targets of it:
+# Generates the plant of a description, or of a symbol list, and makes two targets of it:
 #   TARGET         an executable that takes the options of `symplant run`
 #   TARGET_plant   a library with one factory function: #include "TARGET/plant_gen.hpp", then <namespace>::make_plant()
-# BEHAVIOURS is the folder of your own classes for devices (NAME_behavior.hpp): they are compiled in, and what is missing
-# of them is written there, once. Without it the model's own rules serve all devices. LINK_DEFAULT is the link of a start
-# without --link. The code is generated again when the description, its lists, the templates or the tool change; a build
+# BEHAVIOURS is the folder of your custom classes for devices (NAME_behavior.hpp): they are compiled in, and missing
+# ones are written there, once. Without it all devices follow the model. LINK_DEFAULT is the link of a start without
+# --link. The code is generated again when the description, its lists, the templates or the tool change; a build
 # without such a change does nothing.
 function(symplant_add_plant TARGET)
   cmake_parse_arguments(ARG "" "PLANT;BEHAVIOURS;LINK_DEFAULT;TEMPLATES" "" ${ARGN})
   if(NOT ARG_PLANT)
-    message(FATAL_ERROR "symplant_add_plant(${TARGET}): say PLANT and a plant.json or a symbol list")
+    message(FATAL_ERROR "symplant_add_plant(${TARGET}): PLANT is missing; give a plant.json or a symbol list")
   endif()
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "symplant_add_plant(${TARGET}): `${ARG_UNPARSED_ARGUMENTS}` is not understood")
+    message(FATAL_ERROR "symplant_add_plant(${TARGET}): unknown arguments `${ARG_UNPARSED_ARGUMENTS}`")
   endif()
   get_filename_component(plant "${ARG_PLANT}" ABSOLUTE)
   set(include_dir "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.plant")

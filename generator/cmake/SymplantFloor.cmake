@@ -1,13 +1,13 @@
-# One floor of the house: a static library of one folder that links only the floors below it.
+# A floor of the architecture: a static library of one folder that links only the floors below it.
 
-# Warnings, the language level and sanitizers, alike for every target of the project itself.
+# Warnings, language level and sanitizers, the same for every target of the project.
 add_library(symplant_options INTERFACE)
 target_compile_features(symplant_options INTERFACE cxx_std_20)
 if(NOT MSVC)
   target_compile_options(
     symplant_options
     INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
-              # g++ 12 sees overlaps in std::string's operator+ that are none (GCC bug 105651).
+              # g++ 12 falsely reports overlaps in std::string's operator+ (GCC bug 105651).
               $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
               $<$<BOOL:${SYMPLANT_WERROR}>:-Werror>)
 endif()
@@ -29,14 +29,14 @@ function(symplant_floor NAME)
   list(TRANSFORM ARG_FLOORS PREPEND symplant_)
   target_link_libraries(symplant_${NAME} PUBLIC ${ARG_FLOORS} PRIVATE $<BUILD_INTERFACE:symplant_options>
                                                                       ${ARG_LIBRARIES})
-  if(SYMPLANT_FUZZ)  # what libFuzzer is guided by; main() stays the program's own
+  if(SYMPLANT_FUZZ)  # coverage for libFuzzer; main() stays that of the program
     target_compile_options(symplant_${NAME} PRIVATE -fsanitize=fuzzer-no-link)
     target_link_options(symplant_${NAME} INTERFACE $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link>)
   endif()
 endfunction()
 
 # symplant_embed_text(TARGET NAMESPACE NAME FILE)
-# Gives a floor the function `std::string_view NAMESPACE::NAME()` with a file's text; who calls it declares it.
+# Gives a floor the function `std::string_view NAMESPACE::NAME()` with the text of a file; callers declare it.
 set(SYMPLANT_EMBED_TEXT ${CMAKE_CURRENT_LIST_DIR}/EmbedText.cmake)
 function(symplant_embed_text TARGET NAMESPACE NAME FILE)
   get_filename_component(input ${FILE} ABSOLUTE)

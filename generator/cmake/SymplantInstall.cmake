@@ -1,4 +1,4 @@
-# Installs the tool, the runtime and the package that finds both.
+# Installs the tool, the runtime and the CMake package for both.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/symplant)
@@ -21,7 +21,7 @@ foreach(floor tables engine plant condition json share exec link trace scenario 
     PATTERN "*.hpp")
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
-install(FILES ${PROJECT_SOURCE_DIR}/generator/model/plant.schema.json
+install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
               ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json
               ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

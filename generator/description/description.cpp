@@ -1,4 +1,4 @@
-// The keys of a device's entry.
+// Names of the keys of a device's entry.
 #include "description/description.hpp"
 
 namespace symplant::description {

@@ -1,6 +1,6 @@
-// What the user says of a plant beyond its symbols' names: the plant description as a value.
+// The plant description as a value: what the user states about a plant beyond the names of its symbols.
 //
-// All names are texts as the user wrote them; build_plant looks them up without regard to the case of ASCII letters.
+// All names are texts as the user wrote them; the derivation of the plant resolves them without regard to ASCII case.
 #pragma once
 
 #include <array>
@@ -19,15 +19,15 @@
 
 namespace symplant::description {
 
-/// As plant.json has it: `latched`, `bistable`, `held`, `spring`.
+/// The word in plant.json: `latched`, `bistable`, `held`, `spring`.
 std::string_view actuation_name(tables::Actuation actuation);
 
-/// A fixed time, or one drawn anew each time.
+/// A fixed time, or a random one that is drawn at each use.
 struct Duration {
   enum class Kind : std::uint8_t { fixed, uniform, normal };
   Kind kind = Kind::fixed;
   tables::Time a = 0;  ///< the time; the minimum; the mean: ns, >= 0
-  tables::Time b = 0;  ///< without meaning; the maximum, >= a; the standard deviation, >= 0
+  tables::Time b = 0;  ///< unused; the maximum, >= a; the standard deviation, >= 0
 
   static Duration fixed(tables::Time time) { return {Kind::fixed, time, 0}; }
   bool is_zero() const { return kind == Kind::fixed && a == 0; }
@@ -37,7 +37,7 @@ struct Duration {
 struct GivenTransition {
   std::string from;  ///< a state, or "*": every one other than `to`
   std::string to;
-  std::string on;    ///< the task of an operation; empty: `to`'s own, unless `automatic`
+  std::string on;    ///< the task of an operation; empty: that of `to`, unless `automatic`
   std::string when;  ///< a condition; empty: none
   bool automatic = false;
   bool once = false;
@@ -45,7 +45,7 @@ struct GivenTransition {
   std::optional<Duration> takes;
 };
 
-/// l_enter and l_leave of a state beyond its own event: further own events, by task, in this order.
+/// l_enter and l_leave of a state besides its event: further events of the device, by task, in this order.
 struct GivenOutputs {
   std::string state;
   std::vector<std::pair<std::string, bool>> enter;
@@ -57,7 +57,7 @@ struct GivenDisables {
   std::vector<std::string> devices;  ///< names, or patterns
 };
 
-/// What may be said of a device, key by key.
+/// The keys of a device's entry.
 enum class DeviceKey : std::uint8_t {
   states,
   initial,
@@ -72,11 +72,11 @@ enum class DeviceKey : std::uint8_t {
   inputs,
 };
 inline constexpr std::size_t kDeviceKeys = 11;
-/// As plant.json has it.
+/// The name of the key in plant.json.
 std::string_view device_key_name(DeviceKey key);
 
-/// What is said of a device, or of all whose path matches a pattern. build_plant joins all that is said of one device
-/// to one of these, key by key (describe.hpp).
+/// The description of a device, or of all devices whose path matches a pattern. The derivation of the plant joins all
+/// descriptions of one device into one, key by key.
 struct DeviceDescription {
   std::string path;  ///< LINE_PROC_DEV, or a pattern of it with `*` and `?`
   std::vector<std::string> states;
@@ -87,30 +87,30 @@ struct DeviceDescription {
   std::vector<GivenTransition> transitions;
   std::vector<GivenOutputs> outputs;
   std::vector<GivenDisables> disables;
-  std::string type;                                         ///< the generated class's name; empty: by the device level
-  std::string behaviour;                                    ///< the user's class; empty: none
+  std::string type;                                         ///< the generated class; empty: named by the device level
+  std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
 
-  /// Keys that are given though they hold no more than the default (`"only": false`, an empty array).
+  /// Keys that are given, even with the default value (`"only": false`, an empty array).
   std::bitset<kDeviceKeys> given;
-  /// Of a pattern: each key's value as JSON text, by DeviceKey. Two patterns that are equally specific must agree in
-  /// it.
+  /// For a pattern: the value of each key as JSON text, by DeviceKey. Two equally specific patterns must agree in it.
   std::vector<std::string> texts;
-  /// Of one that was joined: which entry of the description each key is of; null: this very one.
+  /// For a joined description: the entry that gives each key; null: this one.
   std::array<const DeviceDescription*, kDeviceKeys> from{};
 
   bool is_pattern() const { return path.find_first_of("*?") != std::string::npos; }
   bool gives(DeviceKey key) const;
-  /// Takes a key over from another entry, which must outlive this one.
+  /// Copies a key from another entry, which must outlive this one.
   void take(DeviceKey key, const DeviceDescription& other);
-  /// The entry that a key is of.
+  /// The entry that gives a key.
   const DeviceDescription& entry_of(DeviceKey key) const {
     const DeviceDescription* entry = from[static_cast<std::size_t>(key)];
     return entry == nullptr ? *this : *entry;
   }
 };
 
-/// `never` a condition, or `after` one `expect` another `within` a time: either `never` or the other two are given.
+/// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold. Either `never`
+/// or the other two conditions are given.
 struct GivenRequirement {
   std::string name;
   std::string never;
@@ -125,13 +125,13 @@ struct Defaults {
   tables::Actuation actuation = tables::Actuation::latched;
 };
 
-/// What `symplant check` is told, as texts: rules by id or slug.
+/// Settings of `symplant check`, as texts: rules by id or slug.
 struct GivenCheck {
   struct Ignore {
     std::string rule;
     std::string symbols;  ///< a pattern; empty: all
     std::string why;
-    std::string until;  ///< a date; empty: for ever
+    std::string until;  ///< a date; empty: without end
   };
   std::vector<Ignore> ignore;
   std::vector<std::pair<std::string, std::string>> severity;  ///< rule, severity
@@ -145,26 +145,26 @@ struct Description {
   GivenCheck check;
 };
 
-/// What kind of fault it is; each has a rule (description_rules.hpp).
+/// The kind of a fault; each has a rule (description_rules.hpp).
 enum class FaultKind : std::uint8_t {
-  contradiction,    ///< what is said cannot be, or contradicts itself or the list
-  shape,            ///< it does not fit the format
-  unknown_name,     ///< there is no device, state, operation, event or symbol of that name
+  contradiction,    ///< the description contradicts itself or the list
+  shape,            ///< the file does not fit the format
+  unknown_name,     ///< device, state, operation, event or symbol not found
   patterns,         ///< two equally specific patterns disagree
-  matches_nothing,  ///< a pattern fits no device: a warning
-  left_out,         ///< some devices that a pattern fits lack what it names: a warning
-  condition,        ///< a text is no condition of this plant
+  matches_nothing,  ///< a pattern matches no device: a warning
+  left_out,         ///< some devices that a pattern matches lack the name: a warning
+  condition,        ///< a text is not a condition of this plant
 };
 
-/// What is wrong with a description: where, as a JSON pointer into plant.json ("/devices/L_P_D/transitions/2/from"),
-/// and in words. `column` is the place within a condition's text, in bytes from 0; 0 elsewhere.
+/// A fault of a description: a JSON pointer into plant.json ("/devices/L_P_D/transitions/2/from") and a message.
+/// `column` is the offset within the text of a condition, in bytes from 0; else 0.
 struct DescriptionFault {
   std::string pointer;
   std::string message;
   std::size_t column = 0;
   FaultKind kind = FaultKind::contradiction;
-  bool at_key = false;       ///< the value's key is at fault
-  std::string related = {};  ///< a second place, as a pointer; empty: none
+  bool at_key = false;       ///< the key of the value is at fault
+  std::string related = {};  ///< a second location, as a pointer; empty: none
   std::string related_message = {};
 };
 

@@ -1,4 +1,4 @@
-// The rules of plant.json, and its faults as findings.
+// The rules of plant.json, and reporting its faults as findings.
 #include "description/description_rules.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// The rules of plant.json, and its faults as findings.
+// The rules of plant.json, and reporting its faults as findings.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@ namespace symplant::description {
 /// By id.
 std::span<const diag::RuleInfo* const> rules();
 
-/// The file holds nothing.
+/// Adds the finding that the file is empty.
 void add_empty_file(const std::string& path, diag::Diagnostics& diagnostics);
 
-/// Why the text is no JSON.
+/// Adds the faults of the JSON syntax.
 void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const json::Placed> faults,
                   diag::Diagnostics& diagnostics);
 
-/// Faults and warnings at their places in the file. One pass over its text for all of them.
+/// Adds faults and warnings at their locations in the file. One pass over its text for all of them.
 void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const DescriptionFault> faults,
                   diag::Diagnostics& diagnostics);
 

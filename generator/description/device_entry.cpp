@@ -1,4 +1,4 @@
-// One entry of `devices`, as plant.json has it.
+// Reads one entry of `devices` in plant.json.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -113,7 +113,7 @@ class DeviceReader {
                          return is_letter(c) || (c >= '0' && c <= '9');
                        });
     if (sound) return *name;
-    faults_.add(here_ / key, ticked(*name) + " is no name of a C++ class, use letters, digits and `_`");
+    faults_.add(here_ / key, ticked(*name) + " is not a valid C++ class name; use letters, digits and `_`");
     return {};
   }
 

@@ -1,4 +1,4 @@
-// Words and places of a description's faults.
+// Messages and locations of a description's faults.
 #include "description/faults.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace symplant::description {
 std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string missing(const std::string& what, std::string_view nearest) {
-  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + ticked(nearest));
+  return what + " not found" + (nearest.empty() ? "" : "; did you mean " + ticked(nearest) + "?");
 }
 
 std::string_view named_text(Named what) {
@@ -52,7 +52,7 @@ void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::si
     const auto [reported, added] = reported_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
     if (!added) {
       std::string& first = faults_[reported->second].message;
-      const std::string others = "; so it is with other devices that " + ticked(at.pattern()->path) + " matches";
+      const std::string others = " (also for other devices that " + ticked(at.pattern()->path) + " matches)";
       if (!first.ends_with(others)) first += others;
       return;
     }
@@ -74,10 +74,10 @@ void Faults::report_lacks(const SomeHave& some_have) {
     const std::size_t takers = takers_[lack.pattern][static_cast<std::size_t>(lack.key)];
     if (lack.count == takers && !some_have(lack.pattern->path, at.second, lack.name)) {
       const std::size_t others = lack.count - 1;
-      if (others == 1) lack.message += "; the other device that takes it from " + pattern + " lacks it too";
+      if (others == 1) lack.message += " (the other device that takes it from " + pattern + " lacks it too)";
       if (others > 1) {
         lack.message +=
-            "; the other " + std::to_string(others) + " devices that take it from " + pattern + " lack it too";
+            " (the other " + std::to_string(others) + " devices that take it from " + pattern + " lack it too)";
       }
       add(DescriptionFault{at.first, std::move(lack.message), 0, FaultKind::unknown_name});
       continue;
@@ -90,7 +90,7 @@ void Faults::report_lacks(const SomeHave& some_have) {
     std::string words = std::to_string(lack.count);
     words.append(" of the ").append(std::to_string(takers)).append(" devices that take it from ").append(pattern);
     words.append(lack.count == 1 ? " has no " : " have no ").append(named_text(at.second)).append(" ");
-    words.append(ticked(lack.name)).append(", it is left out for ").append(paths);
+    words.append(ticked(lack.name)).append("; it is left out for ").append(paths);
     warnings_.push_back({at.first, std::move(words), 0, FaultKind::left_out});
   }
   lacks_.clear();

@@ -1,4 +1,4 @@
-// Faults of a description, as they are found.
+// Collects the faults of a description.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace symplant::description {
 /// Text in back-ticks, for a message.
 std::string ticked(std::string_view text);
 
-/// "there is no state `X` of `Y`, the nearest is `Z`", from "state `X` of `Y`"; `nearest` may be empty.
+/// "state `X` of `Y` not found; did you mean `Z`?", from "state `X` of `Y`"; `nearest` may be empty.
 std::string missing(const std::string& what, std::string_view nearest);
 
-/// A JSON pointer, grown key by key.
+/// A JSON pointer, extended key by key.
 class Pointer {
  public:
   explicit Pointer(std::string text) : text_(std::move(text)) {}
@@ -29,7 +29,7 @@ class Pointer {
   Pointer operator/(std::size_t index) const;
   const std::string& text() const { return text_; }
 
-  /// The pattern whose entry it leads into, and which of its keys; null: none.
+  /// The pattern whose entry it points into; null if it points into none.
   const DeviceDescription* pattern() const { return pattern_; }
   DeviceKey key() const { return key_; }
 
@@ -41,17 +41,17 @@ class Pointer {
   DeviceKey key_{};
 };
 
-/// "/devices/L_P_D"; of a joined one the most specific of its entries.
+/// "/devices/L_P_D"; for a joined description its most specific entry.
 Pointer device_pointer(const DeviceDescription& device);
-/// "/devices/L_P_*/transitions": of the entry that the key is of.
+/// "/devices/L_P_*/transitions": in the entry that gives the key.
 Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
 
-/// What a name in the entry of a device names.
+/// The kind of thing that a name in the entry of a device refers to.
 enum class Named : std::uint8_t { state, operation, event };
 std::string_view named_text(Named what);
 
-/// Collects faults. What stands under a pattern is met once a device: it is told once, and what only some of the
-/// devices lack is a warning.
+/// Collects faults. An entry under a pattern is resolved for each matching device, but its fault is reported once. A
+/// name that only some of the devices lack is a warning.
 class Faults {
  public:
   Faults(std::vector<DescriptionFault>& faults, std::vector<DescriptionFault>& warnings)
@@ -63,10 +63,10 @@ class Faults {
     warnings_.push_back({at.text(), std::move(message), 0, kind});
   }
 
-  /// A device is described so: what its patterns' entries name can be lacked.
+  /// Counts a device for each pattern entry that it takes a key from.
   void describes(const DeviceDescription& described);
-  /// The device of that path lacks what is named at `at`; what names it is left out. Under an exact name that is a
-  /// fault, told by `message()`.
+  /// Records that the device of that path lacks the name at `at`, which is left out for it. Under an exact device name
+  /// this is a fault with the text of `message()`.
   template <class Message>
   void lacks(const Pointer& at, std::string_view path, Named what, std::string_view name, Message&& message) {
     if (at.pattern() == nullptr) {
@@ -82,13 +82,13 @@ class Faults {
     }
     if (lack.paths.size() < kMostNamed) lack.paths.push_back(path);
   }
-  /// Whether any device that matches a pattern has what is named.
+  /// Whether any device that matches a pattern has the name.
   using SomeHave = std::function<bool(std::string_view pattern, Named what, std::string_view name)>;
-  /// Reports what devices lack; called once all of them have been described.
+  /// Reports the names that devices lack. Call once, after all devices have been described.
   void report_lacks(const SomeHave& some_have);
 
-  /// The nearest of `count` names, `name_at(i)` each. A plant may have a hundred thousand, a description as many slips:
-  /// after some millions of comparisons there is no nearest one any more.
+  /// The nearest of `count` names, each given by `name_at(i)`. Returns an empty name after some millions of
+  /// comparisons: a plant may have a hundred thousand names, and a description as many slips.
   template <class NameAt>
   std::string_view nearest(std::string_view wanted, std::size_t count, NameAt&& name_at) const {
     if (count > comparisons_left_) return {};
@@ -101,7 +101,7 @@ class Faults {
  private:
   static constexpr std::size_t kMostNamed = 3;
 
-  /// Something that stands under a pattern and is lacked.
+  /// A name under a pattern that devices lack.
   struct Lack {
     const DeviceDescription* pattern = nullptr;
     DeviceKey key{};
@@ -113,8 +113,8 @@ class Faults {
 
   std::vector<DescriptionFault>& faults_;
   std::vector<DescriptionFault>& warnings_;
-  std::unordered_map<std::string, std::size_t> reported_;  ///< under a pattern: place -> where in faults_, from 0
-  /// How many devices take each key from a pattern's entry.
+  std::unordered_map<std::string, std::size_t> reported_;  ///< under a pattern: location -> index in faults_
+  /// The number of devices that take each key from a pattern's entry.
   std::unordered_map<const DeviceDescription*, std::array<std::size_t, kDeviceKeys>> takers_;
   std::map<std::pair<std::string, Named>, Lack> lacks_;
   mutable std::size_t comparisons_left_ = 4'000'000;

@@ -1,4 +1,4 @@
-// Addresses of hosts in the form that the system tells them.
+// Addresses of hosts in canonical form.
 #include "description/ip_address.hpp"
 
 #include <boost/asio/ip/address.hpp>

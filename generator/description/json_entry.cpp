@@ -1,4 +1,4 @@
-// Members of objects, and durations.
+// Reads members of objects, and durations.
 #include "description/json_entry.hpp"
 
 #include <algorithm>
@@ -13,20 +13,20 @@ namespace {
 using Json = nlohmann::json;
 
 std::string why_no_duration(const std::string& text) {
-  // Without its fraction it is one: so it is the fraction.
+  // It is a duration without its fraction, so the fraction is at fault.
   const std::size_t point = text.find('.');
   if (point != std::string::npos) {
     const std::size_t unit = text.find_first_not_of("0123456789", point + 1);
     if (unit != std::string::npos && unit > point + 1 &&
         tables::parse_duration(text.substr(0, point) + text.substr(unit))) {
-      return ticked(text) + " has a part below 1 ns, give it fewer decimals";
+      return ticked(text) + " has a part below 1 ns; give it fewer decimals";
     }
   }
   const std::size_t unit = text.find_first_not_of("0123456789");
   if (unit != std::string::npos && unit > 0 && tables::parse_duration("1" + text.substr(unit))) {
-    return ticked(text) + " is longer than the 292 years that a plant lives, write less";
+    return ticked(text) + " is longer than the maximum of 292 years; write a shorter duration";
   }
-  return ticked(text) + " is no duration, write a number and ns, us, ms, s, min or h, such as `500ms`";
+  return ticked(text) + " is not a duration; write a number and ns, us, ms, s, min or h, such as `500ms`";
 }
 
 std::optional<tables::Time> time_of(const std::string& text, const Pointer& here, ShapeFaults& faults) {
@@ -63,7 +63,7 @@ void check_text(std::string_view text, const Pointer& here, ShapeFaults& faults)
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7F;
   });
-  if (control) faults.add(here, "a control character stands in this name, such as a line's end, leave it out");
+  if (control) faults.add(here, "this name contains a control character, such as a line end; remove it");
 }
 
 std::optional<tables::Time> time_member(const Json& object, std::string_view key, const Pointer& here,
@@ -86,7 +86,7 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   const auto max = time_member(*value, "max", inside, faults);
   if (min && max) {
     if (*min <= *max) return Duration{Duration::Kind::uniform, *min, *max};
-    faults.add(inside / "max", ticked(text_or_empty(*value, "max")) + " is less than `min`, exchange the two",
+    faults.add(inside / "max", ticked(text_or_empty(*value, "max")) + " is less than `min`; exchange the two",
                FaultKind::contradiction);
     return std::nullopt;
   }

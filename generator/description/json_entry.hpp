@@ -1,4 +1,4 @@
-// Reading values of a plant.json whose shape the schema has looked at: what has the wrong type counts as not there.
+// Reads values of a plant.json that the schema has checked: a value of the wrong type counts as missing.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,15 +12,15 @@
 
 namespace symplant::description {
 
-/// The member of an object; null where there is none, or `object` is none.
+/// The member of an object; null if it is missing or `object` is not an object.
 const nlohmann::json* member(const nlohmann::json& object, std::string_view key);
-/// A member that is a text; null where it is none.
+/// A member that is a text; null if it is missing or not a text.
 const std::string* text_member(const nlohmann::json& object, std::string_view key);
-/// A member that is a text, empty where it is none.
+/// A member that is a text; empty if it is missing or not a text.
 std::string text_or_empty(const nlohmann::json& object, std::string_view key);
 bool flag_member(const nlohmann::json& object, std::string_view key);
 
-/// Faults of shape.
+/// Collects faults of shape.
 class ShapeFaults {
  public:
   explicit ShapeFaults(std::vector<DescriptionFault>& faults) : faults_(faults) {}
@@ -32,13 +32,13 @@ class ShapeFaults {
   std::vector<DescriptionFault>& faults_;
 };
 
-/// Refuses control characters, which a name that is shown and written to files must not hold.
+/// Rejects control characters: a name is shown and written to files.
 void check_text(std::string_view text, const Pointer& here, ShapeFaults& faults);
 
-/// A duration member; nothing where there is none, or it is none and the fault has been told.
+/// A duration member; nothing if it is missing or invalid. An invalid duration is reported.
 std::optional<tables::Time> time_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);
-/// Likewise one that may be drawn: {"min","max"} or {"mean","sigma"}.
+/// The same for a duration that may be random: {"min","max"} or {"mean","sigma"}.
 std::optional<Duration> duration_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);
 std::optional<tables::Actuation> actuation_member(const nlohmann::json& object);

@@ -1,4 +1,4 @@
-// One entry of `links`, as plant.json has it.
+// Reads one entry of `links` in plant.json.
 #include <nlohmann/json.hpp>
 
 #include "description/ip_address.hpp"
@@ -64,15 +64,15 @@ class LinkReader {
     if (idle && *idle != 0 && *idle < tables::kSecond) {
       faults_.add(
           here_ / "idle",
-          "the time is shorter than a second, a connection would be closed between two requests: write `0s` for "
-          "never, or a longer one, such as `60s`");
+          "the time is shorter than 1 s, so a connection would be closed between two requests; write `0s` for "
+          "never, or a longer time such as `60s`");
     }
     return idle.value_or(link::LinkSettings{}.idle);
   }
 
   tables::Time time_above_zero(const Json& object, std::string_view key, const Pointer& here, tables::Time otherwise) {
     const auto time = time_member(object, key, here, faults_);
-    if (time && *time == 0) faults_.add(here / key, "the time is 0, write a longer one, such as `500ms`");
+    if (time && *time == 0) faults_.add(here / key, "the time is 0; write a longer one, such as `500ms`");
     return time.value_or(otherwise);
   }
 
@@ -108,7 +108,7 @@ class LinkReader {
       if (!address) {
         faults_.add(
             here_ / "keep" / i,
-            ticked(text) + " is no numeric address of one host, write one such as `192.168.1.10` or `fd00::10`");
+            ticked(text) + " is not the numeric address of a host; write one such as `192.168.1.10` or `fd00::10`");
       }
       link_.keep.push_back(address.value_or(text));
     }
@@ -126,13 +126,13 @@ class LinkReader {
     if (value.is_object() && speaks_of != 1) {
       faults_.add(here,
                   speaks_of == 0
-                      ? "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`"
-                      : "this entry has several of `area`, `range` and `symbol`: make an entry of each");
+                      ? "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`"
+                      : "this entry has more than one of `area`, `range` and `symbol`; write an entry for each");
     }
     const bool says = member(value, "number") != nullptr || member(value, "word-order") != nullptr ||
                       member(value, "on-loss") != nullptr;
     if (speaks_of == 1 && !says) {
-      faults_.add(here, "this entry says nothing of its symbols: give it a `number`, a `word-order` or `on-loss`");
+      faults_.add(here, "this entry sets nothing for its symbols; give it a `number`, a `word-order` or `on-loss`");
     }
     MapEntry entry;
     if (const std::string* area = text_member(value, "area"); area != nullptr) {

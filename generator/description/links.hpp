@@ -1,4 +1,4 @@
-// What a description says of links to PLCs.
+// The links to PLCs in a description.
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace symplant::description {
 
-/// An entry of a link's `map`: of whose symbols it speaks, and what it says of them.
+/// An entry of a link's `map`: the symbols it applies to, and the settings for them.
 struct MapEntry {
   enum class By : std::uint8_t { area, range, symbol };
   By by = By::symbol;
   std::string text;                     ///< an area; the range's first address; a symbol's name or a pattern
   std::string last = {};                ///< the range's last address
-  std::optional<std::uint32_t> number;  ///< of the symbol; of the first address of the range; of the area's address 0
+  std::optional<std::uint32_t> number;  ///< of the symbol, the first address of the range or address 0 of the area
   std::optional<link::WordOrder> word_order = {};
   std::optional<link::OnLoss> on_loss = {};
 };
 
-/// A link of the plant. It is opened where the command line names none; what it says of the map and of its loss holds
-/// for its controller whichever URL links it.
+/// A link of the plant. It is opened if the command line names no link. Its map and its settings for a loss hold for
+/// its controller with every URL.
 struct LinkDescription {
   std::string url;
-  std::string controller = {};       ///< whose symbols it carries; empty where none is named
-  link::LinkSettings settings = {};  ///< without `places`, `keep` and word order, which follow
+  std::string controller = {};       ///< the controller whose symbols it carries; empty if not named
+  link::LinkSettings settings = {};  ///< without map rows, `keep` and word order, which follow
   std::vector<std::string> keep = {};
   std::optional<link::WordOrder> word_order = {};
   std::vector<MapEntry> map = {};
-  bool has_settings = false;  ///< it says more than URL and controller
+  bool has_settings = false;  ///< it has keys besides URL and controller
 };
 
-/// Whether a controller may have this name: it is not empty, and `--link NAME=URL` can say it: no `=`, `:` or control
+/// Whether a controller may have this name. It is not empty and fits `--link NAME=URL`: no `=`, `:` or control
 /// character, no blank at an end.
 bool is_controller_name(std::string_view name);
 

@@ -1,4 +1,4 @@
-// Reading plant.json.
+// Reads and checks a plant.json.
 #include "description/plant_file.hpp"
 
 #include <algorithm>
@@ -16,27 +16,27 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What tells another kind of JSON file by one of its keys.
+/// Another kind of JSON file, recognized by one of its keys.
 struct OtherFile {
   std::string_view key;
   std::string_view words;
 };
 constexpr std::array kOtherFiles{
-    OtherFile{"symplant-scenario", "this is a scenario, give it to `symplant run PLANT --scenario`"},
-    OtherFile{"symplant-trace", "this is a trace that a run has written, no plant"},
-    OtherFile{"symplant-diagnostics", "this is what `symplant check --format json` has written, no plant"},
-    OtherFile{"symplant-model", "this is what `symplant model --format json` has written, no plant"},
-    OtherFile{"symplant-naming", "this is a naming rule, no plant"},
-    OtherFile{"$id", "this looks like a JSON Schema, no plant"},
-    OtherFile{"definitions", "this looks like a JSON Schema, no plant"},
-    OtherFile{"dependencies", "this looks like the package.json of a JavaScript package, no plant"},
-    OtherFile{"devDependencies", "this looks like the package.json of a JavaScript package, no plant"},
-    OtherFile{"scripts", "this looks like the package.json of a JavaScript package, no plant"},
-    OtherFile{"compilerOptions", "this looks like the tsconfig.json of TypeScript, no plant"},
-    OtherFile{"configurePresets", "this looks like the CMakePresets.json of CMake, no plant"},
+    OtherFile{"symplant-scenario", "this is a scenario; give it to `symplant run PLANT --scenario`"},
+    OtherFile{"symplant-trace", "this is a trace of a run, not a plant description"},
+    OtherFile{"symplant-diagnostics", "this is output of `symplant check --format json`, not a plant description"},
+    OtherFile{"symplant-model", "this is output of `symplant model --format json`, not a plant description"},
+    OtherFile{"symplant-naming", "this is a naming rule, not a plant description"},
+    OtherFile{"$id", "this looks like a JSON Schema, not a plant description"},
+    OtherFile{"definitions", "this looks like a JSON Schema, not a plant description"},
+    OtherFile{"dependencies", "this looks like the package.json of a JavaScript package, not a plant description"},
+    OtherFile{"devDependencies", "this looks like the package.json of a JavaScript package, not a plant description"},
+    OtherFile{"scripts", "this looks like the package.json of a JavaScript package, not a plant description"},
+    OtherFile{"compilerOptions", "this looks like the tsconfig.json of TypeScript, not a plant description"},
+    OtherFile{"configurePresets", "this looks like the CMakePresets.json of CMake, not a plant description"},
 };
 
-/// Why a value is no plant description of this version at all; empty where it may be one.
+/// Why a value is not a plant description of this version; nothing if it may be one.
 std::optional<DescriptionFault> why_none(const Json& root) {
   const auto fault = [](std::string pointer, std::string message, bool at_key = false) {
     DescriptionFault found{std::move(pointer), std::move(message), 0, FaultKind::shape};
@@ -44,23 +44,23 @@ std::optional<DescriptionFault> why_none(const Json& root) {
     return found;
   };
   if (!root.is_object()) {
-    return fault("", "a plant description is an object, with `\"symplant\": 1` and `symbols` in it; this is none");
+    return fault("", "this is not an object; a plant description is an object with `\"symplant\": 1` and `symbols`");
   }
   if (const Json* version = member(root, "symplant"); version != nullptr) {
     if (!version->is_number_integer() || *version == 1) return std::nullopt;
     if (*version > 1) {
       return fault("/symplant", "this is version " + version->dump() +
-                                    " of the format, this symplant reads version 1; take a newer symplant");
+                                    " of the format, but this symplant reads version 1; use a newer symplant");
     }
-    return fault("/symplant", "there is no version " + version->dump() + " of the format, write 1");
+    return fault("/symplant", "unknown format version " + version->dump() + "; write 1");
   }
   for (const OtherFile& other : kOtherFiles) {
     if (root.contains(other.key)) return fault("/" + std::string(other.key), std::string(other.words), true);
   }
   for (const std::string_view own : {"symbols", "devices", "requirements"}) {
-    if (root.contains(own)) return std::nullopt;  // the schema tells what is missing
+    if (root.contains(own)) return std::nullopt;  // the schema check reports what is missing
   }
-  return fault("", "this is some JSON, but no plant description: that has `\"symplant\": 1` and `symbols` in it");
+  return fault("", "this is JSON, but not a plant description, which has `\"symplant\": 1` and `symbols`");
 }
 
 class PlantFileReader {
@@ -88,12 +88,12 @@ class PlantFileReader {
   }
 
  private:
-  /// What the format has and this version does not know yet, told apart from what is unknown.
+  /// Removes keys of the format that this version does not support yet, with a message that differs from unknown keys.
   void take_out_later_keys() {
     constexpr std::string_view kLater = "naming";
     if (!root_.is_object() || root_.erase(std::string(kLater)) == 0) return;
     all_.push_back({(Pointer("") / kLater).text(),
-                    ticked(kLater) + " is not yet known to this version of symplant, leave it out", 0, FaultKind::shape,
+                    ticked(kLater) + " is not supported by this version of symplant; remove it", 0, FaultKind::shape,
                     true});
   }
 
@@ -125,8 +125,8 @@ class PlantFileReader {
     list.controller = text_or_empty(value, "controller");
     if (!list.controller.empty() && !is_controller_name(list.controller)) {
       faults_.add(here / "controller", ticked(list.controller) +
-                                           " is no name for a controller, since `--link NAME=URL` could not say it; "
-                                           "leave `=`, `:`, control characters and blanks at its ends out");
+                                           " is not a valid controller name for `--link NAME=URL`; "
+                                           "remove `=`, `:`, control characters and blanks at its ends");
     }
     list.format = text_or_empty(value, "format");
     if (!list.format.empty()) check_format(list.format, here / "format");
@@ -148,8 +148,8 @@ class PlantFileReader {
       nearest.offer(reader.name);
       known += (known.empty() ? "" : ", ") + ticked(reader.name);
     }
-    faults_.add(here, ticked(format) + " is no known format of a list, choose among " + known +
-                          (nearest.name().empty() ? "" : "; the nearest is " + ticked(nearest.name())));
+    faults_.add(here, "unknown list format " + ticked(format) + "; choose one of " + known +
+                          (nearest.name().empty() ? "" : "; did you mean " + ticked(nearest.name()) + "?"));
   }
 
   void read_defaults() {
@@ -228,8 +228,8 @@ std::string no_such_encoding(std::string_view name) {
     nearest.offer(each);
     known.append(known.empty() ? "`" : ", `").append(each).append("`");
   }
-  return ticked(name) + " is no encoding, choose among " + known +
-         (nearest.name().empty() ? "" : "; the nearest is " + ticked(nearest.name()));
+  return "unknown encoding " + ticked(name) + "; choose one of " + known +
+         (nearest.name().empty() ? "" : "; did you mean " + ticked(nearest.name()) + "?");
 }
 
 bool is_plant_file(std::string_view path, std::string_view bytes) {
@@ -237,7 +237,7 @@ bool is_plant_file(std::string_view path, std::string_view bytes) {
     return path.size() > ending.size() && text::equal_ignoring_case(path.substr(path.size() - ending.size()), ending);
   };
   if (ends(".json") || ends(".jsonc")) return true;
-  // Byte order marks, and the zero bytes of UTF-16.
+  // Skips byte order marks, blanks and the zero bytes of UTF-16.
   const std::size_t first = bytes.find_first_not_of(std::string_view("\xEF\xBB\xBF\xFE\xFF\0 \t\r\n", 10));
   return first != std::string_view::npos && bytes[first] == '{';
 }

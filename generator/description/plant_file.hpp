@@ -13,13 +13,13 @@
 
 namespace symplant::description {
 
-/// A symbol list that the plant is made from.
+/// A symbol list of the plant.
 struct ListReference {
   std::string file;                        ///< as written: relative to the plant.json
-  std::string format;                      ///< of a known reader; empty: sniffed
-  std::optional<text::Encoding> encoding;  ///< nothing: sniffed
+  std::string format;                      ///< of a known reader; empty: recognized by content
+  std::optional<text::Encoding> encoding;  ///< nothing: recognized by content
   std::string controller;                  ///< the PLC it belongs to; empty: the only one
-  std::optional<address::Radix> xy;        ///< how X and Y count where no row proves it
+  std::optional<address::Radix> xy;        ///< how X and Y count if no row proves it
 };
 
 struct PlantFile {
@@ -29,20 +29,20 @@ struct PlantFile {
 };
 
 struct PlantFileReading {
-  /// What could be read of it, whatever its faults; nothing where it is no plant description of this version.
+  /// The readable part, even with faults; nothing if it is not a plant description of this version.
   std::optional<PlantFile> file;
-  std::vector<json::Placed> syntax;      ///< why it is no JSON, or not quite
+  std::vector<json::Placed> syntax;      ///< faults of the JSON syntax
   std::vector<DescriptionFault> faults;  ///< where it does not fit the format
 };
 
-/// Reads the text of a plant.json. Without `name` in it the plant is called `stem`. What names of devices, states and
-/// symbols mean is found out by build_plant. O(text).
+/// Reads the text of a plant.json. Without `name` the name of the plant is `stem`. Names of devices, states and symbols
+/// are not resolved here but by the derivation of the plant (model). O(text).
 PlantFileReading read_plant_file(std::string_view text, std::string_view stem);
 
-/// Whether a file is to be read as plant.json: by its name's ending, or since its text begins like JSON.
+/// Whether a file is read as plant.json: its name ends in .json or .jsonc, or its text begins with `{`.
 bool is_plant_file(std::string_view path, std::string_view bytes);
 
-/// For a message: that no encoding has this name, which there are, and the nearest one.
+/// A message: this encoding is unknown, the known ones, and the nearest one.
 std::string no_such_encoding(std::string_view name);
 
 /// The schema of plant.json, as `symplant schema plant` prints it.

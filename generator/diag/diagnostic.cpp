@@ -1,4 +1,4 @@
-// Rules and what they found.
+// Severities, and the collection of findings.
 #include "diag/diagnostic.hpp"
 
 #include <algorithm>
@@ -103,7 +103,7 @@ void Diagnostics::locate(const std::shared_ptr<const text::SourceFile>& file,
 
 void Diagnostics::sort_by_location(std::span<const text::SourceFile* const> files) {
   const std::unordered_set<const text::SourceFile*> given(files.begin(), files.end());
-  std::unordered_map<const text::SourceFile*, std::size_t> ranks;  // looked up only, so that no pointer's value shows
+  std::unordered_map<const text::SourceFile*, std::size_t> ranks;  // never iterated, so that no pointer value shows
   for (const Diagnostic& diagnostic : all_) {
     const text::SourceFile* const file = diagnostic.location.source.get();
     if (file != nullptr && given.count(file) == 0) ranks.try_emplace(file, ranks.size() + 1);
@@ -112,7 +112,7 @@ void Diagnostics::sort_by_location(std::span<const text::SourceFile* const> file
   struct Key {
     std::size_t rank;
     std::size_t begin;
-    std::size_t found;  ///< as the how manieth: none are equal
+    std::size_t found;  ///< the number of the finding; unique
 
     bool operator<(const Key& other) const {
       return std::tie(rank, begin, found) < std::tie(other.rank, other.begin, other.found);

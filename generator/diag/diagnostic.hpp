@@ -1,4 +1,4 @@
-// Rules and what they found: values, with stable names and places in the user's files.
+// Rules and findings: values with stable names and locations in the user's files.
 #pragma once
 
 #include <array>
@@ -19,24 +19,24 @@ enum class Severity { note, warning, error };
 
 std::string_view severity_name(Severity severity);
 
-/// What is known of a rule. Ids and slugs are never reused.
+/// The properties of a rule. Ids and slugs are never reused.
 struct RuleInfo {
   std::string_view id;    ///< "SP201"
   std::string_view slug;  ///< "wrong-number-of-levels"
   Severity severity;
   std::string_view summary;  ///< one line, for the catalogue
-  std::string_view page;     ///< the manual page, Markdown: what it means, what the model loses, how to mend it
+  std::string_view page;     ///< the manual page, Markdown: meaning, what the model loses, how to fix it
 };
 
-/// "error" and so on; nothing for another word.
+/// The severity of "note", "warning" or "error"; nothing for any other word.
 std::optional<Severity> severity_of_name(std::string_view name);
 
-/// Bytes of a file; `source` may be null where the fault has no place (a file that could not be read).
+/// Bytes of a file. `source` is null if the finding has no location (a file that could not be read).
 struct Location {
   std::shared_ptr<const text::SourceFile> source;
   text::Span span;
-  /// Where the place in the plant description is known as a JSON pointer only: until Diagnostics::locate() finds it,
-  /// `source` and `span` stand for it. Empty else.
+  /// A JSON pointer into the plant description, until Diagnostics::locate() sets `source` and `span` from it; else
+  /// empty.
   std::string pointer = {};
 };
 
@@ -45,29 +45,29 @@ struct Related {
   std::string message;
 };
 
-/// Wording: lower case, no full stop, back-ticks round user text; what is there first, then what to do.
+/// Wording of messages: lower case, no full stop, back-ticks round user text; what is wrong, then what to do.
 struct Diagnostic {
   const RuleInfo* rule = nullptr;
-  Severity severity = Severity::error;  ///< the rule's, unless the user sets another
+  Severity severity = Severity::error;  ///< the rule's, unless the user sets another one
   std::string message;
   Location location;
   std::vector<Related> related;
-  std::vector<std::string> about;  ///< the symbols and devices (by path) that the user may name to leave it out
+  std::vector<std::string> about;  ///< the symbols and devices (paths) by which the user can ignore the finding
 };
 
-/// A finding that the user's settings leave out, and why, in his words.
+/// A finding that plant.json ignores, and the reason given there.
 struct Ignored {
   Diagnostic finding;
   std::string why;
 };
 
-/// How many findings one run's options leave out, by option.
+/// How many findings the options of a run leave out, by option.
 struct LeftOutByOption {
   std::size_t not_selected = 0;
   std::size_t ignored = 0;
 };
 
-/// Everything found so far.
+/// The findings so far.
 class Diagnostics {
  public:
   void add(const RuleInfo& rule, std::string message, Location location, std::vector<Related> related = {});
@@ -76,13 +76,13 @@ class Diagnostics {
   void add(Diagnostic finding);
   void ignore(Diagnostic finding, std::string why);
 
-  /// In the order of their files and of their places in them, those without a place first; of one place in the order of
-  /// finding. Files stand in the order of `files`, before them those that are not among them, as they were first found.
+  /// Sorts by file and location; findings without a location come first, findings of one location keep their order. The
+  /// order of files is that of `files`; before them come other files, in the order of their first finding.
   void sort_by_location(std::span<const text::SourceFile* const> files = {});
-  /// The pointers of all places, related ones too, that are not yet located: each once, sorted.
+  /// The pointers of all locations, related ones too, that are not yet located: unique and sorted.
   std::vector<std::string> pointers() const;
-  /// Gives those places the file and the spans: `spans[i]` is that of the i-th of pointers(); a place without one
-  /// stays as it is.
+  /// Sets file and span of those locations: `spans[i]` is the span of the i-th of pointers(). A location without a span
+  /// does not change.
   void locate(const std::shared_ptr<const text::SourceFile>& file, std::span<const std::optional<text::Span>> spans);
 
   std::span<const Diagnostic> all() const { return all_; }
@@ -93,8 +93,8 @@ class Diagnostics {
     left_out_.ignored += more.ignored;
   }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
-  /// Makes findings related rows of others: `into[i]` is the place of the one that takes up the i-th, or i itself. One
-  /// that takes up others is taken up by none. It becomes as severe as the most severe of them.
+  /// Makes findings related rows of others: `into[i]` is the index of the finding that absorbs the i-th, or i. A
+  /// finding that absorbs others must not be absorbed itself. It gets the highest severity of them.
   void fold(std::span<const std::uint32_t> into);
 
   bool has_errors() const { return count(Severity::error) != 0; }

@@ -1,4 +1,4 @@
-// One encoder a context.
+// Encoders for output that other programs show.
 #include "diag/encode.hpp"
 
 #include "diag/visible_text.hpp"
@@ -7,7 +7,7 @@
 namespace symplant::diag {
 namespace {
 
-constexpr std::string_view kLineSeparator = "\xE2\x80\xA8";  // U+2028 and U+2029 end a line in JavaScript's strings
+constexpr std::string_view kLineSeparator = "\xE2\x80\xA8";  // U+2028 and U+2029 end a line in JavaScript strings
 constexpr std::string_view kParagraphSeparator = "\xE2\x80\xA9";
 constexpr std::string_view kHarmlessInMermaid = " _-.,()/=+*'";
 
@@ -15,7 +15,7 @@ bool is_ascii_letter_or_digit(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// XML has no way to write these two, though they are code points.
+/// Replaces U+FFFE and U+FFFF, which XML cannot represent.
 std::string without_noncharacters(std::string_view utf8) {
   std::string text;
   for (std::size_t at = 0; at < utf8.size();) {

@@ -1,7 +1,6 @@
-// The only ways in which a user's text gets into what other programs show: one encoder a context.
+// Encoders for a user's text in output that other programs show: one for each context.
 //
-// All of them write characters that are unsafe to show (diag::visible) as `<U+XXXX>` first. What goes into C++ has
-// encoders of its own (emit/encode.hpp).
+// All of them first write unsafe characters (diag::visible) as `<U+XXXX>`. emit/encode.hpp has the encoders for C++.
 #pragma once
 
 #include <string>
@@ -9,25 +8,24 @@
 
 namespace symplant::diag {
 
-/// For text and for values of attributes in quotes, in HTML, SVG and XML alike.
+/// For text and for quoted attribute values in HTML, SVG and XML.
 std::string markup_text(std::string_view utf8);
 
-/// A JSON document for the inside of a `<script>` element: still the same document, but nothing in it can end the
-/// element or begin a comment. `json` must be valid. Unsafe characters are left as they are: who fills the document
-/// makes its texts visible().
+/// A JSON document for the inside of a `<script>` element: the same document, but nothing in it can end the element or
+/// begin a comment. `json` must be valid. Unsafe characters are not changed: the caller makes the texts visible().
 std::string script_json(std::string_view json);
 
-/// A double-quoted string of Graphviz, its quotes included; line ends in `utf8` are no line ends of the label.
+/// A double-quoted string of Graphviz, with its quotes; a line end in `utf8` does not end a line of the label.
 std::string dot_string(std::string_view utf8);
-/// The inside of one.
+/// The inside of a double-quoted string of Graphviz.
 std::string dot_text(std::string_view utf8);
 
-/// For a plain message of SARIF, not yet in the quotes of JSON: `](` would make a link there, `{0}` takes an argument's
-/// place; their first signs come as `<U+XXXX>` too.
+/// For a plain message of SARIF, not yet quoted for JSON. The first characters of `](`, which makes a link, and of
+/// `{0}`, which inserts an argument, are also written as `<U+XXXX>`.
 std::string sarif_text(std::string_view utf8);
 
-/// For descriptions and notes of Mermaid, in quotes or behind a colon: all but letters, digits, blanks and a few
-/// harmless signs as `#NN;`.
+/// For descriptions and notes of Mermaid, in quotes or after a colon. All characters except letters, digits, blanks and
+/// a few harmless ones are written as `#NN;`.
 std::string mermaid_text(std::string_view utf8);
 
 }  // namespace symplant::diag

@@ -1,4 +1,4 @@
-// A finding's identity from one run to the next.
+// The identity of a finding from one run to the next.
 #include "diag/fingerprint.hpp"
 
 #include <array>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostOfLocation = 200;  // bytes
 
-/// FNV-1a over fields, each with an end of its own.
+/// FNV-1a over fields, each with an end mark.
 class Digest {
  public:
   void add(std::string_view field) {
@@ -26,7 +26,7 @@ class Digest {
   std::uint64_t value_ = 0xCBF2'9CE4'8422'2325;
 };
 
-/// Counts and lines change from run to run; what stands in back-ticks is the user's and stays.
+/// A message without the numbers outside back-ticks: counts and lines change from run to run, the user's text does not.
 std::string without_numbers(std::string_view message) {
   std::string text;
   bool quoted = false;

@@ -1,4 +1,4 @@
-// A finding's identity from one run to the next, whatever becomes of the rows around it.
+// The identity of a finding from one run to the next, independent of the rows around it.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace symplant::diag {
 
-/// Gives each finding a fingerprint: 16 hexadecimal digits of its rule, file and the symbols and devices that it is
-/// about, then `:1`, `:2` ... for those that are alike in these. It stays when rows move, and with any other wording of
-/// the message. A finding about no symbol goes by its message (less the numbers outside back-ticks) and the text at its
-/// place instead.
+/// Gives each finding a fingerprint: 16 hexadecimal digits from its rule, its file and the symbols and devices that it
+/// is about, then `:1`, `:2` ... for findings equal in these. Moved rows and a new wording of the message do not change
+/// it. For a finding about no symbol the message (without the numbers outside back-ticks) and the text at its location
+/// are used instead.
 class Fingerprints {
  public:
-  /// `file` names the finding's file from wherever the tool is run. O(names).
+  /// `file` is a path that does not depend on the current folder. O(names).
   std::string next(const Diagnostic& finding, std::string_view file);
 
  private:

@@ -41,9 +41,9 @@ Json finding_of(const Diagnostic& finding) {
   return object;
 }
 
-/// Its lines stand `depth` characters to the right.
+/// Appends the object with its lines indented by `depth` characters.
 void append(std::string& text, const Json& object, std::size_t depth) {
-  // A path or a message may hold bytes that are no UTF-8; they must not make the whole report fail.
+  // A path or a message may hold bytes that are not UTF-8; they must not make the whole report fail.
   const std::string lines = object.dump(2, ' ', false, Json::error_handler_t::replace);
   for (std::size_t at = 0; at < lines.size();) {
     const std::size_t end = std::min(lines.find('\n', at), lines.size() - 1) + 1;
@@ -60,7 +60,7 @@ std::string render_json(std::span<const Diagnostic> findings, const LeftOut& lef
 }
 
 std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out) {
-  // Finding by finding: a document of a million would fill the memory.
+  // One finding at a time: a document of a million findings would fill the memory.
   std::string text = "{\n  \"symplant-diagnostics\": " + std::to_string(kJsonVersion) + ",\n  \"findings\": [";
   std::array<std::size_t, 3> counts{};
   bool any = false;

@@ -28,7 +28,7 @@ struct Counts {
   }
 };
 
-/// Findings as text, their line ends kept.
+/// Findings as text, with their line ends.
 std::string body_of(std::span<const Diagnostic> findings) {
   std::string body;
   const std::string text = render_text(findings);
@@ -45,7 +45,7 @@ class SuiteRenderer {
   SuiteRenderer(const Report& report, const JunitOptions& options) : report_(report), options_(options) {}
 
   std::string render() {
-    std::map<const RuleInfo*, std::vector<Diagnostic>> lesser;  // looked up only
+    std::map<const RuleInfo*, std::vector<Diagnostic>> lesser;  // never iterated
     std::map<const RuleInfo*, bool> failing;
     for (const Diagnostic& finding : report_.findings.all()) {
       if (report_.readable && finding.severity < options_.fail_on) {
@@ -70,7 +70,7 @@ class SuiteRenderer {
  private:
   static std::string rule_name(const RuleInfo& rule) { return std::string(rule.id) + " " + std::string(rule.slug); }
 
-  /// The beginning of a test case's element, all but its `>`.
+  /// Begins the element of a test case, without its `>`.
   void begin(const RuleInfo& rule, const std::string& name) {
     ++counts_.tests;
     cases_ += "    <testcase classname=\"" + markup_text(report_.plant + "." + rule_name(rule)) + "\" name=\"" +
@@ -114,7 +114,7 @@ class SuiteRenderer {
   const Report& report_;
   const JunitOptions& options_;
   Counts counts_;
-  std::map<std::pair<const RuleInfo*, std::string>, std::size_t> seen_;  // looked up only
+  std::map<std::pair<const RuleInfo*, std::string>, std::size_t> seen_;  // never iterated
   std::string cases_;
 };
 

@@ -11,13 +11,13 @@ namespace symplant::diag {
 
 struct JunitOptions {
   Severity fail_on = Severity::error;  ///< findings of this severity and above are failures
-  std::vector<const RuleInfo*> rules;  ///< that were looked at, in the order wanted
+  std::vector<const RuleInfo*> rules;  ///< the rules that were applied, in output order
 };
 
-/// One test suite a plant. In it a rule without a failing finding is one test that passes, lesser findings standing in
-/// its output; each failing finding is a test that fails, of the class `plant.rule` and the name of what it is about;
-/// each finding that plant.json ignores is a test skipped. In a plant that cannot be read there are its findings alone,
-/// as errors. No times: they would differ from run to run.
+/// One test suite for each plant. A rule without a failing finding is one passed test, with its lesser findings in the
+/// output. Each failing finding is a failed test of the class `plant.rule`, named after the subject of the finding.
+/// Each finding that plant.json ignores is a skipped test. A plant that cannot be read has only its findings, as
+/// errors. All times are 0, so that reports of equal runs are equal.
 std::string render_junit(std::span<const Report> reports, const JunitOptions& options);
 
 }  // namespace symplant::diag

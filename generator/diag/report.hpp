@@ -1,4 +1,4 @@
-// What one run found in one plant, for formats that tell of several plants.
+// The findings of one run in one plant, for formats with several plants.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 namespace symplant::diag {
 
 struct Report {
-  std::string plant;  ///< as the user named it
+  std::string plant;  ///< as the user wrote it
   Diagnostics findings;
-  bool readable = true;  ///< false: there is no plant, and most rules have not looked at it
+  bool readable = true;  ///< false: the plant could not be read, and most rules were not applied
 };
 
 }  // namespace symplant::diag

@@ -20,19 +20,19 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kBase = "%SRCROOT%";
 constexpr std::size_t kMostRelated = 100;  ///< GitHub shows no more
 constexpr std::size_t kMostSnippet = 200;  ///< bytes
-constexpr int kFailed = 2;                 ///< exit code of a run that could not do its work
+constexpr int kFailed = 2;                 ///< exit code of a failed run
 
-/// A finding, and what only its plant knows.
+/// A finding with the data of its plant.
 struct Result {
   const Diagnostic* finding;
   const Report* report;
-  const std::string* why;  ///< ignored by plant.json, and why; else null
+  const std::string* why;  ///< the reason, if plant.json ignores the finding; else null
   std::string fingerprint = {};
 };
 
 Json message(std::string_view text) { return {{"text", sarif_text(text)}}; }
 
-/// A manual page's first paragraph, as one line.
+/// The first paragraph of a manual page, as one line.
 std::string first_paragraph(std::string_view page) {
   std::string text(page.substr(0, page.find("\n\n")));
   while (text.ends_with('\n')) text.pop_back();
@@ -110,7 +110,7 @@ class SarifRenderer {
     return file;
   }
 
-  /// A build server takes no result without a line; the first one stands for a whole file.
+  /// Build servers reject a result without a line; line 1 represents a whole file.
   Json location_of(const Location& where, std::string_view otherwise) const {
     Json region{{"startLine", 1}};
     if (where.source && !where.source->text().empty()) region = region_of(*where.source, where.span);
@@ -125,7 +125,7 @@ class SarifRenderer {
         {"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
     const std::size_t size = span.end - span.begin;
     const std::string_view snippet = source.text().substr(span.begin, std::min(size, kMostSnippet + 1));
-    // A viewer shows it as it is.
+    // Viewers show the snippet as it is.
     if (size > 0 && size <= kMostSnippet && visible(snippet) == snippet) region["snippet"] = {{"text", snippet}};
     return region;
   }
@@ -146,7 +146,7 @@ class SarifRenderer {
       related.push_back(std::move(location));
     }
     if (!related.empty()) json["relatedLocations"] = std::move(related);
-    // GitHub goes by the second alone, and without it by the text of the lines below, which are other rows.
+    // GitHub uses only the second, or without it the text of the next lines, which are other rows.
     json["partialFingerprints"] = {{"symplant/v1", result.fingerprint},
                                    {"primaryLocationLineHash", result.fingerprint}};
     if (result.why != nullptr) {
@@ -160,8 +160,10 @@ class SarifRenderer {
   Json invocation(std::size_t left_out) const {
     Json json{{"executionSuccessful", options_.exit_code < kFailed}, {"exitCode", options_.exit_code}};
     if (left_out != 0) {
-      const std::string text = std::to_string(left_out) + " findings of least weight are left out, since a run takes " +
-                               std::to_string(kMostSarifResults) + "; --select chooses, --format json lists all";
+      const std::string text = std::to_string(left_out) +
+                               " findings of the lowest severity are left out, because a run holds at most " +
+                               std::to_string(kMostSarifResults) +
+                               "; choose with --select, or list all with --format json";
       json["toolExecutionNotifications"] = Json::array({{{"level", "warning"}, {"message", message(text)}}});
     }
     return json;
@@ -179,7 +181,7 @@ std::string render_sarif(std::span<const Report> reports, const SarifOptions& op
   const Json log{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                  {"version", "2.1.0"},
                  {"runs", Json::array({SarifRenderer(reports, options).run()})}};
-  // A message may hold bytes that are no UTF-8; they must not make the whole report fail.
+  // A message may hold bytes that are not UTF-8; they must not make the whole report fail.
   return log.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

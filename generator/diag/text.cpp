@@ -12,8 +12,8 @@ namespace symplant::diag {
 
 namespace {
 
-constexpr std::size_t kWindow = 120;         ///< columns of a row that are shown at most
-constexpr std::size_t kBeforeLocation = 40;  ///< characters shown before the place where a row is too long
+constexpr std::size_t kWindow = 120;         ///< the most columns shown of a row
+constexpr std::size_t kBeforeLocation = 40;  ///< characters shown before the location in a long row
 constexpr std::size_t kTabStop = 4;
 constexpr std::string_view kEllipsis = "…";
 
@@ -35,16 +35,16 @@ std::string_view colour_of(const Colours& colours, Severity severity) {
   return {};
 }
 
-/// A line as shown, and where in it the place stands, in columns of the terminal.
+/// A line as shown, and the location in it in columns of the terminal.
 struct Excerpt {
   std::string shown;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// Where showing begins so that the place stands in the window.
+/// The offset at which the shown part begins, so that the location is in the window.
 std::size_t window_begin(std::string_view line, std::size_t location) {
-  // A character takes at most eight columns (<U+XXXX>, mostly); a short enough line is shown from its beginning.
+  // A character takes at most eight columns (usually <U+XXXX>); a short line is shown from its beginning.
   if (location <= kWindow / 2) return 0;
   std::size_t begin = location;
   for (std::size_t left = kBeforeLocation; begin > 0 && left > 0; --left) {
@@ -54,7 +54,7 @@ std::size_t window_begin(std::string_view line, std::size_t location) {
   return begin;
 }
 
-/// `place` in bytes of `line`. Looks at no more of the line than it shows.
+/// `location` is in bytes of `line`. Reads only the part of the line that it shows.
 Excerpt cut_out(std::string_view line, text::Span location) {
   Excerpt excerpt;
   std::size_t at = line.size() <= kWindow ? 0 : window_begin(line, location.begin);

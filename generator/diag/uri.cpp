@@ -1,4 +1,4 @@
-// Names of files as URIs.
+// Converts paths of files to URIs.
 #include "diag/uri.hpp"
 
 #include <filesystem>

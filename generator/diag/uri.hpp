@@ -1,4 +1,4 @@
-// Names of files as URIs.
+// Converts paths of files to URIs.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace symplant::diag {
 
-/// A file's URI, percent-encoded: relative to `folder` where the file lies in it or is named relatively, else
-/// `file:///...`. `folder` is absolute; where it is empty nothing lies in it. Any bytes do for `path`.
+/// A file's URI, percent-encoded: relative to `folder` if the file is in it or its path is relative, else
+/// `file:///...`. `folder` is absolute; an empty one contains no file. `path` may hold any bytes.
 std::string file_uri(std::string_view path, std::string_view folder);
 
 }  // namespace symplant::diag

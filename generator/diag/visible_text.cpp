@@ -1,4 +1,4 @@
-// A user's text made safe to show on a terminal.
+// Makes a user's text safe to show on a terminal.
 #include "diag/visible_text.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::array kCombining{Range{0x0300, 0x036F}, Range{0x0483, 0x0489}, Ra
                                 Range{0x1AB0, 0x1AFF}, Range{0x1DC0, 0x1DFF}, Range{0x20D0, 0x20FF},
                                 Range{0x3099, 0x309A}, Range{0xFE00, 0xFE0F}, Range{0xFE20, 0xFE2F}};
 
-// C0, C1, and what is invisible or turns the direction of text.
+// C0, C1, and characters that are invisible or change the direction of text.
 constexpr std::array kUnsafe{Range{0x0000, 0x001F}, Range{0x007F, 0x009F},  Range{0x00AD, 0x00AD},
                              Range{0x061C, 0x061C}, Range{0x180E, 0x180E},  Range{0x200B, 0x200F},
                              Range{0x2028, 0x202E}, Range{0x2060, 0x206F},  Range{0xFEFF, 0xFEFF},

@@ -1,4 +1,4 @@
-// The user's own classes as views.
+// The custom behavior classes as views.
 #include "emit/behaviour_view.hpp"
 
 #include "emit/type_view.hpp"
@@ -11,7 +11,7 @@ std::vector<View> behaviour_views(const lower::EngineTables& tables, const model
   std::vector<View> views;
   std::vector<std::vector<std::uint32_t>> devices;
   for (const tables::BehaviourUnit& row : tables.behaviour_units) {
-    if (row.name == views.size()) {  // names are counted in the order of their first device
+    if (row.name == views.size()) {  // names are numbered in the order of their first device
       View& view = views.emplace_back();
       const std::string name = text::identifier(plant.units[row.unit].described->behaviour);
       view.texts["behaviour"] = name;

@@ -1,4 +1,4 @@
-// The user's own classes: what calls them, and their files as they are first written.
+// Views of the custom behavior classes: for the code that calls them, and for their files as first written.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace symplant::emit {
 
-/// A view a behaviour, in the order of their places: texts `behaviour`, `base`, `behaviour_file`, list `devices`.
-/// `classes` are the types' names. O(devices with a behaviour).
+/// One view for each behavior, by index: texts `behaviour`, `base`, `behaviour_file`, list `devices`.
+/// `classes` are the names of the types. O(devices with a behavior).
 std::vector<View> behaviour_views(const lower::EngineTables& tables, const model::PlantModel& plant,
                                   const std::vector<std::string>& classes);
 

@@ -1,4 +1,4 @@
-// Rows of conditions, watches, requirements and behaviours.
+// Rows of conditions, watches, requirements and behaviors.
 #include "emit/condition_rows.hpp"
 
 #include <array>

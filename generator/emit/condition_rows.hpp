@@ -1,4 +1,4 @@
-// Rows of conditions, watches, requirements and behaviours.
+// Rows of conditions, watches, requirements and behaviors.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace symplant::emit {
 
-// As those of rows.hpp.
+// Each function returns rows as the functions of rows.hpp do.
 std::string condition_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string conditioned_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string unit_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant);

@@ -70,7 +70,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
 }  // namespace
 
 std::string namespace_of(const std::string& plant_name) {
-  std::string words = plant_name;  // what parts words in file names reads best as `_`
+  std::string words = plant_name;  // separators in file names become `_`
   for (char& c : words) {
     if (c == ' ' || c == '-' || c == '.') c = '_';
   }
@@ -80,7 +80,7 @@ std::string namespace_of(const std::string& plant_name) {
 
 namespace {
 
-/// The frame of one file as text: the tool's own, or the user's in its place.
+/// The template of one file: the built-in one, or the user's that replaces it.
 struct Frame {
   std::string path;  ///< for messages
   std::string text;
@@ -91,7 +91,7 @@ std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, c
   const auto file = std::filesystem::path(options.templates_folder) / (std::string(own.name) + ".mustache");
   std::error_code ignored;
   if (options.templates_folder.empty() || !std::filesystem::exists(file, ignored)) {
-    return Frame{"the tool's own template " + std::string(own.name), std::string(own.text)};
+    return Frame{"the built-in template " + std::string(own.name), std::string(own.text)};
   }
   auto read = files.read(file.string());
   if (!read) {
@@ -102,7 +102,7 @@ std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, c
   return Frame{file.string(), std::move(*read)};
 }
 
-/// Nothing, and an error, where the template has a fault.
+/// The filled template. Nothing, and an error in `result`, if the template has a fault.
 std::optional<base::TextSource> filled(std::string_view name, const Frame& frame, const View& view,
                                        EmitResult& result) {
   auto rendered = render({name, frame.text}, view);
@@ -111,13 +111,13 @@ std::optional<base::TextSource> filled(std::string_view name, const Frame& frame
   return std::nullopt;
 }
 
-/// The user's own files: a behaviour's texts beside the plant's.
+/// The user's files: the texts of a behavior and those of the plant.
 void add_own_files(const Frame& frame, std::string_view name, const View& plant, EmitResult& result) {
   for (const View& behaviour : plant.lists.at("behaviours")) {
     View view{plant.texts, behaviour.lists};
     view.texts.insert(behaviour.texts.begin(), behaviour.texts.end());
     auto content = filled(name, frame, view, result);
-    if (!content) return;  // the others have the same fault
+    if (!content) return;  // all of them have the same fault
     result.own_files.push_back({view.texts["behaviour"], view.texts["behaviour_file"], base::text_of(*content)});
   }
 }

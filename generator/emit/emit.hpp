@@ -17,31 +17,31 @@ struct EmittedFile {
   base::TextSource content;
 };
 
-/// A file of the user's own, as it is first written.
+/// A file that belongs to the user, as it is first written.
 struct OwnFile {
-  std::string behaviour;  ///< his class
-  std::string name;       ///< within the folder of his behaviours
+  std::string behaviour;  ///< the user's class
+  std::string name;       ///< within the folder of behaviors
   std::string content;
 };
 
 struct EmitOptions {
-  std::string templates_folder;  ///< --templates: a file NAME.mustache in it takes the place of the tool's own
+  std::string templates_folder;  ///< --templates: a file NAME.mustache in it replaces the built-in one
 };
 
 struct EmitResult {
   std::vector<EmittedFile> files;
-  std::vector<OwnFile> own_files;   ///< a behaviour each; to be written where they are missing
+  std::vector<OwnFile> own_files;   ///< one for each behavior; to be written if missing
   std::vector<std::string> inputs;  ///< templates read from disk, for the depfile
   std::vector<std::string>
-      errors;  ///< faults of templates, in words that name file and line; nothing is to be written then
+      errors;  ///< faults of templates, with file and line; if there are any, nothing is to be written
 };
 
-/// Nothing is written. Files are made when their content is asked for, which may be as long as `plant` and `tables` are
-/// there. Equal inputs give equal bytes. O(symbols + devices + types' structure), each time.
+/// Writes nothing. The content of a file is made each time it is read; `plant` and `tables` must outlive the result.
+/// Equal inputs give equal bytes. O(symbols + devices + structure of the types) each time.
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
                 const base::FileSystem& files);
 
-/// The plant's name as the namespace of its code.
+/// The namespace of the generated code, made from the plant's name.
 std::string namespace_of(const std::string& plant_name);
 
 }  // namespace symplant::emit

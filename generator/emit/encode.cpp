@@ -1,4 +1,4 @@
-// One encoder a context.
+// One encoder for each context.
 #include "emit/encode.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace symplant::emit {
 namespace {
 
-/// Bytes that stand for themselves, in comments and literals alike.
+/// Bytes that need no encoding, neither in comments nor in literals.
 constexpr auto kPlain = [] {
   std::array<bool, 256> plain{};
   for (unsigned c = ' '; c <= '~'; ++c) plain[c] = c != '\\' && c != '"' && c != '?';

@@ -1,4 +1,4 @@
-// The only ways in which a user's text gets into generated code: one encoder a context. All give printable ASCII.
+// Encoders for a user's text in generated code, one for each context; the result is ASCII. No other code inserts it.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace symplant::emit {
 
-/// For the inside of a `//` comment: printable ASCII, every other character, every backslash and the second of two `?`
-/// (`?\?/` at a line's end is a trigraph of a backslash) as <U+XXXX>, so that no comment can swallow the next line.
+/// For the inside of a `//` comment: printable ASCII. Every other character, every backslash and the second of two `?`
+/// (`?\?/` at the end of a line is a trigraph of a backslash) becomes <U+XXXX>: no comment can extend to the next line.
 std::string comment_text(std::string_view utf8);
 
 /// A C++ string literal with its quotes: octal escapes of three digits, never `\x`, no trigraph.
@@ -17,7 +17,7 @@ std::string string_literal(std::string_view bytes);
 void append_literal(std::string& out, std::string_view bytes);
 void append_comment(std::string& out, std::string_view utf8);
 
-/// How many of the first bytes of a text stand for themselves in a comment, and in a literal. There may be more.
+/// How many of the first bytes of a text surely need no encoding in a comment, and in a literal.
 std::size_t plain_in_comment(std::string_view utf8);
 std::size_t plain_in_literal(std::string_view bytes);
 

@@ -11,7 +11,7 @@ inline constexpr std::string_view kOwnFile = "behavior.hpp";
 
 struct Key {
   std::string_view key;
-  std::string_view where;  ///< a template's name; "*": every one
+  std::string_view where;  ///< the template that may use it; "*": all templates
   bool list;
   std::string_view meaning;
 };

@@ -22,7 +22,7 @@ std::string_view on_loss(link::OnLoss what) {
   return "link::OnLoss::as_link";
 }
 
-/// `{.member = value, .member = value}` of what differs from the default.
+/// `{.member = value, .member = value}`: the members that differ from their defaults.
 class Members {
  public:
   explicit Members(RowWriter& rows) : rows_(rows) { rows_.text("    {"); }
@@ -91,7 +91,7 @@ std::string place_arrays(const model::PlantModel& plant) {
     const model::ControllerLink& link = plant.links[c];
     if (!link.rows.empty()) {
       rows.text(
-          "// Symbols whose settings differ from their link's: symbol, number, word order, what a loss makes of it.\n");
+          "// Symbols whose settings differ from those of their link: symbol, number, word order, value on loss.\n");
       rows.text("constexpr std::array<link::MapRow, ").number(link.rows.size());
       rows.text("> kLinkRows").number(c).text("{{\n");
       for (const link::MapRow& row : link.rows) {

@@ -10,10 +10,10 @@ namespace symplant::emit {
 /// The links of the description: controller, URL.
 std::string link_rows(const description::Description& description);
 
-/// Arrays of what the settings point to: links::kPlaces0 and links::kKeep0 of controller 0.
+/// The arrays that the settings point to: links::kLinkRows0 and links::kKeep0 for controller 0.
 std::string place_arrays(const model::PlantModel& plant);
 
-/// The settings, a controller each; what is as link::LinkSettings has it is left out.
+/// The settings, one row for each controller. A row omits members that are equal to the defaults of link::LinkSettings.
 std::string link_settings_rows(const model::PlantModel& plant);
 
 }  // namespace symplant::emit

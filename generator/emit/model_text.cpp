@@ -1,4 +1,4 @@
-// What rows cite in words.
+// Texts for the comments of rows.
 #include "emit/model_text.hpp"
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@ namespace {
 
 using condition::Tree;
 
-constexpr std::size_t kLongest = 160;  ///< bytes of a condition that are shown
+constexpr std::size_t kLongest = 160;  ///< bytes of a condition that a comment shows
 
-/// Who reads the condition at a place of its unit: the first transition that wants it, or an input of its behaviour.
+/// The reader of the condition `index` of a unit: the first transition that uses it, or an input of the behavior.
 std::string unit_reader(std::uint32_t index, const lower::Type& type, const model::Unit& unit,
                         const model::PlantModel& plant) {
   for (const tables::Transition& t : type.transitions) {
@@ -33,7 +33,7 @@ std::string transition_text(const tables::Transition& transition, const model::U
                             const model::PlantModel& plant) {
   const std::string& from = unit.states[transition.from].name;
   const std::string& to = unit.states[transition.to].name;
-  if (transition.on == tables::kSpringReturn) return fmt::format("the spring's own way: {} to {}", from, to);
+  if (transition.on == tables::kSpringReturn) return fmt::format("spring return: {} to {}", from, to);
   if (transition.on == tables::kNoOperation) return fmt::format("d_int({}) = {}", from, to);
   const std::string_view task = plant.symbols[unit.operations[transition.on]].reading.task;
   return fmt::format("d_ext({}, O_{}) = {}", from, task, to);
@@ -64,7 +64,7 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
 std::vector<std::string> condition_readers(const lower::EngineTables& tables, const model::PlantModel& plant) {
   std::vector<std::string> readers;
   readers.reserve(tables.conditions.size());
-  std::uint32_t index = 0;  // among the conditions of one reader, which lie side by side
+  std::uint32_t index = 0;  // among the conditions of one reader, which are adjacent
   for (std::size_t i = 0; i < tables.conditions.size(); ++i) {
     const tables::ConditionRow& row = tables.conditions[i];
     if (i != 0 &&

@@ -1,4 +1,4 @@
-// Templates by kainjow's mustache, which is seen here only.
+// Renders templates with kainjow's mustache. No other file includes that library.
 #include "emit/render.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// Stands in the frame, which is small, where rows are to come: a number between two of these.
+/// Encloses, in the rendered frame, the number of a row source: the rows are inserted there when the text is read.
 constexpr char kMark = '\x01';
 
 mustache::data to_data(const View& view, std::vector<RowSource>& sources) {
@@ -35,8 +35,8 @@ mustache::data to_data(const View& view, std::vector<RowSource>& sources) {
   return data;
 }
 
-/// What is wrong with a template's tags; nothing where all is well. The library leaves unknown keys empty and knows no
-/// lines; a template of the user's with a slip in it must not be taken for good.
+/// The first fault of a template's tags, if there is one. The library leaves unknown keys empty and reports no lines:
+/// it would accept a user's template with a misspelled key.
 std::optional<TemplateError> fault_of(const Template& text) {
   struct Section {
     std::string key;
@@ -49,7 +49,7 @@ std::optional<TemplateError> fault_of(const Template& text) {
     const auto before = text.text.substr(0, static_cast<std::size_t>(rest.data() - text.text.data()));
     const auto line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
     const std::size_t close = rest.find("}}");
-    if (close == rest.npos) return TemplateError{line, "a tag is opened and not closed: write `}}` behind its key"};
+    if (close == rest.npos) return TemplateError{line, "a tag is not closed: write `}}` after its key"};
     std::string_view key = rest.substr(0, close);
     rest.remove_prefix(close + 2);
     const char kind = key.empty() ? ' ' : key.front();
@@ -59,21 +59,20 @@ std::optional<TemplateError> fault_of(const Template& text) {
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
     const std::string name(key);
     if (!is_key(text.name, key)) {
-      return TemplateError{line,
-                           "`" + name + "` is no key of this template: see templates/README.md for those that are"};
+      return TemplateError{line, "`" + name + "` is not a key of this template: see templates/README.md for its keys"};
     }
     if (kind == '#' || kind == '^') open_sections.push_back({name, line});
     if (kind != '/') continue;
     if (open_sections.empty() || open_sections.back().key != name) {
-      return TemplateError{line,
-                           fmt::format("`{{{{/{0}}}}}` closes what is not open: write `{{{{#{0}}}}}` before it", name)};
+      return TemplateError{
+          line, fmt::format("`{{{{/{0}}}}}` closes a list that is not open: write `{{{{#{0}}}}}` before it", name)};
     }
     open_sections.pop_back();
   }
   if (open_sections.empty()) return std::nullopt;
   const Section& section = open_sections.back();
   return TemplateError{section.line,
-                       "`" + section.key + "` is opened and not closed: write `{{/" + section.key + "}}` behind it"};
+                       "`" + section.key + "` is opened and not closed: write `{{/" + section.key + "}}` after it"};
 }
 
 void put_rows(const RowSource& source, base::TextSink& sink) {
@@ -82,7 +81,7 @@ void put_rows(const RowSource& source, base::TextSink& sink) {
   rows.finish();
 }
 
-/// The frame with the rows in the place of their marks.
+/// Writes the frame with each mark replaced by its rows.
 void put_together(std::string_view frame, const std::vector<RowSource>& sources, base::TextSink& sink) {
   for (;;) {
     const std::size_t mark = frame.find(kMark);
@@ -103,7 +102,7 @@ base::Result<base::TextSource, TemplateError> render(const Template& text, const
   if (const std::size_t mark = text.text.find(kMark); mark != text.text.npos) {
     const std::string_view before = text.text.substr(0, mark);
     return TemplateError{1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
-                         "the control character U+0001 stands here: take it out"};
+                         "the control character U+0001 is not allowed here: remove it"};
   }
   mustache::mustache made{std::string(text.text)};
   if (!made.is_valid()) return TemplateError{1, made.error_message()};

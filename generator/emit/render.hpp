@@ -1,4 +1,4 @@
-// Text with keys and lists into text.
+// Fills templates: a text with keys and lists becomes a text.
 #pragma once
 
 #include <map>
@@ -13,19 +13,19 @@
 
 namespace symplant::emit {
 
-/// What a template is filled with: every decision taken, every text encoded for where it goes.
+/// The values for a template. All decisions are made, and every text is encoded for its context.
 struct View {
   std::map<std::string, std::string> texts;
   std::map<std::string, std::vector<View>> lists;
-  std::map<std::string, RowSource> rows = {};  ///< texts too large to be held; none of them empty
+  std::map<std::string, RowSource> rows = {};  ///< texts too large to keep in memory; none of them empty
 };
 
 struct Template {
-  std::string_view name;  ///< the file that it makes: "types_gen.hpp"
+  std::string_view name;  ///< the file that it generates: "types_gen.hpp"
   std::string_view text;
 };
 
-/// The tool's own.
+/// The built-in templates.
 std::span<const Template> embedded_templates();
 
 struct TemplateError {
@@ -33,8 +33,8 @@ struct TemplateError {
   std::string message;
 };
 
-/// Fills in a template (mustache: keys, lists, comments). A key that is not in kKeys for this template is an error.
-/// The text may be asked for as long as the rows' sources can be.
+/// Fills a template (mustache: keys, lists, comments). A key that is not in kKeys for this template is an error.
+/// The returned text may be read as long as the row sources are valid.
 base::Result<base::TextSource, TemplateError> render(const Template& text, const View& view);
 
 }  // namespace symplant::emit

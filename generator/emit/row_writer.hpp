@@ -1,4 +1,4 @@
-// Rows as text: the one way in which tables get into generated code.
+// Writes rows as text. All tables in generated code are written with it.
 #pragma once
 
 #include <charconv>
@@ -15,8 +15,8 @@
 
 namespace symplant::emit {
 
-/// Puts rows together, a line each. What a user wrote goes in by comment() and literal() alone. Either it keeps all
-/// rows, for take(), or it hands them on to a sink, for finish().
+/// Writes rows, a line each. A user's text may be added by comment() and literal() only. The writer either keeps all
+/// rows, for take(), or passes them to a sink, until finish().
 class RowWriter {
  public:
   RowWriter() { buffer_.resize(256); }
@@ -51,13 +51,13 @@ class RowWriter {
     return plain == bytes.size() ? *this : encoded(append_literal, bytes.substr(plain));
   }
 
-  /// All rows without the last one's line end.
+  /// All rows, without the final line end.
   std::string take() {
     buffer_.resize(filled_ == 0 ? 0 : filled_ - 1);
     return std::move(buffer_);
   }
   std::string take_or(std::string_view none) { return filled_ == 0 ? std::string(none) : take(); }
-  /// Hands on what is left, but for the last row's line end.
+  /// Passes the remaining rows to the sink, without the final line end.
   void finish() {
     if (filled_ > 1) sink_->put({buffer_.data(), filled_ - 1});
     filled_ = 0;
@@ -71,7 +71,7 @@ class RowWriter {
     if (buffer_.size() - filled_ < size) make_room(size);
     return buffer_.data() + filled_;
   }
-  /// The last byte stays: it may be a line end too many, and says how a comment goes on.
+  /// Keeps the last byte: it may be the final line end, and comment() depends on the byte before.
   void make_room(std::size_t size) {
     if (sink_ != nullptr && filled_ > 1) {
       sink_->put({buffer_.data(), filled_ - 1});
@@ -94,11 +94,11 @@ class RowWriter {
   }
 
   base::TextSink* sink_ = nullptr;
-  std::string buffer_;  ///< the first `filled_` bytes of it count
+  std::string buffer_;  ///< only its first `filled_` bytes are valid
   std::size_t filled_ = 0;
 };
 
-/// Writes rows whenever they are wanted: the same ones each time.
+/// Writes rows on demand, the same ones each time.
 using RowSource = std::function<void(RowWriter&)>;
 
 }  // namespace symplant::emit

@@ -1,4 +1,4 @@
-// The one writer of rows.
+// Tables of the engine as rows of generated code.
 #include "emit/rows.hpp"
 
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
 
-/// The name of a kind's constant: direction, type, form of the address, moved or free.
+/// The name of the constant for a symbol kind: direction, type, form of the address, moved or free.
 std::string kind_name(const tables::SymbolRow& row) {
   std::string name = row.direction() == tables::Direction::operation ? "kOperation_" : "kEvent_";
   name += data_type_name(row.type());
@@ -42,7 +42,7 @@ std::map<tables::SymbolKind, std::string> kind_names(const lower::EngineTables& 
   return names;
 }
 
-/// Walks the texts of a blob.
+/// Iterates over the texts of a blob.
 class Texts {
  public:
   explicit Texts(std::string_view blob) : rest_(blob) {}
@@ -57,8 +57,8 @@ class Texts {
   std::string_view rest_;
 };
 
-/// An enumerator each of names that differ without regard to case, `step` texts of a blob apart. Where all read as they
-/// are, none of them can meet another.
+/// An enumerator for every `step`-th text of a blob. The names are unique when case is ignored: if all of them are
+/// plain identifiers, no two enumerators can be equal.
 void constant_rows(RowWriter& rows, const std::string& blob, int step) {
   const auto each = [&](auto act) {
     std::size_t number = 0;

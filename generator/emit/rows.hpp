@@ -1,4 +1,4 @@
-// The one writer of rows: tables as C++ initialisers, a row a line, each citing what it is.
+// Tables of the engine as C++ initializers: one row per line, with a comment that names its subject.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace symplant::emit {
 
-// Every function writes all rows, or gives them without a line end behind the last; nothing where a table has none.
+// Every function writes or returns all rows of a table, without a line end after the last; nothing for an empty table.
 // O(rows).
 void unit_rows(RowWriter& rows, const lower::EngineTables& tables);
 std::string time_rows(const lower::EngineTables& tables);
 std::string random_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
-/// A constant for each kind of symbol that the plant has.
+/// A constant for each kind of symbol in the plant.
 std::string kind_rows(const lower::EngineTables& tables);
 void symbol_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string list_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
@@ -30,7 +30,7 @@ std::string transition_rows(const lower::Type& type, const model::Unit& example,
 std::string_view data_type_name(tables::DataType type);
 std::string_view direction_name(tables::Direction direction);
 
-/// A blob's texts, of which there must be one, as string literals, `per_line` on each line.
+/// The texts of a blob as string literals, `per_line` on each line. The blob must not be empty.
 void name_rows(RowWriter& rows, const std::string& blob, int per_line);
 
 void device_rows(RowWriter& rows, const lower::EngineTables& tables);

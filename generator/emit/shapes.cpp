@@ -1,4 +1,4 @@
-// Devices of equal structure, and patterns that name just them.
+// Finds devices of equal structure, and patterns that match exactly these devices.
 #include "emit/shapes.hpp"
 
 #include <algorithm>
@@ -23,17 +23,17 @@ std::string key_of(const model::Unit& unit) {
   return key;
 }
 
-/// The device level without the number at its end: what kind of device it is, in the list's own words.
+/// The device level without the number at its end: the kind of the device, as the list names it.
 std::string_view kind_of(const model::Unit& unit) {
   const std::size_t last = unit.device.find_last_not_of("0123456789");
   return unit.device.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-/// More kinds than these in one shape are no kinds: the devices have names of their own.
+/// If a shape has more kinds than this, the names do not express kinds: each device has an individual name.
 constexpr std::size_t kMostKinds = 8;
 
-/// A shape for each kind of device in it (clamps and grippers may be alike, and are spoken of apart), in the order of
-/// their first devices; the shape as it is where there are too many.
+/// Splits a shape by kind of device (clamps and grippers may have equal structure, but are described separately), in
+/// the order of their first devices. Returns the shape itself if it has too many kinds.
 std::vector<Shape> by_kind(const Shape& shape, const model::PlantModel& plant) {
   std::vector<Shape> kinds;
   text::ByName<std::size_t> by_name;
@@ -57,7 +57,7 @@ class Namer {
          {by_levels(shape.units), around(shape.units, true), around(shape.units, false), without_digits(first)}) {
       if (fits_just(pattern, shape)) return take(shape, pattern);
     }
-    // From the whole path down: the fewer characters are fixed, the more devices it may fit.
+    // Shorten the fixed part from the whole path down: the fewer characters it has, the more devices it may match.
     std::string best = first;
     for (std::size_t length = first.size(); length-- > 1;) {
       if ((static_cast<unsigned char>(first[length]) & 0xC0U) == 0x80U) continue;  // within a character
@@ -71,7 +71,7 @@ class Namer {
  private:
   std::string_view path(std::uint32_t unit) const { return plant_.units[unit].path; }
 
-  /// `BODY_*_CLAMP?`: line and process as far as they agree, then the kind; of several kinds something that fits none.
+  /// `BODY_*_CLAMP?`: the common part of line and process, then the kind. Empty if the devices are of several kinds.
   std::string by_levels(const std::vector<std::uint32_t>& units) const {
     const model::Unit& first = plant_.units[units.front()];
     std::string_view index = first.path.substr(0, first.path.size() - first.device.size());  // with its `_`
@@ -96,7 +96,7 @@ class Namer {
            (one_name ? std::string(first.device) : std::string(kind_of(first)) + (one_digit ? "?" : "*"));
   }
 
-  /// What all begin with, a `*`, and, if wanted, what all end with.
+  /// The common prefix of all paths, a `*` and, if `with_end` is set, the common suffix.
   std::string around(const std::vector<std::uint32_t>& units, bool with_end) const {
     const std::string_view first = path(units.front());
     std::size_t begin = first.size();
@@ -120,7 +120,7 @@ class Namer {
     return std::string(first.substr(0, begin)) + "*" + (with_end ? std::string(first.substr(first.size() - end)) : "");
   }
 
-  /// A `*` for each number in it.
+  /// The text with a `*` for each number.
   static std::string without_digits(const std::string& text) {
     std::string pattern;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// Devices of equal structure, and patterns that name just them.
+// Devices of equal structure, and patterns that match exactly these devices.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,17 @@
 
 namespace symplant::emit {
 
-/// Devices whose states, operations, events, actuation, rest and initial state are alike, and, up to eight kinds, the
-/// name without the number at its end as well.
+/// Devices with equal states, operations, events, actuation, rest and initial state. Up to eight kinds of device (the
+/// name without the number at its end) get separate shapes.
 struct Shape {
   std::vector<std::uint32_t> units;  ///< ascending
-  /// An exact path, or a pattern that fits all of `named` and no other device of the plant.
+  /// An exact path, or a pattern that matches all of `named` and no other device of the plant.
   std::string pattern;
-  std::vector<std::uint32_t>
-      named;  ///< those of `units` that the pattern fits; the others have no short name of their own
+  std::vector<std::uint32_t> named;  ///< those of `units` that the pattern matches; no short pattern covers the others
 };
 
-/// In the order of their first device. Where no pattern fits just the devices of a shape, it fits as many of them as
-/// share the longest beginning with the first one, or is the path of the first alone. O(devices * shapes).
+/// In the order of their first device. If no pattern matches exactly the devices of a shape, the pattern is the
+/// shortest prefix of the first device that matches devices of the shape only, or its whole path. O(devices * shapes).
 std::vector<Shape> shapes_of(const model::PlantModel& plant);
 
 }  // namespace symplant::emit

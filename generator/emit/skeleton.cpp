@@ -1,5 +1,4 @@
-// A plant description to begin with. A key that is commented out ends in a comma, and one that is not always follows
-// it.
+// Writes a first plant description. A commented-out key ends in a comma and is always followed by an active key.
 #include "emit/skeleton.hpp"
 
 #include <fmt/format.h>
@@ -19,15 +18,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNames = 6;    ///< told in a comment; the rest is counted
+constexpr std::size_t kMostNames = 6;    ///< names listed in a comment; the others are counted
 constexpr std::size_t kMostSamples = 6;  ///< transitions in a line
 
-/// A text as JSON has it, which is safe behind `//`, too: no line end gets through.
+/// A text as a JSON string. It contains no line end, so it is also safe after `//`.
 std::string json_text(std::string_view text) { return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 std::string one_line(const Json& json) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string spaced;  // a blank behind each colon and comma, within texts none is added
+  std::string spaced;  // with a space after each colon and comma outside strings
   bool in_text = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     spaced += text[i];
@@ -56,15 +55,15 @@ std::string some_of(const std::vector<std::string>& names) {
 
 class Skeleton {
  public:
-  Skeleton(const model::PlantModel& plant, const SkeletonList& list)
-      : plant_(plant), list_(list), shapes_(shapes_of(plant)) {}
+  Skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list)
+      : plant_(plant), evidence_(evidence), list_(list), shapes_(shapes_of(plant)) {}
 
   std::string write() {
     head();
     line("{");
     line("  \"symplant\": 1,");
     line("  \"name\": " + json_text(plant_.name) + ",");
-    line("  // What holds for every device that says nothing else:");
+    line("  // Defaults for all devices:");
     line("  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\" },");
     requirements();
     links();
@@ -81,11 +80,11 @@ class Skeleton {
  private:
   void line(std::string_view text) { text_.append(text).append("\n"); }
   void head() {
-    line(fmt::format("// A plant description, begun by `symplant init`: {} device{} of {} shape{}.",
+    line(fmt::format("// A plant description, written by `symplant init`: {} device{} of {} shape{}.",
                      plant_.units.size(), plant_.units.size() == 1 ? "" : "s", shapes_.size(),
                      shapes_.size() == 1 ? "" : "s"));
-    line("// As it stands it says nothing that is not inferred from the list anyway. To say more, take the `//` away");
-    line("// before a key and change its value: each such line is right as it stands, alone or with the others.");
+    line("// It states only what symplant infers from the list anyway. To state more, remove the `//` before a key");
+    line("// and change its value: each of these lines is valid as it is, alone or with the others.");
   }
 
   std::string list_reference() const {
@@ -97,7 +96,7 @@ class Skeleton {
     return one_line(list);
   }
 
-  /// A unit that can be commanded into a state that it reports.
+  /// A unit with a state that has both an operation and an event, and is not the initial state.
   struct Commanded {
     std::uint32_t unit;
     std::uint8_t state;
@@ -142,24 +141,25 @@ class Skeleton {
       list.push_back({{"name", fmt::format("{} and {} apart", unit.path, plant_.units[samples[1].unit].path)},
                       {"never", model::condition_text(both, plant_)}});
     }
-    line("  // What must hold whenever the plant runs; a violation makes `symplant run` fail:");
+    line("  // Requirements on every run of the plant; a violation makes `symplant run` fail:");
     line("  // \"requirements\": " + one_line(list) + ",");
   }
 
   void links() {
     const bool low = plant_.links.front().link.word_order == link::WordOrder::low_first;
-    line("  // How the PLC is linked; `symplant map` shows which symbol stands where:");
+    line("  // How the PLC is linked; `symplant map` shows the address of each symbol:");
     line("  // \"links\": [{\"url\": \"modbus-tcp-server://127.0.0.1:1502\", \"word-order\": \"" +
          std::string(low ? "low-first" : "high-first") + "\", \"on-loss\": \"hold\", \"loss-after\": \"1s\"}],");
   }
 
-  /// Levels, not an entry of `ignore`: that is told of as idle where the transitions proposed below move the device.
+  /// Proposes a severity, not an entry of `ignore`: the transitions proposed below would make such an entry idle, and
+  /// that is a finding.
   void check_section() {
     const bool idle = std::any_of(plant_.units.begin(), plant_.units.end(),
                                   [](const model::Unit& unit) { return unit.operations.empty(); });
     if (!idle) return;
-    const Json check{{"severity", {{"nobody-moves", "warning"}}}};
-    line("  // How much findings of `symplant check` weigh; `ignore` in it leaves out those that are meant to be:");
+    const Json check{{"severity", {{"event-not-driven", "warning"}}}};
+    line("  // Severities of the findings of `symplant check`; its key `ignore` suppresses intended findings:");
     line("  // \"check\": " + one_line(check) + ",");
   }
 
@@ -170,9 +170,9 @@ class Skeleton {
     }
     if (!names.empty()) {
       line(fmt::format(
-          "  // Nobody moves {}: say with `initial` where they stand, or with automatic `transitions` how they",
+          "  // No operation moves {}: give `initial` for their state, or automatic `transitions`;",
           some_of(names)));
-      line("  // move; scenarios and links can set them.");
+      line("  // scenarios and links can set them, too.");
     }
     std::vector<std::string> symbols;
     for (const model::Symbol& symbol : plant_.symbols) {
@@ -186,8 +186,8 @@ class Skeleton {
   void device(const Shape& shape, bool last) {
     const model::Unit& unit = plant_.units[shape.named.front()];
     line("    // " + inferred(shape, unit));
-    const std::string hint = worth_saying(unit);
-    if (!hint.empty()) line("    // Worth saying: " + hint);
+    const std::string hint = worth_saying(unit, evidence_.units[static_cast<std::size_t>(&unit - plant_.units.data())]);
+    if (!hint.empty()) line("    // Worth giving: " + hint);
     line("    " + json_text(shape.pattern) + ": {");
     line("      // \"initial\": " + json_text(unit.states[unit.initial].name) + ",");
     line("      // \"actuation\": " + json_text(description::actuation_name(unit.actuation)) + ",");
@@ -196,7 +196,7 @@ class Skeleton {
     }
     const Json transitions = transitions_of(unit);
     if (!transitions.empty()) line("      // \"transitions\": " + one_line(transitions) + ",");
-    line("      \"only\": false  // true: the transitions given here are all, none is derived from operations");
+    line("      \"only\": false  // true: only the transitions given here exist, none is derived from operations");
     line(last ? "    }" : "    },");
   }
 
@@ -219,28 +219,28 @@ class Skeleton {
       const bool named = std::binary_search(shape.named.begin(), shape.named.end(), other);
       if (!named) others.emplace_back(plant_.units[other].path);
     }
-    return text + "; alike, but with no pattern in common: " + some_of(others);
+    return text + "; of equal structure, but without a common pattern: " + some_of(others);
   }
 
-  static std::string worth_saying(const model::Unit& unit) {
-    if (unit.two_words) return "whether the two words mean one state; then spell them alike in the list";
+  static std::string worth_saying(const model::Unit& unit, const model::UnitEvidence& evidence) {
+    if (evidence.two_words) return "whether the two words mean one state; if so, spell them alike in the list";
     std::string hint;
     const auto add = [&](std::string_view more) { hint.append(hint.empty() ? "" : "; ").append(more); };
     if (unit.initial_from == model::InitialFrom::row_order) {
       add("`initial`, which only the order of rows decided");
     }
-    if (unit.initial_candidates > 1) add("`initial`, since several events start TRUE");
+    if (evidence.initial_candidates > 1) add("`initial`, since several events start TRUE");
     if (unit.operations.empty()) {
-      add("what moves it");
+      add("what drives it");
     } else if (unit.actuation == tables::Actuation::latched && unit.operations.size() == 2 && unit.states.size() == 2) {
-      add("`actuation`, if it is a double solenoid (bistable) or a motor (held), and how long its ways take");
+      add("`actuation`, if it is a double solenoid (bistable) or a motor (held), and its travel times");
     } else {
-      add("how long its ways take");
+      add("its travel times");
     }
     return hint;
   }
 
-  /// As they were derived and inferred, `*` for all sources of a target where there are more than two states.
+  /// Sample transitions, as derived and inferred. With more than two states, `*` is the source of a commanded one.
   static Json transitions_of(const model::Unit& unit) {
     Json list = Json::array();
     const auto add = [&](std::string_view from, std::string_view to, const Json& more) {
@@ -269,6 +269,7 @@ class Skeleton {
   }
 
   const model::PlantModel& plant_;
+  const model::Evidence& evidence_;
   const SkeletonList& list_;
   std::vector<Shape> shapes_;
   std::string text_;
@@ -276,6 +277,6 @@ class Skeleton {
 
 }  // namespace
 
-std::string skeleton(const model::PlantModel& plant, const SkeletonList& list) { return Skeleton(plant, list).write(); }
+std::string skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list) { return Skeleton(plant, evidence, list).write(); }
 
 }  // namespace symplant::emit

@@ -1,22 +1,23 @@
-// A plant description to begin with: what was inferred as comments, what could be said as keys that are commented out.
+// Writes a first plant description: inferred facts as comments, possible settings as commented-out keys.
 #pragma once
 
 #include <string>
 
+#include "model/evidence.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::emit {
 
-/// What the description has to say of the list so that it is read as it was.
+/// The reference to the list, with the settings that it was read with.
 struct SkeletonList {
   std::string file;      ///< relative to the description
-  std::string format;    ///< empty: sniffed
-  std::string encoding;  ///< empty: sniffed
-  std::string xy;        ///< `hex`, `octal`; empty: not said
+  std::string format;    ///< empty: detected
+  std::string encoding;  ///< empty: detected
+  std::string xy;        ///< `hex`, `octal`; empty: not given
 };
 
-/// The text of a plant.json: valid as it stands, and the same plant as the bare list. Each line that is a key behind
-/// `//` may be uncommented, alone or together with others, and it stays valid. One entry a shape of devices.
-std::string skeleton(const model::PlantModel& plant, const SkeletonList& list);
+/// The text of a plant.json: valid, and the same plant as the bare list. Each line with a key after `//` may be
+/// uncommented, alone or together with others, and the text stays valid. One entry for each shape of devices.
+std::string skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list);
 
 }  // namespace symplant::emit

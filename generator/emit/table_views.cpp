@@ -1,4 +1,4 @@
-// The plant's tables as tables_gen.cpp shows them.
+// The plant's tables for tables_gen.cpp.
 #include "emit/table_views.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 using tables::Direction;
 
-/// Puts tables and members side by side, in the order of tables::PlantTables. A table without rows is left out.
+/// Collects tables and the members that hold them, in the order of tables::PlantTables. Omits tables without rows.
 class TableViews {
  public:
   explicit TableViews(View& view)
@@ -31,7 +31,7 @@ class TableViews {
         {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
   }
 
-  /// Rows that are written when they are wanted.
+  /// A table whose rows are written on demand.
   void rows(const char* member, const char* array, const char* row, std::string_view about, bool any,
             RowSource source) {
     if (!any) return;
@@ -58,28 +58,28 @@ class TableViews {
 
 void add_conditions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
   views.rows("conditions", "kConditions", "tables::ConditionRow",
-             "A condition: its truth table, who reads it, as which input.", condition_rows(tables, plant));
+             "A condition: truth table, its reader, which input of the reader it is.", condition_rows(tables, plant));
   views.rows("conditioned_units", "kConditionedUnits", "tables::ConditionedUnit",
-             "A device with conditions: device, the first of them.", conditioned_unit_rows(tables, plant));
+             "A device with conditions: device, its first condition.", conditioned_unit_rows(tables, plant));
   views.rows("unit_watches", "kUnitWatches", "tables::UnitWatch",
-             "Which device's state a condition watches: device, condition, state, input of the condition.",
+             "A device state that a condition watches: device, condition, state, input of the condition.",
              unit_watch_rows(tables, plant));
   const char* const bits = "bit, condition, input of the condition.";
   views.rows("operation_watches", "kOperationWatches", "tables::BitWatch",
-             fmt::format("Which operation a condition watches: {}", bits),
+             fmt::format("An operation that a condition watches: {}", bits),
              bit_watch_rows(tables, plant, Direction::operation));
   views.rows("event_watches", "kEventWatches", "tables::BitWatch",
-             fmt::format("Which event a condition watches: {}", bits), bit_watch_rows(tables, plant, Direction::event));
+             fmt::format("An event that a condition watches: {}", bits),
+             bit_watch_rows(tables, plant, Direction::event));
   const char* const values = "operand, slot, condition, input of the condition, comparison, kind of number.";
   views.rows("operation_value_watches", "kOperationValueWatches", "tables::ValueWatch",
-             fmt::format("Which numeric operation a condition compares: {}", values),
+             fmt::format("A numeric operation that a condition compares: {}", values),
              value_watch_rows(tables, plant, Direction::operation));
   views.rows("event_value_watches", "kEventValueWatches", "tables::ValueWatch",
-             fmt::format("Which numeric event a condition compares: {}", values),
+             fmt::format("A numeric event that a condition compares: {}", values),
              value_watch_rows(tables, plant, Direction::event));
   views.rows("requirements", "kRequirements", "tables::RequirementRow",
-             "A requirement: what it wants, its condition, the one expected, within which time (ns).",
-             requirement_rows(tables, plant));
+             "A requirement: kind, condition, expected condition, time limit (ns).", requirement_rows(tables, plant));
 }
 
 }  // namespace
@@ -95,27 +95,26 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
       !tables.units.empty(), [&](RowWriter& rows) { unit_rows(rows, tables); });
   views.rows(
       "times", "kTimes", "tables::TransitionTimes",
-      "For each set of times the default travel, then a transition each: after, takes (ns; below 0: a random time).",
+      "For each set of times the default travel time, then a row per transition: after, takes (ns; below 0: random).",
       time_rows(tables));
   views.rows("random_times", "kRandomTimes", "tables::RandomTime",
-             "Times that are drawn: minimum and maximum, or mean and standard deviation (ns).",
-             random_rows(tables, plant));
+             "Random times: minimum and maximum, or mean and standard deviation (ns).", random_rows(tables, plant));
   views.rows("symbols", "kSymbols", "tables::SymbolRow",
              "A symbol: bit or slot, device, number of its address, line in the list, kind.", !tables.symbols.empty(),
              [&](RowWriter& rows) { symbol_rows(rows, tables, plant); });
   views.rows("lists", "kLists", "tables::SymbolListRow", "A symbol list: its first symbol, its controller.",
              list_rows(tables, plant));
   views.rows("initial_values", "kInitialValues", "tables::InitialValue",
-             "Starting values that no device sets: symbol, value.", !tables.initial_values.empty(),
+             "Initial values that no device sets: symbol, value.", !tables.initial_values.empty(),
              [&](RowWriter& rows) { initial_rows(rows, tables, plant); });
   views.rows("shared_addresses", "kSharedAddresses", "tables::SharedAddress",
-             "Symbols on the address of another: symbol, the one that it follows.", shared_rows(tables, plant));
+             "A symbol on the address of another one: symbol, the symbol that it follows.", shared_rows(tables, plant));
   views.rows("disables", "kDisables", "tables::DisableRow",
-             "Who cannot move while another device is in a state: that device, who cannot move, the state.",
+             "A device that another one disables: the disabling device, the disabled device, the state of the former.",
              disable_rows(tables, plant));
   add_conditions(views, tables, plant);
   views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
-             "A device with a class of your own: device, class, its inputs among its conditions, its values.",
+             "A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).",
              behaviour_unit_rows(tables, plant));
   views.rows("behaviour_values", "kBehaviourValues", "std::uint32_t", "Numeric symbols of those devices.",
              behaviour_value_rows(tables, plant));
@@ -127,7 +126,8 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   views.texts("state_names", "kStateNames", "The types' states.", tables.state_names, 8);
   views.texts("symbol_names", "kSymbolNames", "A symbol's name and address.", tables.symbol_names, 2);
   views.texts("requirement_names", "kRequirementNames", "The requirements' names.", tables.requirement_names, 1);
-  views.texts("behaviour_names", "kBehaviourNames", "The names of your own classes.", tables.behaviour_names, 1);
+  views.texts("behaviour_names", "kBehaviourNames", "The names of the custom behavior classes.", tables.behaviour_names,
+              1);
   views.texts("list_names", "kListNames", "The symbol lists' files.", tables.list_names, 1);
   views.texts("controller_names", "kControllerNames", "The controllers; the default one has no name.",
               tables.controller_names, 1);

@@ -1,4 +1,4 @@
-// The plant's tables as tables_gen.cpp shows them: those that have rows, and what the plant is put together of.
+// The plant's tables for tables_gen.cpp: the tables that have rows, and the members of the plant's tables.
 #pragma once
 
 #include "emit/render.hpp"

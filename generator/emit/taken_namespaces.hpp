@@ -5,8 +5,8 @@
 
 namespace symplant::emit {
 
-/// What CMake keeps as targets, what the generated code itself names, and what the C library declares at global scope:
-/// `namespace time` would be an error in every file that sees <time.h>.
+/// Targets that CMake reserves, names that the generated code uses, and names that the C library declares at global
+/// scope: `namespace time` would be an error in every file that includes <time.h>.
 inline constexpr std::string_view kTakenNamespaces[] = {
     "std",      "symplant", "core",     "posix",    "main",      "test",       "all",           "clean",
     "install",  "package",  "help",     "CLI",      "fmt",       "edit_cache", "rebuild_cache", "abort",

@@ -1,4 +1,4 @@
-// A device type as its class shows it.
+// The views of device types, for their classes.
 #include "emit/type_view.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& parts, std::string_view prefi
   return out;
 }
 
-/// Where each state switches its own event alone: in one line.
+/// The masks of all states on one line, for types without `outputs`.
 std::string masks_in_line(const std::vector<tables::EventMasks>& masks) {
   std::vector<std::string> parts;
   parts.reserve(masks.size());
@@ -33,7 +33,7 @@ std::string masks_in_line(const std::vector<tables::EventMasks>& masks) {
   return joined(parts);
 }
 
-/// Of each state the events that entering or leaving it switches, a row each with the events' names.
+/// The masks of each state on a separate line, with a comment that names the events.
 std::string mask_rows(const std::vector<tables::EventMasks>& masks, const model::Unit& unit,
                       const model::PlantModel& plant) {
   RowWriter rows;
@@ -54,22 +54,22 @@ std::string mask_rows(const std::vector<tables::EventMasks>& masks, const model:
   return rows.text("   ").take();
 }
 
-/// What a move does while its operations change, in words.
+/// The effect of the operations on a moving device, in words.
 std::string_view actuation_text(tables::Actuation actuation) {
   switch (actuation) {
     case tables::Actuation::latched:
-      return "a move once started goes on to its end";
+      return "a started transition continues to its end";
     case tables::Actuation::bistable:
-      return "a move goes on without a command and turns round on the other one";
+      return "a transition continues without a command and reverses on the opposite one";
     case tables::Actuation::held:
-      return "it moves as long as its operation is on";
+      return "it moves while its operation is on";
     case tables::Actuation::spring:
       return "a spring returns it to rest when no operation is on";
   }
   return "";
 }
 
-/// One side of a type: its enumerators, each with the example's symbol.
+/// Adds the operations or events of a type: enumerators, each with the symbol of the example device.
 std::vector<std::string> add_side(View& view, const std::string& list, const std::vector<std::uint32_t>& side,
                                   const model::PlantModel& plant) {
   text::IdentifierScope scope;
@@ -120,7 +120,7 @@ std::string state_number(std::uint8_t state) {
   return state == tables::kNoState ? "symplant::tables::kNoState" : std::to_string(state);
 }
 
-/// What a behaviour sees and sets beyond states, operations and events.
+/// Adds what a behavior reads and sets beyond states, operations and events.
 void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel& plant) {
   View own;
   own.texts["behaviour"] = text::identifier(unit.described->behaviour);
@@ -167,7 +167,7 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   std::vector<std::string> targets;
   for (const std::uint8_t target : type.operation_targets) targets.push_back(state_number(target));
   texts["target_list"] = joined(targets);
-  view.lists["behaviour_views"];  // a template wants it also where it is empty
+  view.lists["behaviour_views"];  // a template needs the list even if it is empty
   if (unit.has_behaviour()) add_behaviour(view, unit, plant);
   return view;
 }
@@ -193,8 +193,8 @@ std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const mo
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
   text::IdentifierScope scope(text::kGeneratedNames);
   std::vector<std::string> names(tables.types.size());
-  std::set<std::string> own;                          // the user's classes are not to be named again
-  enum class Source { derived_from, given, device };  // what the user's code is derived from has its name first
+  std::set<std::string> own;                          // names of the user's classes, which are taken
+  enum class Source { derived_from, given, device };  // base classes of the user's code get their names first
   const auto source_of = [](const model::Unit& unit) {
     if (unit.described == nullptr || unit.described->type.empty()) return Source::device;
     return unit.has_behaviour() ? Source::derived_from : Source::given;

@@ -1,4 +1,4 @@
-// A device type as its class shows it.
+// The views of device types, for their classes.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace symplant::emit {
 
-/// The classes' names, a type each: the one that the description gives, else the device level without its digits;
-/// numbered where structures differ.
+/// The class name of each type: the name from the description, else the device level without its digits. A number is
+/// appended if different structures would share a name.
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant);
 
 /// Views of all types, in their order. O(devices + states + transitions).
 std::vector<View> type_views(const lower::EngineTables& tables, const model::PlantModel& plant,
                              const std::vector<std::string>& classes);
 
-/// Lines about devices, for a list `devices`: the first twenty, and how many more there are.
+/// Lines for a list `devices`: the first twenty devices, and how many more there are.
 std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const model::PlantModel& plant);
 
 }  // namespace symplant::emit

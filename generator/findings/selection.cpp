@@ -17,7 +17,8 @@ constexpr std::size_t kIdSize = 5;        // "SP201"
 constexpr std::size_t kShortestWord = 2;  // "SP", every rule
 
 bool names_exactly(std::string_view word, const diag::RuleInfo& rule) {
-  return text::equal_ignoring_case(word, rule.id) || text::equal_ignoring_case(word, rule.slug);
+  return text::equal_ignoring_case(word, rule.id) || text::equal_ignoring_case(word, rule.slug) ||
+         text::equal_ignoring_case(check::slug_now(word), rule.slug);
 }
 
 /// How exactly a word means a rule; 0: not at all.
@@ -58,7 +59,20 @@ base::Result<Selection, std::string> Selection::of(std::span<const std::string> 
   Selection selection;
   selection.select_.assign(select.begin(), select.end());
   selection.ignore_.assign(ignore.begin(), ignore.end());
+  for (std::vector<std::string>* words : {&selection.select_, &selection.ignore_}) {
+    for (std::string& word : *words) selection.use_current_slug(word);
+  }
   return selection;
+}
+
+void Selection::use_current_slug(std::string& word) {
+  const std::string_view now = check::slug_now(word);
+  if (now.empty()) return;
+  const bool known = std::any_of(renamed_.begin(), renamed_.end(), [&](const std::string& each) {
+    return text::equal_ignoring_case(each, word);
+  });
+  if (!known) renamed_.push_back(word);
+  word = now;
 }
 
 Selection::Verdict Selection::verdict(const diag::RuleInfo& rule) const {

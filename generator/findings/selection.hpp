@@ -28,10 +28,15 @@ class Selection {
 
   Verdict verdict(const diag::RuleInfo& rule) const;
   bool takes_all() const { return select_.empty() && ignore_.empty(); }
+  /// The former slugs among the words, each once. They work, with a warning.
+  const std::vector<std::string>& renamed() const { return renamed_; }
 
  private:
+  void use_current_slug(std::string& word);
+
   std::vector<std::string> select_;
   std::vector<std::string> ignore_;
+  std::vector<std::string> renamed_;
 };
 
 /// What is left of the findings, and how many were left out; of those that plant.json ignores none is counted where it

@@ -6,19 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "check/catalogue.hpp"
 #include "check/rules.hpp"
+#include "text/ascii.hpp"
 #include "text/pattern.hpp"
 
 namespace symplant::findings {
 namespace {
 
-/// Errors that leave a sound plant all the same: of two rows of one name the first counts.
-constexpr std::array<std::string_view, 1> kErrorsToChooseFrom{"SP302"};
+/// Errors that leave a sound plant: of two rows of one name the first counts; a plant without devices has its symbols.
+constexpr std::array<std::string_view, 2> kErrorsToChooseFrom{"SP302", "SP415"};
 
 /// The number that two digits make; nothing where they are none.
 std::optional<int> number(std::string_view text) {
@@ -78,6 +80,12 @@ class Settings {
   const diag::RuleInfo* rule_of(const std::string& name, const diag::Location& location) {
     const diag::RuleInfo* rule = check::find_rule(name);
     if (rule == nullptr) result_.add(check::kUnknownRule.info, check::no_such_rule(name), location);
+    if (!check::slug_now(name).empty() && renamed_.insert(text::to_upper(name)).second) {
+      result_.add(check::kRuleRenamed.info,
+                  fmt::format("{}: write the new name, the next version no longer reads the old one",
+                              check::renamed_rule(name)),
+                  location);
+    }
     return rule;
   }
 
@@ -158,6 +166,7 @@ class Settings {
   std::string_view today_;
   std::vector<Level> levels_;
   std::vector<Ignoring> ignoring_;
+  std::set<std::string> renamed_;  ///< former slugs that are reported, in capitals
   diag::Diagnostics result_;
 };
 

@@ -1,4 +1,4 @@
-// Places in the planes of bits.
+// Allocates bits of the planes.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace symplant::lower {
 
-/// Deals out bits of a plane so that those of one unit lie in one word.
+/// Allocates bits of a plane so that the bits of a unit are in one word.
 class BitPlane {
  public:
   std::uint32_t take(std::size_t count) {
@@ -26,10 +26,10 @@ class BitPlane {
   std::size_t used_ = 0;
 };
 
-/// The operations' plane: the units in one word lie near each other, too (tables::kMaxUnitsInWord).
+/// The plane of operations. The units in a word are also near each other (tables::kMaxUnitsInWord).
 class OperationPlane : public BitPlane {
  public:
-  /// Units ask in their order.
+  /// Call in the order of units.
   std::uint32_t take_for(std::uint32_t unit, std::size_t count) {
     if (count == 0) return take(0);
     if (!at_word() && unit - first_in_word_ >= tables::kMaxUnitsInWord) next_word();

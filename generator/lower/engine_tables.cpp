@@ -1,4 +1,4 @@
-// The engine's view of tables made at run time.
+// Gives the engine a view of tables that were made at run time.
 #include "lower/engine_tables.hpp"
 
 namespace symplant::lower {

@@ -1,4 +1,4 @@
-// The engine's tables with the memory that they point to.
+// The engine's tables with their memory.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace symplant::lower {
 
-/// One device type: what units of equal structure share.
+/// A device type, shared by all units of equal structure.
 struct Type {
   std::uint32_t example;  ///< the first unit of this type
   std::uint8_t operations;
@@ -49,15 +49,15 @@ struct EngineTables {
   std::uint32_t event_bits = 0;
   std::uint32_t operation_slots = 0;
   std::uint32_t event_slots = 0;
-  std::string unit_names;  ///< blobs: each text ended by a NUL
+  std::string unit_names;  ///< texts, each with a NUL after it; so are the other blobs
   std::string state_names;
-  std::string symbol_names;  ///< two texts a symbol: name, address
+  std::string symbol_names;  ///< two texts for each symbol: name, address
   std::string requirement_names;
   std::string behaviour_names;
   std::string list_names;
   std::string controller_names;
 
-  std::vector<tables::TypeRow> type_rows;  ///< of `types`, as the engine wants them; made by finish()
+  std::vector<tables::TypeRow> type_rows;  ///< of `types`, for the engine; made by finish()
 
   void finish();
   tables::PlantTables tables() const;

@@ -8,12 +8,12 @@ namespace symplant::lower {
 namespace {
 
 constexpr std::string_view kPage =
-    R"(A plant may have 8,388,607 types of devices (devices of equal structure are of one type) and 2,147,483,647 bits of
-operations and of events each. This plant has more.
+    R"(A plant can have at most 8,388,607 types of devices (devices of equal structure share one type) and 2,147,483,647
+bits each of operations and events. This plant has more.
 
 **What the model loses.** It cannot be built.
 
-**How to mend it.** Make two plants of it, or more.
+**How to fix it.** Split it into several plants.
 )";
 
 }  // namespace
@@ -32,8 +32,8 @@ std::string beyond_limits(const Sizes& sizes) {
                                      {sizes.event_bits, kMaxBits, " bits of events"}}};
   for (const Limit& limit : limits) {
     if (limit.size <= limit.most) continue;
-    return "the plant has " + std::to_string(limit.size) + limit.what + ", and " + std::to_string(limit.most) +
-           " are the most: make several plants of it";
+    return "the plant has " + std::to_string(limit.size) + limit.what + ", but at most " + std::to_string(limit.most) +
+           " are supported; split it into several plants";
   }
   return "";
 }

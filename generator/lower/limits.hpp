@@ -1,4 +1,4 @@
-// What the engine's tables cannot hold.
+// The limits of the engine's tables.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace symplant::lower {
 
 /// Types are numbered with 23 bits.
 inline constexpr std::uint64_t kMaxTypes = (std::uint64_t{1} << 23) - 1;
-/// Bits of a plane.
+/// The most bits of a plane.
 inline constexpr std::uint64_t kMaxBits = (std::uint64_t{1} << 31) - 1;
 
 struct Sizes {
@@ -20,13 +20,13 @@ struct Sizes {
   std::uint64_t event_bits;
 };
 
-/// What of it passes the limits, in words; empty where nothing does.
+/// A message about the first size beyond its limit; empty if there is none.
 std::string beyond_limits(const Sizes& sizes);
 
 /// SP701 plant-too-large.
 extern const diag::RuleInfo kPlantTooLarge;
 
-/// Tells where the tables cannot hold the plant; they are not to be used then.
+/// Reports if the tables cannot hold the plant; then they must not be used.
 void check_limits(const EngineTables& tables, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::lower

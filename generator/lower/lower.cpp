@@ -1,4 +1,4 @@
-// The one lowering.
+// Lowers the plant model to the engine's tables.
 #include "lower/lower.hpp"
 
 #include <map>
@@ -80,7 +80,7 @@ class Lowering {
     }
   }
 
-  /// The model has them in their order: by unit, by state, ascending.
+  /// The model has them in table order: by unit, then by state, ascending.
   void lower_disables() {
     for (std::uint32_t by = 0; by < plant_.units.size(); ++by) {
       const auto& states = plant_.units[by].disables;
@@ -92,7 +92,7 @@ class Lowering {
     }
   }
 
-  /// Behaviours of one name are one class, whatever units it is for.
+  /// Behaviors of one name are one class, for all its units.
   void lower_behaviours() {
     std::map<std::string_view, std::uint32_t> names;
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {

@@ -1,4 +1,4 @@
-// The one lowering: from the plant model to the engine's tables.
+// Lowers the plant model to the engine's tables.
 #pragma once
 
 #include "lower/engine_tables.hpp"
@@ -6,7 +6,7 @@
 
 namespace symplant::lower {
 
-/// `emit` writes these tables out, `run` hands them to the engine as they are. O(symbols + units + conditions).
+/// Makes the tables that `emit` writes as code and that `run` gives to the engine. O(symbols + units + conditions).
 EngineTables lower(const model::PlantModel& plant);
 
 }  // namespace symplant::lower

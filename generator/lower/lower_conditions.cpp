@@ -1,4 +1,4 @@
-// Conditions: truth tables, what they watch, who reads them.
+// Lowers conditions: truth tables, the symbols and units that they watch, and their readers.
 #include "lower/lower_conditions.hpp"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace symplant::lower {
 namespace {
 
-/// Who reads a table of a network.
+/// A table that reads another table of a network, and the input.
 struct Reader {
-  std::uint32_t table = 0;  ///< its place in the network
+  std::uint32_t table = 0;  ///< index in the network
   std::uint8_t input = 0;
 };
 
-/// The readers of all tables but the last, which is the whole.
+/// The readers of all tables except the last one, which is the whole condition.
 std::vector<Reader> readers_of(const std::vector<condition::TruthTable>& network) {
   std::vector<Reader> readers(network.size());
   for (std::uint32_t t = 0; t < network.size(); ++t) {
@@ -114,7 +114,7 @@ class ConditionLowering {
     }
   }
 
-  /// Each by what it watches, then by condition and input, so that equal plants have equal tables.
+  /// Sorts watches by what they watch, then by condition and input, so that equal plants have equal tables.
   void sort_watches() {
     const auto by = [](auto& rows, auto what) {
       std::sort(rows.begin(), rows.end(), [what](const auto& a, const auto& b) {

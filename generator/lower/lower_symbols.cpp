@@ -1,4 +1,4 @@
-// Symbols: their places in the planes, what they start from, what they follow.
+// Lowers symbols: their slots in the planes, their initial values and the symbols that they follow.
 #include "lower/lower_symbols.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using model::kNone;
 
 tables::AddressForm form_of(const model::Symbol& symbol) {
   if (!symbol.address) return tables::AddressForm::none;
-  // An address of another size than the symbol's is a fault that the checks report; it has no place on a link.
+  // The checks report an address whose size differs from the symbol's; it has no number on a link.
   if (static_cast<int>(symbol.address->size) != model::data_type_bits(symbol.type)) return tables::AddressForm::none;
   if (!symbol.address->plain || symbol.address->number > 0xFFFF'FFFF) return tables::AddressForm::other;
   return tables::AddressForm::number;
@@ -30,7 +30,7 @@ class SymbolLowering {
   void run() {
     find_leaders_of_types();
     base::reserve_large(tables_.symbols, plant_.symbols.size());
-    std::size_t text = 0;  // no name is longer than its row
+    std::size_t text = 0;  // an upper bound: no name is longer than its row
     for (const model::PlantList& list : plant_.lists) text += list.table->source->text().size();
     base::reserve_large(tables_.symbol_names, text);
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
@@ -61,12 +61,12 @@ class SymbolLowering {
     return (operation ? operations_ : events_).take(1);
   }
 
-  /// Of a unit's event: its place there.
+  /// The position of an event in its unit.
   std::uint32_t location_of(std::uint32_t event) const {
     return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
   }
 
-  /// An operation moves its unit; an event is moved by it.
+  /// Whether a symbol acts in its unit: an operation of a unit that moves, or an event that its unit drives.
   bool moved(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
     if (symbol.unit == kNone) return false;
@@ -75,9 +75,8 @@ class SymbolLowering {
     return unit.moves_event(location_of(i));
   }
 
-  /// The symbol that this one is kept equal with by the engine; itself where it leads. Numbers of different types on
-  /// one address are told apart by the links, which know how each type reads the same register: of each type the first
-  /// leads.
+  /// The symbol that the engine keeps this one equal to; itself if it leads. Numbers of different types on one address
+  /// have a leader for each type, the first: the links know how each type reads the same register.
   std::uint32_t leader_of(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
     if (symbol.leader == kNone) return i;
@@ -94,7 +93,7 @@ class SymbolLowering {
     }
   }
 
-  /// Numeric symbols and BOOL events that are no state's stand at their Initial, unless they follow another.
+  /// Whether a symbol starts with its Initial: a numeric symbol or a BOOL event of no state that follows no other.
   bool keeps_initial(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
     if (symbol.initial == 0 || leader_of(i) != i) return false;
@@ -103,8 +102,8 @@ class SymbolLowering {
     return symbol.unit == kNone || !set_at_start(i);
   }
 
-  /// Whether its unit says how an event starts: it is a state's, or one on its address is, or entering the initial
-  /// state switches it.
+  /// Whether its unit decides how an event starts: it or an event on its address belongs to a state, or entering the
+  /// initial state switches it.
   bool set_at_start(std::uint32_t event) const {
     const model::Unit& unit = plant_.units[plant_.symbols[event].unit];
     const std::uint64_t mask = std::uint64_t{1} << location_of(event);
@@ -123,7 +122,7 @@ class SymbolLowering {
   BitPlane& operations_;
   BitPlane& events_;
   EngineTables& tables_;
-  std::map<std::pair<std::uint32_t, tables::DataType>, std::uint32_t> first_of_type_;  ///< of a leader's address
+  std::map<std::pair<std::uint32_t, tables::DataType>, std::uint32_t> first_of_type_;  ///< by the address leader
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Symbols: their places in the planes, what they start from, what they follow.
+// Lowers symbols: their slots in the planes, their initial values and the symbols that they follow.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace symplant::lower {
 
-/// Fills in the rows of symbols, once those of types and units stand; `symbol_bits` has the bits of units' symbols and
-/// model::kNone for the others, which get theirs from the planes. O(symbols + events of units).
+/// Fills in the rows of symbols. The rows of types and units must be complete. `symbol_bits` has the bits of the units'
+/// symbols and model::kNone for other symbols, which get a bit from the planes. O(symbols + events of units).
 void lower_symbols(const model::PlantModel& plant, const std::vector<std::uint32_t>& symbol_bits, BitPlane& operations,
                    BitPlane& events, EngineTables& tables);
 

@@ -1,4 +1,4 @@
-// Which transitions and units the engine keeps a record of.
+// Marks the transitions and units that need a record in the engine.
 #include "lower/marks.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace symplant::lower {
 namespace {
 
-/// A transition waits for its cause, or draws a time; 0 is a fixed time of none.
+/// Whether a transition has a delay or a random travel time; a fixed time of 0 is neither.
 bool timed(const tables::TransitionTimes& times) { return times.after != 0 || times.takes < 0; }
 
 void mark_transitions(EngineTables& tables) {

@@ -1,11 +1,12 @@
-// Which transitions and units the engine keeps a record of.
+// Marks the transitions and units that need a record in the engine.
 #pragma once
 
 #include "lower/engine_tables.hpp"
 
 namespace symplant::lower {
 
-/// Sets tables::Transition::timed and tables::UnitRow::rich, once all other tables stand. O(transitions of all units).
+/// Sets tables::Transition::timed and tables::UnitRow::rich. All other tables must be complete. O(transitions of all
+/// units).
 void mark_what_costs_more(EngineTables& tables);
 
 }  // namespace symplant::lower

@@ -1,4 +1,4 @@
-// Times of transitions, fixed and random.
+// Lowers the times of transitions, fixed and random.
 #include "lower/time_table.hpp"
 
 namespace symplant::lower {

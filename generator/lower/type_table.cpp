@@ -1,4 +1,4 @@
-// Device types.
+// Device types, shared by units of equal structure.
 #include "lower/type_table.hpp"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ bool driven_by_its_unit(const model::PlantModel& plant, std::uint32_t event) {
   return plant.units[unit].moves_event(static_cast<std::uint32_t>(position));
 }
 
-/// The events that stand on the address of `event`, among the unit's own: they come on and go off together. None where
-/// they follow another unit's event: that one alone says what is there.
+/// The unit's events on the address of `event`, which always have one value. Empty if they follow an event of another
+/// unit, which alone decides their value.
 std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
   const auto leader_of = [&](std::uint32_t position) {
     const std::uint32_t symbol = unit.events[position];
@@ -38,13 +38,13 @@ std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& uni
   return events;
 }
 
-/// Of several assignments to one event the last counts.
+/// Sets or clears events; of several assignments to one event the last counts.
 void assign(tables::EventMasks& masks, std::uint64_t events, bool on) {
   masks.on = on ? masks.on | events : masks.on & ~events;
   masks.off = on ? masks.off & ~events : masks.off | events;
 }
 
-/// What entering (`on`) or leaving a state switches: its own event, then the outputs.
+/// The events that entering (`on`) or leaving a state switches: its event, then the outputs.
 tables::EventMasks masks_of(const model::PlantModel& plant, const model::Unit& unit, const model::State& state, bool on,
                             const std::vector<std::pair<std::uint32_t, bool>>& outputs) {
   tables::EventMasks masks{};
@@ -89,7 +89,7 @@ void make_type(const model::PlantModel& plant, std::uint32_t index, Type& type) 
   }
 }
 
-/// Everything that two units of one type have in common, as one text.
+/// Appends everything that units of one type have in common, as a text.
 void put_structure(const Type& type, const model::PlantModel& plant, std::string& text) {
   const model::Unit& unit = plant.units[type.example];
   text.clear();
@@ -126,7 +126,7 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
   }
   if (unit.described != nullptr) text.append(unit.described->type);
   text.push_back('\0');
-  if (unit.has_behaviour()) text.append(unit.described->behaviour);  // its class is derived from
+  if (unit.has_behaviour()) text.append(unit.described->behaviour);  // the custom class derives from the type
 }
 
 }  // namespace

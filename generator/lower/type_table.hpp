@@ -1,4 +1,4 @@
-// Device types: units of equal structure share one.
+// Device types, shared by units of equal structure.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace symplant::lower {
 
 class TypeTable {
  public:
-  /// The type of a unit: one that exists already if its structure and the names in it are the same. O(structure).
+  /// The type of a unit: an existing one if its structure and the names in it are equal. O(structure).
   std::uint32_t type_of(const model::PlantModel& plant, std::uint32_t unit, std::vector<Type>& types);
 
  private:
   std::unordered_map<std::string, std::uint32_t> by_structure_;
-  Type type_{};            ///< of the unit at hand
-  std::string structure_;  ///< likewise
+  Type type_{};            ///< of the current unit
+  std::string structure_;  ///< also of the current unit
 };
 
 }  // namespace symplant::lower

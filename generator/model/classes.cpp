@@ -1,4 +1,4 @@
-// Names of classes, and what one behaviour may be for.
+// Checks the names of classes, and the devices of each behavior.
 #include "model/classes.hpp"
 
 #include <algorithm>
@@ -35,16 +35,16 @@ class Classes {
 
  private:
   void check_name(const std::string& name, const description::Pointer& here) {
-    if (!looked_at_.insert(here.text()).second) return;  // under a pattern: once, not once a device
+    if (!looked_at_.insert(here.text()).second) return;  // under a pattern: once, not for each device
     const std::string legal = text::identifier(name);
     if (legal != name) {
-      faults_.add(here, description::ticked(name) + " is no name of a C++ class, write " + description::ticked(legal) +
-                            ", say");
+      faults_.add(here, description::ticked(name) + " is not a valid C++ class name; write " +
+                            description::ticked(legal) + ", for example");
       return;
     }
     const auto is_name = [&](std::string_view taken) { return text::equal_ignoring_case(taken, name); };
     if (std::any_of(text::kGeneratedNames.begin(), text::kGeneratedNames.end(), is_name)) {
-      faults_.add(here, description::ticked(name) + " is a name that generated code uses itself, choose another");
+      faults_.add(here, description::ticked(name) + " is a name that generated code uses itself; choose another");
     }
   }
 
@@ -54,9 +54,9 @@ class Classes {
     for (const auto& [name, condition] : described.inputs) {
       const description::Pointer here = description::key_pointer(described, description::DeviceKey::inputs) / name;
       if (name.empty()) {
-        faults_.add(here, "an input without a name, give it one");
+        faults_.add(here, "this input has no name; give it one");
       } else if (!seen.try_emplace(name, true).second) {
-        faults_.add(here, description::ticked(name) + " names another input already, give each its own name");
+        faults_.add(here, description::ticked(name) + " already names another input; choose another name");
       }
     }
   }
@@ -66,24 +66,24 @@ class Classes {
     const description::Pointer here = description::key_pointer(*unit.described, description::DeviceKey::behaviour);
     check_name(name, here);
     if (const auto type = types_.find(name); type != types_.end()) {
-      faults_.add(here, description::ticked(name) + " is the `type` of " + description::ticked(type->second->path) +
-                            " too, choose another name for the class that is derived from it");
+      faults_.add(here, description::ticked(name) + " is also the `type` of " +
+                            description::ticked(type->second->path) + "; choose another name for the derived class");
     }
     const auto [found, added] = behaviours_.try_emplace(name, &unit);
     if (added) return;
     const Unit& first = *found->second;
     if (first.described->behaviour != name) {
       faults_.add(here, description::ticked(name) + " and " + description::ticked(first.described->behaviour) +
-                            " differ by upper and lower case only, write them alike or choose another name");
+                            " differ only in case; write them the same or choose another name");
       return;
     }
     const std::string_view other = difference(first, unit);
     if (other.empty()) return;
-    faults_.add(here, description::ticked(name) + " is the behaviour of " + description::ticked(first.path) +
-                          " too, which has other " + std::string(other) + ", choose another name for one of them");
+    faults_.add(here, description::ticked(name) + " is also the `behaviour` of " + description::ticked(first.path) +
+                          ", which has other " + std::string(other) + "; choose another name for one of them");
   }
 
-  /// What two devices do not have in common of what their behaviour's code sees; empty: all is alike.
+  /// The first difference between two devices that the code of their behavior sees; empty: none.
   std::string_view difference(const Unit& a, const Unit& b) const {
     if (!same_tasks(a.operations, b.operations)) return "operations";
     if (!same_tasks(a.events, b.events)) return "events";
@@ -107,7 +107,7 @@ class Classes {
   description::Faults& faults_;
   std::unordered_set<std::string> looked_at_;  // pointers
   text::ByName<const Unit*> types_;            // a given `type` -> the first device of it
-  text::ByName<const Unit*> behaviours_;       // a behaviour -> likewise
+  text::ByName<const Unit*> behaviours_;       // a behavior -> the first device of it
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The C++ classes that a description names: `type` and `behaviour` of devices.
+// Checks the C++ classes that a description names: `type` and `behaviour` of devices.
 #pragma once
 
 #include "description/faults.hpp"
@@ -6,9 +6,9 @@
 
 namespace symplant::model {
 
-/// Faults where a name is none that a class can have, and where one behaviour is for devices that it cannot all serve:
-/// they must have the same operations, events, states, inputs and numbers (their transitions may differ). Conditions
-/// and values of units are known. O(described devices and what they have).
+/// Reports invalid class names, and a behavior of devices with different structure. Its devices must have the same
+/// operations, events, states, inputs and numeric symbols; their transitions may differ. Conditions and values of units
+/// must be complete. O(described devices and their symbols).
 void check_classes(const PlantModel& plant, description::Faults& faults);
 
 }  // namespace symplant::model

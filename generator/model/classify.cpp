@@ -1,4 +1,4 @@
-// Which rows are I/O.
+// Decides which rows are I/O.
 #include "model/classify.hpp"
 
 #include <array>
@@ -80,13 +80,13 @@ std::optional<std::uint64_t> number_of_real(std::string_view text) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-/// Whether two notations of one place would be equal. In memory only the area is told from another.
+/// Whether equal values mean equal addresses. Addresses in memory have only a comparable area.
 bool can_compare(const address::Address& a, const address::Address& b) {
   if (a.area != b.area) return true;
   return a.area != address::Area::memory && a.plain && b.plain && a.size == b.size;
 }
 
-/// Rows that prove one way to count.
+/// Rows that prove one of the two radices.
 struct RadixProof {
   std::size_t count = 0;
   const read::ListRow* proof = nullptr;  ///< the first of them
@@ -101,7 +101,7 @@ struct RadixVotes {
     const char first = row.vendor_address.empty() ? '\0' : text::upper(row.vendor_address.front());
     if (first != 'X' && first != 'Y') return;
     const auto as_hexadecimal = address::parse_melsec(row.vendor_address, address::Radix::hexadecimal);
-    if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // both are one
+    if (!as_hexadecimal || as_hexadecimal->number < 8) return;  // equal in both radices
     const auto as_octal = address::parse_melsec(row.vendor_address, address::Radix::octal);
     const auto iec = address::parse_iec(row.iec_address);
     if (!iec && choice.matters_in == nullptr) choice.matters_in = &row;
@@ -160,7 +160,7 @@ RowAddress row_address(const read::ListRow& row, address::Radix radix) {
     take(row.vendor_address, melsec ? melsec : address::parse_iec(row.vendor_address));
   }
   const std::optional<address::Address> vendor = result.address;
-  if (!row.iec_address.empty()) {  // its number is decimal beyond doubt, so it counts before the vendor's
+  if (!row.iec_address.empty()) {  // its number is certainly decimal, so it has priority over the vendor's
     auto iec = address::parse_iec(row.iec_address);
     if (!iec && row.vendor_address.empty()) iec = address::parse_melsec(row.iec_address, radix);
     take(row.iec_address, iec);

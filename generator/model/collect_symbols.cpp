@@ -1,4 +1,4 @@
-// Rows of all lists: symbols, internal rows, repeated names; and whose addresses they have.
+// Collects the rows of all lists: symbols, internal rows, repeated names.
 #include "model/collect_symbols.hpp"
 
 #include <algorithm>
@@ -12,18 +12,19 @@
 namespace symplant::model {
 namespace {
 
-/// So many rows on, memory has answered.
+/// Rows to fetch ahead: enough time for an access to memory.
 constexpr std::size_t kAhead = 12;
 
-/// Takes a row up as symbol, internal row or repeated name.
+/// Sorts rows into symbols, internal rows and repeated names.
 class SymbolCollector {
  public:
-  SymbolCollector(PlantModel& plant, std::size_t rows) : plant_(plant), by_name_(rows) {
+  SymbolCollector(Derived& derived, std::size_t rows)
+      : plant_(derived.plant), evidence_(derived.evidence), by_name_(rows) {
     base::reserve_large(plant_.symbols, rows);
     base::reserve_large(indexes_, rows);
   }
 
-  /// This row comes soon.
+  /// Fetches the hash slot of a row that will be added soon.
   void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
 
   void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
@@ -32,25 +33,25 @@ class SymbolCollector {
         text::hash_ignoring_case(row.name), index,
         [&](std::uint32_t other) { return text::equal_ignoring_case(indexes_[other].row->name, row.name); });
     if (first != index) {
-      plant_.duplicates.push_back({indexes_[first].row, &row, same(indexes_[first], {&row, list})});
+      evidence_.duplicates.push_back({indexes_[first].row, &row, same(indexes_[first], {&row, list})});
       return;
     }
     indexes_.push_back({&row, list});
     const RowAddress address = row_address(row, plant_.lists[list].radix.radix);
     auto result = classify(row, reading, address);
     const auto* reason = std::get_if<InternalReason>(&result);
-    // What is internal for another reason may stand where it likes.
+    // A row that is internal for another reason may have any address.
     if (!address.bad_cell.empty() && (reason == nullptr || *reason == InternalReason::no_direction)) {
-      plant_.bad_addresses.push_back({&row, address.bad_cell});
+      evidence_.bad_addresses.push_back({&row, address.bad_cell});
     }
     if (address.vendor && (reason == nullptr || *reason == InternalReason::memory)) {
       ++plant_.lists[list].compared;
       if (address.contradicts) {
-        plant_.address_contradictions.push_back({&row, list, *address.vendor, *address.address});
+        evidence_.address_contradictions.push_back({&row, list, *address.vendor, *address.address});
       }
     }
     if (reason != nullptr && *reason == InternalReason::type && address.address) {
-      plant_.typeless_io.push_back({&row, address.cell});
+      evidence_.typeless_io.push_back({&row, address.cell});
     }
     if (reason != nullptr) {
       ++plant_.internal[static_cast<std::size_t>(*reason)];
@@ -75,8 +76,9 @@ class SymbolCollector {
   }
 
   PlantModel& plant_;
+  Evidence& evidence_;
   std::vector<Location> indexes_;  ///< rows of different names
-  base::IndexTable by_name_;       ///< in `places_`
+  base::IndexTable by_name_;       ///< name -> index in `indexes_`
 };
 
 void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
@@ -90,7 +92,7 @@ void collect_lists(PlantModel& plant, const std::vector<ListInput>& lists) {
   }
 }
 
-/// One controller counts X and Y in one way: what the rows of all its lists prove together counts.
+/// Chooses one radix of X and Y for each controller, which the rows of all its lists prove together.
 void choose_radices(PlantModel& plant, const std::vector<ListInput>& lists) {
   for (std::uint32_t controller = 0; controller < plant.controllers.size(); ++controller) {
     std::vector<const read::SymbolTable*> tables;
@@ -113,12 +115,13 @@ void choose_radices(PlantModel& plant, const std::vector<ListInput>& lists) {
 
 }  // namespace
 
-void collect_symbols(PlantModel& plant, const std::vector<ListInput>& lists) {
+void collect_symbols(Derived& derived, const std::vector<ListInput>& lists) {
+  PlantModel& plant = derived.plant;
   collect_lists(plant, lists);
   choose_radices(plant, lists);
   std::size_t rows = 0;
   for (const ListInput& list : lists) rows += list.table->rows.size();
-  SymbolCollector collector(plant, rows);
+  SymbolCollector collector(derived, rows);
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
     const auto& table = lists[list].table->rows;
     for (std::size_t i = 0; i < table.size(); ++i) {

@@ -1,13 +1,14 @@
-// Rows of all lists: symbols, internal rows, repeated names; and whose addresses they have.
+// Collects the rows of all lists: symbols, internal rows, repeated names.
 #pragma once
 
 #include <vector>
 
-#include "model/build_plant.hpp"
+#include "model/derived.hpp"
+#include "model/list_input.hpp"
 
 namespace symplant::model {
 
-/// Fills in lists, controllers and symbols of a plant, and what is told of rows that are no symbols. O(rows).
-void collect_symbols(PlantModel& plant, const std::vector<ListInput>& lists);
+/// Fills in lists, controllers and symbols of a plant, and the evidence about other rows. O(rows).
+void collect_symbols(Derived& derived, const std::vector<ListInput>& lists);
 
 }  // namespace symplant::model

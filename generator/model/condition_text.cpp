@@ -1,4 +1,4 @@
-// Conditions written in their grammar.
+// Writes conditions in their grammar.
 #include "model/condition_text.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-/// The least value that an integer of a type has.
+/// The least value of an integer type.
 std::string least_of(tables::DataType type) {
   using tables::DataType;
   const bool is_signed =
@@ -34,7 +34,7 @@ bool is_word(std::string_view name) {
          text::equal_ignoring_case(name, "not");
 }
 
-/// Whether the grammar reads a name without quotes, words apart.
+/// Whether the grammar reads a name without quotes, apart from its keywords.
 bool is_plain(std::string_view name) {
   const auto ascii_letter = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -45,7 +45,7 @@ bool is_plain(std::string_view name) {
                   [&](char c) { return !ascii_letter(c) && static_cast<unsigned char>(c) < 0x80; })) {
     return false;
   }
-  return condition::parse(name).index() == 0;  // the grammar itself knows which of Unicode's are letters
+  return condition::parse(name).index() == 0;  // the grammar decides which Unicode characters are letters
 }
 
 class ConditionWriter {

@@ -10,7 +10,7 @@
 namespace symplant::model {
 namespace {
 
-/// What inferences 1 and 2 come to.
+/// The result of inferences 1 and 2.
 struct InferredRest {
   std::uint32_t rest = kNone;
   bool spring = false;
@@ -25,14 +25,14 @@ InferredRest add_rest_state(Unit& unit) {
   return {0, unit.states[1].operation != kNone};
 }
 
-/// Inference 2: of two states one has an operation and the other just a sensor.
-InferredRest infer_single_solenoid(Unit& unit) {
+/// Inference 2: of two states one has an operation and the other only a sensor.
+InferredRest infer_single_solenoid(Unit& unit, UnitEvidence& evidence) {
   for (std::uint32_t x = 0; x < 2; ++x) {
     const std::uint32_t y = 1 - x;
     const State& commanded = unit.states[x];
     const State& other = unit.states[y];
     if (commanded.operation == kNone || other.operation != kNone) continue;
-    unit.two_words = commanded.event == kNone && other.event != kNone;
+    evidence.two_words = commanded.event == kNone && other.event != kNone;
     if (commanded.event == kNone || other.numbered) continue;
     unit.single_solenoid = true;
     return {y, true};
@@ -40,12 +40,13 @@ InferredRest infer_single_solenoid(Unit& unit) {
   return {};
 }
 
-void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults, description::Faults& faults) {
+void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults, UnitEvidence& evidence,
+                               description::Faults& faults) {
   InferredRest inferred;
   if (unit.states.size() == 1) {
     inferred = add_rest_state(unit);
   } else if (unit.states.size() == 2) {
-    inferred = infer_single_solenoid(unit);
+    inferred = infer_single_solenoid(unit, evidence);
   }
   unit.actuation = inferred.spring ? tables::Actuation::spring : defaults.actuation;
   unit.rest = inferred.rest;
@@ -59,31 +60,32 @@ void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults
   if (unit.actuation != tables::Actuation::spring) {
     faults.add(here, description::ticked(unit.path) + " is `" +
                          std::string(description::actuation_name(unit.actuation)) +
-                         "` and returns to no rest state, leave `rest` out or make it `spring`");
+                         "` and returns to no rest state; remove `rest` or make it `spring`");
     return;
   }
   unit.rest = rest;
 }
 
-std::uint32_t state_by_initial_column(Unit& unit, const std::vector<Symbol>& symbols) {
+std::uint32_t state_by_initial_column(const Unit& unit, const std::vector<Symbol>& symbols, UnitEvidence& evidence) {
   std::uint32_t candidate = kNone;
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
     if (event == kNone || symbols[unit.events[event]].initial == 0) continue;
     candidate = s;
-    ++unit.initial_candidates;
+    ++evidence.initial_candidates;
   }
-  return unit.initial_candidates == 1 ? candidate : kNone;
+  return evidence.initial_candidates == 1 ? candidate : kNone;
 }
 
-/// Whether anything but the order of rows made the first of S the first.
+/// Whether more than the order of rows decides the first state of S.
 bool first_is_decided(const std::vector<State>& states) {
   const auto by_symbol = [](const State& s) { return s.operation != kNone || s.event != kNone; };
   if (states.size() == 1 || !by_symbol(states[1])) return true;
   return states[0].numbered && sequence_number(states[0].name) != sequence_number(states[1].name);
 }
 
-void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults) {
+void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, UnitEvidence& evidence,
+                    description::Faults& faults) {
   std::uint32_t initial = kNone;
   if (unit.described != nullptr && unit.described->initial) {
     initial = given_state(unit, *unit.described->initial,
@@ -91,7 +93,7 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, description:
     if (initial != kNone) unit.initial_from = InitialFrom::description;
   }
   if (initial == kNone) {
-    initial = state_by_initial_column(unit, symbols);
+    initial = state_by_initial_column(unit, symbols, evidence);
     unit.initial_from = InitialFrom::initial_column;
   }
   if (initial == kNone) {
@@ -106,7 +108,7 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, description:
   if (unit.actuation == tables::Actuation::spring && unit.rest == kNone) unit.rest = initial;
 }
 
-/// Every operation O_X from every state A other than X: by S of the target, then of the source.
+/// Every operation O_X from every state A other than X, ordered by target in S, then by source.
 void derive_commanded(Unit& unit, const GivenTransitions& given) {
   const auto count = static_cast<std::uint32_t>(unit.states.size());
   const description::Duration takes = description::Duration::fixed(unit.travel);
@@ -121,7 +123,7 @@ void derive_commanded(Unit& unit, const GivenTransitions& given) {
   }
 }
 
-/// Numbered states by number; of equal ones the first in S first.
+/// Numbered states sorted by number; equal numbers in the order of S.
 std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
   std::vector<std::uint32_t> numbered;
   for (std::uint32_t s = 0; s < states.size(); ++s) {
@@ -133,8 +135,8 @@ std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
   return numbered;
 }
 
-/// Inference 3: a numbered state with an event and no operation is reached by itself from its predecessor.
-void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwell) {
+/// Inference 3: a numbered state with an event and no operation follows automatically after its predecessor.
+void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwell, UnitEvidence& evidence) {
   if (unit.actuation != tables::Actuation::latched) return;
   const auto numbered_with_operation = [](const State& s) { return s.numbered && s.operation != kNone; };
   if (std::none_of(unit.states.begin(), unit.states.end(), numbered_with_operation)) return;
@@ -152,7 +154,7 @@ void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwel
     const std::size_t last = begin > 0 ? begin - 1 : numbered.size() - 1;  // from the lowest back to the highest
     const std::uint32_t from = numbered[last];
     if (group_begin(last) != last) {
-      unit.ambiguous_sequence.push_back(to);
+      evidence.ambiguous_sequence.push_back(to);
     } else if (from != to && !given.automatic(from, to)) {
       unit.transitions.push_back(
           {from, to, kNone, description::Duration::fixed(dwell), description::Duration{}, Origin::inferred});
@@ -162,34 +164,36 @@ void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwel
 
 }  // namespace
 
-void derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
-                 description::Faults& faults) {
+UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                         description::Faults& faults) {
+  UnitEvidence evidence;
   const description::DeviceDescription* described = unit.described;
   unit.travel = defaults.travel;
   unit.states = states_of(unit, symbols, TaskRoles(unit, symbols));
   if (described != nullptr) add_given_states(unit, faults);
-  // All its tasks are commands and reports of states that do not exist: the faults stand already, or will.
+  // All tasks are commands and reports of states that do not exist, which is reported elsewhere.
   if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles());
-  choose_actuation_and_rest(unit, defaults, faults);
-  choose_initial(unit, symbols, faults);
+  choose_actuation_and_rest(unit, defaults, evidence, faults);
+  choose_initial(unit, symbols, evidence, faults);
 
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {
     const GivenTransitions given(unit);
     derive_commanded(unit, given);
-    infer_sequence(unit, given, defaults.dwell);
+    infer_sequence(unit, given, defaults.dwell, evidence);
   }
   if (unit.transitions.size() > tables::kMaxTransitions) {  // never without given ones
     unit.transitions.resize(tables::kMaxTransitions);
     faults.add(description::key_pointer(*described, description::DeviceKey::transitions),
                "the device has more than " + std::to_string(tables::kMaxTransitions) +
-                   " transitions, each `*` counted as one a state, leave some out");
+                   " transitions, where a `*` counts once for each state; remove some");
   }
   if (described != nullptr) add_outputs(unit, symbols, faults);
-  // Where the other word is reached by itself, it is no slip (O_RUN1, I_DONE2).
-  for (std::uint32_t s = 0; unit.two_words && s < 2; ++s) {
-    if (unit.states[s].operation == kNone && unit.reaches(s)) unit.two_words = false;
+  // A word that is reached automatically is not a slip of the other (O_RUN1, I_DONE2).
+  for (std::uint32_t s = 0; evidence.two_words && s < 2; ++s) {
+    if (unit.states[s].operation == kNone && unit.reaches(s)) evidence.two_words = false;
   }
+  return evidence;
 }
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Given transitions and outputs, looked up and expanded.
+// Resolves and expands given transitions and outputs.
 #include "model/given.hpp"
 
 #include <unordered_map>
@@ -33,7 +33,7 @@ class TransitionExpander {
     const auto& given = unit_.described->transitions;
     for (std::size_t i = 0; i < given.size(); ++i) {
       expand(given[i], static_cast<std::uint32_t>(i));
-      if (unit_.transitions.size() > tables::kMaxTransitions) return;  // derive_unit tells
+      if (unit_.transitions.size() > tables::kMaxTransitions) return;  // derive_unit() reports it
     }
   }
 
@@ -61,7 +61,7 @@ class TransitionExpander {
     transition.when = location_of(given.when);
     if (!sound || lacking) return;
     if (from == to) {
-      faults_.add(here, description::ticked(given.to) + " to itself is no transition, name two states");
+      faults_.add(here, description::ticked(given.to) + " to itself is not a transition; name two states");
       return;
     }
     transition.after = given.after.value_or(description::Duration::fixed(0));
@@ -74,17 +74,18 @@ class TransitionExpander {
     }
   }
 
-  /// Under a pattern, what the device lacks is not said of it at all.
+  /// Whether a transition is left out: the device lacks a name in it, and the transition is of a pattern.
   bool left_out(bool lacking) const { return lacking && pointer_.pattern() != nullptr; }
 
-  /// `on` and `spring_way`, and what may stand beside them. False where there is a fault; `lacking`: its operation.
+  /// Sets `on` or `spring_return` and checks the keys next to them. False if there is a fault; sets `lacking` if the
+  /// operation is missing.
   bool set_cause(Transition& transition, const description::GivenTransition& given, const description::Pointer& here,
                  bool& lacking) {
     if (given.automatic) {
       if (!given.on.empty()) {
-        faults_.add(here / "on", "an automatic transition has an operation, leave `on` or `automatic` out");
+        faults_.add(here / "on", "an automatic transition has no operation; remove `on` or `automatic`");
       }
-      if (given.once) faults_.add(here / "once", "`once` stands in an automatic transition, leave it out");
+      if (given.once) faults_.add(here / "once", "`once` is not allowed in an automatic transition; remove it");
       return given.on.empty() && !given.once;
     }
     if (!given.on.empty()) {
@@ -106,16 +107,16 @@ class TransitionExpander {
         lacking = true;
         faults_.lacks(here / "to", unit_.path, description::Named::operation, given.to, [&] {
           return description::ticked(given.to) +
-                 " has no operation of its name, say with `on` which one commands the transition, " +
-                 "or `automatic` where it comes by itself";
+                 " has no operation of its name; name with `on` the one that commands the transition, " +
+                 "or write `automatic` if none does";
         });
       }
     }
     if (left_out(lacking)) return false;
     if (given.once && unit_.actuation != tables::Actuation::latched) {
-      faults_.add(here / "once", "`once` stands in a device that is `" +
+      faults_.add(here / "once", "`once` is not allowed in a device that is `" +
                                      std::string(description::actuation_name(unit_.actuation)) +
-                                     "`, leave it out or make the device `latched`");
+                                     "`; remove it or make the device `latched`");
       return false;
     }
     return transition.on != kNone;
@@ -128,8 +129,8 @@ class TransitionExpander {
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
       faults_.add(here / key, description::ticked(key) +
-                                  " stands in what a spring's own way to its rest state takes, where" +
-                                  " only `takes` may, or say with `on` which operation commands it");
+                                  " is not allowed in the return of a spring, which has only `takes`;" +
+                                  " remove it, or name with `on` the operation that commands the transition");
       sound = false;
     };
     refuse(!given.when.empty(), "when");
@@ -138,7 +139,7 @@ class TransitionExpander {
     return sound;
   }
 
-  /// False, and a fault, where the same one stands already.
+  /// False, and a fault, if the same transition exists.
   bool add(const Transition& transition, std::uint32_t index) {
     const std::uint64_t on = transition.spring_return ? tables::kSpringReturn
                              : transition.on == kNone ? tables::kNoOperation
@@ -150,8 +151,8 @@ class TransitionExpander {
       const std::string from = description::ticked(unit_.states[transition.from].name);
       faults_.add(pointer_ / std::size_t{index},
                   "the transition from " + from + " to " + description::ticked(unit_.states[transition.to].name) +
-                      " stands at " + description::ticked((pointer_ / std::size_t{first->second}).text()) +
-                      " too, with the same `on` and `when`, leave one out");
+                      " is also at " + description::ticked((pointer_ / std::size_t{first->second}).text()) +
+                      ", with the same `on` and `when`; remove one");
       return false;
     }
     unit_.transitions.push_back(transition);
@@ -162,7 +163,7 @@ class TransitionExpander {
   const std::vector<Symbol>& symbols_;
   description::Faults& faults_;
   const description::Pointer pointer_;
-  std::unordered_map<std::string_view, std::uint32_t> indexes_;  // a text of `when` -> its place
+  std::unordered_map<std::string_view, std::uint32_t> indexes_;  // a text of `when` -> its index
   std::unordered_map<std::uint64_t, std::uint32_t> given_by_;    // from, to, on, when -> a given transition
 };
 
@@ -197,7 +198,8 @@ void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, description::Fa
   for (const description::GivenOutputs& output : given) {
     const description::Pointer here = pointer / output.state;
     const std::uint32_t state = given_state(unit, output.state, here, faults);
-    if (state != kNone && seen[state]) faults.add(here, description::ticked(output.state) + " stands twice, join both");
+    if (state != kNone && seen[state])
+      faults.add(here, description::ticked(output.state) + " appears twice; merge both");
     if (state != kNone) seen[state] = true;
     const auto switched = [&](const auto& list, std::string_view key) {
       std::vector<std::pair<std::uint32_t, bool>> events;

@@ -1,4 +1,4 @@
-// What the description says of one unit's transitions and outputs.
+// Resolves the given transitions and outputs of a unit.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace symplant::model {
 
-/// Which derived and inferred transitions the given ones replace. Empty where none are given.
+/// The derived and inferred transitions that given ones replace. Empty if none are given.
 class GivenTransitions {
  public:
   GivenTransitions() = default;
@@ -20,7 +20,7 @@ class GivenTransitions {
   bool automatic(std::uint32_t from, std::uint32_t to) const {
     return !automatic_.empty() && automatic_[from * states_ + to];
   }
-  /// Some commanded one leads there.
+  /// Whether a commanded transition leads to a state.
   bool led_to(std::uint32_t to) const { return !led_to_.empty() && led_to_[to]; }
 
  private:
@@ -31,14 +31,14 @@ class GivenTransitions {
   std::vector<bool> led_to_;
 };
 
-/// Puts the given transitions into the unit's table, `*` expanded. States, actuation, rest and initial state of the
-/// unit are known. Transition::when counts the different texts of `when` in the order of their first appearance.
+/// Adds the given transitions to the unit, with `*` expanded. States, actuation, rest and initial state of the unit
+/// must be known. Transition::when counts the different texts of `when` in the order of first appearance.
 void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults);
 
 /// Fills Unit::outputs.
 void add_outputs(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults);
 
-/// The place of a state; kNone, and a fault at `pointer`, where there is none of that name.
+/// The index of a state; kNone, and a fault at `pointer`, if it is not found.
 std::uint32_t given_state(const Unit& unit, std::string_view name, const description::Pointer& pointer,
                           description::Faults& faults);
 

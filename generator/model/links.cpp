@@ -1,4 +1,4 @@
-// What a description says of links to PLCs.
+// Checks the links in a description.
 #include "model/links.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::vector<const description::LinkDescription*> check_links(const PlantModel& p
     const bool the_only = link.controller.empty() && plant.controllers.size() == 1;
     if (link.controller.empty() && link.url == "loop:" && !the_only) {
       if (link.has_settings) {
-        faults.add(place, "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
+        faults.add(place, "this `loop:` is for all controllers, but settings are for one; give it a `controller`");
       }
       continue;
     }
@@ -39,18 +39,18 @@ std::vector<const description::LinkDescription*> check_links(const PlantModel& p
     if (controller) {
       if (link.url != "loop:" && linked[*controller]) {
         faults.add(place,
-                   "this is the second link of its controller, and both would write its operations: leave one away");
+                   "this is the second link of its controller, and both would write its operations; remove one");
       } else if (link.has_settings && settings[*controller] != nullptr) {
-        faults.add(place, "another link of this controller has settings too, give them in one place");
+        faults.add(place, "another link of this controller also has settings; give all of them in one link");
       }
       linked[*controller] = linked[*controller] || link.url != "loop:";
       if (link.has_settings) settings[*controller] = &link;
     } else if (link.controller.empty()) {
-      faults.add(place, "the plant has several controllers, and this link does not say which: give it a `controller`");
+      faults.add(place, "the plant has several controllers, and this link names none of them; give it a `controller`");
     } else if (plant.controllers.size() == 1 && plant.controllers[0].empty()) {
       faults.add(place / "controller",
-                 "this plant's one controller has no name, so that " + description::ticked(link.controller) +
-                     " is none: leave `controller` out here, or name it beside its list in `symbols`",
+                 "controller " + description::ticked(link.controller) + " not found, because this plant's only " +
+                     "controller has no name; remove `controller` here, or add it to its list in `symbols`",
                  description::FaultKind::unknown_name);
     } else {
       const auto nearest = faults.nearest(link.controller, plant.controllers.size(),

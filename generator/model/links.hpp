@@ -1,4 +1,4 @@
-// What a description says of links to PLCs.
+// Checks and resolves the links in a description.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,12 @@ namespace symplant::model {
 
 struct PlantModel;
 
-/// Records what is wrong with the links of a plant's description: a controller that the plant has not, none named where
-/// that leaves it open, two links of one controller. Gives by controller the link whose settings hold; null: none.
-/// O(links * controllers).
+/// Reports an unknown controller, a missing one if the plant has several, and two links of one controller. Returns for
+/// each controller the link whose settings apply, or null. O(links * controllers).
 std::vector<const description::LinkDescription*> check_links(const PlantModel& plant, description::Faults& faults);
 
-/// Makes PlantModel::links, the settings by controller; shared addresses must be known. Records what an entry of a
-/// `map` names and is not there, and where two say different things of one symbol. O(symbols * entries).
+/// Makes PlantModel::links, the settings by controller. Shared addresses must be known. Reports unknown names in the
+/// entries of a `map`, and entries that contradict each other. O(symbols * entries).
 void resolve_links(PlantModel& plant, const std::vector<const description::LinkDescription*>& links,
                    description::Faults& faults);
 

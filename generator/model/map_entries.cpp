@@ -1,4 +1,4 @@
-// Which entry of a link's `map` speaks of which symbol, and what they come to together.
+// Matches the entries of a link's `map` with symbols, and combines them.
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -19,8 +19,8 @@ using address::Address;
 constexpr std::uint64_t kBeyondAll = link::MapRow::kDefault - 1;  ///< a number that no table has
 constexpr std::string_view kAreas = "X, Y, %IX, %QX, %IB, %QB, %IW, %QW, %ID, %QD, %IL or %QL";
 
-/// How many places of a table an address takes: registers of a number.
-std::uint64_t places_of(const Address& address) {
+/// The number of coils or registers that an address takes.
+std::uint64_t width_of(const Address& address) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(address.size) / 16);
 }
 
@@ -31,25 +31,25 @@ std::optional<Address> parse(std::string_view text, address::Radix radix) {
 
 bool is_io(const std::optional<Address>& address) { return address && address->area != address::Area::memory; }
 
-/// Type and address are of one size, and the address has a number.
+/// Whether type and address have the same size, and the address has a number.
 bool has_number(const Symbol& symbol) {
   return symbol.address && symbol.address->plain &&
          static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
 }
 
-/// An entry with what its texts mean.
+/// An entry with its texts resolved.
 struct Meant {
   const description::MapEntry* entry;
-  description::Pointer place;
-  std::optional<Address> first;  ///< of an area its address 0
-  std::uint64_t last = 0;        ///< of a range
-  std::size_t rank = 0;          ///< what is more specific has a higher one
+  description::Pointer pointer;
+  std::optional<Address> first;  ///< the first address; of an area its address 0
+  std::uint64_t last = 0;        ///< of a range, the number of the last address
+  std::size_t rank = 0;          ///< higher for a more specific entry
   std::size_t matched = 0;
-  bool loss_acts = false;   ///< some symbol of it is an operation
-  bool order_acts = false;  ///< some symbol of it is of several registers
+  bool loss_acts = false;   ///< one of its symbols is an operation
+  bool order_acts = false;  ///< one of its symbols has several registers
 };
 
-/// A value for a symbol, and the entry it is of.
+/// A value for a symbol, and the entry that gives it.
 template <class Value>
 struct Chosen {
   Value value{};
@@ -62,12 +62,12 @@ class LinkResolver {
                description::Faults& faults)
       : plant_(plant), controller_(controller), link_(link), faults_(faults) {
     const auto index = static_cast<std::size_t>(&link - plant.description->links.data());
-    place_ = (description::Pointer("/links") / index / "map").text();
+    pointer_ = (description::Pointer("/links") / index / "map").text();
   }
 
   void run(ControllerLink& result) {
     find_symbols();
-    for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], description::Pointer(place_) / i);
+    for (std::size_t i = 0; i < link_.map.size(); ++i) understand(link_.map[i], description::Pointer(pointer_) / i);
     std::stable_sort(meant_.begin(), meant_.end(), [](const Meant& a, const Meant& b) { return a.rank > b.rank; });
     std::vector<link::MapRow> rows;
     for (const std::uint32_t symbol : symbols_) rows.push_back(row_of(symbol, result.link));
@@ -86,21 +86,21 @@ class LinkResolver {
       faults_.warn(at, what + words_of(entry), description::FaultKind::matches_nothing);
     };
     if (meant.matched == 0) {
-      warn(meant.place, "no symbol of this controller ");
+      warn(meant.pointer, "no symbol of this controller ");
       return;
     }
     if (entry.on_loss && !meant.loss_acts) {
-      warn(meant.place / "on-loss", "this says what operations do without their PLC, and no operation ");
+      warn(meant.pointer / "on-loss", "`on-loss` applies only to operations, and no operation ");
     }
     if (entry.word_order && !meant.order_acts) {
-      warn(meant.place / "word-order", "this is the order of several registers, and no number of 32 or 64 bits ");
+      warn(meant.pointer / "word-order", "`word-order` applies only to numbers of 32 or 64 bits, and no such number ");
     }
   }
 
   static std::string words_of(const description::MapEntry& entry) {
-    if (entry.by == description::MapEntry::By::area) return "stands in the area " + description::ticked(entry.text);
+    if (entry.by == description::MapEntry::By::area) return "is in the area " + description::ticked(entry.text);
     if (entry.by == description::MapEntry::By::range)
-      return "stands between " + description::ticked(entry.text) + " and " + description::ticked(entry.last);
+      return "is between " + description::ticked(entry.text) + " and " + description::ticked(entry.last);
     return "is matched by " + description::ticked(entry.text);
   }
 
@@ -112,7 +112,7 @@ class LinkResolver {
     }
   }
 
-  /// A row that made no symbol of this controller. O(rows).
+  /// A row of this name; null if there is none. O(rows).
   const read::ListRow* row_of_list(std::string_view name) const {
     for (const PlantList& list : plant_.lists) {
       for (const read::ListRow& row : list.table->rows) {
@@ -129,10 +129,10 @@ class LinkResolver {
     return address::Radix::hexadecimal;
   }
 
-  /// Keeps an entry for which there may be symbols, and tells why there can be none.
-  void understand(const description::MapEntry& entry, description::Pointer place) {
-    if (entry.text.empty()) return;  // its form is at fault
-    Meant meant{&entry, std::move(place), std::nullopt};
+  /// Keeps an entry that can match symbols; reports an entry that cannot.
+  void understand(const description::MapEntry& entry, description::Pointer pointer) {
+    if (entry.text.empty()) return;  // already reported as a fault of shape
+    Meant meant{&entry, std::move(pointer), std::nullopt};
     const bool sound = entry.by == description::MapEntry::By::area    ? understand_area(meant)
                        : entry.by == description::MapEntry::By::range ? understand_range(meant)
                                                                       : understand_symbol(meant);
@@ -144,8 +144,8 @@ class LinkResolver {
     const bool ends_in_letter =
         text::upper(meant.entry->text.back()) >= 'A' && text::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;
-    faults_.add(meant.place / "area", description::ticked(meant.entry->text) +
-                                          " is no area of inputs or outputs, write " + std::string(kAreas));
+    faults_.add(meant.pointer / "area", description::ticked(meant.entry->text) +
+                                          " is not an area of inputs or outputs; write " + std::string(kAreas));
     return false;
   }
 
@@ -154,9 +154,9 @@ class LinkResolver {
     const auto understood = [&](const std::string& text, std::size_t which) {
       auto address = parse(text, radix());
       if (is_io(address) && address->plain) return address;
-      faults_.add(meant.place / "range" / which,
+      faults_.add(meant.pointer / "range" / which,
                   description::ticked(text) +
-                      " is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
+                      " is not an input or output address with a number; write one such as `X10` or `%IX100.0`");
       return std::optional<Address>();
     };
     meant.first = understood(meant.entry->text, 0);
@@ -165,9 +165,9 @@ class LinkResolver {
     meant.last = last->number;
     if (meant.first->area == last->area && meant.first->size == last->size && meant.first->number <= last->number)
       return true;
-    faults_.add(meant.place / "range",
+    faults_.add(meant.pointer / "range",
                 description::ticked(meant.entry->text) + " and " + description::ticked(meant.entry->last) +
-                    " are not the first and the last address of one area, write them in their order");
+                    " are not the first and the last address of one area; write them in ascending order");
     return false;
   }
 
@@ -179,24 +179,24 @@ class LinkResolver {
       meant.rank = kPattern + text::literal_characters(text);
       if (!meant.entry->number) return true;
       faults_.add(
-          meant.place / "number",
-          description::ticked(text) + " is a pattern, and its symbols cannot all stand on one `number`: name each");
+          meant.pointer / "number",
+          description::ticked(text) + " is a pattern, but its symbols cannot share one `number`; name each symbol");
       return false;
     }
     meant.rank = kExact;
     if (by_name_.count(text) != 0) return true;
     if (const read::ListRow* row = row_of_list(text); row != nullptr) {
       const std::string_view address = row->vendor_address.empty() ? row->iec_address : row->vendor_address;
-      faults_.add(meant.place / "symbol",
-                  description::ticked(text) + " is in the list, but no input or output of this controller" +
+      faults_.add(meant.pointer / "symbol",
+                  description::ticked(text) + " is in the list, but is not an input or output of this controller" +
                       (address.empty() ? "" : ", its address is " + description::ticked(address)) +
-                      ": leave this entry away",
+                      "; remove this entry",
                   description::FaultKind::unknown_name);
       return false;
     }
     const auto nearest =
         faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
-    faults_.add(meant.place / "symbol", description::missing("symbol " + description::ticked(text), nearest),
+    faults_.add(meant.pointer / "symbol", description::missing("symbol " + description::ticked(text), nearest),
                 description::FaultKind::unknown_name);
     return false;
   }
@@ -211,14 +211,14 @@ class LinkResolver {
            symbol.address->number <= meant.last;
   }
 
-  /// The number that an entry gives a symbol; nothing where it gives none.
+  /// The number that an entry gives a symbol; nothing if it gives none.
   static std::optional<std::uint32_t> number_for(const Meant& meant, const Symbol& symbol) {
     if (!meant.entry->number) return std::nullopt;
     if (meant.entry->by == description::MapEntry::By::symbol) return meant.entry->number;
     if (!has_number(symbol)) return std::nullopt;
     const std::uint64_t away = symbol.address->number - meant.first->number;
     if (away > kBeyondAll / 4) return static_cast<std::uint32_t>(kBeyondAll);
-    return static_cast<std::uint32_t>(*meant.entry->number + away * places_of(*symbol.address));
+    return static_cast<std::uint32_t>(*meant.entry->number + away * width_of(*symbol.address));
   }
 
   template <class Value>
@@ -227,15 +227,15 @@ class LinkResolver {
     if (!value || (chosen.by != nullptr && chosen.by->rank > meant.rank)) return;
     if (chosen.by == nullptr || chosen.by->rank < meant.rank) {
       chosen = {*value, &meant};
-    } else if (chosen.value != *value && reported_.try_emplace(meant.place.text() + std::string(key), true).second) {
+    } else if (chosen.value != *value && reported_.try_emplace(meant.pointer.text() + std::string(key), true).second) {
       const bool named =
           meant.entry->by == description::MapEntry::By::symbol && meant.entry->text == chosen.by->entry->text;
       description::DescriptionFault fault{
-          (meant.place / key).text(),
-          "two entries that are equally specific give " + description::ticked(symbol.name()) + " different values of " +
-              description::ticked(key) + ": leave one away" +
+          (meant.pointer / key).text(),
+          "two equally specific entries give " + description::ticked(symbol.name()) + " different values of " +
+              description::ticked(key) + "; remove one" +
               (named || text::equal_ignoring_case(meant.entry->text, symbol.name()) ? "" : ", or name the symbol")};
-      fault.related = (chosen.by->place / key).text();
+      fault.related = (chosen.by->pointer / key).text();
       fault.related_message = "the other entry";
       faults_.add(std::move(fault));
     }
@@ -262,18 +262,19 @@ class LinkResolver {
   }
 
   void check_end(const Chosen<std::uint32_t>& number, const Symbol& symbol) {
-    constexpr std::uint64_t kPlaces = 65'536;
-    const auto places = static_cast<std::uint64_t>(std::max(1, data_type_bits(symbol.type) / 16));
-    if (number.value + places <= kPlaces) return;
-    const description::Pointer at = number.by->place / "number";
+    constexpr std::uint64_t kAddresses = 65'536;
+    const auto width = static_cast<std::uint64_t>(std::max(1, data_type_bits(symbol.type) / 16));
+    if (number.value + width <= kAddresses) return;
+    const description::Pointer at = number.by->pointer / "number";
     if (!reported_.try_emplace(at.text() + " end", true).second) return;
     faults_.add(at, description::ticked(symbol.name()) +
-                        " would end behind place 65535, the last that Modbus has: give a lower number");
+                        " would end after 65535, the last address of Modbus; give a lower number");
   }
 
-  /// Symbols of one address are one place: where one is given its number, so are all.
+  /// Gives all symbols of one address the number that an entry gives one of them by name.
   void join_addresses(std::vector<link::MapRow>& rows) {
-    std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;  // of a leader: number, by whom
+    // leader -> number, and the symbol that gave it
+    std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> numbers;
     const auto leader = [&](std::uint32_t i) {
       return plant_.symbols[i].leader == kNone ? i : plant_.symbols[i].leader;
     };
@@ -282,10 +283,10 @@ class LinkResolver {
       if (own == own_.end()) continue;
       const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
       if (added || found->second.first == row.number) continue;
-      faults_.add(own->second->place / "number", description::ticked(plant_.symbols[row.symbol].name()) +
-                                                     " stands on the same address as " +
+      faults_.add(own->second->pointer / "number", description::ticked(plant_.symbols[row.symbol].name()) +
+                                                     " has the same address as " +
                                                      description::ticked(plant_.symbols[found->second.second].name()) +
-                                                     ", which has another `number`: give both the same");
+                                                     ", which has another `number`; give both the same");
     }
     if (numbers.empty()) return;
     for (link::MapRow& row : rows) {
@@ -298,15 +299,15 @@ class LinkResolver {
   const std::uint32_t controller_;
   const description::LinkDescription& link_;
   description::Faults& faults_;
-  std::string place_;
+  std::string pointer_;
   std::vector<std::uint32_t> symbols_;  ///< of the controller
   text::ByName<std::uint32_t> by_name_;
   std::vector<Meant> meant_;
-  std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols that an entry gives a number by their name
+  std::unordered_map<std::uint32_t, const Meant*> own_;  ///< symbols to which an entry gives a number by name
   std::unordered_map<std::string, bool> reported_;
 };
 
-/// A MELSEC address in some list of the controller: its PLC has the low word first.
+/// Whether a list of the controller has a MELSEC address: then its PLC has the low word first.
 bool is_mitsubishis(const PlantModel& plant, std::uint32_t controller) {
   return std::any_of(plant.symbols.begin(), plant.symbols.end(), [&](const Symbol& symbol) {
     const std::string_view address = symbol.row->vendor_address;

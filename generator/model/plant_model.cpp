@@ -1,4 +1,4 @@
-// Words for what the model holds.
+// Texts and lookups of the plant model.
 #include "model/plant_model.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::string PlantList::name() const {
 }
 
 std::uint32_t PlantModel::list_of(const read::ListRow& row) const {
-  const std::less<> before;  // a total order, also of pointers into different lists
+  const std::less<> before;  // a total order, even of pointers into different lists
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
     const std::vector<read::ListRow>& rows = lists[list].table->rows;
     if (!before(&row, rows.data()) && before(&row, rows.data() + rows.size())) return list;

@@ -1,4 +1,4 @@
-// Looking up what conditions name.
+// Looks up the names in conditions.
 #include "model/plant_names.hpp"
 
 namespace symplant::model {
@@ -20,7 +20,7 @@ PlantNames::PlantNames(const PlantModel& plant, const description::Faults& fault
 }
 
 std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::string_view facet) const {
-  return facet.empty() ? find(units_, device) : std::nullopt;  // a device has one unit, and that no name of its own
+  return facet.empty() ? find(units_, device) : std::nullopt;  // a device has one unit, which has no separate name
 }
 
 std::optional<std::uint8_t> PlantNames::state(std::uint32_t unit, std::string_view name) const {
@@ -58,13 +58,13 @@ std::string PlantNames::why_no_state(std::uint32_t unit, std::string_view name) 
   const auto reports = [&](const std::vector<std::uint32_t>& side, std::string_view why) -> std::string {
     for (const std::uint32_t symbol : side) {
       if (!text::equal_ignoring_case(plant_.symbols[symbol].reading.task, name)) continue;
-      return description::ticked(name) + std::string(why) + description::ticked(of.path) + ", name the symbol " +
+      return description::ticked(name) + std::string(why) + description::ticked(of.path) + "; name the symbol " +
              description::ticked(plant_.symbols[symbol].name());
     }
     return {};
   };
-  std::string why = reports(of.operations, " only commands given transitions and is no state of ");
-  if (why.empty()) why = reports(of.events, " is only switched by `outputs` and is no state of ");
+  std::string why = reports(of.operations, " only commands given transitions and is not a state of ");
+  if (why.empty()) why = reports(of.events, " is only switched by `outputs` and is not a state of ");
   return why;
 }
 

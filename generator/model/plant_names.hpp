@@ -1,4 +1,4 @@
-// A plant model as conditions see it: by names.
+// The names in a plant model, for conditions.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace symplant::model {
 
-/// The plant's units and their states must be known, and stand as long as this does. O(symbols) to make.
+/// The plant's units and their states must be complete and outlive this object. O(symbols) to construct.
 class PlantNames final : public condition::Names {
  public:
   PlantNames(const PlantModel& plant, const description::Faults& faults);

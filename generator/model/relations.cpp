@@ -1,4 +1,4 @@
-// Conditions, disables and requirements resolved.
+// Resolves conditions, disables and requirements.
 #include "model/relations.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace symplant::model {
 namespace {
 
-/// More pairs of a state and a device that it disables would be a slip, and not fit a memory.
+/// The most pairs of a state and a device that it disables. More are a mistake and would not fit in memory.
 constexpr std::size_t kMostDisabled = 10'000'000;
 
 class Relations {
@@ -38,7 +38,7 @@ class Relations {
   }
 
  private:
-  /// False, and a fault, where the text is no condition of this plant.
+  /// False, and a fault, if the text is not a condition of this plant.
   bool resolve(std::string_view text, const description::Pointer& pointer, condition::Tree& tree) {
     auto resolved = condition::parse_and_resolve(text, names_);
     if (auto* fault = std::get_if<condition::Fault>(&resolved)) {
@@ -49,8 +49,8 @@ class Relations {
     return true;
   }
 
-  /// One of each text, in the order of their first appearance: Transition::when counts them so. A faulty one has a
-  /// place, too, and is told where it stands.
+  /// One condition for each text, in the order of first appearance, as Transition::when counts them. A faulty one also
+  /// has an index, and its fault is reported at each use.
   void add_conditions(Unit& unit) {
     std::unordered_map<std::string_view, bool> sound;
     const auto& given = unit.described->transitions;
@@ -67,7 +67,7 @@ class Relations {
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
   }
 
-  /// By name, since an object of JSON has no order. Without a behaviour nobody reads them, but they are looked at.
+  /// Sorted by name, since an object of JSON has no order. Without a behavior inputs are only checked.
   void add_inputs(Unit& unit) {
     const auto& given = unit.described->inputs;
     std::vector<std::size_t> order(given.size());
@@ -95,7 +95,7 @@ class Relations {
           description::key_pointer(*unit.described, description::DeviceKey::disables) / entry.state;
       const std::uint32_t state = given_state(unit, entry.state, here, faults_);
       if (state != kNone && seen[state])
-        faults_.add(here, description::ticked(entry.state) + " stands twice, join both");
+        faults_.add(here, description::ticked(entry.state) + " appears twice; merge both");
       if (state != kNone) seen[state] = true;
       std::vector<std::uint32_t> disabled = disabled_units(by, entry, here, state != kNone);
       if (state != kNone) unit.disables[state] = std::move(disabled);
@@ -119,8 +119,8 @@ class Relations {
                     description::missing("device " + description::ticked(device), names_.nearest_device(device, {})),
                     description::FaultKind::unknown_name);
       } else if (*unit == by) {
-        // Under a pattern, of a device without the state, nothing is said.
-        if (has_state) faults_.add(here / i, description::ticked(device) + " disables itself, leave it out");
+        // A device that lacks the state of a pattern is not reported.
+        if (has_state) faults_.add(here / i, description::ticked(device) + " disables itself; remove it");
       } else {
         disabled.push_back(*unit);
       }
@@ -130,13 +130,13 @@ class Relations {
     disabled_ += disabled.size();
     if (disabled_ <= kMostDisabled) return disabled;
     if (disabled_ - disabled.size() <= kMostDisabled) {
-      faults_.add(here, "the devices that `disables` names come to more than " + std::to_string(kMostDisabled) +
-                            " in the whole plant, name fewer");
+      faults_.add(here, "`disables` names more than " + std::to_string(kMostDisabled) +
+                            " devices in the whole plant; name fewer");
     }
     return {};
   }
 
-  /// The units that a pattern fits.
+  /// The units that a pattern matches.
   const std::vector<std::uint32_t>& matching(const std::string& pattern, const description::Pointer& here) {
     const auto [found, added] = matching_.try_emplace(pattern);
     if (!added) return found->second;
@@ -148,7 +148,7 @@ class Relations {
     return found->second;
   }
 
-  /// The numeric symbols of every device with a behaviour.
+  /// Adds the numeric symbols of every device with a behavior.
   void add_values() {
     for (std::uint32_t i = 0; i < plant_.symbols.size(); ++i) {
       const Symbol& symbol = plant_.symbols[i];
@@ -166,10 +166,10 @@ class Relations {
     for (std::size_t i = 0; i < given.size(); ++i) {
       const description::Pointer here = description::Pointer("/requirements") / i;
       if (given[i].name.empty()) {
-        faults_.add(here / "name", "a requirement without a name, give it one");
+        faults_.add(here / "name", "this requirement has no name; give it one");
       } else if (!seen.insert(given[i].name).second) {
         faults_.add(here / "name",
-                    description::ticked(given[i].name) + " names another requirement already, give each its own name");
+                    description::ticked(given[i].name) + " already names another requirement; choose another name");
       }
       add_requirement(given[i], here);
     }
@@ -178,7 +178,7 @@ class Relations {
   void add_requirement(const description::GivenRequirement& given, const description::Pointer& here) {
     const bool never = !given.never.empty();
     if (never == (!given.after.empty() || !given.expect.empty()) || given.after.empty() != given.expect.empty()) {
-      faults_.add(here, "a requirement has either `never`, or `after` with `expect`");
+      faults_.add(here, "a requirement needs either `never`, or `after` with `expect`");
       return;
     }
     Requirement requirement;

@@ -1,4 +1,4 @@
-// What ties units to each other: conditions, disables, requirements.
+// Resolves the relations between units: conditions, disables, requirements.
 #pragma once
 
 #include "description/faults.hpp"
@@ -6,8 +6,8 @@
 
 namespace symplant::model {
 
-/// Resolves what the description says across units, once all of them are derived: Unit::conditions, first_input,
-/// disables and values, and the requirements. O(symbols and description).
+/// Fills in Unit::conditions, first_input, disables and values, and the requirements. All units must be derived.
+/// O(symbols and description).
 void add_relations(PlantModel& plant, description::Faults& faults);
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Sequence numbers.
+// Finds and compares sequence numbers.
 #include "model/sequence.hpp"
 
 #include <cstddef>

@@ -5,10 +5,10 @@
 
 namespace symplant::model {
 
-/// The digits at the end of a task without leading zeros ("0" for zeros alone); empty where it ends in none.
+/// The digits at the end of a task without leading zeros ("0" if all are zeros); empty if there are no digits.
 std::string_view sequence_number(std::string_view task);
 
-/// Compares two sequence numbers as numbers, however long: negative, 0, positive. None comes after all.
+/// Compares two sequence numbers of any length: negative, 0, positive. An empty one comes last.
 int compare_sequence(std::string_view a, std::string_view b);
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Symbols that stand on one address.
+// Finds symbols that share an address.
 #include "model/shared_addresses.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::uint64_t hash_of(const Location& position) {
   return (a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind * 0xC2B2'AE3D'27D4'EB4F;
 }
 
-/// Where type and address differ in size the symbol has no place there (a check tells), so that it shares none.
+/// False if type and address differ in size, which a check reports: then the symbol shares no address.
 bool has_index(const Symbol& symbol) {
   return symbol.address && static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
 }
@@ -39,7 +39,8 @@ bool moved(const PlantModel& plant, std::uint32_t index) {
 
 }  // namespace
 
-void find_shared_addresses(PlantModel& plant) {
+std::vector<std::array<std::uint32_t, 2>> find_shared_addresses(PlantModel& plant) {
+  std::vector<std::array<std::uint32_t, 2>> driven_twice;
   const auto location_of = [&](const Symbol& symbol) { return Location{plant.controller_of(symbol), *symbol.address}; };
   base::IndexTable leaders(plant.symbols.size());
   const auto is_at = [&](const Location& position) {
@@ -58,10 +59,10 @@ void find_shared_addresses(PlantModel& plant) {
     if (!moved(plant, leader)) {
       leaders.move(hash, i, is_at(position));
     } else if (plant.symbols[leader].unit != symbol.unit) {
-      plant.driven_twice.push_back({i, leader});
+      driven_twice.push_back({i, leader});
     }
   }
-  if (!any) return;
+  if (!any) return driven_twice;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
     if (!has_index(symbol)) continue;
@@ -69,6 +70,7 @@ void find_shared_addresses(PlantModel& plant) {
     const std::uint32_t leader = leaders.find(hash_of(position), is_at(position));
     if (leader != i) symbol.leader = leader;
   }
+  return driven_twice;
 }
 
 }  // namespace symplant::model

@@ -1,12 +1,16 @@
-// Symbols that stand on one address.
+// Finds symbols that share an address.
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
 
 #include "model/plant_model.hpp"
 
 namespace symplant::model {
 
-/// Finds them, controller by controller, and says which one leads the others: of events the one that a unit moves, else
-/// the first. Two events that different units move are recorded in `moved_twice`. O(symbols).
-void find_shared_addresses(PlantModel& plant);
+/// Sets Symbol::leader of symbols that share an address of one controller. The event that a unit drives leads, else the
+/// first symbol. Returns pairs of events on one address that different units drive: second, first. O(symbols).
+std::vector<std::array<std::uint32_t, 2>> find_shared_addresses(PlantModel& plant);
 
 }  // namespace symplant::model

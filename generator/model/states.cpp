@@ -19,7 +19,7 @@ struct Draft {
   std::uint32_t event = kNone;
 };
 
-/// Drafts by their task: most units have so few that looking at each is quickest.
+/// Drafts by task. Most units have so few that a linear search is fastest.
 class Drafts {
  public:
   Draft& of(std::string_view task, std::uint32_t symbol) {
@@ -94,14 +94,14 @@ void add_given_states(Unit& unit, description::Faults& faults) {
     if (same != nullptr) {
       const bool by_symbol = same->operation != kNone || same->event != kNone;
       faults.add(here, description::ticked(given[i]) +
-                           (by_symbol ? " is a state of " + description::ticked(unit.path) + " by its symbols already"
-                                      : " stands twice") +
-                           ", leave it out");
+                           (by_symbol ? " is already a state of " + description::ticked(unit.path) + " by its symbols"
+                                      : " appears twice") +
+                           "; remove it");
     } else if (given[i].empty() || given[i] == "*") {
-      faults.add(here, description::ticked(given[i]) + " is no name of a state, give it another");
+      faults.add(here, description::ticked(given[i]) + " is not a valid name of a state; choose another");
     } else if (unit.states.size() == tables::kMaxStates) {
       faults.add(pointer, "the device has more than " + std::to_string(tables::kMaxStates) +
-                              " states together with those of its symbols, leave some out");
+                              " states, including those of its symbols; remove some");
       return;
     } else {
       unit.states.push_back({given[i], kNone, kNone, !sequence_number(given[i]).empty()});

@@ -1,4 +1,4 @@
-// S, the states of a unit.
+// Makes S, the states of a unit.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace symplant::model {
 
-/// What symbols name of S, in its order: every task that is a state. `symbols` are the plant's. O(tasks log tasks)
+/// The states that symbols name, in the order of S: every task that is a state. `symbols` are the plant's.
+/// O(tasks log tasks).
 std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles);
 
-/// Puts the states that the description adds behind them, in its order.
+/// Appends the states that the description adds, in its order.
 void add_given_states(Unit& unit, description::Faults& faults);
 
 }  // namespace symplant::model

@@ -1,11 +1,11 @@
-// Which tasks are states.
+// Decides which tasks are states.
 #include "model/task_roles.hpp"
 
 namespace symplant::model {
 
 namespace {
 
-/// What a unit has, as far as its symbols and added states say.
+/// The tasks of a unit's symbols and its added states.
 class UnitTasks {
  public:
   UnitTasks(const Unit& unit, const std::vector<Symbol>& symbols) {
@@ -14,12 +14,12 @@ class UnitTasks {
     states_.insert(unit.described->states.begin(), unit.described->states.end());
   }
 
-  /// False where the unit surely lacks a state. (A NOT_X may be added later.)
+  /// False if the unit certainly lacks a state. (A NOT_X may be added later.)
   bool may_be_state(std::string_view name) const {
     return is_task(name) || states_.contains(name) ||
            (name.size() > 4 && text::equal_ignoring_case(name.substr(0, 4), "NOT_") && is_task(name.substr(4)));
   }
-  /// False where it surely lacks what a transition names.
+  /// False if the unit certainly lacks a name of the transition.
   bool allow(const description::GivenTransition& given) const {
     return (given.from == "*" || may_be_state(given.from)) && may_be_state(given.to) &&
            (given.on.empty() || operations_.contains(given.on));

@@ -1,4 +1,4 @@
-// Which tasks of a unit are states: all but those that its description makes mere commands or mere reports.
+// Decides which tasks of a unit are states: all except those that its description makes only commands or reports.
 #pragma once
 
 #include <string_view>
@@ -15,11 +15,11 @@ enum class TaskRole : std::uint8_t {
   report,   ///< an event without operation that only `outputs` switch (I_BUSY)
 };
 
-/// What a description says of tasks. Views point into it.
+/// The roles of tasks in a description. Views point into it.
 class TaskRoles {
  public:
   TaskRoles() = default;  ///< every task is a state
-  /// By what is said of the unit's device, but for what a pattern says and the unit's symbols lack. `symbols` are the
+  /// From the description of the unit's device, without the names of a pattern that the unit lacks. `symbols` are the
   /// plant's. O(description of the device and symbols of the unit).
   TaskRoles(const Unit& unit, const std::vector<Symbol>& symbols);
 
@@ -27,9 +27,9 @@ class TaskRoles {
 
  private:
   using Tasks = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
-  Tasks states_;    ///< named where only a state can stand
-  Tasks commands_;  ///< `on` of a transition
-  Tasks switched_;  ///< by outputs
+  Tasks states_;    ///< named as a state
+  Tasks commands_;  ///< named by `on` of a transition
+  Tasks switched_;  ///< switched by outputs
 };
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Names by Boost.Spirit X3: levels of letters and digits, parted by the rule's separator.
+// Parses names with Boost.Spirit X3: levels of letters and digits, separated by the rule's separator.
 #define BOOST_SPIRIT_X3_UNICODE
 #include "name/name_parser.hpp"
 
@@ -31,8 +31,8 @@ const DirectionWord* direction_word(const NamingRule& rule, std::string_view tex
   return nullptr;
 }
 
-/// First and last of the levels that are too many: those that push the direction back where just one level holds its
-/// word, else those beyond the last.
+/// First and last of the surplus levels: those that move the direction back, if exactly one level holds a direction
+/// word; else those after the last level of the rule.
 std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const std::vector<Piece>& pieces) {
   const std::size_t wanted = rule.levels.size();
   const auto direction = std::find(rule.levels.begin(), rule.levels.end(), Level::direction);
@@ -47,7 +47,7 @@ std::pair<std::size_t, std::size_t> surplus_levels(const NamingRule& rule, const
   return {wanted, pieces.size() - 1};
 }
 
-/// What the levels of a name say, of which there are as many as the rule has, none of them empty.
+/// Reads the levels of a name. Their number must be that of the rule, and none may be empty.
 void read_levels(const NamingRule& rule, std::string_view name, const std::vector<std::string_view>& levels,
                  NameReading& reading) {
   const auto offset = [&](const char* index) { return static_cast<std::size_t>(index - name.data()); };
@@ -91,8 +91,8 @@ constexpr auto kAsciiAlnum = [] {
   return alnum;
 }();
 
-/// The levels of a name of ASCII letters and digits that has as many as the rule, none of them empty: what most names
-/// are. False for all others, which the grammar reads; it reads these alike.
+/// Splits a name of ASCII letters and digits that has the levels of the rule, none of them empty, as most names do.
+/// Returns false for all other names, which the grammar parses; for these names it gives the same result.
 bool cut_plain(const NamingRule& rule, std::string_view name, std::vector<std::string_view>& levels) {
   levels.clear();
   std::size_t begin = 0;
@@ -131,7 +131,7 @@ NameReading NameParser::parse_by_grammar(std::string_view name) {
   CodePoints at(begin, begin, end);
   const CodePoints last(end, begin, end);
 
-  // A level may be empty here, so that the message can say which one is.
+  // A level may be empty here, so that the message can say which one.
   const auto level = x3::raw[*x3::unicode::alnum];
   x3::parse(at, last, level % x3::unicode::char_(rule_.separator), pieces);
 

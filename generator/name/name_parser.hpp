@@ -16,17 +16,17 @@ enum class NameFault : std::uint8_t {
   none,
   illegal_character,  ///< something other than letters, digits and the separator
   wrong_number_of_levels,
-  empty_level,       ///< two separators side by side, or one at an end
-  direction_not_io,  ///< the direction level is none of the rule's words
+  empty_level,       ///< two adjacent separators, or one at an end
+  direction_not_io,  ///< the direction level is not one of the rule's words
 };
 
-/// What a name says, or where it goes wrong. Views point into the name.
+/// The parts of a name, or its fault. Views point into the name.
 struct NameReading {
   NameFault fault = NameFault::none;
   text::Span where;          ///< bytes of the name that the fault is about
-  std::uint32_t levels = 0;  ///< how many it has; 0 where an illegal character came first
-  // Only without a fault:
-  std::string_view device_path;  ///< line, process and device with what parts them: the device's identity
+  std::uint32_t levels = 0;  ///< the number of levels; 0 if an illegal character was found first
+  // Set only without a fault:
+  std::string_view device_path;  ///< line, process and device with separators: identifies the device
   std::string_view line;
   std::string_view process;
   std::string_view device;
@@ -34,7 +34,7 @@ struct NameReading {
   Direction direction = Direction::operation;
 };
 
-/// One rule made ready. Not thread-safe: it keeps its working space.
+/// A parser for one naming rule. Not thread-safe: it keeps working memory.
 class NameParser {
  public:
   explicit NameParser(const NamingRule& rule);
@@ -42,9 +42,9 @@ class NameParser {
   NameParser(const NameParser&) = delete;
   NameParser& operator=(const NameParser&) = delete;
 
-  /// `name` must be UTF-8. O(name). Never throws for what a name holds.
+  /// `name` must be UTF-8. O(name). Does not throw, whatever the name holds.
   NameReading parse(std::string_view name);
-  /// The same by the grammar alone, which parse() leaves to names that are out of the ordinary. For tests.
+  /// The same, always by the grammar, which parse() uses only for unusual names. For tests.
   NameReading parse_by_grammar(std::string_view name);
 
  private:

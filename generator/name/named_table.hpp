@@ -8,7 +8,7 @@
 
 namespace symplant::name {
 
-/// `readings[i]` is of `table.rows[i]`. Nothing is judged yet: internal symbols may be named as they like.
+/// `readings[i]` belongs to `table.rows[i]`. Faults are not reported yet: internal symbols may have any name.
 struct NamedTable {
   const read::SymbolTable* table;
   const NamingRule* rule;

@@ -1,4 +1,4 @@
-// The naming rule, as a value: which levels a name has, what parts them, and the words for a direction.
+// The naming rule as a value: the levels of a name, their separator, and the words for a direction.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace symplant::name {
 
 enum class Level { line, process, device, direction, task };
 
-/// Seen from the PLC: it writes operations (its outputs), it reads events (its inputs).
+/// As the PLC sees it: it writes operations (its outputs) and reads events (its inputs).
 enum class Direction { operation, event };
 
 struct DirectionWord {
@@ -18,9 +18,9 @@ struct DirectionWord {
 
 struct NamingRule {
   std::string name;
-  std::string pattern;        ///< as people write it, for messages
-  char32_t separator;         ///< parts two levels
-  std::vector<Level> levels;  ///< in their order; levels are of letters and digits, Unicode's too
+  std::string pattern;        ///< as shown in messages
+  char32_t separator;         ///< between two levels
+  std::vector<Level> levels;  ///< in their order; a level holds Unicode letters and digits
   std::vector<DirectionWord> directions;
 };
 

@@ -1,4 +1,4 @@
-// Rows of delimited text, as views into it.
+// Reads the rows of a delimited text, as views into it.
 #include "read/csv.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::size_t kSniffedBytes = 64 * 1024;
 constexpr std::size_t kSniffedRows = 100;
 constexpr std::array kDelimiters{'\t', ';', ','};
 
-/// How often each delimiter stands outside quotes, row by row.
+/// How often each delimiter occurs outside quotes in a row.
 using Counts = std::array<std::size_t, kDelimiters.size()>;
 
 std::vector<Counts> count_delimiters(std::string_view text) {
@@ -54,7 +54,7 @@ char sniff_delimiter(std::string_view text) {
     for (const Counts& counts : rows) {
       if (counts[i] != 0) ++rows_by_count[counts[i]];
     }
-    // Most rows alike, then most columns: prose has commas, but not the same number in every row.
+    // Most equal rows, then most columns: prose has commas, but not the same number in every row.
     for (const auto& [count, alike] : rows_by_count) {
       const std::pair score{alike, count};
       if (score <= best_score) continue;

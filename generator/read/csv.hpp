@@ -1,4 +1,4 @@
-// Rows of delimited text, as views into it.
+// Reads the rows of a delimited text, as views into it.
 #pragma once
 
 #include <cstddef>
@@ -13,39 +13,38 @@
 
 namespace symplant::read {
 
-/// Cells beyond so many are passed over: no list has them, and a file made of delimiters alone must not fill the
-/// memory.
+/// The most cells of a row; more are ignored. No list has them, and a file of delimiters must not fill the memory.
 inline constexpr std::size_t kMaxCells = 4096;
 
-/// The one of TAB `;` `,` that divides the first rows most evenly, counted outside quotes; `,` where none occurs.
+/// The one of TAB `;` `,` that divides the first rows most evenly, counted outside quotes; `,` if none occurs.
 char sniff_delimiter(std::string_view text);
 
 struct CsvRow {
   std::vector<std::string_view> cells;  ///< without quotes and blanks around
-  std::uint32_t line = 0;               ///< where the row begins, counted from 1
+  std::uint32_t line = 0;               ///< the line at which the row begins, counted from 1
   text::Span whole;                     ///< its bytes, without its line end
-  std::optional<text::Span> stray;      ///< text that follows a closing quote, the first such
+  std::optional<text::Span> stray;      ///< the first text after a closing quote
 
-  /// The cell of that column, empty where the row is shorter.
+  /// The cell of that column; empty if the row is shorter.
   std::string_view cell(std::size_t column) const { return column < cells.size() ? cells[column] : std::string_view{}; }
   bool blank() const;
 };
 
-/// Reads row by row. A cell may be quoted, with `""` for a quote and line ends inside; a quote in the midst of a cell
-/// that does not begin with one stands for itself. Rows end at LF, CRLF or CR. O(text) over all rows.
+/// Reads row by row. A cell may be quoted, with `""` for a quote and line ends inside; a quote within a cell
+/// that does not begin with a quote is an ordinary character. Rows end at LF, CRLF or CR. O(text) over all rows.
 class CsvReader {
  public:
-  /// Begins at `offset`, which is in line `line`. Cells with `""` are written to `arena`; the others point into `text`.
+  /// Begins at `offset`, in line `line`. Cells with `""` are written to `arena`; the others point into `text`.
   CsvReader(std::string_view text, char delimiter, std::deque<std::string>& arena, std::size_t offset = 0,
             std::uint32_t line = 1)
       : text_(text), delimiter_(delimiter), arena_(arena), at_(offset), line_(line) {}
 
-  /// False at the end, and where a quote is not closed. Empty lines are rows of one empty cell.
+  /// False at the end, and if a quote is not closed. An empty line is a row of one empty cell.
   bool next(CsvRow& row);
 
-  /// Where the quote opens that is never closed.
+  /// The offset of the quote that is never closed.
   std::optional<std::size_t> unclosed_quote() const { return unclosed_quote_; }
-  /// Where the next row begins.
+  /// The offset of the next row.
   std::size_t offset() const { return at_; }
   std::uint32_t line() const { return line_; }
 

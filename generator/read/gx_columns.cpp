@@ -1,4 +1,4 @@
-// Which column of a GX IEC list holds what.
+// Finds the columns of a GX IEC list.
 #include "read/gx_columns.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr std::size_t kSampledRows = 200;
 
 struct Alias {
   GxField field;
-  int rank;               ///< of two columns for one field the one of higher rank counts, of equal ones the first
+  int rank;               ///< of two columns for one field the higher rank counts; of equal ranks the first
   std::string_view word;  ///< lower case, without blanks, dots, `-` and `_`
 };
 
@@ -84,7 +84,7 @@ bool is_type(std::string_view cell) {
   return word == "ARRAY" || std::binary_search(kTypes.begin(), kTypes.end(), word);
 }
 
-/// The columns that a row names, if it were a header.
+/// The columns that a row would name if it were a header.
 GxColumns named_columns(const CsvRow& row) {
   GxColumns columns;
   std::array<int, kGxFields> ranks{};
@@ -100,7 +100,7 @@ GxColumns named_columns(const CsvRow& row) {
   return columns;
 }
 
-/// `Name` and `Type` alone could be any table's.
+/// `Name` and `Type` without another column could be of any table.
 bool names_a_list(const GxColumns& columns, const CsvRow& row) {
   if (!columns.has(GxField::name)) return false;
   if (columns.has(GxField::klass) || columns.has(GxField::vendor_address) || columns.has(GxField::iec_address)) {
@@ -111,13 +111,13 @@ bool names_a_list(const GxColumns& columns, const CsvRow& row) {
 
 bool is_filled(std::string_view cell) { return !cell.empty(); }
 
-/// A class with more in its row: alone it is a line of a program.
+/// A class and at least one other cell: a class without them is a line of a program.
 bool is_classed(const CsvRow& row) {
   return std::any_of(row.cells.begin(), row.cells.end(), is_class) &&
          std::count_if(row.cells.begin(), row.cells.end(), is_filled) > 1;
 }
 
-/// The column most of whose cells are such; none where no cell is.
+/// The column with the most cells that are such; kNoColumn if no cell is.
 std::size_t vote(const std::vector<CsvRow>& rows, const GxColumns& taken, bool (*is_such)(std::string_view)) {
   std::vector<std::size_t> votes;
   for (const CsvRow& row : rows) {
@@ -129,7 +129,7 @@ std::size_t vote(const std::vector<CsvRow>& rows, const GxColumns& taken, bool (
   return static_cast<std::size_t>(most - votes.begin());
 }
 
-/// In most rows of a sample the cell of that column can be a name.
+/// Whether the cell of that column can be a name in most rows of a sample.
 bool holds_names(const std::vector<CsvRow>& rows, std::size_t column) {
   const auto names = std::count_if(rows.begin(), rows.end(), [&](const CsvRow& row) {
     const std::string_view cell = row.cell(column);
@@ -138,11 +138,11 @@ bool holds_names(const std::vector<CsvRow>& rows, std::size_t column) {
   return static_cast<std::size_t>(names) * 2 > rows.size();
 }
 
-/// Without a header: class, type and addresses by their content, the rest by where it stands relative to them.
+/// Without a header: class, type and addresses by their content, the other columns by their position next to them.
 GxColumns guessed_columns(const std::vector<CsvRow>& rows) {
   GxColumns columns;
   columns.set(GxField::klass, vote(rows, columns, is_class));
-  // Next to the class stands the name, which may look like an address (P1): it is taken before these are looked for.
+  // The name is next to the class and may look like an address (P1): it is taken before the addresses.
   const std::size_t beside = columns[GxField::klass] + 1;
   if (holds_names(rows, beside)) columns.set(GxField::name, beside);
   columns.set(GxField::iec_address, vote(rows, columns, looks_like_iec_address));

@@ -1,4 +1,4 @@
-// Which column of a GX IEC list holds what, told by its header or by its cells.
+// Finds the columns of a GX IEC list, by its header or by its cells.
 #pragma once
 
 #include <array>
@@ -35,19 +35,19 @@ struct GxLayout {
   GxColumns columns;
   char delimiter = ',';
   std::optional<std::uint32_t> header_line;  ///< nothing: the list has no header
-  std::string header_name;                   ///< what the header calls the identifiers
-  std::size_t rows_begin = 0;                ///< where the first row after header and titles begins
+  std::string header_name;                   ///< the header of the identifier column
+  std::size_t rows_begin = 0;                ///< offset of the first row after header and titles
   std::uint32_t rows_line = 1;
 };
 
-/// What a look at the first rows tells.
+/// The result of examining the first rows.
 struct GxSearch {
   std::optional<GxLayout> layout;
-  std::optional<text::Span> nameless_header;  ///< a header of such a list, but without a column of identifiers
-  std::optional<std::size_t> unclosed_quote;  ///< the look ended at a quote that is never closed
+  std::optional<text::Span> nameless_header;  ///< a header without a column of identifiers
+  std::optional<std::size_t> unclosed_quote;  ///< the search ended at a quote that is never closed
 };
 
-/// Looks for a header, else for a class column (VAR_GLOBAL ...), among the first rows, by each delimiter.
+/// Searches the first rows for a header, else for a class column (VAR_GLOBAL ...), with each delimiter.
 GxSearch find_gx_layout(std::string_view text);
 
 /// %I, %Q or %M.
@@ -55,7 +55,7 @@ bool looks_like_iec_address(std::string_view cell);
 /// Up to three letters, then hexadecimal digits: X1F, Y0001, ZR100.
 bool looks_like_vendor_address(std::string_view cell);
 
-/// What the columns hold, in words.
+/// The columns in words, such as `class 1, identifier 2`.
 std::string describe(const GxColumns& columns);
 
 }  // namespace symplant::read

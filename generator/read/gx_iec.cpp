@@ -1,4 +1,4 @@
-// GX IEC Developer 7 global variable lists.
+// Reads global variable lists of GX IEC Developer 7.
 #include "read/gx_iec.hpp"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ class GxIecReading {
     while (reader.next(row)) {
       if (row.stray) {
         diagnostics_.add(kTextAfterQuote,
-                         "text stands between a closing quote and the end of its cell and is left out; "
+                         "text follows the closing quote of a cell and is left out; "
                          "write a quote inside a quoted cell as `\"\"`",
                          {source_, *row.stray});
       }
@@ -73,7 +73,7 @@ class GxIecReading {
     }
   }
 
-  /// From the length of the first rows; a tenth more, since growing would cost more than room that is not used.
+  /// An estimate from the length of the first rows, plus a tenth: growing would cost more than unused room.
   std::size_t expected_rows(const GxLayout& layout) const {
     constexpr std::size_t kSample = 64 * 1024;
     const std::string_view rows = source_->text().substr(layout.rows_begin);
@@ -103,7 +103,7 @@ class GxIecReading {
     sort_addresses(made);
   }
 
-  /// Of those that are read; tells of the first.
+  /// Whether a cell that is read is too long; reports the first.
   bool has_cell_too_long(const CsvRow& row, const GxLayout& layout) {
     for (const GxField field : {GxField::klass, GxField::name, GxField::vendor_address, GxField::iec_address,
                                 GxField::type, GxField::initial}) {
@@ -111,8 +111,8 @@ class GxIecReading {
       if (cell.size() <= kLongestCell) continue;
       const text::Span location = source_->span_of(cell, row.whole);
       diagnostics_.add(kCellTooLong,
-                       "a cell of " + std::to_string(cell.size()) + " bytes stands here, " +
-                           std::to_string(kLongestCell) + " are the most; a line end or a quote is missing",
+                       "this cell has " + std::to_string(cell.size()) + " bytes, but at most " +
+                           std::to_string(kLongestCell) + " are allowed; add the missing line end or quote",
                        {source_, {location.begin, location.begin + 1}});
       too_long_ = true;
       return true;
@@ -120,7 +120,7 @@ class GxIecReading {
     return false;
   }
 
-  /// Lists put together from several exports repeat it.
+  /// Whether the row repeats the header, as in a list joined from several exports.
   static bool is_header_again(const CsvRow& row, const GxLayout& layout) {
     for (const GxField field : {GxField::vendor_address, GxField::iec_address, GxField::type}) {
       const std::string_view cell = row.cell(layout.columns[field]);
@@ -141,26 +141,26 @@ class GxIecReading {
     auto& decisions = table_.decisions;
     decisions.push_back("delimiter: " + std::string(delimiter_name(layout.delimiter)));
     decisions.push_back(layout.header_line ? "header: line " + std::to_string(*layout.header_line)
-                                           : "no header: columns told by their content, from line " +
+                                           : "no header: columns recognized by their content, from line " +
                                                  std::to_string(layout.rows_line) + " on");
     decisions.push_back("columns: " + describe(layout.columns));
     if (exchanged_ != 0) {
-      decisions.push_back("addresses in the other one's column: " + std::to_string(exchanged_) +
-                          "; their notation counts");
+      decisions.push_back("addresses in the other address column: " + std::to_string(exchanged_) +
+                          "; their notation decides");
     }
     decisions.push_back("rows: " + std::to_string(table_.rows.size()) + " read, " + std::to_string(left_out_) +
                         " left out");
   }
 
   void report_unclosed(std::size_t offset) {
-    diagnostics_.add(kUnclosedQuote, "a quote opens here and is closed nowhere; close it or take it out",
+    diagnostics_.add(kUnclosedQuote, "this quote is never closed; close it or remove it",
                      {source_, {offset, offset + 1}});
   }
 
   void report_no_rows(const GxLayout& layout) {
     diagnostics_.add(kHeaderAlone,
-                     layout.header_line ? "there is a header and no row with a symbol below it; export the list again"
-                                        : "there is no row with a symbol; export the list again",
+                     layout.header_line ? "the list has a header, but no row with a symbol; export the list again"
+                                        : "the list has no row with a symbol; export the list again",
                      {source_, source_->span_of(source_->line_at(layout.rows_begin == 0 ? 0 : layout.rows_begin - 1))});
   }
 
@@ -168,14 +168,14 @@ class GxIecReading {
     if (search.unclosed_quote) return report_unclosed(*search.unclosed_quote);
     if (search.nameless_header) {
       diagnostics_.add(kMissingColumn,
-                       "this header has no column of identifiers; name one `Identifier`, `Label Name`, `Variable` or "
-                       "`Name`",
+                       "this header has no column of identifiers; name a column `Identifier`, `Label Name`, "
+                       "`Variable` or `Name`",
                        {source_, *search.nameless_header});
       return;
     }
     diagnostics_.add(kUnknownFormat,
                      "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
-                     "no list of global variables; export one, or put a header above the rows",
+                     "not a list of global variables; export one, or put a header above the rows",
                      {source_, source_->span_of(source_->line_at(0))});
   }
 
@@ -184,7 +184,7 @@ class GxIecReading {
   SymbolTable table_;
   std::size_t left_out_ = 0;
   std::size_t exchanged_ = 0;
-  bool too_long_ = false;  // some cell
+  bool too_long_ = false;  // a cell was too long
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// GX IEC Developer 7 global variable lists, and the lists of its relatives that share its columns.
+// Reads global variable lists of GX IEC Developer 7 and of tools with the same columns.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace symplant::read {
 
-/// 0 (none of these lists) to 100.
+/// 0 (not such a list) to 100 (certain).
 int gx_iec_likelihood(std::string_view text);
 
-/// Class, Identifier, MIT-Addr., IEC-Addr., Type, Initial, Comment in any order, with or without a header; further
-/// columns and lines before the header are passed over. Which address is whose is told by its content, whatever the
-/// header says. Nothing where an error was added.
+/// Class, Identifier, MIT-Addr., IEC-Addr., Type, Initial, Comment in any order, with or without a header; other
+/// columns and lines before the header are ignored. The content of an address decides whether it is a MIT or an IEC
+/// address, not the header. Returns nothing if it added an error.
 std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const text::SourceFile> source, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::read

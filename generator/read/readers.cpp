@@ -1,4 +1,4 @@
-// The table of readers, and reading a symbol list of whichever kind.
+// The table of readers, and reading a symbol list of any known format.
 #include "read/readers.hpp"
 
 #include <algorithm>
@@ -25,10 +25,10 @@ std::string known_names() {
   return names;
 }
 
-/// A place in a file whose text is not there to be shown.
+/// A location in a file whose text cannot be shown.
 diag::Location whole_file(const std::string& path) { return {std::make_shared<text::SourceFile>(path, ""), {}}; }
 
-/// The reader that is asked for, or the likeliest; none where an error was added.
+/// The requested reader, or the likeliest; null if an error was added.
 const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const text::SourceFile>& source,
                          diag::Diagnostics& diagnostics) {
   const ReaderInfo* best = nullptr;
@@ -43,14 +43,14 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
   if (best == nullptr) {
     diagnostics.add(kUnknownFormat,
                     "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
-                    "none of the known lists (" +
+                    "not one of the known lists (" +
                         known_names() + "); export one of them, or put a header above the rows",
                     {source, source->span_of(source->line_at(0))});
   }
   return best;
 }
 
-/// The file as text; null where an error was added.
+/// The file as text; null if an error was added.
 std::shared_ptr<const text::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
                                              diag::Diagnostics& diagnostics, text::Encoding& encoding) {
   auto decoded = decode_file(path, std::move(bytes), options, diagnostics);
@@ -67,32 +67,27 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
   const auto is_asked_for = [&](const ReaderInfo& reader) { return reader.name == options.input_format; };
   if (options.input_format.empty() || std::any_of(kReaders.begin(), kReaders.end(), is_asked_for)) return true;
   diagnostics.add(kUnknownInputFormat,
-                  "`" + options.input_format + "` is no known format of a list; choose among " + known_names(), {});
+                  "unknown list format `" + options.input_format + "`; choose one of " + known_names(), {});
   return false;
 }
 
-/// What to do about bytes that cannot be decoded: what the likely encodings would read, where there are any.
+/// What to do about bytes that cannot be decoded: how the likely encodings would read them, if there are any.
 std::string remedy_of(const text::DecodeError& fault, bool described) {
-  std::string text;
-  const auto add = [&](text::Encoding encoding) {
+  const auto option = [&](text::Encoding encoding) {
     const std::string name(text::encoding_name(encoding));
-    text += text.empty() ? "" : ", ";
-    text += described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
+    return described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
   };
+  if (fault.guesses.empty()) return fault.remedy;
+  const text::EncodingGuess& first = fault.guesses.front();
+  if (fault.guesses.size() == 1) {
+    return option(first.encoding) + " would read `" + first.sample +
+           "`; if that is wrong, give the encoding that the list was saved in, or save it as UTF-8";
+  }
+  std::string text;
   for (const text::EncodingGuess& guess : fault.guesses) {
-    add(guess.encoding);
-    text += " would read `" + guess.sample + "`";
+    text.append(text.empty() ? "" : ", ").append(option(guess.encoding)).append(" (`" + guess.sample + "`)");
   }
-  if (fault.guesses.empty() && !fault.possible.empty()) {
-    for (const text::UsualEncoding& usual : fault.possible) {
-      add(usual.encoding);
-      text += " (" + std::string(usual.where) + ")";
-    }
-    return "give the encoding that the list was saved in, such as " + text + ", or save it as UTF-8";
-  }
-  if (text.empty()) return fault.remedy;
-  return text + (fault.guesses.size() == 1 ? "; if that is not right" : "; if neither is right") +
-         ", give the encoding that the list was saved in, or save it as UTF-8";
+  return "choose the encoding that reads this word correctly: " + text + ", or save the list as UTF-8";
 }
 
 }  // namespace
@@ -130,7 +125,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   if (reader == nullptr) return std::nullopt;
   auto table = reader->read(source, diagnostics);
   if (!table) return std::nullopt;
-  const std::string_view why = options.encoding ? ", as asked for" : "";
+  const std::string_view why = options.encoding ? ", as requested" : "";
   table->decisions.insert(table->decisions.begin(),
                           {"format: " + std::string(reader->name) + " (" + std::string(reader->title) + ")",
                            "encoding: " + std::string(text::encoding_name(encoding)) + std::string(why)});

@@ -1,4 +1,4 @@
-// The table of readers, and reading a symbol list of whichever kind.
+// The table of readers, and reading a symbol list of any known format.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace symplant::read {
 
-/// One kind of export. `likelihood` is 0 (not mine) to 100 (certain); the reader with the highest reads the file.
+/// One kind of export. `likelihood` is 0 (another format) to 100 (certain); the reader with the highest reads the file.
 struct ReaderInfo {
   std::string_view name;   ///< for --input-format: "gx-iec"
   std::string_view title;  ///< "GX IEC Developer 7 global variable list"
@@ -26,20 +26,19 @@ std::span<const ReaderInfo> readers();
 struct ReadOptions {
   std::string input_format;                ///< empty: sniffed
   std::optional<text::Encoding> encoding;  ///< nothing: sniffed
-  bool described = false;                  ///< a plant.json names the list, and may say its encoding
+  bool described = false;                  ///< a plant.json names the list and may give its encoding
 };
 
-/// Reads a list: file, encoding, kind, rows. Gives nothing where an error was added (no such file, not decodable,
-/// unclosed quote, a header alone, no rows at all). Faults of a single row are warnings and the row is left out or kept
-/// as it is.
+/// Reads a list: file, encoding, kind, rows. Returns nothing if it added an error (file not found, not decodable,
+/// unclosed quote, no rows). A fault of a single row is a warning, and the row is left out or kept as it is.
 std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
                                             const base::FileSystem& files, diag::Diagnostics& diagnostics);
-/// Likewise of a file whose bytes have been read.
+/// The same for a file whose bytes have been read.
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics);
 
-/// The text of a file's bytes, and its encoding; nothing where an error was added: with the encodings that it is likely
-/// to be in, and how they would read it. `remedy` takes the place of that where the file is no list.
+/// The text of a file's bytes, and its encoding. Returns nothing if it added an error, which proposes likely encodings
+/// and shows how they would read the file; `remedy` replaces that proposal for a file that is not a list.
 std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
                                          diag::Diagnostics& diagnostics, std::string_view remedy = {});
 

@@ -1,4 +1,4 @@
-// A symbol list as it was read: every row, nothing judged yet.
+// A symbol list as it was read: all rows, not yet checked.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace symplant::read {
 
-/// One row that declares a symbol. Views point into the file's text or into the table's `arena`; blanks around a cell
-/// are gone, a missing cell is empty.
+/// One row that declares a symbol. Views point into the file's text or into the table's `arena`. Blanks around a cell
+/// are removed; a missing cell is empty.
 struct ListRow {
   std::string_view klass;  ///< VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...
   std::string_view name;
@@ -22,11 +22,11 @@ struct ListRow {
   std::string_view type;
   std::string_view initial;
   std::string_view comment;
-  std::uint32_t line;  ///< where it begins in the file, counted from 1
+  std::uint32_t line;  ///< the line at which it begins, counted from 1
   text::Span whole;    ///< the row's bytes, without its line end
 };
 
-/// Movable, not copyable: its rows point into it.
+/// Movable but not copyable, because its rows point into it.
 struct SymbolTable {
   SymbolTable() = default;
   SymbolTable(SymbolTable&&) = default;
@@ -36,8 +36,8 @@ struct SymbolTable {
 
   std::shared_ptr<const text::SourceFile> source;
   std::vector<ListRow> rows;
-  std::deque<std::string> arena;       ///< cells whose text is not in the file as it is ("" for ")
-  std::vector<std::string> decisions;  ///< what was sniffed and why, for --verbose
+  std::deque<std::string> arena;       ///< cells whose text differs from the file's ("" for ")
+  std::vector<std::string> decisions;  ///< what was recognized and why, for --verbose
 };
 
 }  // namespace symplant::read

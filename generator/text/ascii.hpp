@@ -1,4 +1,4 @@
-// ASCII letters without regard to their case, as PLC tools compare names.
+// Compares texts without regard to ASCII case, as PLC tools compare names.
 #pragma once
 
 #include <algorithm>
@@ -26,9 +26,9 @@ inline std::string to_upper(std::string_view text) {
   return result;
 }
 
-/// Equal for texts that are equal without regard to case; of a whole word's length at a time.
+/// Equal for texts that are equal without regard to case. Hashes eight bytes at a time.
 inline std::uint64_t hash_ignoring_case(std::string_view text) {
-  // 0x20 parts capital and small letters; other characters that it makes equal meet in the hash only.
+  // Bit 0x20 separates capital and small letters; other characters that it makes equal only collide in the hash.
   constexpr std::uint64_t kSmall = 0x2020'2020'2020'2020;
   constexpr std::uint64_t kFactor = 0x9FB2'1C65'1E98'DF25;
   std::uint64_t hash = text.size() * kFactor;
@@ -58,7 +58,7 @@ struct EqualIgnoringCase {
   bool operator()(std::string_view a, std::string_view b) const { return equal_ignoring_case(a, b); }
 };
 
-/// Values by name. The names are views: what they look at must outlive the map.
+/// Values by name. The names are views: their texts must outlive the map.
 template <class Value>
 using ByName = std::unordered_map<std::string_view, Value, HashIgnoringCase, EqualIgnoringCase>;
 

@@ -1,4 +1,4 @@
-// Texts in legacy code pages, by the system's iconv.
+// Decodes legacy code pages with the system's iconv.
 #include "text/code_page.hpp"
 
 #include <iconv.h>
@@ -45,9 +45,9 @@ class Converter {
   Converter(const Converter&) = delete;
   Converter& operator=(const Converter&) = delete;
 
-  bool is_open() const { return converter_ != reinterpret_cast<iconv_t>(-1); }  // NOLINT: iconv's own way
+  bool is_open() const { return converter_ != reinterpret_cast<iconv_t>(-1); }  // NOLINT: iconv's error value
 
-  /// Converts as far as it can: `rest` is what it could not, empty at the end.
+  /// Converts up to the first fault; `rest` is the part from there on, empty at the end.
   std::string convert(std::string_view bytes, std::string_view& rest) {
     std::string text;
     text.reserve(bytes.size() + bytes.size() / 4 + 16);
@@ -59,7 +59,7 @@ class Converter {
       const std::string_view made(block->data(), block->size() - room);
       const std::size_t control = find_control(made);
       text.append(made.substr(0, control));
-      if (control != std::string_view::npos) {  // once more, with room for what stands before it
+      if (control != std::string_view::npos) {  // once more, with room for the part before it
         rest = begin;
         room = control;
         step(rest, block->data(), room);
@@ -79,7 +79,7 @@ class Converter {
     return upper;
   }
 
-  /// Converts until `room` bytes are filled, then gives true; else as far as there are characters.
+  /// Converts until `room` bytes are filled and returns true, or up to the end or a fault and returns false.
   bool step(std::string_view& rest, char* out, std::size_t& room) {
     const char* in = rest.data();
     std::size_t left = rest.size();
@@ -92,7 +92,7 @@ class Converter {
   iconv_t converter_;
 };
 
-/// How many bytes at the beginning belong together: a lead byte and what follows it.
+/// The number of bytes at the beginning that belong together: a lead byte and its trail bytes.
 std::size_t fault_length(std::string_view bytes, Encoding encoding) {
   const bool two = encoding == Encoding::cp932 || encoding == Encoding::cp949 || encoding == Encoding::gb18030 ||
                    encoding == Encoding::cp950;

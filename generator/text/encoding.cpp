@@ -1,4 +1,4 @@
-// From the bytes of a file to UTF-8.
+// Decodes the bytes of a file to UTF-8.
 #include "text/encoding.hpp"
 
 #include <algorithm>
@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "base/words.hpp"
 #include "text/code_page.hpp"
-#include "text/encoding_guess.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::text {
@@ -28,17 +29,16 @@ constexpr std::array kMarks{Mark{Encoding::utf8, "\xEF\xBB\xBF"}, Mark{Encoding:
 constexpr std::string_view kZipMark = "PK\x03\x04";
 constexpr std::size_t kSampleBytes = 64 * 1024;
 constexpr std::string_view kExportAsText = "export the list as a text file";
-/// How much of the faulty line is shown after the fault.
+/// Bytes of the faulty line that are shown after the fault.
 constexpr std::size_t kShownAfterFault = 400;
 
-/// What a decoder hands on where it stops: UTF-8 so far, and where in the bytes the fault is.
+/// The result of a decoder that stopped at a fault.
 struct Fault {
-  std::string before;  ///< UTF-8 of all that stands before it
-  std::string after;   ///< UTF-8 of what follows it, fault included, cut short
+  std::string before;  ///< the text before the fault, as UTF-8
+  std::string after;   ///< the text from the fault on, as UTF-8, cut short
   std::string what;
   std::string remedy = std::string(kExportAsText);
   std::vector<EncodingGuess> guesses = {};
-  std::vector<UsualEncoding> possible = {};
 };
 
 std::string hex(unsigned value, int digits) {
@@ -72,7 +72,6 @@ DecodeError as_error(Fault fault) {
   error.what = std::move(fault.what);
   error.remedy = std::move(fault.remedy);
   error.guesses = std::move(fault.guesses);
-  error.possible = std::move(fault.possible);
   error.shown_offset = fault.before.size();
   error.shown = std::move(fault.before);
   error.shown.append(fault.after, 0, fault.after.find_first_of("\r\n"));
@@ -81,7 +80,7 @@ DecodeError as_error(Fault fault) {
 
 bool is_control(unsigned char c) { return (c < 0x20 && (c < 9 || c > 13)) || c == 0x7F; }
 
-/// Where the first of so many control characters stands that the text is none; npos for a text.
+/// The offset of the first control character if the bytes hold too many of them for a text; else npos.
 std::size_t find_binary(std::string_view text) {
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos) return nul;
@@ -115,14 +114,14 @@ std::size_t valid_utf8_prefix(std::string_view bytes) {
   return at;
 }
 
-/// Some tools end a text as C or DOS do: with one NUL or Ctrl-Z after its last line.
+/// Removes one NUL or Ctrl-Z after the last line: some tools end a text as C or DOS do.
 void take_off_end_mark(std::string& text) {
   if (text.ends_with(std::string_view("\n\0", 2)) || text.ends_with("\n\x1A")) text.pop_back();
 }
 
-/// Where and why bytes are no text in any encoding that begins with ASCII; nothing where they may be one.
+/// Where and why bytes are not text in any superset of ASCII; nothing if they may be text.
 std::optional<std::pair<std::size_t, std::string>> why_no_text(std::string_view bytes) {
-  if (bytes.starts_with(kZipMark)) return std::pair(0, "this is a zip archive (a workbook, perhaps), not a text");
+  if (bytes.starts_with(kZipMark)) return std::pair(0, "this is a zip archive (perhaps a workbook), not a text file");
   const std::size_t binary = find_binary(bytes);
   if (binary == std::string::npos) return std::nullopt;
   return std::pair(binary, binary_message(static_cast<unsigned char>(bytes[binary])));
@@ -151,18 +150,17 @@ base::Result<std::string, Fault> decode_utf8(std::string text) {
          static_cast<unsigned char>(bytes[valid + high]) >= 0x80) {
     ++high;
   }
-  Fault fault =
-      fault_at(valid, bytes_are(bytes.substr(valid, high)) + " no UTF-8 here, so the file is in another code page");
+  Fault fault = fault_at(
+      valid, bytes_are(bytes.substr(valid, high)) + " not valid UTF-8 here, so the file is in another encoding");
   fault.remedy = "give its `--encoding`, or save it as UTF-8 or UTF-16";
-  fault.guesses = guess_encoding(bytes, valid, Encoding::utf8);
-  if (fault.guesses.empty()) fault.possible = possible_encodings(bytes);
+  fault.guesses = guess_encoding(bytes, valid);
   return fault;
 }
 
-/// What would read bytes that are not in the code page asked for.
-std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t offset, Encoding asked_for) {
-  if (valid_utf8_prefix(bytes) != bytes.size()) return guess_encoding(bytes, offset, asked_for);
-  const std::size_t begin = bytes.find_last_of("\n\r\t,;\"", offset) + 1;  // of a cell; 0 where there is none
+/// Encodings that can decode bytes that are not in the requested code page.
+std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t offset) {
+  if (valid_utf8_prefix(bytes) != bytes.size()) return guess_encoding(bytes, offset);
+  const std::size_t begin = bytes.find_last_of("\n\r\t,;\"", offset) + 1;  // of a cell; 0 if the text begins with it
   const std::size_t end = bytes.find_first_of("\n\r\t,;\"", offset);
   return {{Encoding::utf8, as_sample(bytes.substr(begin, end - begin))}};
 }
@@ -172,10 +170,10 @@ base::Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encod
   const std::string name(encoding_name(encoding));
   for (const Mark& mark : kMarks) {
     if (!bytes.starts_with(mark.bytes)) continue;
-    std::string remedy = "leave `--encoding ";
+    std::string remedy = "remove `--encoding ";
     remedy.append(name).append(
-        "`, or its `encoding` in plant.json, out; where other lists need it, say `\"encoding\": \"");
-    remedy.append(name).append("\"` beside each of those in the `symbols` of a plant.json");
+        "`, or the list's `encoding` in plant.json; if other lists need it, write `\"encoding\": \"");
+    remedy.append(name).append("\"` for each of them in the `symbols` of a plant.json");
     return Fault{
         {}, {}, "the file begins with the byte order mark of " + std::string(encoding_name(mark.encoding)), remedy};
   }
@@ -189,14 +187,13 @@ base::Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encod
   if (found.length == 0) {
     return Fault{{},
                  {},
-                 "this system has no conversion from " + name,
+                 "this system cannot convert from " + name,
                  "install the character sets of its C library, or save the list as UTF-8"};
   }
   const std::string_view rest = std::string_view(bytes).substr(found.offset);
   return Fault{found.before, lossy_utf8(rest.substr(0, kShownAfterFault)),
-               bytes_are(rest.substr(0, found.length)) + " no character of " + name + " here",
-               "give the encoding that the list was saved in, or save it as UTF-8",
-               guess_instead(bytes, found.offset, encoding)};
+               bytes_are(rest.substr(0, found.length)) + " not a character of " + name + " here",
+               "give the encoding that the list was saved in, or save it as UTF-8", guess_instead(bytes, found.offset)};
 }
 
 class Utf16Decoder {
@@ -241,7 +238,7 @@ class Utf16Decoder {
     return high << 8U | low;
   }
 
-  /// The code point that begins at a unit that is not 0; 0 where there is none.
+  /// The code point that begins at a unit; 0 if the unit is 0 or begins no code point.
   char32_t point_at(std::size_t index) const {
     const char32_t unit = unit_at(index);
     if (unit < 0xD800 || unit > 0xDFFF) return unit;
@@ -263,17 +260,17 @@ class Utf16Decoder {
   }
 
   Fault no_utf16(std::size_t at, const std::string& what) {
-    Fault result = fault(at, what + ", so this is no UTF-16 or a damaged file");
+    Fault result = fault(at, what + ", so this is not UTF-16, or the file is damaged");
     result.remedy = "export it again or give its encoding";
     return result;
   }
 
   std::string_view bytes_;
-  std::size_t high_;  ///< which of a unit's two bytes is the high one
+  std::size_t high_;  ///< index of the high byte of a unit, 0 or 1
   std::string text_;
 };
 
-/// UTF-16 without a mark shows in zero bytes that are every second one: lists are full of ASCII.
+/// Recognizes UTF-16 without a mark by its zero bytes, every second one: lists are mostly ASCII.
 Encoding sniff(std::string_view bytes) {
   for (const Mark& mark : kMarks) {
     if (bytes.starts_with(mark.bytes)) return mark.encoding;

@@ -1,4 +1,4 @@
-// Which code page a text is likely to be in: a proposal for people, never a decision.
+// Proposes the code page of a text, for a message; the user decides.
 #pragma once
 
 #include <cstddef>
@@ -6,20 +6,23 @@
 #include <string_view>
 #include <vector>
 
-#include "text/encoding.hpp"
+#include "text/encoding_names.hpp"
 
 namespace symplant::text {
+
+/// A likely code page of a text, and the word with the fault as read in it.
+struct EncodingGuess {
+  Encoding encoding;
+  std::string sample;  ///< UTF-8, short
+};
 
 /// The beginning of a text, short enough for a message.
 std::string as_sample(std::string_view utf8);
 
-/// At most two encodings that can read all of `bytes`, and in which what is not ASCII looks like a language, the
-/// likeliest first; the second only where it is nearly as likely and reads the place differently. `offset` is the place
-/// that the samples show: the word around it. `tried` is none of them. Reads 64 KiB of words to judge, and all bytes
-/// once for each proposal.
-std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t offset, Encoding tried);
-
-/// Those of the usual code pages that can read all of `bytes`. Reads all bytes once for each.
-std::vector<UsualEncoding> possible_encodings(std::string_view bytes);
+/// At most five code pages that can decode all of `bytes`, the likeliest first. The code page that libuchardet
+/// recognizes is the first, and with enough words the only one. The others are in a fixed order; of several that read
+/// the word at `offset` in the same way, only the first is listed. Judges 64 KiB of words at most, and decodes all
+/// bytes once for each proposal.
+std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t offset);
 
 }  // namespace symplant::text

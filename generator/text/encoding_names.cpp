@@ -1,8 +1,9 @@
-// The table of encodings and of their names.
+// The table of encodings and their names.
+#include "text/encoding_names.hpp"
+
 #include <algorithm>
 #include <array>
-
-#include "text/encoding.hpp"
+#include <string>
 
 namespace symplant::text {
 namespace {

@@ -1,4 +1,4 @@
-// Names that the generated files themselves use: no class of a plant may have them.
+// Names that generated files use themselves; a class of a plant cannot have them.
 #pragma once
 
 #include <array>

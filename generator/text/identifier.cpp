@@ -1,4 +1,4 @@
-// From names to C++ identifiers.
+// Converts names to C++ identifiers.
 #include "text/identifier.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
                             "xor"sv,          "xor_eq"sv};
 static_assert(std::is_sorted(kTaken.begin(), kTaken.end()));
 
-/// Words that system headers define as macros by the hundred: E... for errno, and families told by their ends.
+/// Words that system headers define as macros by the hundred: E... for errno, and families with common ends.
 bool is_macro_like(std::string_view text) {
   const auto capital = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(text.begin(), text.end(), capital)) return false;
@@ -93,7 +93,7 @@ std::uint32_t hash_of(std::string_view text) {
   return hash;
 }
 
-/// Letters, digits and single `_` between them; any of them may come first.
+/// Letters, digits and single `_` between them; a digit may come first.
 std::string legal_body(std::string_view name) {
   std::string body;
   bool after_escape = false;
@@ -164,7 +164,7 @@ std::string IdentifierScope::unique(std::string_view utf8_name, std::string_view
   std::string wanted = identifier(utf8_name, prefix);
   const auto [entry, fresh] = next_.emplace(lower(wanted), 2);
   if (fresh) return wanted;
-  std::size_t& number = entry->second;  // stays where it is while others are put in
+  std::size_t& number = entry->second;  // the reference stays valid while other entries are added
   if (wanted.back() != '_') wanted += '_';
   for (;;) {
     std::string candidate = wanted + std::to_string(number++);

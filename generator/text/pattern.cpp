@@ -1,4 +1,4 @@
-// Patterns with * and ?.
+// Matches patterns with `*` and `?`.
 #include "text/pattern.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace symplant::text {
 bool matches_pattern(std::string_view text, std::string_view pattern) {
   std::size_t t = 0;
   std::size_t p = 0;
-  std::size_t star = pattern.npos;  // the last one passed, and how far it reached
+  std::size_t star = pattern.npos;  // the last `*`, and the end of the text that it covers
   std::size_t reached = 0;
   while (t < text.size()) {
     if (p < pattern.size() && pattern[p] == '*') {

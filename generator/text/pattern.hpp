@@ -1,4 +1,4 @@
-// Patterns with * and ?.
+// Matches patterns with `*` and `?`.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,7 @@
 
 namespace symplant::text {
 
-/// Whether `pattern` fits the whole text: `*` is any run of characters, `?` one character; ASCII case does not
-/// count.
+/// Whether `pattern` matches the whole text: `*` is any run of characters, `?` one character. ASCII case is ignored.
 /// O(text * pattern) at worst, no recursion.
 bool matches_pattern(std::string_view text, std::string_view pattern);
 

@@ -1,4 +1,4 @@
-// A text that the user gave, and the lines in it.
+// A text of the user with the lines in it.
 #include "text/source_file.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Position SourceFile::position(std::size_t offset) const {
   const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const std::size_t begin = *(after - 1);
   const auto line = static_cast<std::size_t>(after - begins.begin());
-  // In the middle of a character its own column is meant, not the next one's.
+  // An offset within a character is in the column of that character.
   while (offset > begin && offset < text_.size() && is_continuation(text_[offset])) --offset;
   return {line, 1 + count_code_points(text().substr(begin, offset - begin))};
 }
@@ -57,7 +57,7 @@ std::string_view SourceFile::line_at(std::size_t offset) const {
 Span SourceFile::span_of(std::string_view view, Span fallback) const {
   const char* const begin = text_.data();
   const char* const end = begin + text_.size();
-  // Pointers into different objects are only ordered by std::less.
+  // Only std::less orders pointers into different objects.
   const std::less<const char*> before;
   const char* const last = view.data() + view.size();
   if (view.data() == nullptr || before(view.data(), begin) || before(end, last)) return fallback;

@@ -1,4 +1,4 @@
-// A text that the user gave: UTF-8 whatever it was on disk, with lines and columns for every place in it.
+// A text of the user as UTF-8, with line and column for every offset in it.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Position {
   std::size_t column;
 };
 
-/// Immutable once made; its lines are looked for when one is first asked for. Lines end at LF, CRLF or CR.
+/// Immutable. Lines end at LF, CRLF or CR; they are found when first needed.
 class SourceFile {
  public:
   /// `text` must be UTF-8.
@@ -30,16 +30,16 @@ class SourceFile {
   const std::string& path() const { return path_; }
   std::string_view text() const { return text_; }
 
-  /// At least 1; what follows the last line end counts as a line, empty or not.
+  /// At least 1; the text after the last line end counts as a line, even if it is empty.
   /// The first call of this and the two below is O(text).
   std::size_t line_count() const { return line_begins().size(); }
 
-  /// O(log lines) and the length of the line.
+  /// O(log lines + length of the line).
   Position position(std::size_t offset) const;
   /// The line that holds `offset`, without its line end.
   std::string_view line_at(std::size_t offset) const;
 
-  /// Where a view into text() lies; the whole of `fallback` where it does not point into text().
+  /// The span of a view into text(); `fallback` if the view does not point into text().
   Span span_of(std::string_view view, Span fallback = {}) const;
 
  private:

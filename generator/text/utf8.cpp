@@ -1,4 +1,4 @@
-// Code points in UTF-8, one at a time.
+// Reads and writes code points in UTF-8.
 #include "text/utf8.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ using model::kNone;
 constexpr std::size_t kLineColumns = 26;   // of a label
 constexpr std::size_t kLeastForEvery = 4;  // states
 
-/// The parts of a label on as few lines as hold them.
+/// Packs the parts of a label into few lines.
 std::vector<std::string> packed(const std::vector<std::string>& parts) {
   std::vector<std::string> lines;
   for (const std::string& part : parts) {
@@ -97,7 +97,7 @@ Chart chart_of(const model::Unit& unit, const model::PlantModel& plant, Conditio
     chart.states.push_back({state.name, std::move(symbols)});
   }
 
-  // Of each target the different labels, in their order, with the states that they lead from.
+  // For each target state: its different labels in order, each with the source states.
   using Sources = std::vector<std::uint32_t>;
   std::vector<std::map<std::vector<std::string>, Sources>> routes(unit.states.size());
   std::vector<std::vector<std::vector<std::string>>> order(unit.states.size());

@@ -1,4 +1,4 @@
-// Who disables a unit, and which requirements name it.
+// Finds the states that disable a unit, and the requirements that name it.
 #include "view/cross_references.hpp"
 
 namespace symplant::view {
@@ -7,7 +7,7 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-/// Notes `requirement` at every unit that a condition names; it may stand there already, as the last one.
+/// Adds `requirement` to every unit that a condition names, unless it is already the last entry there.
 void note(std::uint32_t requirement, const Tree& tree, const model::PlantModel& plant, CrossReferences& references) {
   if (tree.kind == Tree::Kind::atom || (tree.kind == Tree::Kind::constant && tree.atom.kind == Atom::Kind::number)) {
     const bool of_unit = tree.atom.kind == Atom::Kind::settled || tree.atom.kind == Atom::Kind::moving;

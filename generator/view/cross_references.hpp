@@ -1,4 +1,4 @@
-// What a model holds in one direction, looked up in the other.
+// Inverse references of a model: what disables a unit, which requirements name it.
 #pragma once
 
 #include <cstdint>

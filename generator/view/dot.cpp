@@ -15,9 +15,9 @@ namespace symplant::view {
 namespace {
 
 constexpr std::string_view kDotHead =
-    "// A view, not the model: written by symplant, not read by it. What a chart of Graphviz cannot hold: that levels\n"
-    "// and not edges count, what a move under way does when commands change (the actuation), that an automatic way\n"
-    "// disarms its command, the order in which ready transitions fire, and which rounds make up an instant.\n";
+    "// A view, not the model: written by symplant, not read by it. A Graphviz chart cannot express that commands are\n"
+    "// levels and not edges, what a moving device does when commands change (the actuation), that an automatic\n"
+    "// transition disarms its command, the order of transitions that are ready, and the rounds of an instant.\n";
 
 constexpr std::string_view kAttributes =
     "  graph [rankdir=LR, compound=true, fontname=\"Helvetica\", fontsize=12, nodesep=0.5, ranksep=0.8]\n"

@@ -5,8 +5,8 @@
 
 namespace symplant::view {
 
-/// One digraph, a cluster a device: states, arrows with their labels, a note with all else; dotted arrows say who
-/// disables whom.
+/// One digraph with a cluster for each device: states, labeled arrows, and a note with the other facts. A dotted arrow
+/// leads from a state to a device that it disables.
 View dot_view(const Scene& scene);
 
 }  // namespace symplant::view

@@ -1,4 +1,4 @@
-// The formats, written out.
+// The table of view formats.
 #include "view/formats.hpp"
 
 #include <algorithm>

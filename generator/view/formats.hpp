@@ -1,4 +1,4 @@
-// The formats in which a model can be seen.
+// The formats of model views.
 #pragma once
 
 #include <span>
@@ -9,15 +9,15 @@
 namespace symplant::view {
 
 struct Format {
-  std::string_view name;  ///< as --format has it
-  std::string_view what;  ///< what it is for, in a few words
+  std::string_view name;  ///< the value of --format
+  std::string_view what;  ///< its purpose, for --help
   View (*render)(const Scene& scene);
 };
 
-/// All of them, in the order in which help tells them.
+/// All formats, in the order of --help.
 std::span<const Format> formats();
 
-/// Null where no format is called so.
+/// The format of this name; null if there is no such format.
 const Format* find_format(std::string_view name);
 
 }  // namespace symplant::view

@@ -1,4 +1,4 @@
-// A model as one page for a browser: a frame, a style and a script of the tool's own, and the model as data.
+// A model as one page for a browser: the built-in frame, style and script, and the model as data.
 #include "view/html.hpp"
 
 #include <string_view>
@@ -8,14 +8,14 @@
 
 namespace symplant::view {
 
-// The texts in generator/view/page, as the tool carries them.
+// The texts of generator/view/page, embedded in the tool.
 std::string_view page_frame();
 std::string_view page_style();
 std::string_view page_script();
 
 namespace {
 
-/// The text up to a mark, which is taken away with it.
+/// Removes the text up to a mark, and the mark, from `text`. Returns the text before the mark.
 std::string_view up_to(std::string_view& text, std::string_view mark) {
   const std::size_t at = text.find(mark);
   const std::string_view before = text.substr(0, at);

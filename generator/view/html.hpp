@@ -5,7 +5,7 @@
 
 namespace symplant::view {
 
-/// One file that needs nothing beside it and forbids its own way out.
+/// One self-contained file. Its content security policy forbids access to the network.
 View html_view(const Scene& scene);
 
 }  // namespace symplant::view

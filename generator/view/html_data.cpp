@@ -1,4 +1,4 @@
-// The page's data: symbols, devices, and once each the structures and layouts that devices share.
+// The data of the page: symbols, devices, and the structures and layouts that devices share.
 #include "view/html_data.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ using model::kNone;
 
 int place_or_none(std::uint32_t position) { return position == kNone ? -1 : static_cast<int>(position); }
 
-/// Arrays of numbers: the page draws it as it stands.
+/// A layout as arrays of numbers, which the page draws unchanged.
 Json layout_json(const LayoutKey& key) {
   const Layout layout = lay_out(key);
   Json states = Json::array();
@@ -90,7 +90,7 @@ class DataWriter {
   }
 
  private:
-  /// With all devices every symbol is shown, else those of the devices shown.
+  /// If all devices are shown, all symbols are, too; otherwise only the symbols of the devices shown.
   void number_units_and_symbols() {
     unit_positions_.assign(plant_.units.size(), -1);
     for (std::size_t i = 0; i < scene_.units.size(); ++i) unit_positions_[scene_.units[i]] = static_cast<int>(i);
@@ -109,7 +109,7 @@ class DataWriter {
     }
   }
 
-  /// As page.js names its places.
+  /// The elements are in the order of the index constants of page.js.
   Json symbol_json(const model::Symbol& symbol) const {
     const std::string initial = initial_value_text(symbol);
     Json row{visible(symbol.name()),
@@ -161,7 +161,7 @@ class DataWriter {
     return position->second;
   }
 
-  /// All of a unit that is the same in others of its structure.
+  /// The index of a unit's structure: all data that is equal in units of the same structure.
   std::size_t kind_of(const model::Unit& unit) {
     const Chart chart = chart_of(unit, plant_, Conditions::by_number);
     Json states = Json::array();
@@ -238,8 +238,8 @@ class DataWriter {
   const Scene& scene_;
   const model::PlantModel& plant_;
   const CrossReferences references_;
-  std::vector<int> unit_positions_;    // in the page; -1 where it is not shown
-  std::vector<int> symbol_positions_;  // likewise
+  std::vector<int> unit_positions_;    // index in the page; -1 if the unit is not shown
+  std::vector<int> symbol_positions_;  // index in the page; -1 if the symbol is not shown
   std::map<LayoutKey, std::size_t> layout_positions_;
   std::unordered_map<std::string, std::size_t> kind_positions_;
   Json layouts_ = Json::array();

@@ -1,4 +1,4 @@
-// A model as the page for browsers wants it: compact, each structure and each layout once.
+// A model as data for the HTML page: compact, each structure and each layout once.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace symplant::view {
 
-/// A JSON document for the inside of a `<script>` element, of texts that are safe to show. O(the model).
+/// A JSON document for the inside of a `<script>` element. All texts in it are safe to show. O(the model).
 std::string html_data(const Scene& scene);
 
 }  // namespace symplant::view

@@ -1,4 +1,4 @@
-// The tool's own layout of a chart.
+// The built-in layout of a chart.
 #include "view/layout.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMostWithCare = 400;  // arrows
 constexpr int kMargin = 14;
-constexpr int kGap = 6;              // between labels, and of labels to states
+constexpr int kGap = 6;              // between labels, and between labels and states
 constexpr double kEveryLength = 34;  // of an arrow from every other state
 constexpr int kInitialMark = 24;     // above a box, at its left
 
@@ -49,7 +49,7 @@ struct Curve {
   Vector end;
 
   Vector at(double t) const { return begin * ((1 - t) * (1 - t)) + control * (2 * t * (1 - t)) + end * (t * t); }
-  /// The part between two places.
+  /// The part between two parameters.
   Curve part(double from, double to) const {
     const Vector blossom =
         begin * ((1 - from) * (1 - to)) + control * ((1 - from) * to + from * (1 - to)) + end * (from * to);
@@ -57,7 +57,7 @@ struct Curve {
   }
 };
 
-/// From the edge of one box to that of another, bent to the left of its way.
+/// From the edge of one box to the edge of another, bent to the left of its direction.
 Curve between(const Box& from, const Box& to, double bend) {
   const Vector transition = to.middle - from.middle;
   const Vector side{transition.y, -transition.x};
@@ -133,7 +133,7 @@ class Placer {
       boxes_ = {{{0, 0}, half_width, half_height}, {{distance, 0}, half_width, half_height}};
       return;
     }
-    // Neighbours do not touch even where they stand side by side.
+    // Wide enough that adjacent boxes do not touch, even at the same height.
     const double chord = key_.states > 1 ? std::sin(kPi / key_.states) * 2 : 1;
     const double radius = key_.states > 1 ? std::max(100.0, (box_height_ + 40) / chord) * spread_ : 0;
     const double wide = std::max(radius * 1.3, key_.states > 1 ? (box_width_ * 0.75 + 30) / chord * spread_ : 0);
@@ -158,7 +158,7 @@ class Placer {
     }
   }
 
-  /// An arrow from outside the ellipse, its label behind it.
+  /// Places an arrow from outside the ellipse, its label at the outer end.
   void place_outside(std::size_t i) {
     const LayoutKey::Arrow& arrow = key_.arrows[i];
     const Box& box = boxes_[arrow.to];

@@ -1,4 +1,4 @@
-// Where the states and arrows of a chart stand: the tool's own layout.
+// The built-in layout: coordinates of the states and arrows of a chart.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace symplant::view {
 
-/// In pixels, of text in a monospaced letter.
+/// Size of a letter in pixels, in a monospaced font.
 inline constexpr int kLetterWidth = 7;
 inline constexpr int kLineHeight = 14;
 
-/// What a layout depends on: no text, only its rough extent, so that devices of one structure share one.
+/// The input of a layout: no texts, only their rounded sizes, so that devices of equal structure share a layout.
 struct LayoutKey {
   struct Arrow {
     std::uint32_t from;  ///< kEveryOther: from every other state
@@ -35,10 +35,10 @@ struct LayoutKey {
   }
 };
 
-/// Columns that a text takes in a monospaced letter, unsafe characters written out. O(text).
+/// Columns that a text takes in a monospaced font, with unsafe characters escaped. O(text).
 std::uint32_t columns(const std::string& text);
 
-/// Columns are rounded up, so that names of nearly equal length share a layout.
+/// The key of a chart. Columns are rounded up, so that names of nearly equal length share a layout.
 LayoutKey layout_key(const Chart& chart);
 
 struct Point {
@@ -46,7 +46,7 @@ struct Point {
   int y = 0;
 };
 
-/// A curve of Bezier from `begin` to `end`, and the middle of its label.
+/// A quadratic Bezier curve from `begin` to `end`, and the center of its label.
 struct ArrowPosition {
   Point begin;
   Point control;
@@ -59,13 +59,13 @@ struct Layout {
   int height = 0;
   int box_width = 0;
   int box_height = 0;
-  std::vector<Point> states;          ///< the middle of each box
-  std::vector<ArrowPosition> arrows;  ///< as in the key
+  std::vector<Point> states;          ///< the center of each box
+  std::vector<ArrowPosition> arrows;  ///< in the order of the key
 };
 
-/// States on an ellipse, the first on top (two: side by side), arrows bent so that there and back differ, labels where
-/// they cover neither states nor each other, the ellipse wide enough for that. The same on every machine. O(arrows^2),
-/// with more than 400 arrows O(arrows), without care for labels.
+/// Places states on an ellipse, the first on top (two states: in a row). Arrows are bent, so that opposite ones differ.
+/// The ellipse grows until labels cover neither states nor each other. The result is the same on every machine.
+/// O(arrows^2); with more than 400 arrows O(arrows), and labels may overlap.
 Layout lay_out(const LayoutKey& key);
 
 }  // namespace symplant::view

@@ -14,10 +14,9 @@ namespace symplant::view {
 namespace {
 
 constexpr std::string_view kMermaidHead =
-    "%% A view, not the model: written by symplant, not read by it. What Mermaid cannot hold: times other than as "
-    "text,\n"
-    "%% arrows between devices (who disables whom stands in the notes), that levels and not edges count, what a move\n"
-    "%% under way does when commands change (the actuation), the order in which ready transitions fire.\n"
+    "%% A view, not the model: written by symplant, not read by it. Mermaid cannot express times other than as text,\n"
+    "%% arrows between devices (the notes list disabled devices), that commands are levels and not edges, what a\n"
+    "%% moving device does when commands change (the actuation), and the order of transitions that are ready.\n"
     "stateDiagram-v2\n  direction LR\n";
 
 class MermaidWriter {

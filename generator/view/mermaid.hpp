@@ -5,7 +5,7 @@
 
 namespace symplant::view {
 
-/// One diagram, a composite state a device, with a note of all that a chart has no room for.
+/// One diagram with a composite state for each device, and a note with the facts that the chart does not show.
 View mermaid_view(const Scene& scene);
 
 }  // namespace symplant::view

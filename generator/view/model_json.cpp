@@ -1,4 +1,4 @@
-// The derived models for programs.
+// The derived models as JSON, for programs.
 #include "view/model_json.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ Json names(const std::vector<std::uint32_t>& side, const model::PlantModel& plan
   return list;
 }
 
-/// Nanoseconds, or how they are drawn.
+/// Nanoseconds, or the parameters of a random time.
 Json time_json(const description::Duration& time) {
   switch (time.kind) {
     case description::Duration::Kind::fixed:
@@ -39,7 +39,7 @@ Json time_json(const description::Duration& time) {
   return time.a;
 }
 
-/// Exactly: whole numbers beyond 2^53, NaN and infinities as strings.
+/// The exact initial value: integers beyond 2^53, NaN and infinities are strings.
 Json value_json(const model::Symbol& symbol) {
   using tables::DataType;
   if (symbol.type == DataType::boolean) return symbol.initial != 0;
@@ -168,7 +168,7 @@ Json symbol_json(const model::Symbol& symbol, const model::PlantModel& plant) {
   return json;
 }
 
-/// The lists, by file name; a controller that has a name is named.
+/// The lists by file name, with the controller if it has a name.
 Json lists_json(const model::PlantModel& plant) {
   Json lists = Json::array();
   for (const model::PlantList& list : plant.lists) {

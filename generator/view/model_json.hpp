@@ -1,4 +1,4 @@
-// The derived models for programs: complete, in the form that model.schema.json publishes.
+// The derived models as JSON, for programs: complete, in the format that model.schema.json defines.
 #pragma once
 
 #include <string_view>
@@ -7,13 +7,13 @@
 
 namespace symplant::view {
 
-/// The version of the form; it changes where a reader of the old form would be misled.
+/// The version of the format. It changes if a reader of the old format would misinterpret the new one.
 inline constexpr int kModelJsonVersion = 1;
 
-/// The units of the scene, every I/O symbol, every requirement. Times are in nanoseconds; names exactly as they are.
+/// The units of the scene, every I/O symbol, every requirement. Times are in nanoseconds, names are unchanged.
 View model_json(const Scene& scene);
 
-/// The JSON Schema (draft-07) of what model_json() writes.
+/// The JSON Schema (draft-07) of the output of model_json().
 std::string_view model_schema();
 
 }  // namespace symplant::view

@@ -1,4 +1,4 @@
-// The derived models for people, in a terminal.
+// The derived models as a table, for people at a terminal.
 #include "view/model_table.hpp"
 
 #include <fmt/format.h>
@@ -34,16 +34,16 @@ class TableWriter {
   }
 
  private:
-  /// One line, made safe to show.
+  /// Adds one line, made safe to show.
   void line(const std::string& content) { text_.append(diag::visible(content)).append("\n"); }
 
-  /// An element's first row carries its name.
+  /// Adds a row. The first row of an element starts with the element's name.
   void row(const std::string& content) {
     line(fmt::format("  {:<12}{}", element_, content));
     element_ = "";
   }
   void begin(std::string_view element) { element_ = element; }
-  /// Where no row was written.
+  /// Ends an element. Writes `otherwise` if it had no rows.
   void end(std::string_view otherwise = "none") {
     if (!element_.empty()) row(std::string(otherwise));
   }

@@ -1,12 +1,12 @@
-// The derived models for people, in a terminal.
+// The derived models as a table, for people at a terminal.
 #pragma once
 
 #include "view/scene.hpp"
 
 namespace symplant::view {
 
-/// The units of the scene, each with its eight elements; then the requirements, and what is in no device. No character
-/// that a terminal must not get is in it, whatever the names hold.
+/// The units of the scene, each with its eight elements, then the requirements, then the symbols in no device. The text
+/// contains no character that is unsafe in a terminal, whatever characters the names contain.
 View model_table(const Scene& scene);
 
 }  // namespace symplant::view

@@ -1,4 +1,4 @@
-// What every view is given: a plant, its tables, and which of its devices are to be seen.
+// The input of every view: a plant, its tables, and the devices to show.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace symplant::view {
 struct Scene {
   const model::PlantModel& plant;
   const lower::EngineTables& tables;
-  std::vector<std::uint32_t> units;         ///< those to be seen, ascending
-  base::ProcessRunner* programs = nullptr;  ///< null: no other program is asked for help
+  std::vector<std::uint32_t> units;         ///< the units to show, ascending
+  base::ProcessRunner* programs = nullptr;  ///< null: no other program is run
 };
 
-/// A view as a file's text, and what was decided on the way, for --verbose.
+/// A view as the text of a file, and the decisions made for it, for --verbose.
 struct View {
   std::string text;
   std::vector<std::string> decisions = {};

@@ -22,14 +22,13 @@ using model::kNone;
 
 constexpr std::string_view kScxmlHead =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<!-- A view, not the model: written by symplant, not read by it. What SCXML cannot hold stands in attributes and\n"
-    "     elements of the namespace urn:symplant:model:1, which SCXML tools pass over: how long a move takes (here it "
-    "is\n"
-    "     in its target at once), what it does when commands change (the actuation) and the way of a spring, who\n"
-    "     disables whom, requirements, random times (a delay is the least or the mean). Commands are levels in the\n"
-    "     model and events here, and a delay counts from entering a state, not from when its condition holds. -->\n";
+    "<!-- A view, not the model: written by symplant, not read by it. Attributes and elements of the namespace\n"
+    "     urn:symplant:model:1, which SCXML tools ignore, hold what SCXML cannot express: travel times (here a device\n"
+    "     is in its target state at once), the actuation and spring returns, disabled devices, requirements, random\n"
+    "     times (a delay is the minimum or the mean). Commands are levels in the model and events here, and a delay\n"
+    "     counts from entering a state, not from when its condition holds. -->\n";
 
-/// Seconds as CSS has them: `1.5s`.
+/// Seconds in the syntax of CSS: `1.5s`.
 std::string delay_text(tables::Time time) {
   std::string text = fmt::format("{}.{:09}", time / tables::kSecond, time % tables::kSecond);
   while (text.back() == '0') text.pop_back();
@@ -140,7 +139,7 @@ class ScxmlWriter {
     text_ += "      </state>\n";
   }
 
-  /// What entering or leaving switches; the delays begun and ended.
+  /// The events that entering or leaving a state switches, and the delays that it starts or cancels.
   void add_actions(std::uint32_t index, std::uint32_t state, bool entering) {
     const model::Unit& unit = plant_.units[index];
     std::string actions;

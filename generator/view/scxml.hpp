@@ -5,8 +5,8 @@
 
 namespace symplant::view {
 
-/// One `<parallel>` with a region a device. What SCXML has no words for stands in attributes and elements of the
-/// namespace `urn:symplant:model:1`.
+/// One `<parallel>` with a region for each device. Attributes and elements of the namespace `urn:symplant:model:1` hold
+/// what SCXML cannot express.
 View scxml_view(const Scene& scene);
 
 }  // namespace symplant::view

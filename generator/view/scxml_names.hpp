@@ -1,4 +1,4 @@
-// What units, states and symbols are called in SCXML, and conditions in its expressions.
+// SCXML identifiers of units, states and symbols, and conditions as SCXML expressions.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace symplant::view {
 
-/// Identifiers, unique in one document whatever the user's names hold.
+/// Identifiers that are unique in one document, whatever characters the user's names contain.
 class ScxmlNames {
  public:
   explicit ScxmlNames(const model::PlantModel& plant);
@@ -20,12 +20,12 @@ class ScxmlNames {
   /// The event of a symbol's change: `L_P_D_O_RUN.on`.
   std::string change(std::uint32_t symbol, bool on) const { return symbols_[symbol] + (on ? ".on" : ".off"); }
   const std::string& symbol(std::uint32_t symbol) const { return symbols_[symbol]; }
-  /// The variable that stands for a unit's moving.
+  /// The variable that is true while a unit moves.
   std::string moving(std::uint32_t unit) const { return "moving_" + units_[unit]; }
   /// The variable of a symbol.
   std::string variable(std::uint32_t symbol) const { return "value_" + symbols_[symbol]; }
 
-  /// A condition in ECMAScript, its variables added to `variables`. Not encoded for XML.
+  /// A condition in ECMAScript, not encoded for XML. Adds its variables to `variables`.
   std::string expression(const condition::Tree& tree, std::vector<std::string>& variables) const;
 
  private:

@@ -1,4 +1,4 @@
-// State charts as a picture: by Graphviz, or by the tool's own layout.
+// State charts as a picture: by Graphviz, or by the built-in layout.
 #include "view/svg.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +31,11 @@ constexpr std::string_view kSvgHead =
     "<defs><marker id=\"head\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" "
     "orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#345\"/></marker></defs>\n";
 constexpr std::string_view kComment =
-    "<!-- A view, not the model: written by symplant, not read by it. What a chart cannot hold: that levels and not\n"
-    "     edges count, what a move under way does when commands change (the actuation), that an automatic way disarms\n"
-    "     its command, the order in which ready transitions fire, and which rounds make up an instant. -->\n";
+    "<!-- A view, not the model: written by symplant, not read by it. A chart cannot express that commands are levels\n"
+    "     and not edges, what a moving device does when commands change (the actuation), that an automatic transition\n"
+    "     disarms its command, the order of transitions that are ready, and the rounds of an instant. -->\n";
 
-/// A card: what is drawn in it, from its own upper left corner, and its extent.
+/// A card: its drawing, relative to its upper left corner, and its size.
 struct Card {
   std::string content;
   int width = 0;
@@ -44,7 +44,7 @@ struct Card {
 
 class CardWriter {
  public:
-  /// Texts without a chart.
+  /// A card with texts and no chart.
   CardWriter(const std::string& title, const std::vector<std::string>& lines) {
     add_title(title);
     add_lines(lines);

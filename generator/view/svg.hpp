@@ -5,7 +5,7 @@
 
 namespace symplant::view {
 
-/// By Graphviz where it is installed (Scene::programs), else by a layout of the tool's own: a card a device.
+/// Drawn by Graphviz if it is installed (Scene::programs), else by the built-in layout: a card for each device.
 View svg_view(const Scene& scene);
 
 }  // namespace symplant::view

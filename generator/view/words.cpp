@@ -1,4 +1,4 @@
-// Words for what a model holds.
+// Texts about the parts of a model.
 #include "view/words.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ std::string_view initial_reason(model::InitialFrom from) {
     case model::InitialFrom::sequence:
       return "first in sequence";
     case model::InitialFrom::row_order:
-      return "by nothing but the order of rows";
+      return "by row order only";
   }
   return "";
 }

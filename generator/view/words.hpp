@@ -1,4 +1,4 @@
-// Words for what a model holds, the same in every view.
+// Texts about the parts of a model, the same in every view.
 #pragma once
 
 #include <string>
@@ -18,11 +18,12 @@ std::string duration_text(const description::Duration& duration);
 /// `given`, `derived` or `inferred`.
 std::string_view origin_text(model::Origin origin);
 
-/// A key for programs (`initial-column`), and the reason in words ("its event alone has Initial TRUE").
+/// The reason for an initial state: a key for programs (`initial-column`), and a text ("its event alone has Initial
+/// TRUE").
 std::string_view initial_key(model::InitialFrom from);
 std::string_view initial_reason(model::InitialFrom from);
 
-/// A key for programs (`task-taken`; empty where it is modelled), and the reason in words.
+/// Why a symbol is in no device: a key for programs (`task-taken`; empty if it is in a device), and a text.
 std::string_view unmodelled_key(model::Unmodelled reason);
 std::string_view unmodelled_reason(model::Unmodelled reason);
 
@@ -33,25 +34,25 @@ std::string event_text(const model::PlantModel& plant, const model::Unit& unit, 
 /// What was inferred for a unit beyond its initial state, a sentence each.
 std::vector<std::string_view> inferences(const model::Unit& unit);
 
-/// All that l_enter or l_leave of a state switches: events of the unit by place, on or off, in their order.
+/// All events that l_enter or l_leave of a state switches, in order: index in the unit, on or off.
 std::vector<std::pair<std::uint32_t, bool>> switched(const model::Unit& unit, std::uint32_t state, bool entering);
 
 /// "never COND", or "after COND, expect COND within 5 s".
 std::string requirement_text(const model::Requirement& requirement, const model::PlantModel& plant);
 
-/// The numeric or BOOL value at the start, as the list's Initial has it, in words.
+/// The initial value, numeric or BOOL, from the column Initial of the list.
 std::string initial_value_text(const model::Symbol& symbol);
 
-/// The ways back to rest of a `spring` unit that its transitions do not tell, each with what it takes: that of the
-/// first commanded one, else the default travel time.
+/// The spring returns of a `spring` unit that its transitions do not contain. Their travel time is that of the first
+/// commanded transition, else the default travel time.
 std::vector<model::Transition> spring_returns(const model::Unit& unit);
 
-/// What moves a transition from one state to another, in its parts; empty where it has none.
+/// The parts of a transition's text; a part is empty if the transition lacks it.
 struct TransitionText {
-  std::string on;     ///< `O_P2`; of an automatic one "by itself", of a spring's own way "spring"
+  std::string on;     ///< `O_P2`; "by itself" for an automatic transition, "spring" for a spring return
   std::string when;   ///< the condition
   std::string after;  ///< "after 5 s"
-  std::string takes;  ///< "takes 2 s"; empty for an automatic one that takes no time
+  std::string takes;  ///< "takes 2 s"; empty for an automatic transition that takes no time
 };
 TransitionText transition_text(const model::Transition& transition, const model::Unit& unit,
                                const model::PlantModel& plant);

@@ -1,4 +1,4 @@
-// Comparisons of integers by exact arithmetic, of reals as doubles.
+// Folds comparisons: integers by exact arithmetic, reals as doubles.
 #include "symplant/condition/compare.hpp"
 
 #include <array>
@@ -37,7 +37,7 @@ constexpr std::array<TypeInfo, 15> kTypes{{
 
 const TypeInfo& info_of(DataType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
-/// Negative, 0 or positive; `huge` ones are beyond all others.
+/// Negative, 0 or positive, as `a` is less than, equal to or greater than `b`; a `huge` number exceeds all others.
 int order(const WholeNumber& a, const WholeNumber& b) {
   const auto rank = [](const WholeNumber& n) { return n.huge ? (n.negative ? -2 : 2) : n.negative ? -1 : 1; };
   if (rank(a) != rank(b)) return rank(a) < rank(b) ? -1 : 1;
@@ -58,7 +58,7 @@ Range range_of(const TypeInfo& type) {
 
 std::variant<FoldedComparison, bool> fold_integer(const TypeInfo& type, Comparison comparison, const Number& number) {
   const WholeNumber floor = number.floor();
-  if (!number.is_whole()) {  // between two integers: below it is up to its floor, from it on is above its floor
+  if (!number.is_whole()) {  // between two integers: `<` becomes `<=` of its floor, `>=` becomes `>`
     if (comparison == Comparison::equal) return false;
     if (comparison == Comparison::less) comparison = Comparison::less_equal;
     if (comparison == Comparison::greater_equal) comparison = Comparison::greater;

@@ -1,4 +1,4 @@
-// A comparison of a symbol with a number, folded to what its type can tell apart.
+// Folds the comparison of a symbol with a number to the values that the symbol's type can hold.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,19 @@
 
 namespace symplant::condition {
 
-/// The operand in the form that `number` says, or the constant truth that the comparison comes to.
+/// A comparison with an operand of the symbol's type; `number` gives the representation of the operand.
 struct FoldedComparison {
   tables::Comparison comparison;
   tables::NumberKind number;
   std::uint64_t operand;
 };
 
-/// Nothing where a REAL or LREAL cannot hold the number. `type` must not be BOOL. O(digits).
+/// The folded comparison, or a constant if its result is the same for every value of the type. Empty if a REAL or LREAL
+/// cannot hold the number. `type` must not be BOOL. O(digits).
 std::optional<std::variant<FoldedComparison, bool>> fold(tables::DataType type, tables::Comparison comparison,
                                                          const Number& number);
 
-/// `INT` and so on, as a list has it.
+/// The name of a data type as in a symbol list, such as `INT`.
 std::string_view type_name(tables::DataType type);
 
 }  // namespace symplant::condition

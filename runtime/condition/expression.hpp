@@ -1,4 +1,4 @@
-// A condition as its author wrote it: by names, each with its place in the text.
+// A condition as parsed: names and numbers with their locations in the text.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 
 namespace symplant::condition {
 
-/// Bytes of the condition's text.
+/// A range of the condition's text, in bytes.
 struct Location {
   std::size_t offset = 0;
   std::size_t length = 0;
 };
 
-/// Without its quotes; its place is with them.
+/// `text` has no quotes; the location includes them.
 struct Name {
   std::string text;
   Location index;
 };
 
-/// `negation` has one child, `all` and `any` have two or more, the others none.
+/// `negation` has one child, `all` and `any` have two or more, the other kinds have no children.
 struct Expression {
   enum class Kind : unsigned char {
     name,        ///< a symbol, DEVICE.STATE or DEVICE.FACET.STATE: one to three names
@@ -41,26 +41,26 @@ struct Expression {
   std::vector<Expression> children;
 };
 
-/// What is wrong with a condition, and where.
+/// An error in a condition, and its location.
 struct Fault {
   Location index;       ///< of length 0 at the text's end
-  std::string message;  ///< what is there, and what was expected
+  std::string message;  ///< what was expected, and what was found
 };
 
-inline constexpr std::size_t kDeepestNesting = 256;  ///< parentheses within parentheses
+inline constexpr std::size_t kDeepestNesting = 256;  ///< levels of nested parentheses
 
-/// Reads a condition:
+/// Parses a condition:
 ///
 ///     condition  = both { "or" both }
 ///     both       = part { "and" part }
 ///     part       = { "not" } ( "(" condition ")" | name [ "." name [ "." name ] ] | name comparison number )
 ///     comparison = "<" | "<=" | "=" | ">=" | ">"
-///     name       = letters, digits (Unicode's too) and `_`, or anything in single quotes, a quote doubled
-///     number     = as Number::read has it
+///     name       = letters, digits (of Unicode too) and `_`, or any text in single quotes, with `''` for a quote
+///     number     = see Number::read
 ///
-/// Blanks may stand everywhere but within names and numbers. `not`, `and` and `or` are words whatever their ASCII case;
-/// a device or symbol of such a name goes in quotes (behind a dot it needs none). O(text); nothing is thrown, whatever
-/// the text holds, and the stack is bounded by kDeepestNesting.
+/// Blanks are allowed everywhere except within names and numbers. `not`, `and` and `or` are keywords in any ASCII case;
+/// a device or symbol with such a name needs quotes (not after a dot). O(text). An invalid text gives a Fault and no
+/// exception; kDeepestNesting bounds the stack.
 std::variant<Expression, Fault> parse(std::string_view text);
 
 }  // namespace symplant::condition

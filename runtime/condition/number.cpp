@@ -1,4 +1,4 @@
-// Numbers by sign, digits and exponent.
+// Reads numbers as sign, digits and exponent.
 #include "symplant/condition/number.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@ namespace symplant::condition {
 namespace {
 
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-/// Beyond every exponent that matters, yet far from overflowing.
+/// Larger than every exponent that matters; sums of it cannot overflow.
 constexpr std::int64_t kFarExponent = std::int64_t{1} << 40;
 
 using tables::is_digit;
 
-/// Digits at the beginning of `text`, single `_` between them left out; they are taken off `text`.
+/// Removes the digits at the start of `text` and returns them without the single `_` between them.
 std::string take_digits(std::string_view& text) {
   std::string digits;
   std::size_t at = 0;

@@ -1,4 +1,4 @@
-// Conditions by Boost.Spirit X3: the one file here that sees it.
+// Parses conditions with Boost.Spirit X3; only this file includes it.
 #define BOOST_SPIRIT_X3_UNICODE
 #include <boost/regex/pending/unicode_iterator.hpp>
 #include <boost/spirit/home/x3.hpp>
@@ -8,7 +8,7 @@
 
 #include "symplant/condition/expression.hpp"
 
-/// What a rule with an action is called in a message: the rule's own name.
+/// The name of a rule with an action in messages: the rule's name.
 template <class Subject, class Action>
 struct boost::spirit::x3::get_info<boost::spirit::x3::action<Subject, Action>> {
   using result_type = std::string;
@@ -24,7 +24,7 @@ namespace unicode = x3::unicode;
 using CodePoints = boost::u8_to_u32_iterator<const char*>;
 using Piece = boost::iterator_range<CodePoints>;
 
-struct TextBegin;  // tag: where the text begins
+struct TextBegin;  // tag: the begin of the text
 
 std::string_view text_of(const Piece& piece) {
   const char* begin = piece.begin().base();
@@ -37,7 +37,7 @@ Location location_of(const Context& context, std::string_view text) {
   return {static_cast<std::size_t>(text.data() - begin), text.size()};
 }
 
-/// A name in quotes, without them and with each doubled one once.
+/// Removes the quotes of a quoted name, and replaces each doubled quote by a single one.
 std::string unquoted(std::string_view text) {
   std::string result;
   for (std::size_t i = 1; i + 1 < text.size(); ++i) {
@@ -52,7 +52,7 @@ struct PlacedNumber {
   Location index;
 };
 
-// What a rule is called here is what a message says is expected.
+// Messages use these names for what is expected.
 const x3::rule<struct ConditionTag, Expression> condition = "a name, `not` or `(`";
 const x3::rule<struct BothTag, Expression> both = "a name, `not` or `(`";
 const x3::rule<struct PartTag, Expression> part = "a name, `not` or `(`";
@@ -72,12 +72,12 @@ const auto word_not = x3::lexeme[unicode::char_("nN") >> unicode::char_("oO") >>
 const auto quoted = x3::lexeme[quote >> +((quote >> quote) | (unicode::char_ - quote)) >> quote];
 const auto plain = x3::lexeme[+letter];
 const auto digit = unicode::char_('0', '9');
-/// All that may be meant as a number: Number::read has the say.
+/// Any text that may be intended as a number: Number::read decides.
 const auto number_text = x3::lexeme[-(unicode::char_('+') | unicode::char_('-')) >> digit >>
                                     *((unicode::char_("eE") >> unicode::char_("+-") >> &digit) | letter |
                                       unicode::char_('#') | unicode::char_('.'))];
 
-// Actions.
+// Semantic actions.
 
 const auto take = [](const auto& context) { x3::_val(context) = std::move(x3::_attr(context)); };
 const auto take_name = [](const auto& context) {
@@ -100,7 +100,7 @@ const auto compare = [](const auto& context) {
   x3::_val(context).kind = Expression::Kind::comparison;
   x3::_val(context).comparison = comparison;
 };
-const auto negate = [](const auto& context) {  // twice is not at all
+const auto negate = [](const auto& context) {  // two negations cancel
   Expression::Kind& kind = x3::_val(context).kind;
   kind = kind == Expression::Kind::negation ? Expression::Kind::name : Expression::Kind::negation;
 };
@@ -112,7 +112,7 @@ const auto take_negated = [](const auto& context) {
   }
 };
 const auto add_part = [](const auto& context) { x3::_val(context).children.push_back(std::move(x3::_attr(context))); };
-/// An expression of several parts; of a single one just that.
+/// Joins several parts into one expression; a single part stays unchanged.
 template <Expression::Kind kind>
 const auto join = [](const auto& context) {
   Expression& all = x3::_val(context);
@@ -144,7 +144,7 @@ const auto end_def = x3::eoi;
 
 BOOST_SPIRIT_DEFINE(condition, both, part, primary, operand, name, level, number, close, end)
 
-/// Where the first parenthesis too deep stands; the text's size where none does.
+/// Offset of the first parenthesis that exceeds kDeepestNesting; the text's size if there is no such parenthesis.
 std::size_t too_deep(std::string_view text) {
   std::size_t depth = 0;
   bool in_quotes = false;
@@ -162,7 +162,7 @@ bool is_letter(char c) {
   return byte >= 0x80 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// What stands at an offset, as a reader would name it.
+/// The name, number or character at an offset, for messages.
 Location token_at(std::string_view text, std::size_t offset) {
   std::size_t stop = offset;
   if (stop < text.size() && text[stop] == '\'') {
@@ -176,19 +176,19 @@ Location token_at(std::string_view text, std::size_t offset) {
 
 Fault fault_at(std::string_view text, std::size_t offset, const std::string& expected) {
   const Location index = token_at(text, offset);
-  if (index.length == 0) return {index, "the condition ends where " + expected + " is expected"};
+  if (index.length == 0) return {index, "expected " + expected + ", but the condition ends"};
   const std::string there(text.substr(index.offset, index.length));
   if (there.front() == '\'' && (there.size() == 1 || there.back() != '\'')) {
-    return {{offset, 1}, "`'` opens a name that no `'` closes"};
+    return {{offset, 1}, "this quote is not closed; add a `'` after the name"};
   }
-  return {index, "`" + there + "` stands where " + expected + " is expected"};
+  return {index, "expected " + expected + ", but found `" + there + "`"};
 }
 
 }  // namespace
 
 std::variant<Expression, Fault> parse(std::string_view text) {
   if (const std::size_t deep = too_deep(text); deep < text.size()) {
-    return Fault{{deep, 1}, "more than " + std::to_string(kDeepestNesting) + " parentheses within each other"};
+    return Fault{{deep, 1}, "more than " + std::to_string(kDeepestNesting) + " nested parentheses"};
   }
   const char* begin = text.data();
   const char* last = begin + text.size();
@@ -206,7 +206,7 @@ std::variant<Expression, Fault> parse(std::string_view text) {
   } catch (const x3::expectation_failure<CodePoints>& failure) {
     return fault_at(text, offset(failure.where()), failure.which());
   } catch (const std::out_of_range&) {
-    return Fault{{0, text.size()}, "the condition is no UTF-8"};
+    return Fault{{0, text.size()}, "the condition is not valid UTF-8"};
   }
 }
 

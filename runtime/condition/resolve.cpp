@@ -1,4 +1,4 @@
-// Names looked up, comparisons folded.
+// Looks up the names of conditions, and folds comparisons.
 #include "symplant/condition/resolve.hpp"
 
 #include <utility>
@@ -17,7 +17,7 @@ Tree tree_of(const Atom& atom) {
   return tree;
 }
 
-/// Of a comparison with a symbol.
+/// The constant to which a comparison with a symbol was folded.
 Tree constant(bool value, std::uint32_t symbol) {
   Tree tree;
   tree.value = value;
@@ -37,9 +37,9 @@ bool is_moving(std::string_view name) {
 
 std::string ticked(std::string_view name) { return "`" + std::string(name) + "`"; }
 
-/// "there is no ...", with the nearest one that there is.
+/// "... not found", with the nearest known name.
 std::string missing(const std::string& what, const std::string& nearest) {
-  return "there is no " + what + (nearest.empty() ? "" : ", the nearest is " + ticked(nearest));
+  return what + " not found" + (nearest.empty() ? "" : "; did you mean " + ticked(nearest) + "?");
 }
 
 class Resolver {
@@ -76,8 +76,7 @@ class Resolver {
     if (!symbol) return no_symbol(name);
     if (symbol->type != tables::DataType::boolean) {
       return Fault{name.index, ticked(name.text) + " is of type " + std::string(type_name(symbol->type)) +
-                                      " and stands without a comparison, compare it as in " +
-                                      ticked(name.text + " > 0")};
+                                   " and has no comparison; compare it, as in " + ticked(name.text + " > 0")};
     }
     Atom atom;
     atom.kind = Atom::Kind::bit;
@@ -90,18 +89,17 @@ class Resolver {
     if (expression.names.size() != 1) {
       const Name& last = expression.names.back();
       return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
-                   "a state is compared with a number, only numeric symbols can be"};
+                   "a state is compared with a number; only numeric symbols can be compared"};
     }
     const auto symbol = names_.symbol(name.text);
     if (!symbol) return no_symbol(name);
     if (symbol->type == tables::DataType::boolean) {
       return Fault{name.index,
-                   ticked(name.text) + " is of type BOOL and compared with a number, let it stand alone"};
+                   ticked(name.text) + " is of type BOOL and compared with a number; remove the comparison"};
     }
     const auto folded = fold(symbol->type, expression.comparison, expression.number);
     if (!folded) {
-      return Fault{expression.number_index,
-                   "the number is beyond what " + std::string(type_name(symbol->type)) + " holds"};
+      return Fault{expression.number_index, "the number is out of range for " + std::string(type_name(symbol->type))};
     }
     if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always, symbol->index);
     const auto& found = std::get<FoldedComparison>(*folded);
@@ -141,7 +139,7 @@ class Resolver {
   Fault no_symbol(const Name& name) const {
     if (names_.unit(name.text, {})) {
       return {name.index,
-              ticked(name.text) + " is a device, name a state of it as in " + ticked(name.text + ".STATE")};
+              ticked(name.text) + " is a device; name one of its states, as in " + ticked(name.text + ".STATE")};
     }
     return {name.index, missing("symbol " + ticked(name.text), names_.nearest_symbol(name.text))};
   }
@@ -153,7 +151,7 @@ class Resolver {
       return {expression.names[1].index, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
     }
     if (facet.empty() && names_.symbol(device.text)) {
-      return {device.index, ticked(device.text) + " is a symbol and has no states, name it alone"};
+      return {device.index, ticked(device.text) + " is a symbol and has no states; use its name only"};
     }
     return {device.index, missing("device " + ticked(device.text), nearest)};
   }

@@ -1,4 +1,4 @@
-// A condition as a tree over what a plant has: the form that PlantModel holds.
+// A condition as a tree of a plant's units and symbols: the form in PlantModel.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace symplant::condition {
 
-/// What a condition looks at.
+/// A test of one unit or symbol.
 struct Atom {
   enum class Kind : std::uint8_t {
     settled,  ///< unit `of` is settled in `state`
@@ -21,13 +21,13 @@ struct Atom {
   std::uint8_t state = 0;
   tables::Comparison comparison = tables::Comparison::equal;
   tables::NumberKind number = tables::NumberKind::signed_integer;
-  std::uint64_t operand = 0;  ///< two's complement, or the bits of a double, as `number` says
+  std::uint64_t operand = 0;  ///< two's complement, or the bits of a double, by `number`
 
   friend bool operator==(const Atom&, const Atom&) = default;
 };
 
-/// `negation` has one child, `all` and `any` have two or more, the others none. A comparison that no value of the
-/// symbol can meet, or every one meets, is a constant; its atom still says which symbol (`kind` and `of` alone count).
+/// `negation` has one child, `all` and `any` have two or more, the other kinds have no children. A comparison that no
+/// value of the symbol or every value meets is a constant; only `kind` and `of` of its atom are then valid.
 struct Tree {
   enum class Kind : std::uint8_t { constant, atom, negation, all, any };
   Kind kind = Kind::constant;

@@ -1,5 +1,4 @@
-// From a tree to truth tables: small parts are merged as long as six inputs hold them, what does not fit becomes a
-// table.
+// Converts a tree to truth tables: merges parts up to six inputs; larger parts become tables.
 #include "symplant/condition/truth_table.hpp"
 
 #include <array>
@@ -10,7 +9,7 @@ namespace symplant::condition {
 namespace {
 
 constexpr std::size_t kRows = std::size_t{1} << kMostInputs;
-/// The truth of input k alone.
+/// The truth of input k only.
 constexpr std::array<std::uint64_t, kMostInputs> kColumns{
     0xAAAA'AAAA'AAAA'AAAA, 0xCCCC'CCCC'CCCC'CCCC, 0xF0F0'F0F0'F0F0'F0F0,
     0xFF00'FF00'FF00'FF00, 0xFFFF'0000'FFFF'0000, 0xFFFF'FFFF'0000'0000,
@@ -20,13 +19,13 @@ bool same(const Input& a, const Input& b) {
   return a.is_table == b.is_table && (a.is_table ? a.table == b.table : a.atom == b.atom);
 }
 
-/// A part of the tree that six inputs hold. Its truth repeats itself where there are less.
+/// A part of the tree with at most six inputs. With fewer inputs its truth repeats.
 struct Part {
   std::uint64_t truth = 0;
   std::vector<Input> inputs;
 };
 
-/// The truth of a part whose input k is now input `place[k]`.
+/// The truth of a part after its input k became input `index[k]`.
 std::uint64_t moved(std::uint64_t truth, const std::vector<std::size_t>& index) {
   std::uint64_t result = 0;
   for (std::size_t row = 0; row < kRows; ++row) {
@@ -37,10 +36,10 @@ std::uint64_t moved(std::uint64_t truth, const std::vector<std::size_t>& index) 
   return result;
 }
 
-/// Leaves out inputs that the truth does not depend on (`A or not A`): nobody is to watch them.
+/// Removes inputs that have no effect on the truth (`A or not A`), so that they are not watched.
 void drop_idle_inputs(Part& part) {
   std::vector<Input> kept;
-  std::vector<std::size_t> rows_of;  // a kept input's old place
+  std::vector<std::size_t> rows_of;  // a kept input's old index
   for (std::size_t k = 0; k < part.inputs.size(); ++k) {
     const std::uint64_t where_on = (part.truth & kColumns[k]) >> (std::size_t{1} << k);
     if (where_on == (part.truth & ~kColumns[k])) continue;
@@ -57,7 +56,7 @@ void drop_idle_inputs(Part& part) {
   part = {truth, std::move(kept)};
 }
 
-/// Both in one part, by `and` or `or`; nothing where they have too many inputs.
+/// Merges two parts by `and` or `or`; empty if they have too many inputs together.
 std::optional<Part> merged(const Part& a, const Part& b, Tree::Kind kind) {
   Part result{a.truth, a.inputs};
   std::vector<std::size_t> index;
@@ -104,7 +103,7 @@ class Network {
   }
 
  private:
-  /// Layer by layer, so that a change ripples through few tables however many children there are.
+  /// Joins parts layer by layer, so that a change passes through few tables for any number of children.
   Part joined(std::vector<Part> parts, Tree::Kind kind) {
     for (;;) {
       std::vector<Part> groups{std::move(parts.front())};
@@ -132,7 +131,7 @@ class Network {
     return static_cast<std::uint32_t>(tables_.size() - 1);
   }
 
-  /// Tables whose input turned out to be idle further up (`A and false`) go.
+  /// Removes tables that are not read after all (as in `A and false`).
   void drop_unread() {
     std::vector<bool> read(tables_.size());
     read.back() = true;

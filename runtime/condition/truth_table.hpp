@@ -1,4 +1,4 @@
-// Conditions as the engine has them: truth tables of at most six inputs, larger ones as networks of such.
+// Conditions in the engine's form: truth tables of at most six inputs, or networks of them.
 #pragma once
 
 #include <cstddef>
@@ -11,23 +11,23 @@ namespace symplant::condition {
 
 inline constexpr std::size_t kMostInputs = 6;
 
-/// Something that is true or false: an atom, or another table of the network.
+/// An input of a truth table: an atom, or another table of the network.
 struct Input {
   bool is_table = false;
-  std::uint32_t table = 0;  ///< place in the network; it stands before its reader
+  std::uint32_t table = 0;  ///< index in the network; it is less than that of its reader
   Atom atom;
 };
 
-/// Bit i of `truth` is the value where input k is bit k of i; bits that no input reaches are 0. The truth depends on
-/// each of the inputs: without any it is a constant.
+/// Bit i of `truth` is the value if input k is bit k of i; bits beyond 2^inputs are 0. The truth depends on every
+/// input; without inputs it is a constant.
 struct TruthTable {
   std::uint64_t truth = 0;
-  std::vector<Input> inputs;  ///< at most kMostInputs, no atom twice within one table
+  std::vector<Input> inputs;  ///< at most kMostInputs, no atom twice in one table
 };
 
-/// The tables of a condition, the one of its whole truth last: just one where it has at most kMostInputs different
-/// atoms. Each but the last has one reader, and none but the last is a constant. Their depth grows with the logarithm
-/// of a wide tree. O(tree), with some hundred steps an atom.
+/// The tables of a condition; the last one is the truth of the whole. There is only one if the condition has at most
+/// kMostInputs different atoms. Every other table has one reader and is not a constant. The depth grows with the
+/// logarithm of the tree's width. O(tree), some hundred steps per atom.
 std::vector<TruthTable> truth_tables(const Tree& tree);
 
 }  // namespace symplant::condition

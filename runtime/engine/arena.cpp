@@ -1,4 +1,4 @@
-// Cuts arrays out of one piece of memory.
+// Allocates arrays from one block of memory.
 #include "symplant/engine/arena.hpp"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Cuts arrays out of one piece of memory; without memory it only counts what it would need.
+// Allocates arrays from one block of memory; without memory it only counts the bytes needed.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@ namespace symplant::engine {
 
 class Arena {
  public:
-  /// `memory` null: every array is empty and only used() means something.
+  /// If `memory` is null, take() returns null and only used() is valid.
   explicit Arena(std::byte* memory) noexcept : memory_(memory) {}
 
-  /// An array of `count` zeroed objects of a type for which all bits zero is a value.
+  /// An array of `count` zeroed objects; all bits zero must be a valid T. The caller ensures that the memory suffices.
   template <class T>
   T* take(std::size_t count) noexcept {
     return static_cast<T*>(take_bytes(count * sizeof(T), alignof(T)));

@@ -1,4 +1,4 @@
-// How the user's code is called, and what its view of a unit shows and does.
+// Calls custom behaviors, and implements their view of a unit.
 #include "symplant/engine/behaviour.hpp"
 
 #include <algorithm>

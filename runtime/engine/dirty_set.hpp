@@ -1,4 +1,4 @@
-// Lists of fixed size, and sets of places that were written.
+// Lists of fixed capacity, and sets of positions that were written.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace symplant::engine {
 
 constexpr std::uint64_t bit_in_word(std::uint32_t bit) noexcept { return std::uint64_t{1} << (bit % 64); }
 
-/// A list in memory of fixed size, large enough for all that it can ever hold.
+/// A list of fixed capacity. The capacity covers the worst case: add() does not check it.
 template <class T>
 struct List {
   T* items;
@@ -25,13 +25,13 @@ struct List {
   std::span<const T> view() const noexcept { return {items, size}; }
 };
 
-/// Places (words, slots, units), each at most once, in the order in which they were marked.
+/// Positions (words, slots, units), each at most once, in the order in which they were marked.
 struct DirtySet {
   void take(Arena& arena, std::size_t positions) noexcept {
     list.take(arena, positions);
     marks = arena.take<std::uint64_t>((positions + 63) / 64);
   }
-  /// False where it was marked already.
+  /// False if the position was marked already.
   bool mark(std::uint32_t position) noexcept {
     std::uint64_t& word = marks[position / 64];
     if ((word & bit_in_word(position)) != 0) return false;
@@ -60,7 +60,7 @@ struct DirtySet {
   std::uint64_t* marks;
 };
 
-/// A DirtySet that lies in the flat block: its size does, too.
+/// A DirtySet whose data, with its size, lies in the flat block.
 struct BlockSet {
   void take(Arena& arena, std::size_t positions) noexcept {
     size = arena.take<std::uint64_t>(1);

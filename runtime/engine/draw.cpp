@@ -1,4 +1,4 @@
-// Random times.
+// Draws random times.
 #include "symplant/engine/draw.hpp"
 
 #include "symplant/engine/wide.hpp"

@@ -1,4 +1,4 @@
-// Random numbers and times, as docs/model.md fixes them: the same on every machine and with every library.
+// Random numbers and times as docs/model.md specifies them, equal on every machine and with every library.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace symplant::engine {
 
-/// Draw `k` of a unit's stream number `stream` under a seed begins SplitMix64 (Steele, Lea, Flood, "Fast splittable
-/// pseudorandom number generators", 2014) at this state. `unit` is fnv1a64 of the unit's name.
+/// The SplitMix64 state (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) at which draw `k`
+/// of a unit's stream `stream` begins. `unit` is fnv1a64 of the unit's name.
 constexpr std::uint64_t draw_start(std::uint64_t seed, std::uint64_t unit, std::uint16_t stream,
                                    std::uint32_t k) noexcept {
   return seed ^ unit ^ (std::uint64_t{stream} << 32) ^ k;
@@ -23,7 +23,7 @@ constexpr std::uint64_t split_mix(std::uint64_t& state) noexcept {
   return z ^ (z >> 31);
 }
 
-/// A time of the distribution given, from the generator started at `state`: ns, >= 0.
+/// A time of the given distribution, from a generator that starts at `state`: ns, >= 0.
 tables::Time random_time(const tables::RandomTime& time, std::uint64_t state) noexcept;
 
 }  // namespace symplant::engine

@@ -1,4 +1,4 @@
-// The instants between two calls, and what happens in each.
+// Runs the instants between two calls.
 #include "symplant/engine/engine.hpp"
 
 #include <algorithm>
@@ -23,14 +23,14 @@ void Engine::queue_other(std::uint32_t entry) noexcept {
   touch(tables.behaviour_units[behaviour].unit);
 }
 
-/// The first instant is everybody's.
+/// Touches every unit and requirement: the first instant, at time 0, steps all of them.
 void Engine::start() noexcept {
   head->started = 1;
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) touch(unit);
   for (std::uint32_t r = 0; r < tables.requirements.size(); ++r) touched_requirements_.mark(r);
 }
 
-/// `time` is what Wheel::earliest has just given.
+/// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
 SYMPLANT_ALWAYS_INLINE void Engine::queue_due(tables::Time time) noexcept {
   const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
   for (std::uint32_t entry = head->wheel.take(time); entry != Wheel::kNone; entry = units[entry].next) {
@@ -44,11 +44,11 @@ SYMPLANT_ALWAYS_INLINE void Engine::queue_due(tables::Time time) noexcept {
   }
 }
 
-/// As switch_events, where nothing is forced or watched: both planes of events are equal.
+/// As switch_events(), if no event is forced or watched: then both planes of events are equal.
 SYMPLANT_ALWAYS_INLINE WordChange Engine::switch_alone(const tables::UnitRow& row,
                                                        const tables::EventMasks& masks) noexcept {
   const std::uint32_t word = row.event_bit / 64;
-  if ((masks.on | masks.off) == 0) return {word, 0};  // perhaps behind the plane's last word
+  if ((masks.on | masks.off) == 0) return {word, 0};  // a unit without events may lie after the plane's last word
   const std::uint64_t before = events.bits[word];
   const std::uint64_t now = (before & ~(masks.off << (row.event_bit % 64))) | masks.on << (row.event_bit % 64);
   events.made[word] = events.bits[word] = now;
@@ -56,8 +56,8 @@ SYMPLANT_ALWAYS_INLINE WordChange Engine::switch_alone(const tables::UnitRow& ro
   return {word, before ^ now};
 }
 
-/// The commonest instant of all: one plain unit arrives, and nobody else has anything to do or to see in it. As
-/// instant(), without what would find nothing. False, and nothing done, where it is another one.
+/// The fast path of the most frequent instant: one plain unit arrives, and no other unit is affected. Has the effect of
+/// instant(). Returns false without any effect if the instant is a different one.
 SYMPLANT_ALWAYS_INLINE bool Engine::arrive_alone(tables::Time at, Observer* observer) noexcept {
   const std::uint32_t unit = head->wheel.sole(units, at);
   if (unit >= tables.units.size() || !unseen_events_ || unpublished_ || head->cycle != 0) return false;

@@ -1,4 +1,4 @@
-// The engine of docs/model.md: one instant after another, each made of rounds, paying for what changes.
+// The engine of docs/model.md: runs instants, each in rounds; its cost depends on what changes.
 // docs/engine.md explains rounds, the wheel and the flat block.
 #pragma once
 
@@ -21,7 +21,7 @@
 
 namespace symplant::engine {
 
-/// The head of the flat block; the arrays of what changes follow it. No pointers: the block may be copied.
+/// The head of the flat block; the arrays of the changing state follow it. The block has no pointers and may be copied.
 struct BlockHead {
   std::uint64_t magic;
   std::uint64_t model;  ///< model_hash of the plant whose state this is
@@ -29,74 +29,74 @@ struct BlockHead {
   std::uint64_t seed;
   tables::Time cycle;
   tables::Time now;
-  std::uint32_t started;       ///< 0: the first instant, at time 0, is still to run
-  std::uint32_t acted;         ///< 1: something acted from outside since the last instant
-  std::uint64_t event_forces;  ///< BOOL events that are forced
+  std::uint32_t started;       ///< 0: the first instant, at time 0, has not run yet
+  std::uint32_t acted;         ///< 1: an outside action (force, set_state, ...) happened since the last instant
+  std::uint64_t event_forces;  ///< number of forced BOOL events
   Wheel wheel;
 };
 
-/// What changes in a rich unit beside its UnitState.
+/// The changing state of a general unit in addition to its UnitState.
 struct GeneralState {
   std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
-  std::uint8_t settled;       ///< as others were last told: the state settled in, or kNoState
-  std::uint8_t moving;        ///< likewise
-  std::uint8_t counted;       ///< its disabled_by changed in this round
+  std::uint8_t settled;       ///< as last published: the state in which it is settled, or kNoState
+  std::uint8_t moving;        ///< as last published: 1 if it is moving
+  std::uint8_t counted;       ///< 1: its disabled_by changed in this round
 };
 
-/// Of a transition that is `timed`.
+/// The state of a `timed` transition.
 struct Record {
-  tables::Time ready;   ///< where its cause holds: when it has held long enough; of a halted unit what is left
+  tables::Time ready;   ///< if its cause holds: when it has held long enough; in a halted unit the time left
   std::uint32_t draws;  ///< random numbers drawn so far
-  std::uint32_t holds;  ///< its cause holds
+  std::uint32_t holds;  ///< 1: its cause holds
 };
 
 struct MonitorState {
   tables::Time deadline;
   std::uint32_t running;
-  std::uint32_t held;  ///< its condition, at the end of the last instant
+  std::uint32_t held;  ///< 1: its condition held at the end of the last instant
 };
 
 struct BehaviourState {
-  tables::Time wake;  ///< kNever: not at all; of a halted unit what is left
+  tables::Time wake;  ///< when woken() is due, or kNever; in a halted unit the time left
   std::uint32_t draws;
-  std::uint16_t woken;  ///< its time has come, and its unit has not stepped since
-  std::uint16_t ill;    ///< the link of its operations is not well
+  std::uint16_t woken;  ///< 1: `wake` has been reached, and the unit has not stepped since
+  std::uint16_t ill;    ///< 1: the link of its operations is lost
 };
 
-/// Of a condition: its inputs, its truth as last published, and whether it waits to be worked out.
+/// Bits of a condition's state: its inputs, its truth as last published, and whether it waits for evaluation.
 inline constexpr std::uint8_t kInputs = 0x3F;
 inline constexpr std::uint8_t kTruth = 0x40;
 inline constexpr std::uint8_t kWaiting = 0x80;
 
-/// A plane of numeric symbols of one direction, with its forces.
+/// The numeric symbols of one direction, with their forces.
 struct ValuePlane {
   void take(Arena& arena, std::size_t slots) noexcept;
   std::uint64_t effective(std::uint32_t slot) const noexcept {
     return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
   }
 
-  std::uint64_t* made;    ///< by the link (as sampled), or by the model
+  std::uint64_t* made;    ///< before forces: set by the link (as sampled) or by the model
   std::uint64_t* values;  ///< after forces
-  std::uint64_t* forced;  ///< a bit a slot
+  std::uint64_t* forced;  ///< one bit per slot
   std::uint64_t* forced_to;
-  BlockSet dirty;  ///< slots to be looked at when the next instant begins or this round ends
+  BlockSet dirty;  ///< slots to examine when the next instant begins or this round ends
 };
 
-/// A plane of BOOL symbols of one direction, with its forces.
+/// The BOOL symbols of one direction, with their forces.
 struct BitPlane {
   void take(Arena& arena, std::size_t words) noexcept;
   std::uint64_t effective(std::uint32_t word) const noexcept { return (made[word] & ~forced[word]) | forced_on[word]; }
 
-  std::uint64_t* made;  ///< by the link (as sampled), or by the model
+  std::uint64_t* made;  ///< before forces: set by the link (as sampled) or by the model
   std::uint64_t* bits;  ///< after forces
   std::uint64_t* forced;
-  std::uint64_t* forced_on;  ///< of the forced ones
-  BlockSet dirty;            ///< words likewise
+  std::uint64_t* forced_on;  ///< the forced bits that are forced on
+  BlockSet dirty;            ///< words to examine when the next instant begins or this round ends
 };
 
 class Engine {
  public:
-  /// Places itself and all its arrays in the memory of `arena`; null where that only counts.
+  /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
   static Engine* make(const tables::PlantTables& tables, std::span<const Behaviour> behaviours, Arena& arena) noexcept;
 
   void reset(std::uint64_t seed, tables::Time cycle) noexcept;
@@ -104,7 +104,7 @@ class Engine {
   void advance_before(tables::Time time, Observer* observer) noexcept;
   tables::Time next_due() const noexcept;
 
-  // What acts from outside (engine_acts.cpp).
+  // Actions from outside (engine_acts.cpp).
   void write_operation(std::uint32_t bit, bool on) noexcept;
   void write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void write_shared(std::uint32_t bit, bool on) noexcept;
@@ -120,22 +120,22 @@ class Engine {
   void touch_readers(tables::Direction direction, std::uint32_t slot) noexcept;
 
   std::uint64_t state_hash() const noexcept;
-  /// Of the move that a unit is making.
+  /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
   tables::Time remaining(std::uint32_t unit) const noexcept {
     const UnitState& state = units[unit];
     return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head->now;
   }
 
-  // What behaviours see and do (behaviour.cpp).
+  // For custom behaviors (behaviour.cpp).
   void make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_event_value(std::uint32_t slot, std::uint64_t value) noexcept;
   void wake_at(std::uint32_t behaviour, tables::Time time) noexcept;
-  /// `transition` may be kNoTransition: a way to `target` without a command.
+  /// `transition` may be kNoTransition: a move to `target` without a command.
   tables::Time takes_by_model(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                               std::uint8_t target, std::uint16_t transition) noexcept;
   tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
-  /// Bytes of memory that a unit's behaviour has.
+  /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
   std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.general.position_of(unit)]; }
   std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
@@ -153,20 +153,20 @@ class Engine {
   std::span<const Behaviour> behaviours;
   EngineIndex index;
 
-  // --- the flat block, from `head` on
+  // --- in the flat block, from `head` on
   BlockHead* head;
-  UnitState* units;  ///< then an entry in the wheel for each requirement and each behaviour
+  UnitState* units;  ///< followed by a wheel entry for each requirement and each behavior
   BitPlane operations;
   BitPlane events;
   ValuePlane operation_values;
   ValuePlane event_values;
-  std::uint64_t* written_operations;  ///< what the PLC wrote, perhaps not yet sampled
+  std::uint64_t* written_operations;  ///< as the PLC wrote them; sampled by the next instant that samples
   std::uint64_t* written_values;
   BlockSet written_words;
   BlockSet written_slots;
-  std::uint64_t* disarmed;  ///< by operation bit
-  std::uint64_t* served;    ///< since it rose
-  std::uint64_t* reported;  ///< had a finding when it rose
+  std::uint64_t* disarmed;  ///< operations that are disarmed
+  std::uint64_t* served;    ///< operations that were served since they rose
+  std::uint64_t* reported;  ///< operations that had a finding when they rose
   GeneralState* general_states;
   Record* records;
   std::uint8_t* condition_states;
@@ -176,13 +176,13 @@ class Engine {
   ShortEvents short_events;
   std::size_t block_size;
 
-  // --- outside it: gone between instants, or another's business
-  DirtySet changed_events;  ///< words, since the link last asked
+  // --- outside the flat block: not part of the saved state
+  DirtySet changed_events;  ///< words, since the link last cleared it
   DirtySet changed_event_slots;
   FindingRing findings;
 
  private:
-  // What is not set here place() sets.
+  // position() sets all other members.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
       : tables(plant_tables), behaviours(code) {}
@@ -192,7 +192,7 @@ class Engine {
   void reset_values() noexcept;
   void reset_conditions() noexcept;
 
-  // its digest (state_hash.cpp)
+  // the digest of the state (state_hash.cpp)
   void hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
   void hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
   void hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
@@ -209,7 +209,7 @@ class Engine {
   void queue(std::uint32_t unit) noexcept;
   void touch(std::uint32_t unit) noexcept;
 
-  // its rounds (engine_rounds.cpp)
+  // the rounds of an instant (engine_rounds.cpp)
   void run_rounds() noexcept;
   void first_round() noexcept;
   void further_round(std::uint32_t count, bool counting) noexcept;
@@ -230,11 +230,12 @@ class Engine {
              std::uint16_t transition) noexcept;
   void settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
 
-  // a move under way (engine_moves.cpp)
+  // moving units (engine_moves.cpp)
+  /// What the operations of a moving unit command.
   struct Wishes {
-    bool forth;
-    bool back;
-    std::uint16_t return_transition;  ///< the transition that `back` goes by, or kNoTransition
+    bool forth;                       ///< to continue to the target
+    bool back;                        ///< to reverse
+    std::uint16_t return_transition;  ///< the transition that commands `back`, or kNoTransition
   };
   Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
   void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
@@ -249,12 +250,12 @@ class Engine {
   void clear_wheel(std::uint32_t entry) noexcept;
 
   // causes and times (engine_times.cpp)
-  /// What a settled unit's transitions say in a round.
+  /// The ready transitions of a settled unit in a round.
   struct Ready {
-    std::uint16_t automatic;  ///< the first one that is ready, or kNoTransition
-    std::uint16_t first;      ///< commanded one, likewise
-    bool several;             ///< ready commanded ones lead to several states
-    std::uint64_t served;     ///< operations that are the `on` of a ready one
+    std::uint16_t automatic;  ///< the first automatic one, or kNoTransition
+    std::uint16_t first;      ///< the first commanded one, or kNoTransition
+    bool several;             ///< the commanded ones lead to different states
+    std::uint64_t served;     ///< the operations that command them
   };
   Ready ready_transitions(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                           std::uint64_t on) noexcept;
@@ -276,14 +277,14 @@ class Engine {
     return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables.requirements.size())) + behaviour;
   }
 
-  // the user's code (behaviour.cpp)
+  // calls of custom behaviors (behaviour.cpp)
   bool behaves(std::uint32_t unit) const noexcept { return (units[unit].flags & kBehaves) != 0; }
   void wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept;
   void report_left(std::uint32_t unit, std::uint8_t state) noexcept;
   void report_entered(std::uint32_t unit, std::uint8_t state) noexcept;
   std::uint8_t wanted_by_behaviour(std::uint32_t unit) noexcept;
 
-  // what one round changed, made known to the next (engine_publish.cpp)
+  // publishing the changes of one round to the next (engine_publish.cpp)
   void sample_operations() noexcept;
   void apply_actions() noexcept;
   void change_operations(std::uint32_t word) noexcept;
@@ -312,7 +313,7 @@ class Engine {
   void serve(const UnitState& state, const tables::UnitRow& row) noexcept;
   void finish_units() noexcept;
 
-  // its findings (engine_findings.cpp)
+  // the findings of an instant (engine_findings.cpp)
   void report_findings() noexcept;
   void report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
   void report_marked(tables::FindingKind kind) noexcept;
@@ -323,35 +324,35 @@ class Engine {
   void report_loops() noexcept;
   void report_requirements() noexcept;
 
-  const std::uint64_t* name_hashes_;    ///< a rich unit: fnv1a64 of its name in upper case
-  const std::uint64_t* memory_begins_;  ///< a behaviour's unit: of its memory in behaviour_memory; one more at the end
-  std::uint32_t* queue_;                ///< room for every unit once
-  std::uint32_t queued_;                ///< units of the coming round but the first, at its front
-  std::uint32_t round_;                 ///< of this instant, from 1; 0 before its first one and between instants
-  List<std::uint32_t> touched_;         ///< in this instant; before its first round the units of that
-  List<std::uint32_t> moved_;           ///< rich units that stepped in this round
-  List<std::uint32_t> counted_;         ///< rich units whose disabled_by changed in this round
-  List<std::uint32_t> waiting_;         ///< conditions to be worked out
+  const std::uint64_t* name_hashes_;    ///< of each general unit: fnv1a64 of its name in upper case
+  const std::uint64_t* memory_begins_;  ///< of each behavior's unit: offset in behaviour_memory; one more at the end
+  std::uint32_t* queue_;                ///< capacity for every unit once
+  std::uint32_t queued_;                ///< number of units in queue_ for the next round (from the second round on)
+  std::uint32_t round_;                 ///< of this instant, from 1; 0 before its first round and between instants
+  List<std::uint32_t> touched_;         ///< units touched in this instant: those before its first round step in it
+  List<std::uint32_t> moved_;           ///< general units that stepped in this round
+  List<std::uint32_t> counted_;         ///< general units whose disabled_by changed in this round
+  List<std::uint32_t> waiting_;         ///< conditions to evaluate
   DirtySet touched_requirements_;
-  DirtySet touched_events_;          ///< words that changed in this instant
-  std::uint64_t* events_before_;     ///< of those, as they stood when it began
-  std::uint64_t* events_flickered_;  ///< of those, what some round changed
-  DirtySet touched_slots_;           ///< event slots likewise
-  std::uint64_t* values_before_;
+  DirtySet touched_events_;          ///< event words that changed in this instant
+  std::uint64_t* events_before_;     ///< those words as they were when the instant began
+  std::uint64_t* events_flickered_;  ///< the bits of those words that any round changed
+  DirtySet touched_slots_;           ///< event slots that changed in this instant
+  std::uint64_t* values_before_;     ///< those slots as they were when the instant began
   List<WordChange> operation_changes_;
   List<WordChange> event_changes_;
   List<std::uint32_t> operation_slot_changes_;
   List<std::uint32_t> event_slot_changes_;
-  MarkRange marks_;                ///< units, symbols or requirements to be told of, in order
-  std::uint32_t suspects_;         ///< a bit a kind of finding: there may be one in this instant
-  std::uint8_t loops_;             ///< frozen in this instant
-  List<std::uint32_t> violated_;   ///< requirements, in this instant
-  List<WordChange> short_events_;  ///< words and bits, in this instant
-  bool unseen_events_;             ///< nobody can tell when in a round an event is switched
+  MarkRange marks_;                ///< units, symbols or requirements to report, in ascending order
+  std::uint32_t suspects_;         ///< one bit per kind of finding: this instant may have one
+  std::uint8_t loops_;             ///< number of loops frozen in this instant
+  List<std::uint32_t> violated_;   ///< requirements violated in this instant
+  List<WordChange> short_events_;  ///< events found too short in this instant
+  bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
-  bool unpublished_;               ///< publish() has something to do
-  bool active_;                    ///< somebody stepped in this round, or was disabled or enabled
-  tables::Time now_;               ///< of this instant
+  bool unpublished_;               ///< publish() has work to do
+  bool active_;                    ///< a unit stepped, or was disabled or enabled, in this round
+  tables::Time now_;               ///< the time of this instant
   Observer* observer_;
 };
 

@@ -1,4 +1,4 @@
-// What acts on a plant from outside: the PLC's writes, sources of inputs, forces, a person's hand, a restored state.
+// Actions on a plant from outside: writes of the PLC, inputs, forces, manual state changes, restored states.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -10,7 +10,7 @@ namespace {
 
 bool is_bit(const tables::SymbolRow& symbol) noexcept { return symbol.type() == tables::DataType::boolean; }
 
-/// Calls `function(place)` for a bit or slot and all others on its address.
+/// Calls `function(position)` for a bit or slot and for all others with the same address.
 template <class Function>
 void for_address(const SharedPositions& shared, bool bit, std::uint32_t position, Function function) noexcept {
   const std::uint32_t base = bit ? 0 : kSharedSlot;
@@ -111,7 +111,7 @@ void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexc
   });
 }
 
-/// Behaviours that see a number.
+/// Touches the units whose custom behavior reads a numeric symbol.
 void Engine::touch_readers(tables::Direction direction, std::uint32_t slot) noexcept {
   for (const ValueReader& reader : index.value_readers.of(direction, slot)) touch(reader.unit);
 }
@@ -126,7 +126,7 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   if (state.holding != 0) forget_causes(unit, type, before);
   state.target = target;
   if (!moving) {
-    state.flags |= kMoving;  // as on any way, while the old state is left
+    state.flags |= kMoving;  // as in every move while the old state is left
     switch_events(row, type.leave[before]);
     if (behaves(unit)) report_left(unit, before);
   }
@@ -141,7 +141,7 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   head->acted = 1;
 }
 
-/// Whether anybody can tell when in a round an event is switched.
+/// Updates unseen_events_, after forces of events changed.
 void Engine::see_events() noexcept {
   unseen_events_ = head->event_forces == 0 && index.event_watches.empty() && index.shared_events.empty();
 }
@@ -162,7 +162,7 @@ void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept 
   });
 }
 
-/// Events on the address of those that are switched, wherever they stand.
+/// Switches the other events that share an address with those given.
 void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
   for (std::uint64_t bits = on | off; bits != 0; bits &= bits - 1) {
     const std::uint64_t bit = bits & (~bits + 1);
@@ -180,7 +180,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   std::memcpy(&other, block.data(), sizeof other);
   if (other.magic != head->magic || other.model != head->model || other.size != block_size) return false;
   std::memmove(reinterpret_cast<std::byte*>(head), block.data(), block.size());
-  for (const tables::BehaviourUnit& behaviour : tables.behaviour_units) {  // the code is this plant's own
+  for (const tables::BehaviourUnit& behaviour : tables.behaviour_units) {  // custom behaviors are not in the block
     std::uint16_t& flags = units[behaviour.unit].flags;
     flags &= static_cast<std::uint16_t>(~kBehaves);
     if (behaviour_of(general_row(behaviour.unit)) != nullptr) flags |= kBehaves;
@@ -194,7 +194,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   return true;
 }
 
-/// What had acted on the saved plant waits for its next instant here, too.
+/// Queues the units that were touched in the saved plant for the next instant.
 void Engine::requeue() noexcept {
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
     const std::uint16_t flags = units[unit].flags;

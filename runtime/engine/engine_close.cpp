@@ -1,4 +1,4 @@
-// The end of an instant: its net effect, requirements, what is served, and the observer.
+// Closes an instant: net changes, requirements, served operations, findings, and the observer.
 #include <algorithm>
 #include <bit>
 
@@ -6,7 +6,7 @@
 
 namespace symplant::engine {
 
-/// In real time: events of a word that fall now and rose less than a cycle ago.
+/// Events of a word that fall now and rose less than a cycle ago. Only in real time (`cycle` is not 0).
 std::uint64_t Engine::close_cycle(std::uint32_t word, std::uint64_t changed) noexcept {
   const std::uint64_t risen = changed & events.bits[word];
   const std::uint64_t fallen = changed & ~risen;
@@ -48,7 +48,7 @@ void Engine::close_requirements() noexcept {
   });
 }
 
-/// True where it is violated now.
+/// Evaluates a requirement; true if it is violated in this instant.
 bool Engine::close_requirement(std::uint32_t requirement) noexcept {
   const tables::RequirementRow& row = tables.requirements[requirement];
   MonitorState& monitor = monitors[requirement];
@@ -72,14 +72,15 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
   return !met;
 }
 
-/// What has fallen begins anew.
+/// Clears `served` and `reported` of operations that fell.
 SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
   const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
   served[change.word] &= ~fallen;
   reported[change.word] &= ~fallen;
 }
 
-/// Of a word in which an operation rose and nothing fired on it, or fell and was never served.
+/// Whether an operation of the word may have a finding: it rose and no transition fired on it, or it fell without
+/// having been served.
 bool Engine::may_be_finding(const WordChange& change) const noexcept {
   const std::uint64_t on = operations.bits[change.word];
   if ((change.bits & ~on & ~served[change.word] & ~reported[change.word]) != 0) return true;
@@ -94,7 +95,8 @@ bool Engine::may_be_finding(const WordChange& change) const noexcept {
   return false;
 }
 
-/// True where an operation may have a finding: then words are finished after the findings.
+/// Finishes the changed words, unless an operation may have a finding: then returns true, and the caller finishes them
+/// after the findings.
 SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
   for (const WordChange& change : operation_changes_.view()) {
     if ((change.bits & ~served[change.word]) == 0 || !may_be_finding(change)) continue;

@@ -1,4 +1,4 @@
-// Findings of an instant, in the order of the table in docs/model.md, then of units, symbols, requirements.
+// Reports the findings of an instant, in the order of docs/model.md, then by unit, symbol or requirement.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,7 +7,8 @@
 
 namespace symplant::engine {
 
-/// Comes here only where there may be one; what is not is sorted out.
+/// Called only if there may be a finding (suspects_). Each suspected kind is checked, and only real findings are
+/// reported.
 void Engine::report_findings() noexcept {
   const std::uint32_t suspects = suspects_;
   suspects_ = 0;
@@ -96,9 +97,9 @@ void Engine::report_short_events() noexcept {
   report_marked(tables::FindingKind::event_too_short);
 }
 
-/// Loops frozen in this instant stand in the order of their first units.
+/// Reports the loops frozen in this instant, in the order of their first units.
 void Engine::report_loops() noexcept {
-  std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit
+  std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit in table order
   first.fill(tables::kNoUnit);
   for (const std::uint32_t unit : touched_.view()) {
     if ((units[unit].flags & kFrozenNow) != 0) first[units[unit].steps] = std::min(first[units[unit].steps], unit);

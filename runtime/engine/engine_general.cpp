@@ -1,12 +1,12 @@
-// The step of a unit that is more than a plain one, and what firing and arriving mean in general.
+// The general path: the step of a unit with any features, and firing and arriving.
 #include <algorithm>
 
 #include "symplant/engine/engine_inline.hpp"
 
 namespace symplant::engine {
 
-/// Whether a cause has held for its transition's `after`. `earliest` becomes the time when it will have, if that is
-/// less.
+/// Whether a cause has held for its transition's `after`. If not yet, lowers `earliest` to the time at which it will
+/// have.
 SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const tables::UnitRow& row,
                                                       std::uint16_t transition, bool cause, Record& record,
                                                       tables::Time& earliest) noexcept {
@@ -24,7 +24,8 @@ SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const 
   return false;
 }
 
-/// Every cause of the state is looked at, also behind one that will fire: what begins to hold is drawn for.
+/// Evaluates every transition from the state, also those after one that will fire: a cause that begins to hold draws
+/// its random `after`.
 SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t unit, const tables::UnitRow& row,
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
   Ready ready{kNoTransition, kNoTransition, false, 0};
@@ -79,7 +80,7 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   if (further || type.automatic[here] || may_leave(row, type, here)) queue(unit);
 }
 
-/// Firing: what is served and disarmed by it, then on the way, or there at once.
+/// Fires a transition: serves and disarms operations, then begins the move, or settles at once if it takes no time.
 void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                    std::uint16_t transition) noexcept {
   UnitState& state = units[unit];

@@ -1,4 +1,4 @@
-// Works the engine's look-ups out of the tables.
+// Builds the engine's look-ups from the tables.
 #include "symplant/engine/engine_index.hpp"
 
 #include <algorithm>
@@ -29,15 +29,15 @@ struct TypeArrays {
   std::uint64_t* leads;
 };
 
-/// Transition numbers by the state they start from (a counting sort).
+/// Sorts transition numbers by the state from which they start (a counting sort).
 void fill_order(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
   std::uint32_t* const begin = arrays.from_begin;
   for (const tables::Transition& transition : row.transitions) ++begin[transition.from + 1];
   for (std::size_t state = 0; state < row.states; ++state) begin[state + 1] += begin[state];
-  for (std::size_t n = row.transitions.size(); n-- > 0;) {  // from the last: leaves the begins where they were
+  for (std::size_t n = row.transitions.size(); n-- > 0;) {  // from the last, so that each state keeps table order
     arrays.from_order[--begin[row.transitions[n].from + 1]] = static_cast<std::uint16_t>(n);
   }
-  // Each begin + 1 now stands where its own state begins: one place too far up.
+  // begin[state + 1] now holds the begin of `state`: shift all by one.
   for (std::size_t state = 0; state < row.states; ++state) begin[state] = begin[state + 1];
   begin[row.states] = static_cast<std::uint32_t>(row.transitions.size());
   for (std::size_t state = 0; state < row.states; ++state) {

@@ -1,4 +1,4 @@
-// What the engine looks up while it runs, worked out once from the tables.
+// Look-ups for the running engine, built once from the tables.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ namespace symplant::engine {
 inline constexpr std::uint16_t kNoRecord = 0xFFFF;
 inline constexpr std::uint32_t kNoPosition = 0xFFFF'FFFF;
 
-/// A type's transitions by the state they start from, and its operations as masks (bit o: operation o).
+/// A type's transitions by the state from which they start, and its operations as masks (bit o: operation o).
 struct TypeIndex {
   const tables::Transition* transitions;
-  const std::uint32_t* from_begin;  ///< a state -> its first place in from_order; one more at the end
-  const std::uint16_t* from_order;  ///< transition numbers by the state they start from, in table order
+  const std::uint32_t* from_begin;  ///< a state -> its first index in from_order; one more at the end
+  const std::uint16_t* from_order;  ///< transition numbers by the state from which they start, in table order
   const std::uint16_t*
-      only_transition;  ///< a state -> the only transition from it, or kNoRecord where there are none or more
-  const std::uint16_t* record_of;  ///< a transition -> its place among its unit's records, or kNoRecord
-  const bool* automatic;           ///< a state -> an automatic transition starts from it
+      only_transition;             ///< a state -> the only transition from it, or kNoRecord if there is not exactly one
+  const std::uint16_t* record_of;  ///< a transition -> its index among its unit's records, or kNoRecord
+  const bool* automatic;           ///< a state -> whether an automatic transition starts from it
   const std::uint64_t* starts;     ///< a state -> the operations that are the `on` of a transition from it
-  const std::uint64_t* leads;      ///< a state -> the operations leading to it
+  const std::uint64_t* leads;      ///< a state -> the operations that lead to it
   const tables::EventMasks* enter;
   const tables::EventMasks* leave;
   std::uint64_t operations;  ///< all of them
@@ -33,7 +33,7 @@ struct TypeIndex {
   std::uint8_t events;
   std::uint8_t rest;
   tables::Actuation actuation;
-  /// No transition is automatic, has a `when`, a record or a `once`: its step reads its operations alone.
+  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations.
   bool plain;
 
   std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
@@ -41,11 +41,11 @@ struct TypeIndex {
   }
 };
 
-/// From an operation's bit to its unit, in a byte a bit (see kMaxUnitsInWord).
+/// Maps an operation's bit to its unit, with one byte per bit (see kMaxUnitsInWord).
 class UnitOfOperation {
  public:
   void build(const tables::PlantTables& tables, Arena& arena) noexcept;
-  /// kNoUnit where the operation is in none. O(1).
+  /// kNoUnit if the operation belongs to no unit. O(1).
   std::uint32_t operator[](std::uint32_t bit) const noexcept {
     const std::uint8_t step = steps_[bit];
     return step == kNone ? tables::kNoUnit : first_[bit / 64] + step;
@@ -54,22 +54,22 @@ class UnitOfOperation {
  private:
   static constexpr std::uint8_t kNone = 0xFF;
   const std::uint32_t* first_ = nullptr;  ///< a word -> the first unit that has a bit in it
-  const std::uint8_t* steps_ = nullptr;   ///< a bit -> how far behind that its unit stands
+  const std::uint8_t* steps_ = nullptr;   ///< a bit -> the index of its unit minus that first unit, or kNone
 };
 
-/// What a unit has beyond a plain one.
+/// Indexes of a general unit's rows in other tables.
 struct GeneralRow {
   std::uint32_t unit;
-  std::uint32_t first_condition;  ///< of its own conditions
+  std::uint32_t first_condition;  ///< of its conditions (ConditionedUnit)
   std::uint32_t first_record;     ///< of its transitions' records
   std::uint32_t watch_begin;      ///< in PlantTables::unit_watches
   std::uint32_t watch_end;
   std::uint32_t disable_begin;  ///< in PlantTables::disables
   std::uint32_t disable_end;
-  std::uint32_t behaviour;  ///< in PlantTables::behaviour_units, or kNoPlace
+  std::uint32_t behaviour;  ///< in PlantTables::behaviour_units, or kNoPosition
 };
 
-/// The rich units. A plant without any pays nothing, one with some four bytes a unit.
+/// The general units (UnitRow::general). Needs no memory if a plant has none, else four bytes for every unit.
 class GeneralUnits {
  public:
   void build(const tables::PlantTables& tables, const TypeIndex* types, Arena& arena) noexcept;
@@ -77,7 +77,7 @@ class GeneralUnits {
   std::span<const GeneralRow> rows() const noexcept { return {rows_, size_}; }
   std::uint32_t size() const noexcept { return size_; }
   std::uint32_t records() const noexcept { return records_; }
-  /// Of a unit whose row says that it is rich. O(1).
+  /// The index of a unit among the general units. Only for a unit with UnitRow::general. O(1).
   std::uint32_t position_of(std::uint32_t unit) const noexcept { return positions_[unit]; }
   const GeneralRow& row_of(std::uint32_t unit) const noexcept { return rows_[positions_[unit]]; }
 
@@ -90,7 +90,7 @@ class GeneralUnits {
   std::uint32_t records_ = 0;
 };
 
-/// From a bit or a slot to the watches on it.
+/// Maps a bit to the watches on it.
 class WatchIndex {
  public:
   void build(std::span<const tables::BitWatch> watches, std::uint32_t bits, Arena& arena) noexcept;
@@ -106,7 +106,7 @@ class WatchIndex {
   const std::uint32_t* begins_ = nullptr;  ///< a word -> its first watch; one more at the end
 };
 
-/// Whose behaviour sees a number.
+/// A unit whose custom behavior reads a numeric symbol.
 struct ValueReader {
   std::uint32_t position;  ///< an operation's slot, or kSharedSlot + an event's
   std::uint32_t unit;
@@ -115,7 +115,7 @@ struct ValueReader {
 class ValueReaders {
  public:
   void build(const tables::PlantTables& tables, Arena& arena) noexcept;
-  /// O(log of all).
+  /// The readers of a slot. O(log readers).
   std::span<const ValueReader> of(tables::Direction direction, std::uint32_t slot) const noexcept;
 
  private:

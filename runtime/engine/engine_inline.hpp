@@ -1,4 +1,4 @@
-// The engine's small functions that several of its files call on the way of every motion.
+// Small functions of the engine that several of its files call in every move.
 #pragma once
 
 #include "symplant/engine/engine.hpp"
@@ -11,7 +11,7 @@
 
 namespace symplant::engine {
 
-/// `a` + `b`, both >= 0, or kNever where that lies beyond all time.
+/// `a` + `b`, both >= 0, or kNever if the sum exceeds kNever.
 constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
   return b > tables::kNever - a ? tables::kNever : a + b;
 }
@@ -24,7 +24,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
   touched_.add(unit);
 }
 
-/// For the coming round. Before the first one that is everybody who is touched.
+/// Queues a unit for the next round. Before an instant's first round touching it is enough.
 inline void Engine::queue(std::uint32_t unit) noexcept {
   touch(unit);
   if (round_ == 0 || (units[unit].flags & kQueued) != 0) return;
@@ -32,7 +32,7 @@ inline void Engine::queue(std::uint32_t unit) noexcept {
   queue_[queued_++] = unit;
 }
 
-/// It made its step of this round.
+/// Marks that a unit stepped in this round.
 inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept {
   active_ = true;
   if (row.general == 0 || (units[unit].flags & kDriven) != 0) return;
@@ -56,18 +56,18 @@ inline void Engine::switch_events(const tables::UnitRow& row, const tables::Even
   make_event_bits(row.event_bit / 64, masks.on << shift, masks.off << shift);
 }
 
-/// The first time in this instant that a word of events changes.
+/// Called before a word of events changes; the first call in an instant stores the word.
 SYMPLANT_ALWAYS_INLINE void Engine::touch_events(std::uint32_t word) noexcept {
   if (!touched_events_.mark(word)) return;
   events_before_[word] = events.bits[word];
   events_flickered_[word] = 0;
 }
 
-/// As switch_events, by the one step of a unit in this round. Where nobody watches the word and nothing is forced in
-/// it, nobody sees when in the round it changes.
+/// As switch_events(), by the one step of a unit in this round. If no condition watches the word and none of its events
+/// is forced or shared, the change is made at once: no other unit can observe it within the round.
 SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row,
                                                       const tables::EventMasks& masks) noexcept {
-  if ((masks.on | masks.off) == 0) return;  // a unit without events may stand behind the plane's last word
+  if ((masks.on | masks.off) == 0) return;  // a unit without events may lie after the plane's last word
   const std::uint32_t word = row.event_bit / 64;
   if (!unseen_events_ &&
       (events.forced[word] != 0 || index.event_watches.watched(word) != 0 || !index.shared_events.empty())) {
@@ -94,7 +94,7 @@ inline void Engine::set_wheel(std::uint32_t entry, tables::Time due) noexcept {
   if (due != tables::kNever) head->wheel.insert(units, entry, due);
 }
 
-/// Whether a unit that has arrived here might see a reason to leave by its operations, or for want of any.
+/// Whether a unit settled in `here` may have a cause to leave it: an operation, or for a spring the lack of one.
 SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const TypeIndex& type,
                                               std::uint8_t here) const noexcept {
   const std::uint64_t on = operations_on(row, type);
@@ -110,7 +110,7 @@ inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std
   }
 }
 
-/// An operation that leads to where its unit is at the end of an instant, or is going, has been served.
+/// Serves the operations that lead to the state in which a unit is settled, or to which it moves, as an instant ends.
 SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::UnitRow& row) noexcept {
   const std::uint32_t word = row.operation_bit / 64;
   const std::uint64_t unserved = operations.bits[word] & ~served[word];
@@ -121,7 +121,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::
   served[word] |= unserved & (type.leads[position] << (row.operation_bit % 64));
 }
 
-/// A move that takes `duration` > 0 begins.
+/// Begins a move that takes `duration` > 0.
 SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state, tables::Time duration) noexcept {
   if (duration >= tables::kNever - now_) {
     state.due = tables::kNever;

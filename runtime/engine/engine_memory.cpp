@@ -1,4 +1,4 @@
-// The engine's memory, and its start.
+// Lays out and resets the engine's memory.
 #include <algorithm>
 #include <new>
 
@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E03;  // "symplan" and the layout's tables::version
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E03;  // "symplan" and the version of the block's layout
 
 /// fnv1a64 of a unit's name in the upper case of ASCII.
 std::uint64_t hash_of_name(std::string_view name) noexcept {
@@ -90,7 +90,7 @@ void Engine::position(Arena& arena) noexcept {
   observer_ = nullptr;
 }
 
-/// Names of rich units as random numbers want them, and where each behaviour's memory begins.
+/// Hashes the names of general units for random numbers, and computes the offset of each behavior's memory.
 void Engine::position_names(Arena& arena) noexcept {
   auto* hashes = arena.take<std::uint64_t>(index.general.size());
   auto* begins = arena.take<std::uint64_t>(tables.behaviour_units.size() + 1);
@@ -114,7 +114,7 @@ std::uint32_t Engine::memory_of(std::size_t behaviour) const noexcept {
 }
 
 void Engine::place_block(Arena& arena) noexcept {
-  // One word more, always 0: there stand the operations of units that have none.
+  // One word more, always 0: units without operations read it.
   const std::size_t operation_words = tables.operation_bits / 64 + 1;
   const std::size_t entries = tables.units.size() + tables.requirements.size() + tables.behaviour_units.size();
   head = arena.take<BlockHead>(1);
@@ -174,7 +174,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   for (std::uint32_t slot = 0; slot < tables.event_slots; ++slot) changed_event_slots.mark(slot);
 }
 
-/// Numeric symbols stand at their Initial; BOOL events that no unit sets come on in the first instant.
+/// Sets numeric symbols to their initial values; BOOL events that no unit sets switch on in the first instant.
 void Engine::reset_values() noexcept {
   for (const tables::InitialValue& initial : tables.initial_values) {
     const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
@@ -194,7 +194,7 @@ void Engine::reset_values() noexcept {
   }
 }
 
-/// All bits are off, no unit is settled anywhere yet; comparisons hold as the numbers stand.
+/// Evaluates all conditions with all bits off, no unit settled, and the initial numbers.
 void Engine::reset_conditions() noexcept {
   const auto start = [&](std::span<const tables::ValueWatch> watches, const ValuePlane& plane) {
     for (const tables::ValueWatch& watch : watches) {

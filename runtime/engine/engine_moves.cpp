@@ -1,4 +1,4 @@
-// A move under way: what its operations make of it (docs/model.md, "A move under way").
+// Moving units: the effect of their operations (docs/model.md, "Commands during a move").
 #include <algorithm>
 #include <utility>
 
@@ -8,7 +8,7 @@
 namespace symplant::engine {
 namespace {
 
-/// floor(back * travelled / forth), as a move that is turned round has it left.
+/// The remaining time of a move that reverses: floor(back * travelled / forth).
 tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time forth) noexcept {
   if (forth == 0) return 0;
   return static_cast<tables::Time>(static_cast<Wide>(back) * static_cast<Wide>(travelled) / static_cast<Wide>(forth));
@@ -18,7 +18,7 @@ tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time f
 
 Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept {
   const UnitState& state = units[unit];
-  std::uint64_t forth = 0;  // operations of the way under way
+  std::uint64_t forth = 0;  // operations that command the current move
   for (const std::uint16_t n : type.from(state.state)) {
     const tables::Transition& transition = type.transitions[n];
     if (transition.to == state.target && transition.on < tables::kMaxOperations) forth |= operation_mask(transition.on);

@@ -1,5 +1,4 @@
-// What an instant's beginning or one of its rounds has changed, made known to everybody at once: images after forces,
-// truths of conditions, who is disabled.
+// Publishes the changes of an instant's start or of one round: images after forces, conditions, disabled units.
 #include <algorithm>
 #include <bit>
 
@@ -8,8 +7,8 @@
 
 namespace symplant::engine {
 
-/// The link's image as the PLC wrote it, for this instant. Where something acted as well, what comes of both is worked
-/// out once.
+/// Samples the operations as the PLC wrote them. If an outside action happened too, apply_actions() computes the effect
+/// of both.
 void Engine::sample_operations() noexcept {
   const bool acted = head->acted != 0;
   written_words.take_all([&](std::uint32_t word) {
@@ -22,7 +21,7 @@ void Engine::sample_operations() noexcept {
   });
 }
 
-/// Forces and releases of operations; those of events stand among what the rounds publish.
+/// Applies forces and releases of operations; those of events are published as the rounds' changes are.
 void Engine::apply_actions() noexcept {
   operations.dirty.take_all([&](std::uint32_t word) { change_operations(word); });
   operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
@@ -34,9 +33,9 @@ void Engine::change_operations(std::uint32_t word) noexcept {
   const std::uint64_t changed = operations.bits[word] ^ now;
   if (changed == 0) return;
   operations.bits[word] = now;
-  disarmed[word] &= now;  // what a round sees off is armed
+  disarmed[word] &= now;  // an operation that a round reads as off is armed
   operation_changes_.add({word, changed});
-  const UnitOfOperation unit_of = index.unit_of_operation;  // a copy: nothing that is queued can change it
+  const UnitOfOperation unit_of = index.unit_of_operation;  // a copy, so that touch() cannot alias it
   for (std::uint64_t bits = changed; bits != 0; bits &= bits - 1) {
     const std::uint32_t unit = unit_of[word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
     if (unit != tables::kNoUnit) touch(unit);
@@ -85,7 +84,7 @@ void Engine::publish_values() noexcept {
   });
 }
 
-/// Tells conditions and disabled units of a unit that stepped.
+/// Publishes the state of a unit that stepped to conditions and to the units that it disables.
 void Engine::publish_unit(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
   state.flags &= static_cast<std::uint16_t>(~kDriven);
@@ -144,7 +143,8 @@ void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
   unpublished_ = true;
 }
 
-/// A unit that is on a way that it completes in any case looks at conditions when it has arrived.
+/// Whether a unit steps if one of its conditions changes. A unit in a move that it always completes reads its
+/// conditions when it arrives.
 bool Engine::looks_at_conditions(std::uint32_t unit) const noexcept {
   const std::uint16_t flags = units[unit].flags;
   if ((flags & (kMoving | kBehaves)) != kMoving) return (flags & kHalted) == 0;

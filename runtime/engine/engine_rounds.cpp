@@ -1,5 +1,6 @@
-// The rounds of an instant: one step of each unit that has a reason to. A step reads its unit's own state, its
-// operations and cached truths alone, so the order of units never shows.
+// The rounds of an instant: one step of each touched or queued unit.
+//
+// A step reads only the unit's own state, its operations and published conditions, so the order of units has no effect.
 #include <algorithm>
 #include <bit>
 
@@ -8,18 +9,19 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint32_t kFirstLook = 200;  ///< rounds, before loops are looked for
-constexpr std::uint8_t kLoopSteps = 3;     ///< of a unit in the second half of them: it is in a loop
+constexpr std::uint32_t kFirstLook = 200;  ///< rounds before the first search for loops
+constexpr std::uint8_t kLoopSteps = 3;     ///< a unit with so many steps in the second half of them is in a loop
 
 }  // namespace
 
-/// A behaviour that asked to be woken where it may only look (see Behaviour): it is, when its unit steps next.
+/// Empties the queue without stepping its units. A behavior that called wake_at() where it may only read (see
+/// Behaviour) is then woken at its unit's next step.
 void Engine::forget_queue() noexcept {
   for (std::uint32_t i = 0; i < queued_; ++i) units[queue_[i]].flags &= static_cast<std::uint16_t>(~kQueued);
   queued_ = 0;
 }
 
-/// Units are counted from 0 again; who is frozen keeps the number of his loop.
+/// Resets the step counts. A frozen unit keeps the number of its loop there.
 void Engine::forget_steps() noexcept {
   for (const std::uint32_t unit : touched_.view()) {
     if ((units[unit].flags & kFrozen) == 0) units[unit].steps = 0;
@@ -42,7 +44,7 @@ bool Engine::look_for_loops() noexcept {
   return found;
 }
 
-/// As leave(), where nothing is to be asked for: commanded, no record, no condition, nobody to be told.
+/// The fast path of leave(): the transition has a command, no record and no condition, and no other unit depends on it.
 SYMPLANT_ALWAYS_INLINE void Engine::leave_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                                 std::uint16_t transition) noexcept {
   const tables::Time duration = tables.times[row.times + transition + std::uint32_t{1}].takes;
@@ -63,7 +65,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::leave_plain(std::uint32_t unit, const tables
   if (type.actuation != tables::Actuation::latched) queue(unit);
 }
 
-/// As settle(), likewise. A further round is asked for only where it would see something to do.
+/// The fast path of settle(): queues the unit for another round only if it may have a cause to leave.
 SYMPLANT_ALWAYS_INLINE void Engine::arrive_plain(std::uint32_t unit, const tables::UnitRow& row,
                                                  const TypeIndex& type) noexcept {
   UnitState& state = units[unit];
@@ -77,7 +79,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::arrive_plain(std::uint32_t unit, const table
   if (may_leave(row, type, here)) queue(unit);
 }
 
-/// Settled, every transition commanded and ready as soon as its operation is on.
+/// The step of a settled plain unit: every transition has a command and is ready as soon as its operation is on.
 SYMPLANT_ALWAYS_INLINE void Engine::step_plain(std::uint32_t unit, const tables::UnitRow& row,
                                                const TypeIndex& type) noexcept {
   const std::uint8_t here = units[unit].state;
@@ -128,14 +130,14 @@ SYMPLANT_ALWAYS_INLINE void Engine::step(std::uint32_t unit) noexcept {
   }
 }
 
-/// The first round is that of all who have been touched.
+/// Steps all touched units.
 SYMPLANT_ALWAYS_INLINE void Engine::first_round() noexcept {
   const std::uint32_t count = touched_.size;
   for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);
 }
 
-/// The queued units; in the second half of many rounds it is counted who steps. A unit that wants a further round puts
-/// itself at the front, where the queue has been read already.
+/// Steps the first `count` units of the queue, and with `counting` counts their steps. A unit that needs another round
+/// is queued at the front, in slots that have been read already.
 void Engine::further_round(std::uint32_t count, bool counting) noexcept {
   bool any = false;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Causes and how long they have held, times and random times, and what stands still with a unit.
+// Travel times and delays, fixed and random, and their halt while a unit is disabled or frozen.
 #include <algorithm>
 
 #include "symplant/engine/draw.hpp"
@@ -7,7 +7,7 @@
 
 namespace symplant::engine {
 
-/// A time as the tables have it: itself, or drawn where it is a random one.
+/// A time of the tables: `time` itself, or a draw if it refers to a random time.
 tables::Time Engine::drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition,
                            tables::Time time) noexcept {
   if (time >= 0) return time;
@@ -41,7 +41,7 @@ tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& r
   return drawn(unit, type, transition, tables.times[row.times + transition + std::uint32_t{1}].takes);
 }
 
-/// Of the transition, or of a way without a command to `target`.
+/// The travel time of the transition, or of a move without a command to `target`.
 tables::Time Engine::takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                            std::uint16_t transition) noexcept {
   if (behaves(unit)) {
@@ -63,7 +63,7 @@ std::uint16_t Engine::transition_without_command(const TypeIndex& type, std::uin
   return kNoTransition;
 }
 
-/// All times of a unit become what is left of them.
+/// Replaces all times of a unit by the time left.
 void Engine::halt_times(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
   const tables::UnitRow& row = tables.units[unit];
@@ -95,7 +95,7 @@ void Engine::resume_times(std::uint32_t unit) noexcept {
   const TypeIndex& type = index.types[row.type];
   for (std::uint32_t r = 0; r < type.records; ++r) {
     Record& record = records[general.first_record + r];
-    if (record.holds != 0) record.ready = later(head->now, record.ready);  // the round that comes puts it in the wheel
+    if (record.holds != 0) record.ready = later(head->now, record.ready);  // the next round puts it in the wheel
   }
   if (general.behaviour == kNoPosition) return;
   BehaviourState& behaviour = behaviour_states[general.behaviour];

@@ -1,4 +1,4 @@
-// Findings on their way from the engine to who reads them, with a count of those that found no room.
+// A ring of findings not yet read, with a count of those lost when it was full.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ class FindingRing {
     clear();
   }
   void clear() noexcept { first_ = size_ = lost_ = 0; }
-  /// Counts it as lost where the ring is full: what was found first stays.
+  /// If the ring is full the new finding is counted as lost; older findings stay.
   void add(const tables::Finding& finding) noexcept {
     if (size_ == kCapacity) {
       ++lost_;
-      items_[(first_ + size_ - 1) % kCapacity].more = false;  // what would have followed is lost
+      items_[(first_ + size_ - 1) % kCapacity].more = false;  // the rest of its loop is lost
     } else {
       items_[(first_ + size_++) % kCapacity] = finding;
     }

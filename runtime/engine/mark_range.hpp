@@ -1,4 +1,4 @@
-// A set of numbers that is gone through in ascending order.
+// A set of numbers that is visited in ascending order.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace symplant::engine {
 
-/// A bit a number, and the range of words that has any: going through it costs that range.
+/// One bit per number, and the range of words with marks: a visit of all numbers costs O(words in the range).
 class MarkRange {
  public:
   void take(Arena& arena, std::size_t numbers) noexcept {

@@ -1,4 +1,4 @@
-// Works out which symbols stand on one address.
+// Computes which symbols share an address.
 #include "symplant/engine/shared_positions.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Symbols that stand on one address.
+// The symbols that share an address with others.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace symplant::engine {
 
-/// A symbol's place, with the one that leads all symbols of its address.
+/// A symbol's position, and that of the leader of all symbols on its address.
 struct SharedPosition {
   std::uint32_t position;  ///< a bit, or kSharedSlot + a slot
-  std::uint32_t leader;    ///< likewise
+  std::uint32_t leader;    ///< a bit, or kSharedSlot + a slot
 };
 inline constexpr std::uint32_t kSharedSlot = 0x8000'0000;
 
@@ -23,7 +23,7 @@ class SharedPositions {
   void build(const tables::PlantTables& tables, tables::Direction direction, Arena& arena) noexcept;
 
   bool empty() const noexcept { return size_ == 0; }
-  /// All places of the address that `place` stands on, itself included; empty where it has its address for itself.
+  /// All positions with the same address as `position`, including itself; empty if it shares its address with no other.
   /// O(log shared symbols).
   std::span<const SharedPosition> with(std::uint32_t position) const noexcept;
 

@@ -1,4 +1,4 @@
-// Rises of events within the last cycle.
+// Stores the rises of events within the last cycle.
 #include "symplant/engine/short_events.hpp"
 
 #include <algorithm>

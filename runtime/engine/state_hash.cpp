@@ -1,4 +1,4 @@
-// The digest of the logical state, field by field as docs/engine.md lists them.
+// The digest of the logical state, in the fields and order of docs/engine.md.
 #include <algorithm>
 
 #include "symplant/engine/engine_inline.hpp"

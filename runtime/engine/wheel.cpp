@@ -1,4 +1,4 @@
-// The radix wheel.
+// The radix wheel of due times.
 #include "symplant/engine/wheel.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
   if (state.previous != kNone) {
     units[state.previous].next = state.next;
   } else {
-    const std::uint32_t bucket = bucket_of(state.due);  // where it was put, whatever has been cut since
+    const std::uint32_t bucket = bucket_of(state.due);  // still its bucket after every cut
     heads_[bucket] = state.next;
     if (state.next == kNone) vacate(bucket);
   }
@@ -55,7 +55,7 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
       bound_ = (last_ & ~tables::Time{kTransitions - 1}) | bucket;
       return bound_ <= limit ? bound_ : tables::kNever;
     }
-    // The bucket's first time: the groups above from last_, its digit, zeros.
+    // The bucket's first time: the higher groups of last_, the bucket's digit, then zeros.
     const std::uint32_t shift = bucket / kTransitions * kBits;
     const std::uint64_t above = shift + kBits < 64 ? ~std::uint64_t{0} << (shift + kBits) : 0;
     const std::uint64_t digit = bucket % kTransitions;
@@ -64,11 +64,11 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
       bound_ = base;
       return tables::kNever;
     }
-    // Cut the bucket whether or not its first entry is due yet: time has reached it, and so it is never walked in vain
-    // twice.
+    // Cut the bucket even if its first entry is not due yet: time has reached the bucket, and without the cut every
+    // later call would walk it.
     const auto [first, last] = bucket_range(units, bucket);
     last_ = first <= limit ? first : base;
-    if (first == last && first <= limit) {  // all at one time: as it stands it becomes the bucket of that time
+    if (first == last && first <= limit) {  // all at one time: it becomes the bucket of that time unchanged
       const std::uint32_t now = digit_of(last_, 0);
       heads_[now] = heads_[bucket];
       vacate(bucket);

@@ -1,9 +1,9 @@
-// When units become due: an exact monotone radix wheel, 256-way, with one intrusive entry a unit.
+// The due times of units: an exact monotone radix wheel, 256-way, with one intrusive entry per unit.
 //
-// A bucket is chosen by the highest group of eight bits in which a due time differs from `last`, and by the due time's
-// digit in that group (a radix heap: Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem",
-// 1990). As time goes on a bucket is cut into lower ones; a unit moves down at most once a group, so that arming and
-// expiry cost O(1) amortised whatever the number of units.
+// The bucket of a due time depends on the highest group of eight bits in which it differs from `last`, and on its digit
+// in that group (a radix heap: Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem",
+// 1990). As time advances a bucket is cut into lower ones. A unit moves down at most once per group, so arming and
+// expiry cost amortized O(1) for any number of units.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +17,14 @@
 
 namespace symplant::engine {
 
-/// Lies in the flat block: indices only.
+/// Lies in the flat block: it has indexes and no pointers.
 class Wheel {
  public:
   static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
   void clear() noexcept;
 
-  /// `due` must not lie before any time that expired() has given.
+  /// `due` must not be before any time that earliest() has returned.
   void insert(UnitState* units, std::uint32_t unit, tables::Time due) noexcept {
     units[unit].due = due;
     units[unit].flags |= kTimed;
@@ -33,16 +33,16 @@ class Wheel {
   }
   void remove(UnitState* units, std::uint32_t unit) noexcept;
 
-  /// The earliest due time up to and including `limit`, or kNever. Nothing before `limit` may be inserted afterwards
-  /// that lies before what this gives (or before `limit`, where it gives kNever).
+  /// The earliest due time up to and including `limit`, or kNever. Afterwards no due time before the returned time may
+  /// be inserted (or before `limit`, if it returned kNever).
   tables::Time earliest(UnitState* units, tables::Time limit) noexcept;
   /// The earliest due time of all, or kNever; changes nothing. O(units of one bucket).
   tables::Time peek(const UnitState* units) const noexcept;
 
-  /// Takes all units due at `time`, which earliest() has just given, out of the wheel: the first of them, chained by
-  /// `next`, their kTimed flags still set.
+  /// Removes all units that are due at `time`, which earliest() has just returned. Returns the first of them; the
+  /// others are chained by `next`. Their kTimed flags stay set.
   std::uint32_t take(tables::Time time) noexcept;
-  /// The only unit due at `time`, likewise, or kNone where there are more.
+  /// The only unit due at `time`, which earliest() has just returned, or kNone if there are several.
   std::uint32_t sole(const UnitState* units, tables::Time time) const noexcept {
     const std::uint32_t first = heads_[digit_of(time, 0)];
     return units[first].next == kNone ? first : kNone;
@@ -52,7 +52,7 @@ class Wheel {
   static constexpr std::uint32_t kBits = 8;
   static constexpr std::uint32_t kTransitions = 1U << kBits;
   static constexpr std::size_t kLevels = 8;
-  static constexpr std::uint32_t kWords = kTransitions / 64;  ///< of `occupied_`, a level
+  static constexpr std::uint32_t kWords = kTransitions / 64;  ///< words of `occupied_` per level
 
   static std::uint32_t digit_of(tables::Time time, std::uint32_t level) noexcept {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(time) >> (kBits * level)) & (kTransitions - 1);
@@ -77,13 +77,13 @@ class Wheel {
     occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
     words_ |= std::uint32_t{1} << (bucket / 64);
   }
-  /// It has no unit any more.
+  /// Marks a bucket as empty.
   void vacate(std::uint32_t bucket) noexcept {
     heads_[bucket] = kNone;
     occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
     if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint32_t{1} << (bucket / 64));
   }
-  /// The one that holds the earliest of all.
+  /// The bucket with the earliest entry; the wheel must not be empty.
   std::uint32_t lowest_bucket() const noexcept {
     const auto word = static_cast<std::uint32_t>(std::countr_zero(words_));
     return word * 64 + static_cast<std::uint32_t>(std::countr_zero(occupied_[word]));
@@ -93,11 +93,11 @@ class Wheel {
     tables::Time first;
     tables::Time last;
   };
-  /// Of a bucket that is not empty. O(its units).
+  /// The first and last due time of a bucket that is not empty. O(units in the bucket).
   Range bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept;
 
-  tables::Time last_;    ///< no entry lies before it
-  tables::Time bound_;   ///< nor before this: an idle look costs one compare
+  tables::Time last_;    ///< no entry is before it
+  tables::Time bound_;   ///< no entry is before it: a call with nothing due costs one comparison
   std::uint32_t words_;  ///< bit w: occupied_[w] is not 0
   std::array<std::uint64_t, kLevels * kWords> occupied_;
   std::array<std::uint32_t, kLevels * kTransitions> heads_;

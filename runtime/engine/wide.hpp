@@ -1,4 +1,4 @@
-// Products of 64-bit numbers without loss.
+// 128-bit integers for exact products of 64-bit numbers.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace symplant::engine {
 __extension__ using Wide = unsigned __int128;
 __extension__ using SignedWide = __int128;
 #else
-#error "the engine needs a 128-bit integer type"
+#error "the engine needs a 128-bit integer type; compile with GCC or Clang for a 64-bit target"
 #endif
 
 }  // namespace symplant::engine

@@ -1,4 +1,4 @@
-// CLOCK_MONOTONIC in nanoseconds.
+// Reads CLOCK_MONOTONIC in nanoseconds.
 #include "symplant/exec/clock.hpp"
 
 #include <ctime>
@@ -8,7 +8,7 @@
 namespace symplant::exec {
 
 tables::Time MonotonicClock::now() noexcept {
-  const Unguarded allowed;  // a system call where the kernel has no vDSO
+  const Unguarded allowed;  // a system call if the kernel has no vDSO
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
   return tables::Time{time.tv_sec} * tables::kSecond + tables::Time{time.tv_nsec};

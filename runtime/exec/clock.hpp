@@ -1,11 +1,11 @@
-// The clock that paces the cycle: a parameter, so that tests hand in one of their own.
+// The clock that paces the cycle: an interface, so that tests can replace it.
 #pragma once
 
 #include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
-/// A clock that never goes back. Its zero is anywhere.
+/// A clock that never goes back, in ns. Its zero is arbitrary.
 class Clock {
  public:
   Clock() = default;
@@ -14,11 +14,11 @@ class Clock {
   virtual ~Clock() = default;
 
   virtual tables::Time now() noexcept = 0;
-  /// Sleeps until `time`. May come back earlier (a signal, say), so callers look at the clock again.
+  /// Sleeps until `time`. May return earlier (for example after a signal), so callers must check now().
   virtual void sleep_until(tables::Time time) noexcept = 0;
 };
 
-/// CLOCK_MONOTONIC, whatever happens to the time of day. Sleeps on absolute times, so that no delay adds up.
+/// CLOCK_MONOTONIC: changes of the time of day have no effect. Sleeps until absolute times, so delays do not add up.
 class MonotonicClock final : public Clock {
  public:
   tables::Time now() noexcept override;

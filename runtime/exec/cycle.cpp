@@ -1,4 +1,4 @@
-// The real-time cycle: links and plant, once a cycle, on absolute deadlines.
+// Runs the real-time cycle: links and plant, once per cycle, at absolute deadlines.
 #include "symplant/exec/cycle.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@ namespace symplant::exec {
 
 namespace {
 
-/// How long a stop may go unseen: a signal that another thread gets does not end this one's sleep.
+/// Limits the delay of a stop: a signal to another thread does not end the sleep of this thread.
 constexpr tables::Time kLongestSleep = 100 * tables::kMillisecond;
 constexpr std::size_t kReportedLinks = 64;
-/// So many cycles a standstill of this process counts for a PLC's silence: nobody heard it meanwhile.
+/// In cycles: a longer delay of this process counts only as this much silence of a PLC, as no link could read then.
 constexpr tables::Time kStandstill = 2;
 constexpr tables::Time kStopped = tables::kNever;
 
@@ -47,7 +47,7 @@ class Run {
   }
 
  private:
-  /// When it is past `deadline`; kStopped where a stop came first.
+  /// The time at which it returns, at or after `deadline`; kStopped if a stop came first.
   tables::Time wait_until(tables::Time deadline) noexcept {
     for (;;) {
       meter_.beats.add(1);
@@ -98,7 +98,7 @@ class Run {
     plant_.forget_changed_events();
   }
 
-  /// What the links are told of themselves and of each other.
+  /// The status for the links, from their states after reading.
   CycleStatus status() noexcept {
     CycleStatus status{.cycles = meter_.cycles.value(), .overruns = meter_.overruns.value()};
     for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -121,10 +121,10 @@ class Run {
   tables::Time cycle_;
   tables::Time spin_;
   std::int64_t most_;
-  tables::Time time_;                         ///< plant time of the cycle that was last
+  tables::Time time_;                         ///< plant time of the last cycle
   tables::Time offset_ = 0;                   ///< real time minus plant time; grows when plant time slips
-  tables::Time link_time_ = 0;                ///< by which links count how long their PLC is silent
-  tables::Time last_start_ = tables::kNever;  ///< of the cycle that was last
+  tables::Time link_time_ = 0;                ///< the time by which links measure the silence of their PLC
+  tables::Time last_start_ = tables::kNever;  ///< start of the last cycle
 };
 
 }  // namespace

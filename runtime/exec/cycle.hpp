@@ -1,4 +1,4 @@
-// The real-time cycle: links and plant, once a cycle, on absolute deadlines.
+// The real-time cycle: links and plant, once per cycle, at absolute deadlines.
 #pragma once
 
 #include <atomic>
@@ -16,27 +16,27 @@ namespace symplant::exec {
 
 struct CycleOptions {
   tables::Time cycle = 10 * tables::kMillisecond;  ///< from deadline to deadline, > 0
-  tables::Time until = tables::kNever;             ///< plant time of the last cycle, which may be a shorter one
-  std::int64_t max_catch_up = 10;                  ///< cycles run at once after a delay; what is beyond is slipped
-  tables::Time spin = 0;  ///< so long before a deadline the thread stays awake and looks at the clock, below `cycle`
+  tables::Time until = tables::kNever;             ///< plant time of the last cycle, which may be shorter
+  std::int64_t max_catch_up = 10;                  ///< cycles run at once after a delay; the time of the others slips
+  tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };
 
-/// Runs the plant in real time from where it stands until `stop` or the end of `options.until`.
+/// Runs the plant in real time from its current time until `stop` or `options.until`.
 ///
-/// First the plant's instant at its present time is run and every link gets its events. Then each cycle, at plant
-/// time T: every link's operations are read, the plant is advanced to T, every link gets the events, and the plant
-/// forgets which had changed. T grows by `options.cycle`, in step with the clock. A cycle that is late is run all the
-/// same, at once and for its own T, so the plant catches up in order; when more than `max_catch_up` cycles are due
-/// at once beside the present one, the time of the others is slipped.
+/// First it runs the plant's instant at now() and writes the events to every link. Then, in each cycle, at plant time
+/// T: it reads the operations from every link, advances the plant to T, writes the events to every link, and calls
+/// forget_changed_events(). T grows by `options.cycle`, in step with the clock. A late cycle runs at once, for its own
+/// T, so the plant catches up in order. If more than `max_catch_up` cycles are due in addition to the current one, the
+/// time of the others slips.
 ///
-/// While a link freezes the plant cycles go on with links alone; plant time stands still and is not caught up.
+/// While a link freezes the plant, cycles continue with the links only; plant time does not run and is not caught up.
 ///
-/// With a `stepper` it is that which advances the plant, and the run ends with the cycle in which it is over unless
-/// `options.until` says when. `stop` may be set by any thread or a signal handler and is seen within a tenth of a
-/// second. Takes no heap and no lock; its only system calls are the clock's. All of it but the links' leave() is
-/// guarded (guard/guard.hpp), so a thread under the guard's trap finds out whether that holds.
+/// A `stepper` advances the plant in place of run_cycles(); without `options.until` the run ends with the cycle in
+/// which stepper->over() becomes true. Any thread or a signal handler may set `stop`; it takes effect within 0.1 s. No
+/// heap and no locks; the only system calls are those of the clock. Everything except the links' leave() is guarded
+/// (guard/guard.hpp), so that a run under the trap verifies this.
 ///
-/// `meter` is added to, and may be read meanwhile by any thread.
+/// The results are added to `meter`, which any thread may read meanwhile.
 void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
                 CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer = nullptr,
                 Stepper* stepper = nullptr) noexcept;

@@ -1,4 +1,4 @@
-// What the cycles are measured by.
+// Measurements of the real-time cycle.
 #include "symplant/exec/cycle_meter.hpp"
 
 namespace symplant::exec {

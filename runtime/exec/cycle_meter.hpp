@@ -1,4 +1,4 @@
-// What the cycles are measured by: counted by the thread of the cycle, read by any.
+// Measurements of the real-time cycle: the cycle's thread writes them, any thread may read them.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@
 
 namespace symplant::exec {
 
-/// What a run came to, or has come to so far. Times in nanoseconds.
+/// The statistics of a run, so far or at its end. Times in nanoseconds.
 struct CycleStatistics {
   std::uint64_t cycles = 0;
   std::uint64_t overruns = 0;  ///< cycles that were not finished when the next was due
-  tables::Time slipped = 0;    ///< plant time lost: the plant's clock is behind the real one by so much
-  tables::Time frozen = 0;     ///< plant time that stood still, as a lost link's policy says
+  tables::Time slipped = 0;    ///< how much plant time fell behind the clock
+  tables::Time frozen = 0;     ///< time during which plant time did not run, by the policy of a lost link
   Durations lateness;          ///< from a cycle's deadline to its start
   Durations work;              ///< from a cycle's start to its end: links and plant
-  Durations jitter;            ///< by how much the time from one start to the next was off the cycle, either way
+  Durations jitter;            ///< absolute difference of the time between two starts from the cycle
 };
 
-/// Fixed memory (90 kB) and a fixed cost a cycle.
+/// Fixed memory (90 kB) and a fixed cost per cycle.
 class CycleMeter {
  public:
-  static constexpr std::size_t kMostLinks = 32;  ///< whose states are kept
+  static constexpr std::size_t kMostLinks = 32;  ///< number of links whose states are kept
 
-  Counter beats;  ///< each time the cycle looks at the clock: ten times a second at least, while it goes on
+  Counter beats;  ///< grows each time the cycle reads the clock: at least ten times a second while it runs
   Counter cycles;
   Counter overruns;
   Counter slipped;  ///< ns
@@ -38,14 +38,14 @@ class CycleMeter {
   CycleStatistics statistics() const noexcept;
 
   void note(std::size_t link, LinkState state) noexcept;
-  /// Whether the plant stood still in the latest cycle, as a lost link's policy says.
+  /// Whether the plant was frozen in the last cycle, by the policy of a lost link.
   void note_standstill(bool is_stopped) noexcept;
   bool is_stopped() const noexcept { return is_stopped_.value() != 0; }
-  /// Of a link below kMostLinks: how it stood in the latest cycle.
+  /// The state of a link in the last cycle; `link` must be below kMostLinks.
   LinkState state(std::size_t link) const noexcept;
 
  private:
-  Counter states_;      ///< two bits a link
+  Counter states_;      ///< two bits per link
   Counter is_stopped_;  ///< 0 or 1
 };
 

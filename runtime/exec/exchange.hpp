@@ -1,4 +1,4 @@
-// What the cycle asks of whatever stands between the plant and a PLC.
+// The interface of a link between the plant and a PLC, as the cycle uses it.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +8,23 @@
 
 namespace symplant::exec {
 
-/// How a link stands.
+/// The state of a link.
 enum class LinkState : std::uint8_t {
-  waiting,  ///< its PLC has not been heard yet
+  waiting,  ///< its PLC has not sent anything yet
   live,
-  lost,  ///< its PLC was heard and is silent
+  lost,  ///< its PLC was live and is silent now
 };
 
-/// What the cycle tells its links, for the PLC programmer.
+/// The status of the cycle that links pass on to the PLC.
 struct CycleStatus {
-  std::uint64_t cycles = 0;    ///< ended before this one
-  std::uint64_t overruns = 0;  ///< as CycleStatistics counts them
-  std::uint64_t live = 0;      ///< bit i: link i is live; of the first 64 links
-  bool frozen = false;         ///< the plant stands still, as a lost link's policy says
+  std::uint64_t cycles = 0;    ///< number of cycles before this one
+  std::uint64_t overruns = 0;  ///< as in CycleStatistics
+  std::uint64_t live = 0;      ///< bit i: link i is live; for the first 64 links
+  bool frozen = false;         ///< the plant is frozen, by the policy of a lost link
 };
 
-/// One exchange of images with a PLC. Both functions are called by the thread of the cycle, are noexcept and never
-/// block; what blocks has a thread of its own behind them.
+/// The exchange of images with one PLC. The cycle's thread calls all functions; they must not block. Blocking work runs
+/// in a separate thread.
 class Exchange {
  public:
   Exchange() = default;
@@ -32,20 +32,21 @@ class Exchange {
   Exchange& operator=(const Exchange&) = delete;
   virtual ~Exchange() = default;
 
-  /// Hands what the PLC wrote to the plant; called before the plant is advanced. `now` is a time by which a link knows
-  /// how long its PLC is silent: the clock's, but where this process stood still that counts for two cycles at most.
+  /// Writes the operations from the PLC to the plant; called before the plant is advanced. `now` is the time by which
+  /// the link measures the silence of its PLC, in ns: it follows the clock, but a delay of this process counts for two
+  /// cycles at most.
   virtual void read_operations(plant::Plant& plant, tables::Time now) noexcept = 0;
 
-  /// Hands the plant's events to the PLC; called after the plant was advanced, and once before the first cycle.
-  /// changed_events() of the plant names what changed since the call before.
+  /// Sends the plant's events to the PLC; called after the plant was advanced, and once before the first cycle.
+  /// plant.changed_events() has the changes since the previous call.
   virtual void write_events(const plant::Plant& plant, const CycleStatus& status) noexcept = 0;
 
-  /// The run ends: the last call. Images stay as they are.
+  /// The last call, at the end of the run. Images stay unchanged.
   virtual void leave() noexcept {}
 
-  /// As the last read_operations() found it.
+  /// The state at the last read_operations().
   virtual LinkState state() const noexcept { return LinkState::live; }
-  /// Whether the plant is to stand still, since this link is lost.
+  /// Whether the plant must freeze because this link is lost.
   virtual bool freezes_plant() const noexcept { return false; }
 };
 

@@ -1,4 +1,4 @@
-// Quantiles of a histogram.
+// Computes the quantiles of a histogram.
 #include "symplant/exec/histogram.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ Durations Histogram::durations() const noexcept {
   for (const Counter& bucket : buckets_) result.count += bucket.value();
   const std::uint64_t longest = max_.value();
   result.max = static_cast<tables::Time>(longest);
-  // The n-th of all, n rounded up; what is counted meanwhile can only make it a little too short.
+  // The n-th duration, n rounded up; durations counted meanwhile can only make the result slightly too short.
   const auto nth = [&](std::uint64_t per_thousand) {
     return result.count / 1000 * per_thousand + (result.count % 1000 * per_thousand + 999) / 1000;
   };

@@ -1,4 +1,4 @@
-// How long things took: a histogram of fixed size, counted by one thread and read by any.
+// A histogram of durations of fixed size; one thread counts, any thread reads.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace symplant::exec {
 
-/// A number that one thread counts up and any may read meanwhile.
+/// A number that one thread changes and any thread may read meanwhile.
 class Counter {
  public:
   void add(std::uint64_t more) noexcept { value_.store(value() + more, std::memory_order_relaxed); }
@@ -22,8 +22,8 @@ class Counter {
   std::atomic<std::uint64_t> value_{0};
 };
 
-/// What a histogram comes to, in nanoseconds. A quantile is at most 1/64 (1.6 %) above the duration itself, never
-/// below it; `max` is exact. All are 0 where nothing was counted.
+/// The summary of a histogram, in nanoseconds. A quantile is at most 1/64 (1.6 %) above the exact value and never below
+/// it; `max` is exact. All are 0 if nothing was counted.
 struct Durations {
   std::uint64_t count = 0;
   tables::Time p50 = 0;
@@ -32,18 +32,18 @@ struct Durations {
   tables::Time max = 0;
 };
 
-/// Counts durations from 0 to all that tables::Time holds: one by one up to 64 ns, then 64 buckets for each power of
-/// two. 30 kB, whatever is counted.
+/// Counts durations over the whole range of tables::Time >= 0: exactly up to 64 ns, then in 64 buckets for each power
+/// of two. 30 kB.
 class Histogram {
  public:
-  /// By one thread. What is below 0 counts as 0. Costs the same for each.
+  /// Only one thread may call it. A negative duration counts as 0. O(1).
   void add(tables::Time duration) noexcept {
     const auto value = static_cast<std::uint64_t>(duration < 0 ? 0 : duration);
     buckets_[bucket_of(value)].add(1);
     if (value > max_.value()) max_.set(value);
   }
 
-  /// By any thread, while another one counts, too. Looks at every bucket.
+  /// Any thread may call it, also while another one counts. O(buckets).
   Durations durations() const noexcept;
 
  private:
@@ -56,7 +56,7 @@ class Histogram {
     const auto scale = static_cast<std::size_t>(std::bit_width(value)) - 1 - kFineBits;
     return scale * kFine + (value >> scale);
   }
-  /// The longest duration that it counts.
+  /// The longest duration of a bucket.
   static constexpr std::uint64_t last_of(std::size_t bucket) noexcept {
     if (bucket < kFine) return bucket;
     const std::size_t scale = bucket / kFine - 1;

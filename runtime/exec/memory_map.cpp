@@ -1,4 +1,4 @@
-// Every mapping of the process, populated.
+// Populates every memory mapping of the process.
 #include "symplant/exec/memory_map.hpp"
 
 #include <pthread.h>
@@ -12,7 +12,7 @@
 namespace symplant::exec {
 namespace {
 
-// As Linux 5.14 numbers them; older headers have no names for them.
+// The values of Linux 5.14; older headers do not define them.
 constexpr int kPopulateRead = 22;
 constexpr int kPopulateWrite = 23;
 
@@ -36,8 +36,8 @@ bool parse(const std::string& line, Mapping& mapping) {
   return true;
 }
 
-/// A thread's stack lies right above a small piece that nobody may touch. What follows it without a gap is shown as one
-/// mapping with it.
+/// A thread's stack is directly above a small mapping without access rights (the guard page). The kernel shows it and
+/// memory directly after it as one mapping.
 bool begins_with_stack(const Mapping& mapping, const Mapping& below) {
   return mapping.writable && below.end == mapping.begin && !below.readable && !below.writable &&
          below.end - below.begin <= kLargestFence;
@@ -61,11 +61,11 @@ void populate_memory() {
   Mapping mapping;
   for (std::string line; std::getline(maps, line); below = mapping) {
     if (!parse(line, mapping)) continue;
-    const bool special = line.find("[v") != std::string::npos;  // the kernel's own
+    const bool special = line.find("[v") != std::string::npos;  // mappings of the kernel
     if (special || !mapping.readable || !mapping.own) continue;
     const std::uintptr_t begin = begins_with_stack(mapping, below) ? mapping.begin + stack : mapping.begin;
     if (begin >= mapping.end || mapping.end - begin > kLargest) continue;
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel tells addresses as numbers
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel gives addresses as numbers
     madvise(reinterpret_cast<void*>(begin), mapping.end - begin, mapping.writable ? kPopulateWrite : kPopulateRead);
   }
 }

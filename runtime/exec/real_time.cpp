@@ -1,4 +1,4 @@
-// A thread made fit for the cycle.
+// Prepares a thread for the real-time cycle.
 #include "symplant/exec/real_time.hpp"
 
 #include <pthread.h>
@@ -25,13 +25,13 @@ namespace symplant::exec {
 namespace {
 
 constexpr std::size_t kStack = std::size_t{256} * 1024;  ///< more than a cycle uses
-constexpr std::size_t kSpare = std::size_t{32} * 1024;   ///< of the stack, for what runs below the touch
+constexpr std::size_t kSpare = std::size_t{32} * 1024;   ///< of the stack, for calls below touch_stack()
 constexpr std::size_t kPage = 4096;
 constexpr std::uint64_t kMegabyte = 1024 * 1024;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// So much of the thread's stack lies free below `here`; 0 where the system does not tell.
+/// Bytes of the thread's stack that are free below `here`; 0 if unknown.
 std::size_t free_stack(const void* here) noexcept {
   pthread_attr_t attributes;
   if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
@@ -42,12 +42,13 @@ std::size_t free_stack(const void* here) noexcept {
   return known ? static_cast<std::size_t>(static_cast<const char*>(here) - static_cast<const char*>(lowest)) : 0;
 }
 
-/// No more than there is: `ulimit -s` may leave less than a cycle is given. A page a call, from the top downwards.
+/// Touches `bytes` of the stack, one page per call, from the top downwards. They must be free: `ulimit -s` may leave
+/// less than kStack.
 __attribute__((noinline)) void touch_stack(std::size_t bytes) noexcept {
   std::array<volatile std::byte, kPage> page;  // NOLINT(cppcoreguidelines-pro-type-member-init): written below
   page[0] = std::byte{};
   if (bytes > kPage) touch_stack(bytes - kPage);
-  page[kPage - 1] = std::byte{};  // behind the call, so that its frame stays
+  page[kPage - 1] = std::byte{};  // after the call, so that its frame stays
 }
 
 std::optional<Refusal> take_priority(int priority) {
@@ -56,9 +57,9 @@ std::optional<Refusal> take_priority(int priority) {
   if (sched_setscheduler(0, SCHED_FIFO, &wanted) == 0) return std::nullopt;
   const std::string number = std::to_string(priority);
   return Refusal{"priority", "`--priority " + number + "` is refused (" + reason(errno) +
-                                 "), so that other programs can delay the cycle: allow it by `ulimit -r " + number +
-                                 "`, in a systemd unit by LimitRTPRIO=" + number +
-                                 ", or by the capability CAP_SYS_NICE"};
+                                 "), other programs can delay the cycle: allow it with `ulimit -r " + number +
+                                 "`, with LimitRTPRIO=" + number +
+                                 " in a systemd unit, or with the capability CAP_SYS_NICE"};
 }
 
 /// "0 to 3, 6".
@@ -77,24 +78,24 @@ std::string text_of(const cpu_set_t& cpus) {
 
 std::optional<Refusal> stay_on(std::size_t cpu) {
   const std::string option = "`--cpu " + std::to_string(cpu) + "` is refused";
-  const char* const meaning = ", so that the cycle goes from processor to processor: ";
+  const char* const meaning = ", the cycle may move between processors: ";
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   sched_getaffinity(0, sizeof allowed, &allowed);
   if (cpu >= CPU_SETSIZE || !CPU_ISSET(cpu, &allowed)) {
-    return Refusal{"cpu", option + " (this process may not use it, or it is not there)" + meaning + "take one of " +
+    return Refusal{"cpu", option + " (it does not exist, or this process may not use it)" + meaning + "use one of " +
                               text_of(allowed)};
   }
   cpu_set_t wanted;
   CPU_ZERO(&wanted);
   CPU_SET(cpu, &wanted);
   if (sched_setaffinity(0, sizeof wanted, &wanted) == 0) return std::nullopt;
-  return Refusal{"cpu", option + " (" + reason(errno) + ")" + meaning + "take another of " + text_of(allowed)};
+  return Refusal{"cpu", option + " (" + reason(errno) + ")" + meaning + "use another one of " + text_of(allowed)};
 }
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
 
-/// All that is mapped, which is what the limit counts.
+/// Bytes of all mappings, which the limit counts.
 std::uint64_t mapped_memory() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -116,8 +117,8 @@ std::optional<Refusal> lock_memory() {
   }
   return Refusal{"lock-memory",
                  "`--lock-memory` is refused (" + why +
-                     "), so that the cycle may have to wait for memory that the system took away: allow it by `ulimit "
-                     "-l unlimited`, in a systemd unit by LimitMEMLOCK=infinity, or by the capability CAP_IPC_LOCK"};
+                     "), the cycle may have to wait for memory that was swapped out: allow it with `ulimit -l "
+                     "unlimited`, with LimitMEMLOCK=infinity in a systemd unit, or with the capability CAP_IPC_LOCK"};
 }
 
 std::optional<Refusal> stay_awake(std::unique_ptr<std::FILE, CloseFile>& awake) {
@@ -129,9 +130,8 @@ std::optional<Refusal> stay_awake(std::unique_ptr<std::FILE, CloseFile>& awake) 
     return std::nullopt;
   }
   return Refusal{"stay-awake", "`--stay-awake` is refused (" + reason(errno) +
-                                   "), so that an idle processor may take long to wake for the cycle: allow the "
-                                   "program to write " +
-                                   kDevice + ", by a udev rule for its group, or run it as root"};
+                                   "), an idle processor may wake late for the cycle: allow the program to write " +
+                                   kDevice + " with a udev rule for its group, or run it as root"};
 }
 
 }  // namespace

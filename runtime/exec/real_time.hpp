@@ -1,4 +1,4 @@
-// A thread made fit for the cycle: priority, processor, memory, timers.
+// Prepares a thread for the real-time cycle: priority, processor, memory, timers.
 #pragma once
 
 #include <cstdio>
@@ -9,20 +9,20 @@
 
 namespace symplant::exec {
 
-/// What is asked for beside what every cycle gets.
+/// Optional real-time settings.
 struct RealTimeOptions {
   std::optional<int> priority = {};  ///< of SCHED_FIFO, 1 to 99
-  std::optional<int> cpu = {};       ///< the processor to stay on, from 0
-  bool lock_memory = false;          ///< no page is taken away
-  bool stay_awake = false;           ///< processors enter no idle state that takes time to leave
+  std::optional<int> cpu = {};       ///< the processor to run on, from 0
+  bool lock_memory = false;          ///< keep all pages in memory
+  bool stay_awake = false;           ///< keep processors out of idle states from which they wake late
 
   bool any() const noexcept { return priority || cpu || lock_memory || stay_awake; }
 };
 
-/// What the system would not give.
+/// A setting that the system refused.
 struct Refusal {
   std::string option;   ///< "priority", "cpu", "lock-memory", "stay-awake"
-  std::string message;  ///< what was refused, why, what that means, what to do
+  std::string message;  ///< what was refused, why, the effect, and what to do
 };
 
 struct CloseFile {
@@ -31,16 +31,15 @@ struct CloseFile {
 
 struct RealTimeSetup {
   std::vector<Refusal> refused;
-  /// While it is open the processors stay awake; null where that was not asked for, or refused.
+  /// While it is open the processors stay awake; null if that was not requested, or refused.
   std::unique_ptr<std::FILE, CloseFile> awake = {};
 };
 
-/// Makes the calling thread ready for a cycle: its timers are exact to a nanosecond instead of 50 us, its stack and
-/// the program's memory as far as it is there are touched, and it gets what is asked for, or a refusal for each that
-/// it does not get. To be called when all other threads have begun: they keep their own priority and processor. Memory
-/// that is taken later is not locked, so that a limit can never make a later allocation or thread fail. To stay awake
-/// is asked of the kernel's power management (PM QoS, a latency of 0 us) for the whole machine, as long as the result
-/// lives.
+/// Prepares the calling thread for a cycle: sets its timer slack to 1 ns instead of 50 us, touches its stack and
+/// populates the program's memory, and applies `options`. Each option that fails gives a Refusal. Call it after all
+/// other threads have started: they keep their priority and processor. Memory allocated later is not locked, so that a
+/// limit cannot make a later allocation or thread fail. `stay_awake` requests a latency of 0 us from the kernel's power
+/// management (PM QoS) for the whole machine, for the lifetime of the result.
 RealTimeSetup set_up_real_time(const RealTimeOptions& options);
 
 }  // namespace symplant::exec

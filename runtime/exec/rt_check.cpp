@@ -1,4 +1,4 @@
-// Behaviours that tell whose code runs, and the guard's report in words.
+// Wraps custom behaviors to attribute violations to them, and formats the guard's report.
 #include "symplant/exec/rt_check.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using engine::Behaviour;
 using engine::BehaviourView;
 
-/// The behaviour that a telling one stands for: as many places behind it as there are behaviours.
+/// The wrapped behavior: the second half of behaviours() has the originals, in the order of the wrappers.
 const Behaviour& own(const BehaviourView& view) noexcept {
   const std::span<const Behaviour> all = view.behaviours();
   return all[all.size() / 2 + view.behaviour()];
@@ -64,12 +64,12 @@ Behaviour reporting(const Behaviour& behaviour) {
 }
 
 std::string whose(const Doing& doing, const tables::PlantTables& tables) {
-  if (doing.function == nullptr) return "in the plant's own cycle";
+  if (doing.function == nullptr) return "in the plant's cycle";
   const auto units = tables::split_names(tables.unit_names);
   const auto behaviours = tables::split_names(tables.behaviour_names);
   std::string text = "in `" + std::string(doing.function) + "`";
   for (const tables::BehaviourUnit& row : tables.behaviour_units) {
-    if (row.unit == doing.unit) text += " of behaviour `" + std::string(behaviours[row.name]) + "`";
+    if (row.unit == doing.unit) text += " of behavior `" + std::string(behaviours[row.name]) + "`";
   }
   return text + ", device " + std::string(units[doing.unit]);
 }
@@ -78,7 +78,7 @@ std::string whose(const Doing& doing, const tables::PlantTables& tables) {
 
 WatchedBehaviours::WatchedBehaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
   if (behaviours.empty()) return;
-  // One a name, so that the second half holds no name's place.
+  // One per name, so that no index of a name refers to the second half.
   std::vector<Behaviour> owns(behaviours.begin(), behaviours.end());
   owns.resize(tables::split_names(tables.behaviour_names).size());
   for (const Behaviour& behaviour : owns) all_.push_back(reporting(behaviour));
@@ -108,10 +108,10 @@ std::vector<std::string> rt_check_lines(const GuardReport& report, const tables:
     lines.push_back(std::move(line));
   }
   if (report.count > report.violations.size()) {
-    lines.push_back("and " + std::to_string(report.count - report.violations.size()) + " acts more");
+    lines.push_back("and " + std::to_string(report.count - report.violations.size()) + " more violations");
   }
-  if (!report.no_hooks.empty()) lines.push_back("heap and locks were not looked at: " + report.no_hooks);
-  if (!report.no_trap.empty()) lines.push_back("system calls were not looked at: " + report.no_trap);
+  if (!report.no_hooks.empty()) lines.push_back("heap and locks were not checked: " + report.no_hooks);
+  if (!report.no_trap.empty()) lines.push_back("system calls were not checked: " + report.no_trap);
   return lines;
 }
 

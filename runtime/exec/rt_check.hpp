@@ -1,4 +1,4 @@
-// --rt-check: a plant's cycles under the guard, and who broke the rules in words.
+// For --rt-check: custom behaviors under the guard, and the report of violations.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@
 
 namespace symplant::exec {
 
-/// The same behaviours, telling the guard whose code runs. A plant is made of watched() in place of them; it must not
-/// outlive this. `tables` must outlive it.
+/// Wraps custom behaviors, so that the guard records which behavior runs. Make the plant with watched() instead of the
+/// original behaviors. This object must outlive the plant.
 class WatchedBehaviours {
  public:
   WatchedBehaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
@@ -21,12 +21,12 @@ class WatchedBehaviours {
   std::span<const engine::Behaviour> watched() const noexcept { return all_; }
 
  private:
-  std::vector<engine::Behaviour> all_;  ///< those that tell, then those that they call, a behaviour each
+  std::vector<engine::Behaviour> all_;  ///< the wrappers, then the originals, one of each per name
 };
 
-/// What a watched run was found to do, a line for each act of each function: "heap: operator new, in `entered` of
-/// behaviour `MyStopper`, device L_P_STOPPER1, 12 times (first from main)". Then what could not be looked at. Names are
-/// as in the tables: not made fit for a terminal yet.
+/// The violations of a watched run, one line for each kind of violation of each function: "heap: operator new, in
+/// `entered` of behavior `MyStopper`, device L_P_STOPPER1, 12 times (called from main)". Then what could not be
+/// checked. Names are as in the tables: the caller must escape them for a terminal.
 std::vector<std::string> rt_check_lines(const GuardReport& report, const tables::PlantTables& tables);
 
 }  // namespace symplant::exec

@@ -1,16 +1,16 @@
-// Who brings the plant on to a cycle's time in place of the plant itself: a scenario, say.
+// An interface to advance the plant to a cycle's time, for example with a scenario.
 #pragma once
 
 #include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
 
-/// Called by the thread of the cycle, behind the links' reading and before their writing; bounded and noexcept.
+/// The cycle's thread calls it after the links' reads and before their writes. The calls must be bounded.
 class Stepper {
  public:
-  /// Runs the plant to `time`, its instant included.
+  /// Advances the plant to `time`, including the instant at `time`.
   virtual void advance_to(tables::Time time) noexcept = 0;
-  /// Whether it has nothing more to do, so that the run may end.
+  /// Whether it has nothing left to do, so that the run may end.
   virtual bool over() const noexcept = 0;
 
  protected:

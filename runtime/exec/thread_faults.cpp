@@ -1,4 +1,4 @@
-// Page faults and preemptions, as the kernel counts them.
+// Reads page faults and preemptions as counted by the kernel.
 #include "symplant/exec/thread_faults.hpp"
 
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-// Page faults and preemptions of a thread: what a cycle can suffer without a call of its own.
+// Page faults and preemptions of a thread: delays of a cycle that no call of its code causes.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 namespace symplant::exec {
 
 struct ThreadFaults {
-  std::uint64_t minor = 0;      ///< pages that were not there yet, and came from memory
-  std::uint64_t major = 0;      ///< pages that came from disk
-  std::uint64_t preempted = 0;  ///< times that the processor was taken away
+  std::uint64_t minor = 0;      ///< page faults resolved without the disk
+  std::uint64_t major = 0;      ///< page faults that read from disk
+  std::uint64_t preempted = 0;  ///< involuntary context switches
 
   std::uint64_t pages() const noexcept { return minor + major; }
   ThreadFaults operator-(const ThreadFaults& before) const noexcept {
@@ -22,7 +22,7 @@ struct ThreadFaults {
   }
 };
 
-/// Of the calling thread since it began; a system call. All 0 where the system does not tell.
+/// The counts of the calling thread since it started; a system call. All 0 if the system does not provide them.
 ThreadFaults thread_faults() noexcept;
 
 }  // namespace symplant::exec

@@ -1,4 +1,4 @@
-// Who looks after a run in real time.
+// Serves the user and the service manager during a run in real time.
 #include "symplant/host/attendant.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ constexpr tables::Time kTurn = 100 * tables::kMillisecond;
 constexpr auto kLinePeriod = std::chrono::seconds(1);
 constexpr std::size_t kUsualWidth = 79;
 
-/// A line that is longer than the terminal is wide could not be drawn over.
+/// The longest status line, in columns: a line wider than the terminal could not be redrawn.
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - std::size_t{1} : kUsualWidth;
@@ -35,18 +35,18 @@ std::size_t terminal_width() {
 
 bool can_draw(const RunOptions& options, const std::ostream& out) {
   if (&out != &std::cout || uses_standard_output(options) || isatty(STDOUT_FILENO) == 0) return false;
-  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  const char* const kind = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe): no thread sets variables
   return kind != nullptr && std::string_view(kind) != "dumb";
 }
 
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded) {
-  std::string text = fmt::format("{} cycles, p99 {:.1f} us late, {} overruns", meter.cycles.value(),
+  std::string text = fmt::format("{} cycles, late by {:.1f} us (p99), {} overruns", meter.cycles.value(),
                                  static_cast<double>(meter.lateness.durations().p99) / 1e3, meter.overruns.value());
   if (degraded) text += ", real time degraded";
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
     text += (i == 0 ? "; " : ", ") + links[i] + " " + state_name(meter.state(i));
   }
-  if (meter.is_stopped()) text += "; the plant stands still";
+  if (meter.is_stopped()) text += "; the plant is frozen";
   return text;
 }
 
@@ -90,7 +90,7 @@ void Attendant::report_manager() {
 }
 
 void Attendant::report_user(bool line_is_due) {
-  if (!console_.is_taken()) return;  // or the watchdog would wait for whoever reads
+  if (!console_.is_taken()) return;  // a blocked console would stop the watchdog messages
   const bool asked = take_status_request();
   if (!asked && !line_is_due) return;
   const std::string text = status_text(meter_, links_, degraded_);

@@ -1,4 +1,4 @@
-// Who looks after a run in real time, on a thread that is not the cycle's: status line, SIGUSR1, systemd.
+// Serves the user and the service manager during a run in real time: status line, SIGUSR1, systemd.
 #pragma once
 
 #include <condition_variable>
@@ -16,17 +16,16 @@
 
 namespace symplant::host {
 
-/// "1230 cycles, p99 85.2 us late, 0 overruns; PLC1 live, PLC2 waiting".
-/// A plant that stands still with a lost link says so at the end. `degraded`: the system refused what was asked for,
-/// which is said, too.
+/// "1230 cycles, late by 85.2 us (p99), 0 overruns; PLC1 live, PLC2 waiting", with ", real time degraded" if `degraded`
+/// (the system refused a requested real-time setting), and "; the plant is frozen" at the end if it is.
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded);
 
-/// Whether a status line can be drawn on `out`: it is a terminal, and no file goes there.
+/// Whether a status line can be drawn on `out`: it is a terminal, and no output file is written to it.
 bool can_draw(const RunOptions& options, const std::ostream& out);
 
-/// From its making to its end it draws a status line on `console` once a second where `draws`, writes one line
-/// of it for each SIGUSR1 as soon as that is taken, and tells the service manager: READY=1 when the cycle goes,
-/// STOPPING=1 when it is to end, WATCHDOG=1 as long as it goes on.
+/// From construction to destruction, on its own thread: draws a status line on `console` once per second if `draws`,
+/// writes it as a line for each SIGUSR1, and notifies the service manager: READY=1 when the cycle runs, STOPPING=1 when
+/// it is to end, WATCHDOG=1 while it makes progress.
 class Attendant {
  public:
   Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console);
@@ -48,7 +47,7 @@ class Attendant {
   ServiceManager manager_;
   bool ready_ = false;
   bool stopping_ = false;
-  std::uint64_t beats_ = 0;  ///< when the watchdog was told last
+  std::uint64_t beats_ = 0;  ///< count of beats at the last WATCHDOG=1
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::jthread thread_;

@@ -1,4 +1,4 @@
-// What a run tells its user.
+// The output of a run to its user.
 #include "symplant/host/console.hpp"
 
 #include <poll.h>
@@ -46,7 +46,7 @@ void Console::clear() {
 bool Console::is_taken() const {
   const int file = &out_ == &std::cout ? STDOUT_FILENO : &out_ == &std::cerr ? STDERR_FILENO : -1;
   pollfd asked{file, POLLOUT, 0};
-  return file < 0 || poll(&asked, 1, 0) != 0;  // a reader that is gone takes all
+  return file < 0 || poll(&asked, 1, 0) != 0;  // poll() also reports a reader that is gone; it blocks nothing
 }
 
 }  // namespace symplant::host

@@ -1,4 +1,4 @@
-// What a run tells its user, by whichever thread, in whole pieces.
+// The output of a run to its user, from any thread, without interleaving.
 #pragma once
 
 #include <mutex>
@@ -8,23 +8,24 @@
 
 namespace symplant::host {
 
-/// Standard output and messages as the threads of a run share them. Each function may be called by any thread; while
-/// several run, none but these touches `out` and `err`. A status line that is drawn makes way for what is told.
+/// Standard output and messages, shared by the threads of a run. Any thread may call each function; while several
+/// threads run, only these functions may use `out` and `err`. The status line is redrawn after each output.
 class Console {
  public:
-  /// Both must outlive it, and may be the same.
+  /// Both streams must outlive it, and may be the same.
   Console(std::ostream& out, std::ostream& err) : out_(out), err_(err) {}
 
-  /// A message: a line or several, each with its end.
+  /// Writes a message to `err`: one or more lines, each with its line end.
   void message(std::string_view text);
-  /// The like on `out`.
+  /// Writes lines to `out`.
   void line(std::string_view text);
-  /// Draws a status line without an end, in the place of the one before.
+  /// Draws a status line without a line end; replaces the previous one.
   void draw(std::string_view status);
-  /// Takes it away.
+  /// Removes the status line.
   void clear();
 
-  /// Whether whoever reads `out` takes something now, as far as can be seen: not a terminal stopped by Ctrl-S, say.
+  /// Whether a write to `out` would not block now, as far as known. False for a terminal stopped by Ctrl-S, for
+  /// example.
   bool is_taken() const;
 
  private:
@@ -36,7 +37,7 @@ class Console {
   std::string drawn_;
 };
 
-/// As long as it lives a write to `stream` does not flush the one that it is tied to, which another thread may use.
+/// During its lifetime a write to `stream` does not flush the tied stream, which another thread may use.
 class Untied {
  public:
   explicit Untied(std::ostream& stream) : stream_(stream), before_(stream.tie(nullptr)) {}

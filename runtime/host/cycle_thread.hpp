@@ -12,25 +12,25 @@
 
 namespace symplant::host {
 
-/// Set up first, then told to go, then waited for.
+/// Use in this order: constructor (sets up the thread), go(), join().
 class CycleThread {
  public:
-  /// `cycles` is run on the thread, behind go(); with `guarded` under the guard's trap.
+  /// The thread runs `cycles` after go(); if `guarded`, under the trap of the guard.
   CycleThread(const exec::RealTimeOptions& options, std::function<void()> cycles, bool guarded);
   CycleThread(const CycleThread&) = delete;
   CycleThread& operator=(const CycleThread&) = delete;
-  /// Lets go of a thread that was never told to.
+  /// Ends the thread without cycles if go() was not called.
   ~CycleThread();
 
-  /// What the system would not give, as soon as it is known.
+  /// The real-time settings that the system refused. Waits until the setup is done; call it only once.
   std::vector<exec::Refusal> refused() { return refused_.get(); }
   void go() { go_.set_value(true); }
   void join() { thread_.join(); }
 
-  // --- behind join()
+  // --- after join()
 
-  const exec::ThreadFaults& faults() const { return faults_; }  ///< in the cycles
-  const exec::GuardReport& report() const { return report_; }   ///< where it was guarded
+  const exec::ThreadFaults& faults() const { return faults_; }  ///< during the cycles
+  const exec::GuardReport& report() const { return report_; }   ///< if it was guarded
 
  private:
   void run(const exec::RealTimeOptions& options, const std::function<void()>& cycles, bool guarded);

@@ -1,4 +1,4 @@
-// That no file which a run writes is one that it reads, or another one that it writes.
+// Checks that no output file of a run is also an input or another output.
 #include "symplant/host/files_apart.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Output {
   std::string path;
 };
 
-/// A pipe or a device: it takes whatever comes, and is never begun anew.
+/// A pipe or a device: several outputs may share it, and it is never replaced.
 bool is_device(const std::string& path) {
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
@@ -39,7 +39,7 @@ std::vector<Output> outputs_of(const RunOptions& options) {
   return outputs;
 }
 
-/// Also by links, and before a file is there.
+/// Whether two paths are one file, also through links, and also if the file does not exist yet.
 bool same_file(const std::string& a, const std::string& b) {
   if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
   if (is_device(a)) return false;

@@ -1,4 +1,4 @@
-// That no file which a run writes is one that it reads, or another one that it writes.
+// Checks that no output file of a run is also an input or another output.
 #pragma once
 
 #include <ostream>
@@ -9,13 +9,14 @@
 
 namespace symplant::host {
 
-/// False, and told on `err`, where an output would destroy an input or another output. `inputs` are those of the plant.
+/// False, with messages on `err`, if an output would overwrite an input or another output. `inputs`: files of the
+/// plant.
 bool files_are_apart(const RunOptions& options, const std::vector<std::string>& inputs, std::ostream& err);
 
 /// Whether a path means standard output.
 bool is_standard_output(const std::string& path);
 
-/// Whether an output goes to standard output, so that nothing else may.
+/// Whether an output file goes to standard output, which then must have no other output.
 bool uses_standard_output(const RunOptions& options);
 
 }  // namespace symplant::host

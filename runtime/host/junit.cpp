@@ -1,4 +1,4 @@
-// Expectations and requirements as JUnit XML.
+// Reports expectations and requirements as JUnit XML.
 #include "symplant/host/junit.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +11,10 @@ namespace {
 struct TestCase {
   std::string name;
   tables::Time time = 0;
-  std::string failure;  ///< empty: it held
+  std::string failure;  ///< empty: passed
 };
 
-/// In seconds, to the nanosecond: plant time and no wall clock.
+/// Plant time in seconds, without the unit, to the nanosecond.
 std::string time_text(tables::Time time) {
   const std::string text = trace::seconds(time);
   return text.substr(0, text.find(' '));
@@ -55,7 +55,7 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
   return cases;
 }
 
-/// The bytes of the character that begins a text where it is whole and one that XML takes; else 0.
+/// The size in bytes of the first UTF-8 character; 0 if it is invalid or not allowed in XML.
 std::size_t xml_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);
@@ -89,7 +89,7 @@ std::string xml_text(std::string_view text) {
       xml += "&gt;";
     } else if (c == '"') {
       xml += "&quot;";
-    } else if (c == '\n' || c == '\t' || c == '\r') {  // would be read back as a blank in an attribute
+    } else if (c == '\n' || c == '\t' || c == '\r') {  // unescaped, an attribute would turn it into a blank
       xml += fmt::format("&#{};", static_cast<int>(c));
     } else {
       xml += text.substr(0, size);

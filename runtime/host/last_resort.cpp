@@ -1,4 +1,4 @@
-// A run that was told to end and cannot.
+// Ends a run that does not end after a signal.
 #include "symplant/host/last_resort.hpp"
 
 #include <fcntl.h>
@@ -21,9 +21,9 @@ using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLook{100};
-constexpr milliseconds kSameWish{200};  ///< a terminal that is closed may send its signal twice
+constexpr milliseconds kSameWish{200};  ///< a closed terminal may send its signal twice
 constexpr milliseconds kPatience{500};
-constexpr int kLooks = 3;       ///< a reader that is slow, but reads, takes something in between
+constexpr int kLooks = 3;       ///< a slow reader takes something in between
 constexpr int kMostFiles = 64;  ///< outputs are opened first
 
 /// Whether a pipe or a terminal that this process writes to is full.
@@ -70,13 +70,13 @@ void LastResort::look(const std::stop_token& done) {
     if (since < kSameWish) {
       wishes = stop_wishes();
     } else if (stop_wishes() != wishes) {
-      end_at_once("error: ended at once by a second signal; outputs may lack their end\n");
+      end_at_once("error: ended at once by a second signal; outputs may be incomplete\n");
     }
     not_taken = output_is_not_taken() ? not_taken + 1 : 0;
     if (since < kPatience) continue;
     if (!begun_.load()) end_at_once("error: ended by a signal before the run began\n");
     if (not_taken >= kLooks) {
-      end_at_once("error: ended by a signal while nobody took the output; outputs may lack their end\n");
+      end_at_once("error: ended by a signal while an output was blocked; outputs may be incomplete\n");
     }
   }
 }

@@ -1,4 +1,4 @@
-// A run that was told to end and cannot.
+// Ends a run that does not end after a signal.
 #pragma once
 
 #include <atomic>
@@ -8,15 +8,14 @@
 
 namespace symplant::host {
 
-/// From its making to its end it looks, on a thread of its own, whether a run that a signal ended does end. Where it
-/// does not, it ends the process on the spot with kEnvironment and says why:
+/// From construction to destruction it checks, on its own thread, whether the run ends after a signal. If it does not,
+/// the process ends at once with kEnvironment and a message:
 ///
-/// - half a second after the signal, where what the run writes is not taken: by a pipe whose reader stands still, a
-///   terminal stopped by Ctrl-S;
-/// - half a second after the signal, where the run has not begun: it waits for the reader of a FIFO or a name server;
-/// - at a second SIGINT or SIGTERM, a fifth of a second or more after the first.
+/// - 0.5 s after the signal, if an output is blocked: a pipe whose reader has stopped, a terminal stopped by Ctrl-S;
+/// - 0.5 s after the signal, if the run has not begun: it waits for the reader of a FIFO or for a name server;
+/// - at a second SIGINT or SIGTERM, 0.2 s or more after the first.
 ///
-/// What was written to files stays. A run that is slow for another reason, such as a busy disk, is given its time.
+/// Data already written to files stays. A run that is slow for another reason, such as a busy disk, is not ended.
 class LastResort {
  public:
   LastResort();
@@ -24,7 +23,7 @@ class LastResort {
   LastResort& operator=(const LastResort&) = delete;
   ~LastResort();
 
-  /// All is open: from now on only what is not taken or a second signal ends it.
+  /// All files and links are open: from now on only a blocked output or a second signal ends the process.
   void begun() { begun_.store(true); }
 
  private:

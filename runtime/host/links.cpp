@@ -15,10 +15,10 @@ std::string OpenLink::silence() const {
   using trace::seconds;
   if (settings.watchdog != link::kNowhere) {
     return "its watchdog, holding register " + std::to_string(settings.watchdog) + ", has not changed for " +
-           seconds(settings.watchdog_within) + "; look whether the PLC's program runs";
+           seconds(settings.watchdog_within) + "; check whether the PLC's program runs";
   }
   return "no valid request that touches the map has come for " + seconds(settings.loss_after) +
-         "; look whether the PLC runs and its cable is in";
+         "; check whether the PLC runs and is connected";
 }
 
 bool keeps_plants_links_closed(const RunOptions& options) {

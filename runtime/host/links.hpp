@@ -1,4 +1,4 @@
-// The links of a run: which ones, and opening them.
+// Selects and opens the links of a run.
 #pragma once
 
 #include <memory>
@@ -15,37 +15,37 @@
 
 namespace symplant::host {
 
-/// Whether the links that a plant brings with it are left out: with `--clock virtual`, and where a scenario is played
-/// unless `--clock real` is given.
+/// Whether the plant's own links stay closed: with `--clock virtual`, and with a scenario unless `--clock real` is
+/// given.
 bool keeps_plants_links_closed(const RunOptions& options);
 
 using LinkChoices = std::vector<link::LinkChoice>;
 
-/// Links of a run, and whose symbols each carries: those of the command line, else the plant's own where they are not
-/// left out.
+/// The links of a run and the controllers of their symbols: those of the command line, else the plant's own unless they
+/// stay closed.
 std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program, const RunOptions& options);
 
-/// Whether one of them is a PLC, whose time is real.
+/// Whether one of them is a link to a PLC, which needs real time.
 bool has_real_link(const LinkChoices& links);
 
-/// By symbol: operations that a PLC writes through one of them.
+/// By symbol: whether it is an operation that a PLC writes through one of the links.
 std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables);
 
 /// A link of a run.
 struct OpenLink {
-  std::string controller;  ///< whose symbols it carries, where a plant of several has to say; else empty
-  std::uint32_t carries;   ///< the controller's place; link::kAllControllers: of `loop:` alone
+  std::string controller;  ///< name of its controller if the plant has several; else empty
+  std::uint32_t carries;   ///< index of the controller; link::kAllControllers: only with `loop:`
   link::LinkSettings settings;
   std::unique_ptr<link::Link> link;
 
-  /// What a loss of it means, and what to look at.
+  /// Why a loss of it is reported, and what to check.
   std::string silence() const;
   /// `PLC1=URL` or `URL`, with the real port.
   std::string text() const { return (controller.empty() ? "" : controller + "=") + link->url(); }
 };
 using Links = std::vector<OpenLink>;
 
-/// Opens each; 0, or the exit code where one cannot be, which is told on `err`.
+/// Opens each link; 0, or the exit code of the first failure, with a message on `err`.
 int open_links(const LinkChoices& chosen, const tables::PlantTables& tables, const plant::Plant& plant, Links& links,
                std::ostream& err);
 

@@ -1,4 +1,4 @@
-// The scenario of a run, from its file.
+// Reads the scenario of a run from its file.
 #include "symplant/host/load_scenario.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace symplant::host {
 namespace {
 
-constexpr std::size_t kShownFaults = 100;  // each place costs a walk through the text
+constexpr std::size_t kShownFaults = 100;  // each location costs a pass over the text
 
 std::string index_text(const std::string& path, std::string_view text, json::Span span) {
   const json::LineColumn at = json::line_and_column(text, span.begin);
@@ -50,7 +50,7 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
     }
   }
   if (read.faults.size() > kShownFaults) {
-    err << fmt::format("{}: error: {} more like these are not shown\n", path, read.faults.size() - kShownFaults);
+    err << fmt::format("{}: error: {} more errors are not shown\n", path, read.faults.size() - kShownFaults);
   }
   return std::move(read.scenario);
 }

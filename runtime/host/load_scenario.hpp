@@ -1,4 +1,4 @@
-// The scenario of a run, from its file.
+// Reads the scenario of a run from its file.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace symplant::host {
 
-/// Nothing, and every fault told on `err` with its place, where it cannot be read.
+/// The scenario; nothing, with every error and its location on `err`, if it cannot be read.
 std::optional<scenario::Scenario> load_scenario(const std::string& path, const trace::PlantNames& names,
                                                 const std::vector<bool>& carried, std::ostream& err);
 

@@ -1,4 +1,4 @@
-// Where what is recorded of a run goes.
+// Writes the records of a run to its output files and its report.
 #include "symplant/host/outputs.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace symplant::host {
 namespace {
 
-/// Tells of a file that went wrong; false where it did.
+/// Reports the error of a file; false if there is one.
 template <class File>
 bool is_well(const std::optional<File>& file, const char* severity, std::ostream& err) {
   if (!file || file->error().empty()) return true;
@@ -119,7 +119,7 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
   is_well(vcd_, "warning", err);
   is_well(findings_, "warning", err);
   if (recorder_.lost_changes() != 0) {
-    err << fmt::format("warning: {} changes are missing in trace and VCD file: the disk was too slow\n",
+    err << fmt::format("warning: {} changes are missing in the trace and the VCD file: the disk was too slow\n",
                        recorder_.lost_changes());
   }
 }

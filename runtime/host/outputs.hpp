@@ -1,4 +1,4 @@
-// Where what is recorded of a run goes: the files that are asked for, and the report.
+// Writes the records of a run to its output files and its report.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,21 @@
 
 namespace symplant::host {
 
-/// Drains a recorder: in virtual time after each step of the run, in real time by a thread, so that the cycle never
-/// waits for a disk. All that is given to it must outlive it.
+/// Drains a recorder: in virtual time after each step of the run, in real time on a separate thread, so that the cycle
+/// never waits for a disk. All arguments of the constructor must outlive it.
 class Outputs {
  public:
-  /// `out` is standard output, for files that go there.
+  /// `out` is standard output, for files with the path `-`.
   Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder, trace::History& history,
           Report& report, std::ostream& out);
 
-  /// Opens the files; what was recorded before goes into them, too. False where one cannot be, which is told on `err`.
+  /// Opens the files; they also get earlier records. False, with a message on `err`, if one cannot be opened.
   bool open(std::uint64_t model_hash, std::ostream& err);
 
   void drain();
   void start_thread();
   void stop_thread();
-  /// Writes the rest, and tells on `err` what is missing.
+  /// Writes the remaining records, and reports on `err` what is missing.
   void finish(tables::Time end, std::ostream& err);
 
   std::uint64_t changes() const { return changes_; }
@@ -53,7 +53,7 @@ class Outputs {
   std::optional<trace::TraceFile> trace_;
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
-  std::vector<trace::FoundThing> found_;  ///< in the instant that is being drained
+  std::vector<trace::FoundThing> found_;  ///< findings of the instant that is being drained
   bool loop_goes_on_ = false;
   std::uint64_t changes_ = 0;
   std::uint64_t instants_ = 0;

@@ -1,4 +1,4 @@
-// What goes wrong in a run.
+// Reports the findings and failures of a run.
 #include "symplant/host/report.hpp"
 
 #include <fmt/format.h>

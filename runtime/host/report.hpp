@@ -1,4 +1,4 @@
-// What goes wrong in a run: told as it happens, counted, and summed up at the end.
+// Reports the findings and failures of a run: as they happen, counted, and summed up at the end.
 #pragma once
 
 #include <array>
@@ -17,33 +17,33 @@
 
 namespace symplant::host {
 
-/// Of a requirement.
+/// Violations of one requirement.
 struct Violation {
   std::uint64_t count = 0;
   tables::Time first = 0;
-  std::string words;  ///< of the first
+  std::string words;  ///< of the first violation
 };
 
 /// Used by one thread at a time. Names, history, scenario and the console must outlive it.
 class Report {
  public:
-  /// `scenario` is null where none is played; `file` is its path, for messages.
+  /// `scenario` may be null; `file` is its path, for messages.
   Report(const trace::PlantNames& names, const trace::History& history, const scenario::Scenario* scenario,
          std::string file, Console& console);
 
-  /// Tells the first of each kind and thing. Gives the sentence.
+  /// Counts a finding, and reports the first of each kind and subject. Returns its text.
   std::string found(const trace::FoundThing& found);
-  /// Step `step` has failed at its time.
+  /// Reports that step `step` failed at `time`.
   void failed(std::uint32_t step, tables::Time time);
 
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
   std::uint64_t findings() const;
   const Violation& violation(std::uint32_t requirement) const { return violations_[requirement]; }
-  /// Why a step failed; empty where it did not.
+  /// Why a step failed; empty if it did not fail.
   const std::string& failure(std::size_t step) const { return failures_[step]; }
 
-  /// At the end: what was not reached, as messages; counts, what is pending and what is on but not armed
-  /// on `out`. `outcomes` are the scenario's, if there is one.
+  /// To be called at the end: reports unreached expectations as messages, and on `out` the counts, pending
+  /// requirements, and operations that are on without effect. `outcomes` are those of the scenario, if there is one.
   void sum_up(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes, std::uint64_t lost_findings,
               std::ostream& out);
 
@@ -55,7 +55,7 @@ class Report {
   void report_requirements(const plant::Plant& plant, std::ostream& out) const;
   void report_disarmed(const plant::Plant& plant, std::ostream& out) const;
   std::string location(std::size_t step) const;
-  /// A line each, all but the first indented, behind `head`.
+  /// Writes each part as a line: the first after `head`, the others indented.
   void report(std::string head, std::span<const std::string> parts);
 
   const trace::PlantNames& names_;

@@ -1,4 +1,4 @@
-// Cycles of the plant under the guard of real time.
+// --rt-check: runs cycles of the plant under the real-time guard.
 #include "symplant/host/rt_check.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace symplant::host {
 namespace {
 
-/// Goes as fast as it is waited for.
+/// Jumps to each time that is waited for.
 class VirtualClock final : public exec::Clock {
  public:
   explicit VirtualClock(tables::Time now) : now_(now) {}
@@ -28,7 +28,7 @@ class VirtualClock final : public exec::Clock {
   tables::Time now_;
 };
 
-/// Advances the stage and takes what was recorded, since no other thread does.
+/// Advances the stage and drains its records, since no other thread drains them.
 class DrainingStage final : public exec::Stepper {
  public:
   explicit DrainingStage(Stage& stage) : stage_(stage) {}
@@ -41,7 +41,7 @@ class DrainingStage final : public exec::Stepper {
     drained_ += exec::thread_faults() - before;
   }
   bool over() const noexcept override { return false; }
-  /// What was suffered by taking it.
+  /// Page faults and preemptions caused by draining.
   const exec::ThreadFaults& drained() const noexcept { return drained_; }
 
  private:
@@ -60,7 +60,7 @@ tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options) {
 bool report_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out) {
   const std::uint64_t asked = options.rt_check.value_or(0);
   if (cycles >= asked) return false;
-  out << fmt::format("rt-check: {} of {} cycles were not looked at, since a signal ended the run\n", asked - cycles,
+  out << fmt::format("rt-check: {} of {} cycles were not checked, since a signal ended the run\n", asked - cycles,
                      asked);
   return true;
 }
@@ -71,12 +71,12 @@ bool report_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& 
     out << "rt-check: " << shown(line) << "\n";
   }
   if (faults.pages() != 0) {
-    out << fmt::format("rt-check: memory: {} ({} from disk): the cycle used memory that was not there yet\n",
+    out << fmt::format("rt-check: memory: {} ({} from disk): the cycle used memory that was not in RAM\n",
                        plural(faults.pages(), "page fault"), faults.major);
   }
   const std::uint64_t acts = report.count + faults.pages();
   out << fmt::format("rt-check: {} cycles, {}\n", cycles,
-                     acts == 0 ? "nothing found" : plural(acts, "act") + " that a cycle must not do");
+                     acts == 0 ? "nothing found" : plural(acts, "action") + " that a cycle must not take");
   return acts == 0;
 }
 

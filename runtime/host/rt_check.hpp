@@ -1,4 +1,4 @@
-// --rt-check: cycles of the plant under the guard of real time.
+// --rt-check: runs cycles of the plant under the real-time guard.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,19 @@
 
 namespace symplant::host {
 
-/// Plant time at which `options.rt_check` cycles are over.
+/// The plant time after `options.rt_check` cycles.
 tables::Time end_of_rt_check(tables::Time begin, const RunOptions& options);
 
-/// Tells on `out` what a guarded run of `cycles` cycles was found to do; gives whether it was nothing, as far as could
-/// be looked at.
+/// Reports on `out` what the guard found in `cycles` cycles. Returns whether it found nothing.
 bool report_rt_check(const exec::GuardReport& report, const exec::ThreadFaults& faults, std::uint64_t cycles,
                      const Stage& stage, std::ostream& out);
 
-/// Tells on `out` how many of `options.rt_check` cycles are missing in a run of so many, and why; whether any are.
+/// Reports on `out` how many of `options.rt_check` cycles a run of `cycles` cycles lacks, and why. Returns whether any.
 bool report_missing_cycles(std::uint64_t cycles, const RunOptions& options, std::ostream& out);
 
-/// Runs `options.rt_check` cycles on a thread of their own as fast as it goes, and looks at what links, plant,
-/// behaviours and scenario do in them. The stage's plant is made of exec::WatchedBehaviours. Gives
-/// whether nothing was found and no cycle is missing, and tells of both.
+/// Runs `options.rt_check` cycles on a separate thread as fast as possible, and checks what links, plant, behaviors and
+/// scenario do in them. The stage's plant must be made of exec::WatchedBehaviours. Reports on `out`; returns whether
+/// nothing was found and no cycle is missing.
 bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, std::ostream& out);
 
 }  // namespace symplant::host

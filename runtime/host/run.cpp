@@ -1,4 +1,4 @@
-// Runs a plant.
+// Runs a plant from start to end.
 #include "symplant/host/run.hpp"
 
 #include <chrono>
@@ -26,7 +26,7 @@
 namespace symplant::host {
 namespace {
 
-/// The files that are written when all is over; opened at the start, so that nobody runs an hour for nothing.
+/// The files that are written at the end. They are opened at the start, so that an error shows before a long run.
 class LastFiles {
  public:
   LastFiles(const RunOptions& options, std::ostream& out) : out_(out) {
@@ -81,7 +81,7 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
   return expected && required && !found ? kGood : kFindings;
 }
 
-/// Tells of options that were given and do nothing in this run.
+/// Warns of given options without effect in this run.
 void report_without_effect(const RunOptions& options, bool real, bool linked, std::ostream& err) {
   const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
                                                        {"--on-loss", options.on_loss.has_value()},
@@ -109,26 +109,25 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, st
   }
 }
 
-/// False where the options of time contradict each other, which is told.
+/// False, with a message on `err`, if the options of time contradict each other.
 bool times_fit(const RunOptions& options, std::ostream& err) {
   if (options.rt_check && options.until) {
-    err << "error: `--rt-check` says already how long the run is, as many cycles as it is given: leave `--until` "
-           "away\n";
+    err << "error: `--rt-check` already sets the length of the run, in cycles: remove `--until`\n";
     return false;
   }
   if (options.spin >= options.cycle) {
     err << "error: `--spin` of " << trace::seconds(options.spin) << " is not shorter than the cycle of "
-        << trace::seconds(options.cycle) << ": give less, 100us say\n";
+        << trace::seconds(options.cycle) << ": give less, such as 100us\n";
     return false;
   }
   return true;
 }
 
-/// From the plant at time 0 to the end; `tell` takes what is told on the way.
+/// Runs the plant from time 0 to the end. Returns the exit code. `report_to_user` takes the texts of the run.
 int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
          const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, LastResort& resort, Console& console,
          std::ostream& out, std::ostream& report_to_user, std::ostream& err) {
-  stage.advance_to(0);  // so that the plant stands where it starts before anybody is answered
+  stage.advance_to(0);  // so that links answer from the plant's initial state
   Links links;
   const int opened = open_links(chosen, program.tables, stage.plant, links, err);
   if (opened != kGood) return opened;
@@ -186,8 +185,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const auto& chosen = std::get<LinkChoices>(planned);
   const bool linked = has_real_link(chosen);
   if (linked && options.clock == RunOptions::Clock::virtual_time) {
-    err << "error: virtual time with a link to a PLC makes no sense, since the PLC's time is real: leave `--clock "
-           "virtual` away\n";
+    err << "error: a link to a PLC needs real time: remove `--clock virtual`\n";
     return kBadInput;
   }
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
@@ -211,7 +209,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   Stage stage(staged, options, names, played, real, out, console);
   const int code =
       play(stage, program, options, names, played, chosen, real, resort, console, out, report_to_user, err);
-  out.flush();  // as long as somebody looks whether it is taken
+  out.flush();  // while LastResort still detects a blocked output
   return code;
 }
 

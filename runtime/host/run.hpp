@@ -1,4 +1,4 @@
-// Runs a plant: the same for generated tables and for those made at run time.
+// Runs a plant, from generated tables or from tables made at run time.
 #pragma once
 
 #include <iosfwd>
@@ -8,8 +8,8 @@
 
 namespace symplant::host {
 
-/// Tells what the plant is, then runs it by the options until it ends or a signal (SIGINT, SIGTERM) comes. Results go
-/// to `out`, messages to `err`. Gives the exit code.
+/// Prints a summary of the plant, then runs it by the options until it ends or a signal (SIGINT, SIGTERM) comes.
+/// Results go to `out`, messages to `err`. Returns the exit code.
 int run(const PlantProgram& program, const RunOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace symplant::host

@@ -13,7 +13,7 @@
 namespace symplant::host {
 namespace {
 
-// Far from where 64 bits of nanoseconds end, so that deadlines cannot overflow.
+// Far below the limit of 64-bit nanoseconds, so that deadlines cannot overflow.
 constexpr tables::Time kLongestCycle = 3600 * tables::kSecond;
 constexpr int kHighestPriority = 99;
 constexpr std::int64_t kMostCatchUp = 1'000'000;
@@ -23,24 +23,24 @@ constexpr tables::Time kLatestEnd = 876'000 * (3600 * tables::kSecond);
 tables::Time duration(const std::string& text, const char* option) {
   const auto time = tables::parse_duration(text);
   if (!time) {
-    throw CLI::ValidationError(option,
-                               "`" + text + "` is no duration: write a number and ns, us, ms, s, min or h, like 500ms");
+    throw CLI::ValidationError(
+        option, "`" + text + "` is not a duration: write a number and ns, us, ms, s, min or h, such as 500ms");
   }
   return *time;
 }
 
-/// The whole of the text as a number from `least` on, without a sign.
+/// Parses the whole text as a number from `least` on, without a sign.
 std::uint64_t whole_number(const std::string& text, std::uint64_t least, const char* option) {
   std::uint64_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [read, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc{} && read == end && number >= least) return number;
   throw CLI::ValidationError(
-      option, "`" + text + "` is no whole number from " + std::to_string(least) + " to 18446744073709551615");
+      option, "`" + text + "` is not a whole number from " + std::to_string(least) + " to 18446744073709551615");
 }
 
 void add_files(CLI::App& app, RunOptions& options) {
-  app.add_option("--scenario", options.scenario, "play this scenario, and judge what it expects")->type_name("FILE");
+  app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
       ->type_name("FILE");
   app.add_option("--vcd", options.vcd, "write symbols and states to this file, for GTKWave and other wave viewers")
@@ -50,7 +50,7 @@ void add_files(CLI::App& app, RunOptions& options) {
          [&options](const std::string& text) {
            const auto size = parse_size(text);
            if (!size) {
-             throw CLI::ValidationError("--trace-limit", "`" + text + "` is no size: write bytes, or 500k, 10M, 1G");
+             throw CLI::ValidationError("--trace-limit", "`" + text + "` is not a size: write bytes, or 500k, 10M, 1G");
            }
            if (*size < kSmallestLimit) {
              throw CLI::ValidationError(
@@ -59,15 +59,12 @@ void add_files(CLI::App& app, RunOptions& options) {
            }
            options.trace_limit = *size;
          },
-         "a trace or VCD file of this size becomes FILE.1, and a new one is begun; 1k or more (default: no "
-         "limit)")
+         "rename a trace or VCD file of this size to FILE.1 and start a new one; 1k or more (default: no limit)")
       ->type_name("SIZE");
-  app.add_option("--findings", options.findings, "write what goes wrong in the plant to this file, as JSON lines")
-      ->type_name("FILE");
+  app.add_option("--findings", options.findings, "write all findings to this file, as JSON lines")->type_name("FILE");
   app.add_option("--junit", options.junit, "report expectations and requirements to this file, as JUnit XML")
       ->type_name("FILE");
-  app.add_option("--stats", options.stats, "write what the run came to, in numbers, to this file, as JSON")
-      ->type_name("FILE");
+  app.add_option("--stats", options.stats, "write statistics of the run to this file, as JSON")->type_name("FILE");
 }
 
 void add_real_time(CLI::App& app, RunOptions& options) {
@@ -75,12 +72,12 @@ void add_real_time(CLI::App& app, RunOptions& options) {
          "--on-loss",
          [&options](const std::string& text) {
            if (text != "hold" && text != "zero") {
-             throw CLI::ValidationError("--on-loss", "`" + text + "` says nothing of operations: write hold or zero");
+             throw CLI::ValidationError("--on-loss", "`" + text + "` is not a policy: write hold or zero");
            }
            options.on_loss = text == "hold" ? link::OnLoss::hold : link::OnLoss::zero;
          },
-         "what operations do while their link is lost, but for symbols with a policy of their own (default: what the "
-         "plant's `links` say, else hold)")
+         "what operations do while their link is lost, except symbols with their own policy (default: the plant's "
+         "`links`, else hold)")
       ->type_name("hold|zero");
   app.add_option_function<std::string>(
          "--late",
@@ -88,12 +85,12 @@ void add_real_time(CLI::App& app, RunOptions& options) {
            const auto most = parse_late(text);
            if (!most) {
              throw CLI::ValidationError(
-                 "--late", "`" + text + "` is no way to be late: write catch-up, catch-up:N (N up to 1000000) or slip");
+                 "--late", "`" + text + "` is not a policy: write catch-up, catch-up:N (N up to 1000000) or slip");
            }
            options.max_catch_up = *most;
            options.late_given = true;
          },
-         "in real time, when cycles are missed: run up to N of them at once, one after the other, or let plant time "
+         "in real time, after missed deadlines: run up to N cycles at once, one after the other, or let plant time "
          "slip "
          "(default: catch-up:10)")
       ->type_name("catch-up[:N]|slip");
@@ -102,7 +99,7 @@ void add_real_time(CLI::App& app, RunOptions& options) {
          [&options](int priority) {
            if (priority < 1 || priority > kHighestPriority) {
              throw CLI::ValidationError(
-                 "--priority", "`" + std::to_string(priority) + "` is no priority: write 1 (low) to 99 (high)");
+                 "--priority", "`" + std::to_string(priority) + "` is not a priority: write 1 (low) to 99 (high)");
            }
            options.real_time.priority = priority;
          },
@@ -112,21 +109,20 @@ void add_real_time(CLI::App& app, RunOptions& options) {
          "--cpu",
          [&options](int cpu) {
            if (cpu < 0) {
-             throw CLI::ValidationError("--cpu", "`" + std::to_string(cpu) + "` is no processor: they count from 0");
+             throw CLI::ValidationError(
+                 "--cpu", "`" + std::to_string(cpu) + "` is not a processor: write its number, counted from 0");
            }
            options.real_time.cpu = cpu;
          },
          "in real time: keep the cycle on this processor, counted from 0")
       ->type_name("N");
-  app.add_flag("--lock-memory", options.real_time.lock_memory,
-               "in real time: no memory of the program is taken away to make room for others");
+  app.add_flag("--lock-memory", options.real_time.lock_memory, "in real time: keep the memory of the program in RAM");
   app.add_flag("--stay-awake", options.real_time.stay_awake,
-               "in real time: no processor idles so deeply that it wakes late; it costs power");
+               "in real time: keep processors out of deep idle states, from which they wake late; costs power");
   app.add_option_function<std::string>(
          "--spin", [&options](const std::string& text) { options.spin = duration(text, "--spin"); },
-         "in real time: stay awake for this long before each cycle, to begin it within microseconds; it costs as much "
-         "of "
-         "a processor (default: 0s)")
+         "in real time: busy-wait for this long before each cycle, to start it within microseconds; costs CPU time "
+         "(default: 0s)")
       ->type_name("T");
 }
 
@@ -137,21 +133,21 @@ void add_run_options(CLI::App& app, RunOptions& options) {
          "--clock",
          [&options](const std::string& text) {
            if (text != "virtual" && text != "real") {
-             throw CLI::ValidationError("--clock", "`" + text + "` is no clock: write virtual or real");
+             throw CLI::ValidationError("--clock", "`" + text + "` is not a clock: write virtual or real");
            }
            options.clock = text == "real" ? RunOptions::Clock::real_time : RunOptions::Clock::virtual_time;
          },
-         "virtual: as fast as it goes; real: in step with the wall clock (default: real with a link other than loop:)")
+         "virtual: as fast as possible; real: in step with the wall clock (default: real with a link other than loop:)")
       ->type_name("virtual|real");
   app.add_option_function<std::string>(
          "--until",
          [&options](const std::string& text) {
            options.until = duration(text, "--until");
            if (*options.until > kLatestEnd) {
-             throw CLI::ValidationError("--until", "`" + text + "` is too late: 100 years (876000h) are the most");
+             throw CLI::ValidationError("--until", "`" + text + "` is too late: write at most 876000h (100 years)");
            }
          },
-         "end at this plant time, what happens at it included; not with --rt-check")
+         "end at this plant time, after its events; not with --rt-check")
       ->type_name("T");
   app.add_option_function<std::string>(
          "--cycle",
@@ -159,15 +155,16 @@ void add_run_options(CLI::App& app, RunOptions& options) {
            options.cycle = duration(text, "--cycle");
            options.cycle_given = true;
            if (options.cycle == 0 || options.cycle > kLongestCycle) {
-             throw CLI::ValidationError("--cycle", "`" + text + "` is no cycle: it is longer than 0 and at most 1h");
+             throw CLI::ValidationError("--cycle",
+                                        "`" + text + "` is not a cycle: write a time above 0 and at most 1h");
            }
          },
-         "in real time: from one exchange with the PLC to the next (default: 10ms)")
+         "in real time: length of a cycle, from one exchange with the PLC to the next (default: 10ms)")
       ->type_name("T");
   add_real_time(app, options);
   app.add_option("--link", options.links,
-                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:; of several controllers say which: "
-                 "PLC1=URL. Takes the place of the plant's own links")
+                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:; with several controllers name one: "
+                 "PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
   app.add_option_function<std::string>(
@@ -176,7 +173,7 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("N");
   app.add_option_function<std::string>(
          "--rt-check", [&options](const std::string& text) { options.rt_check = whole_number(text, 1, "--rt-check"); },
-         "run so many cycles under a guard that finds heap, locks, system calls and page faults in them, and end; exit "
+         "run N cycles under a guard that finds heap, locks, system calls and page faults in them, then end; exit "
          "code 1 if any")
       ->type_name("N");
   app.add_flag("--fail-on-findings", options.fail_on_findings,

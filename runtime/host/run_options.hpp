@@ -17,40 +17,39 @@ class App;
 
 namespace symplant::host {
 
-/// Files are named by their paths; empty: none. Of those that are written `-` is standard output.
+/// Files are paths; empty: no file. For output files `-` is standard output.
 struct RunOptions {
   enum class Clock { automatic, virtual_time, real_time };
 
-  Clock clock = Clock::automatic;  ///< real time where there is a link, else virtual time
+  Clock clock = Clock::automatic;  ///< real time with a link to a PLC, else virtual time
   std::optional<tables::Time> until;
   tables::Time cycle = 10 * tables::kMillisecond;
-  bool cycle_given = false;        ///< by the user
-  std::int64_t max_catch_up = 10;  ///< cycles run at once after a delay
-  bool late_given = false;         ///< max_catch_up, by the user
-  tables::Time spin = 0;           ///< awake before each deadline for so long
+  bool cycle_given = false;        ///< whether the user gave it
+  std::int64_t max_catch_up = 10;  ///< most cycles run at once after missed deadlines
+  bool late_given = false;         ///< whether the user gave --late
+  tables::Time spin = 0;           ///< time of busy-waiting before each cycle
   exec::RealTimeOptions real_time;
-  std::optional<link::OnLoss> on_loss;  ///< of every link; nothing: what its settings say
-  std::vector<std::string> links;       ///< URL or CONTROLLER=URL; none: the plant's own
+  std::optional<link::OnLoss> on_loss;  ///< for every link; nothing: as in its settings
+  std::vector<std::string> links;       ///< URL or CONTROLLER=URL; empty: the plant's own
   std::string scenario;
   std::string trace;
   std::string vcd;
   std::string findings;
   std::string junit;
   std::string stats;
-  std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, of trace and VCD file each
+  std::uint64_t trace_limit = trace::kNoLimit;  ///< bytes, for the trace and the VCD file each
   std::uint64_t seed = 0;
   bool fail_on_findings = false;
-  std::optional<std::uint64_t> rt_check;  ///< cycles to be run under the guard of real time, above 0
+  std::optional<std::uint64_t> rt_check;  ///< number of cycles to run under the real-time guard, above 0
 };
 
-/// Adds the options to a command; `options` must live until it is parsed.
+/// Adds the options to a command; `options` must outlive the parsing.
 void add_run_options(CLI::App& app, RunOptions& options);
 
-/// `catch-up:N`, `catch-up` and `slip`: the cycles that are caught up at most, 10 where no number is given. Nothing
-/// where the text is none of them.
+/// Parses `catch-up:N`, `catch-up` (10) or `slip` (0): the most cycles to catch up. Nothing for any other text.
 std::optional<std::int64_t> parse_late(const std::string& text);
 
-/// `500k`, `10M`, `1G`: bytes, with 1024 in a k. Nothing where the text is no size above 0.
+/// Parses `500`, `500k`, `10M`, `1G`: bytes, k is 1024. Nothing if the text is not a size above 0.
 std::optional<std::uint64_t> parse_size(const std::string& text);
 
 }  // namespace symplant::host

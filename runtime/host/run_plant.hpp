@@ -5,7 +5,7 @@
 
 namespace symplant::host {
 
-/// Parses the command line (the options of `symplant run`) and runs the plant. Gives the exit code.
+/// Parses the command line (the options of `symplant run`) and runs the plant. Returns the exit code.
 int run_plant(int argc, char** argv, const PlantProgram& program);
 
 }  // namespace symplant::host

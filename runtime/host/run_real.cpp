@@ -1,4 +1,4 @@
-// A run in real time, beside a PLC.
+// Runs a plant in real time, against a PLC.
 #include "symplant/host/run_real.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace {
 
 using trace::seconds;
 
-/// What happens when the link's PLC is silent, said before anything runs.
+/// The policy of a link on loss, for the report at the start.
 std::string policy_words(const OpenLink& open, const tables::PlantTables& tables) {
   if (open.link->state() != exec::LinkState::waiting) return "";
   const link::LinkSettings& settings = open.settings;
@@ -31,10 +31,10 @@ std::string policy_words(const OpenLink& open, const tables::PlantTables& tables
                      seconds(watchdog ? settings.watchdog_within : settings.loss_after),
                      watchdog ? "without a change of the watchdog" : "of silence",
                      link::loss_words(link::make_io_map(tables, open.carries, settings)),
-                     settings.plant_on_loss == link::PlantOnLoss::freeze ? "stands still" : "runs on");
+                     settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
 }
 
-/// What cannot work with the cycle that the run has.
+/// Warns of links whose timeouts are too short for the cycle.
 void warn_of_times(const RunOptions& options, const Links& links, std::ostream& err) {
   for (const OpenLink& open : links) {
     const link::LinkSettings& settings = open.settings;
@@ -43,7 +43,7 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
     const tables::Time silence = watchdog ? settings.watchdog_within : settings.loss_after;
     if (silence > 2 * options.cycle) continue;
     err << fmt::format(
-        "warning: link {}: `{}` of {} is not above two cycles of {}: the link will be lost again and again\n",
+        "warning: link {}: `{}` of {} is not above two cycles of {}: the link will be lost repeatedly, give more\n",
         open.text(), watchdog ? "within" : "loss-after", seconds(silence), seconds(options.cycle));
   }
 }
@@ -72,30 +72,31 @@ std::string text_of(const char* what, const exec::Durations& durations) {
 
 void report_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
   const exec::CycleStatistics& cycles = run.cycles;
-  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} lost{}\n", seconds(stage.plant.now()),
+  out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} slipped{}\n", seconds(stage.plant.now()),
                      stop_requested().load() ? " by a signal" : "", cycles.cycles, cycles.overruns,
                      seconds(cycles.slipped),
-                     cycles.frozen == 0 ? "" : fmt::format(", stood still for {}", seconds(cycles.frozen)));
+                     cycles.frozen == 0 ? "" : fmt::format(", frozen for {}", seconds(cycles.frozen)));
   if (cycles.cycles != 0) {
-    out << text_of("cycles began late by", cycles.lateness) << text_of("cycles worked for", cycles.work)
-        << text_of("from start to start a cycle was off by", cycles.jitter)
+    out << text_of("cycles late by", cycles.lateness) << text_of("work of a cycle", cycles.work)
+        << text_of("jitter of the cycle", cycles.jitter)
         << fmt::format("the cycle's thread: {} page faults ({} from disk), preempted {} times\n", run.faults.pages(),
                        run.faults.major, run.faults.preempted);
   }
   for (const OpenLink& open : links) {
     const link::LinkStatus status = open.link->status();
-    out << fmt::format("link {}: {} requests, {} exceptions, {} writes to gaps, lost {}{}\n", open.text(),
-                       status.requests, status.exceptions, status.writes_to_gaps, plural(status.losses, "time"),
-                       status.crowded_out == 0
-                           ? ""
-                           : fmt::format(", {} closed for want of room: more `connections`, or `keep`, in plant.json",
-                                         plural(status.crowded_out, "client")));
+    out << fmt::format(
+        "link {}: {} requests, {} exceptions, {} writes to gaps, lost {}{}\n", open.text(), status.requests,
+        status.exceptions, status.writes_to_gaps, plural(status.losses, "time"),
+        status.crowded_out == 0
+            ? ""
+            : fmt::format(", {} closed for lack of room: set more `connections`, or `keep`, in plant.json",
+                          plural(status.crowded_out, "client")));
   }
 }
 
-/// A PLC that reads the status block is given the time to read there that the plant stops.
+/// Waits until a PLC that reads the status block has read that the plant stops, for at most 0.5 s.
 void let_end_be_read(const Links& links) {
-  constexpr int kEndLooks = 100;  // half a second: SIGTERM is to end a run within one
+  constexpr int kEndLooks = 100;  // 0.5 s: SIGTERM is to end a run within 1 s
   const auto unread = [](const OpenLink& open) { return open.link->status().end_unread; };
   for (int i = 0; i < kEndLooks && std::any_of(links.begin(), links.end(), unread); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

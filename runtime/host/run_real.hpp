@@ -1,4 +1,4 @@
-// A run in real time, beside a PLC.
+// Runs a plant in real time, against a PLC.
 #pragma once
 
 #include <ostream>
@@ -14,19 +14,19 @@
 
 namespace symplant::host {
 
-/// What a run in real time came to.
+/// The result of a run in real time.
 struct RealRun {
   exec::CycleStatistics cycles;
-  exec::ThreadFaults faults;           ///< of the cycle's thread, in its cycles
-  bool asked = false;                  ///< for priority, processor or locked memory
-  std::vector<exec::Refusal> refused;  ///< of these
-  bool clean = true;                   ///< with --rt-check: nothing was done that a cycle must not do
+  exec::ThreadFaults faults;           ///< of the cycle's thread, during the cycles
+  bool asked = false;                  ///< whether a real-time setting was requested
+  std::vector<exec::Refusal> refused;  ///< settings that the system refused
+  bool clean = true;                   ///< with --rt-check: the guard found nothing
 };
 
-/// From where the plant stands, in step with the wall clock, to `--until`, else to the last step of the scenario, or to
-/// a signal; with `--rt-check` so many cycles under the guard, of a plant made of exec::WatchedBehaviours. Tells on
-/// `out` what runs, how it ended, and what the cycle and the links came to; on `err` what the system refused; while it
-/// runs it tells on `console`, which is made of both.
+/// Runs from the current plant time, in step with the wall clock, to `--until`, else to the last step of the scenario,
+/// or to a signal; with `--rt-check` for that many cycles under the guard (the plant must be made of
+/// exec::WatchedBehaviours). Reports on `out` the links, the end, and statistics of the cycle and the links; on `err`
+/// the settings that the system refused; during the run on `console`, which must use `out` and `err`.
 RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Console& console, std::ostream& out,
                  std::ostream& err);
 

@@ -1,4 +1,4 @@
-// A run in virtual time.
+// Runs a plant in virtual time.
 #include "symplant/host/run_virtual.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@ namespace {
 
 using trace::seconds;
 
-/// Where virtual time with neither `--until` nor a scenario ends at the latest.
+/// The latest end of a run with neither `--until` nor a scenario.
 constexpr tables::Time kLongest = 3600 * tables::kSecond;
 
 void advance(Stage& stage, tables::Time time) {
@@ -36,10 +36,10 @@ void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
       if (options.until) {
         out << fmt::format("ended at {}, as asked\n", seconds(end));
       } else if (nothing_left) {
-        out << fmt::format("ended at {}: nothing more is due; --link lets a PLC move it, --scenario a file\n",
+        out << fmt::format("ended at {}: nothing more is due; drive the plant with --link or --scenario\n",
                            seconds(stage.plant.now()));
       } else {
-        out << fmt::format("ended at {} of plant time: the plant would go on for ever; --until says how long\n",
+        out << fmt::format("ended at {} of plant time: the plant would run forever; set the end with --until\n",
                            seconds(end));
       }
       return;

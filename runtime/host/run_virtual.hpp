@@ -1,4 +1,4 @@
-// A run in virtual time: as fast as it goes.
+// Runs a plant in virtual time, as fast as possible.
 #pragma once
 
 #include <ostream>
@@ -8,8 +8,8 @@
 
 namespace symplant::host {
 
-/// From where the plant stands to `--until`, else to the last step of the scenario, else until nothing more is due, at
-/// the latest after an hour of plant time. Tells on `out` how it ended.
+/// Runs from the current plant time to `--until`, else to the last step of the scenario, else until nothing more is
+/// due, at most one hour of plant time. Reports the end on `out`.
 void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out);
 
 }  // namespace symplant::host

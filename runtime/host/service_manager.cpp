@@ -17,7 +17,7 @@ namespace symplant::host {
 namespace {
 
 std::string_view variable(const char* name) {
-  const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  const char* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): no thread sets variables
   return value == nullptr ? std::string_view() : value;
 }
 
@@ -48,7 +48,7 @@ ServiceManager::ServiceManager(const std::string& socket, tables::Time watchdog)
   if (socket.front() != '/' && socket.front() != '@') return;
   address.sun_family = AF_UNIX;
   std::memcpy(address.sun_path, socket.data(), socket.size());
-  if (socket.front() == '@') address.sun_path[0] = '\0';  // an abstract name, which ends where its length says
+  if (socket.front() == '@') address.sun_path[0] = '\0';  // an abstract name has no terminator, only a length
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + socket.size());
   socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (socket_ < 0) return;

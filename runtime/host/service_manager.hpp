@@ -1,4 +1,4 @@
-// systemd, told how the run stands, by the datagrams of sd_notify(3).
+// Notifies systemd of the state of the run, by datagrams of sd_notify(3).
 #pragma once
 
 #include <cstdint>
@@ -8,25 +8,25 @@
 
 namespace symplant::host {
 
-/// Whoever started the program as a service and gave it NOTIFY_SOCKET: a path, or an abstract name behind `@`. Nobody
-/// is told where it is not set, and where nobody hears it nothing goes wrong.
+/// The service manager that started the program and set NOTIFY_SOCKET: a path, or an abstract name after `@`. Without
+/// NOTIFY_SOCKET, or without a listener there, notifications do nothing.
 class ServiceManager {
  public:
-  /// From NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment; the latter two count where they are meant
-  /// for this process.
+  /// From NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment. WATCHDOG_USEC is ignored if WATCHDOG_PID is
+  /// another process.
   static ServiceManager of_environment();
-  /// `socket` as in NOTIFY_SOCKET, empty: nobody listens.
+  /// `socket` as in NOTIFY_SOCKET; empty: no notifications.
   ServiceManager(const std::string& socket, tables::Time watchdog);
   ServiceManager(ServiceManager&& other) noexcept;
   ServiceManager& operator=(ServiceManager&&) = delete;
   ~ServiceManager();
 
   bool listens() const noexcept { return socket_ >= 0; }
-  /// Silence of this length has the program killed; 0: it may be as silent as it likes.
+  /// The manager kills the program after this time without WATCHDOG=1; 0: never.
   tables::Time watchdog() const noexcept { return watchdog_; }
 
-  /// `state`: lines such as `READY=1`. Never waits; false where it did not go out, since the manager is behind with
-  /// what it was told, say.
+  /// Sends `state`: lines such as `READY=1`. Never waits; false if it was not sent, for example because the queue of
+  /// the manager is full.
   bool report(const std::string& state) const noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// The signals that a run knows.
+// The signals that a run handles.
 #include "symplant/host/signals.hpp"
 
 #include <csignal>
@@ -10,7 +10,7 @@ std::atomic<bool> stop{false};
 std::atomic<bool> status_asked{false};
 std::atomic<int> wishes{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
-              std::atomic<int>::is_always_lock_free);  // or a handler could not touch it
+              std::atomic<int>::is_always_lock_free);  // required in a signal handler
 
 void hang_up(int) { stop.store(true); }
 void request_stop(int) {

@@ -1,18 +1,18 @@
-// The signals that a run knows: SIGINT, SIGTERM and SIGHUP end it, SIGUSR1 asks how it stands.
+// The signals that a run handles: SIGINT, SIGTERM and SIGHUP end it, SIGUSR1 requests its status.
 #pragma once
 
 #include <atomic>
 
 namespace symplant::host {
 
-/// Catches them from now on, and forgets any that came before. A SIGHUP that is ignored stays so (`nohup`). A write to
-/// a closed connection or pipe is no signal, either.
+/// Handles them from now on, and forgets earlier ones. A SIGHUP that is ignored stays ignored (`nohup`). SIGPIPE is
+/// ignored, too.
 void catch_signals();
 
-/// Set by a signal. One for the whole process, since a handler can only reach what is global.
+/// Whether a signal requested the end. One flag for the process, since a handler can only access globals.
 const std::atomic<bool>& stop_requested();
 
-/// How many SIGINT and SIGTERM have come.
+/// Number of SIGINT and SIGTERM so far.
 int stop_wishes();
 
 /// Whether SIGUSR1 has come since the last call.

@@ -1,10 +1,10 @@
-// A plant ready to run.
+// A plant ready to run, with everything but its links.
 #include "symplant/host/stage.hpp"
 
 namespace symplant::host {
 namespace {
 
-/// In real time the one who drains may be held up by a disk for a while.
+/// In real time a slow disk may delay the draining thread.
 constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
 
 std::size_t capacity(const tables::PlantTables& tables, bool real_time) {

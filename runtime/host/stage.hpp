@@ -1,4 +1,4 @@
-// A plant ready to run: with who acts on it, who looks at it, and where that goes.
+// A plant ready to run: with its scenario player, recorder, report and outputs.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,17 @@
 
 namespace symplant::host {
 
-/// All parts of a run but its links. Refers to what it is made of. Its members refer to each other, so it stays where
-/// it is.
+/// All parts of a run but its links. The arguments of the constructor must outlive it. Its members refer to each other,
+/// so it cannot be copied or moved.
 class Stage {
  public:
-  /// `scenario` may be null. `out` is standard output, for files that go there.
+  /// `scenario` may be null. `out` is standard output, for files with the path `-`.
   Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
         const scenario::Scenario* scenario, bool real_time, std::ostream& out, Console& console);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Every instant before `time`, then the one at `time`, with what the scenario does.
+  /// Runs every instant before `time`, then the one at `time`, with the steps of the scenario.
   void advance_to(tables::Time time) noexcept {
     if (player) {
       player->advance_to(time);
@@ -34,7 +34,7 @@ class Stage {
       plant.advance_to(time, &recorder);
     }
   }
-  /// When something is due next, by the plant or the scenario; kNever where nothing is.
+  /// Time of the next event of the plant or step of the scenario; kNever if there is nothing more.
   tables::Time next_due() const noexcept {
     return player ? std::min(plant.next_due(), player->next()) : plant.next_due();
   }
@@ -44,7 +44,7 @@ class Stage {
   trace::History history;
   Report report;
   Outputs outputs;
-  std::optional<scenario::Player> player;  ///< where a scenario is played
+  std::optional<scenario::Player> player;  ///< only with a scenario
 };
 
 }  // namespace symplant::host

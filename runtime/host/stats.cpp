@@ -1,4 +1,4 @@
-// What a run came to, in numbers, as JSON.
+// Statistics of a run, as JSON.
 #include "symplant/host/stats.hpp"
 
 #include <fmt/format.h>

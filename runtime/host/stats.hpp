@@ -1,4 +1,4 @@
-// What a run came to, in numbers, as JSON.
+// Statistics of a run, as JSON.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ struct StatsInput {
   std::uint64_t seed = 0;
   const Outputs& outputs;
   const Report& report;
-  std::optional<scenario::Verdict> verdict;  ///< where a scenario was played
-  const std::optional<RealRun>& real_time;   ///< where it was real time
+  std::optional<scenario::Verdict> verdict;  ///< only with a scenario
+  const std::optional<RealRun>& real_time;   ///< only in real time
   const Links& links;
-  tables::Time wall = 0;  ///< ns that the run took
+  tables::Time wall = 0;  ///< duration of the run, in ns
 };
 
 std::string stats_text(const StatsInput& input);

@@ -1,4 +1,4 @@
-// What a plant is, in a few lines.
+// A short summary of a plant.
 #include "symplant/host/summary.hpp"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   for (const std::string& line : more) text += line + "\n";
   text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
-  text += fmt::format("nobody moves: {} of {}", undriven.size(), plural(events, "event"));
+  text += fmt::format("not driven: {} of {}", undriven.size(), plural(events, "event"));
   for (std::size_t i = 0; i < undriven.size() && i < kNamesShown; ++i) {
     text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(undriven[i]));
   }
@@ -72,7 +72,7 @@ std::string absent_behaviours(const tables::PlantTables& tables, std::span<const
   for (std::size_t b = behaviours.size(); b < names.size(); ++b) {
     const auto devices = std::count_if(tables.behaviour_units.begin(), tables.behaviour_units.end(),
                                        [&](const tables::BehaviourUnit& unit) { return unit.name == b; });
-    text += fmt::format("behaviour `{}` of {} absent: the model's own rules serve {}\n", shown(names[b]),
+    text += fmt::format("behavior `{}` of {} has no code: the model's own rules apply to {}\n", shown(names[b]),
                         plural(static_cast<std::size_t>(devices), "device"), devices == 1 ? "it" : "them");
   }
   return text;

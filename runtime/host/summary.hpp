@@ -1,4 +1,4 @@
-// What a plant is, in a few lines for the one who starts it.
+// A short summary of a plant, printed at the start of a run.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace symplant::host {
 
-/// The file names of the plant's symbol lists, with commas between; of many the first ones.
+/// The file names of the plant's symbol lists, separated by commas; only the first ones if there are many.
 std::string lists_text(const tables::PlantTables& tables);
 
-/// What was read, what can move, and what nobody moves. `more` are further lines, told behind the first. Numbers of a
-/// device that one of `behaviours` serves are that one's to move.
+/// The plant's inputs, the devices that can move, and the events that are not driven. `more` are further lines, after
+/// the first. A behavior in `behaviours` drives the numbers of its devices.
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
                     const std::vector<std::string>& more = {}, std::span<const engine::Behaviour> behaviours = {});
 
-/// A line for each behaviour that devices have and the program has no code for; nothing where there is none.
+/// A line for each behavior that devices have and the program has no code for; else empty.
 std::string absent_behaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
 
 }  // namespace symplant::host

@@ -1,4 +1,4 @@
-// A link whose losses are told.
+// Reports the losses of a link.
 #include "symplant/host/watched_link.hpp"
 
 #include "symplant/tables/lists.hpp"
@@ -9,7 +9,7 @@ using exec::LinkState;
 
 namespace {
 
-/// Places in PlantTables::behaviour_units of the devices with an operation of the controller.
+/// Indexes in PlantTables::behaviour_units of the devices with an operation of the controller.
 std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.units.size());
   for (std::uint32_t symbol = 0; symbol < tables.symbols.size(); ++symbol) {

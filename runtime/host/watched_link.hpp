@@ -1,4 +1,4 @@
-// A link whose losses are told: as findings, and to the behaviours of its devices.
+// Reports the losses of a link, as findings and to the behaviors of its devices.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace symplant::host {
 
-/// Stands between the cycle and a link. What it refers to must outlive it. Its members are called by the thread of the
-/// cycle; O(1) but for the cycle in which the link's state changes, which costs a call for each device of its
-/// controller that has a behaviour.
+/// An Exchange between the cycle and a link. Its references must outlive it. Used by the thread of the cycle. O(1),
+/// except for a cycle in which the state of the link changes: it costs a call for each device of its controller with a
+/// behavior.
 class WatchedLink final : public exec::Exchange {
  public:
-  /// `place`: of the link in the run, for its findings.
+  /// `place`: index of the link in the run, for its findings.
   WatchedLink(const OpenLink& link, std::uint32_t place, plant::Plant& plant, trace::Recorder& recorder);
 
   void read_operations(plant::Plant& plant, tables::Time now) noexcept override;
@@ -33,15 +33,15 @@ class WatchedLink final : public exec::Exchange {
 
   link::Link& link_;
   std::uint32_t place_;
-  std::vector<std::uint32_t> behaviours_;  ///< of devices whose operations it carries
+  std::vector<std::uint32_t> behaviours_;  ///< in PlantTables::behaviour_units: devices whose operations it carries
   trace::Recorder& recorder_;
   exec::LinkState before_;
 };
 
-/// The links of a run as the cycle takes them.
+/// The links of a run, for the cycle.
 class WatchedLinks {
  public:
-  /// Tells the plant's behaviours at once of links that are not live yet.
+  /// Reports links that are not live yet to the behaviors of the plant at once.
   WatchedLinks(const Links& links, plant::Plant& plant, trace::Recorder& recorder);
 
   std::span<exec::Exchange* const> exchanges() const noexcept { return exchanges_; }

@@ -1,4 +1,4 @@
-// Small texts that a run's messages share.
+// Short texts shared by the messages of a run.
 #include "symplant/host/words.hpp"
 
 #include <fmt/format.h>

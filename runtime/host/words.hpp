@@ -1,4 +1,4 @@
-// Small texts that a run's messages share.
+// Short texts shared by the messages of a run.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ std::string plural(std::size_t count, std::string_view word);
 /// `waiting`, `live`, `lost`.
 const char* state_name(exec::LinkState state);
 
-/// A name as a terminal may show it: control and direction-changing characters as `?`.
+/// A name that is safe on a terminal: control and direction-changing characters as `?`.
 std::string shown(std::string_view name);
 
 }  // namespace symplant::host

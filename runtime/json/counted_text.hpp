@@ -1,4 +1,4 @@
-// A text as nlohmann's reader takes it in, with the count of what it has taken.
+// An input iterator for nlohmann's reader that counts the bytes read.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace symplant::json {
 
-/// An input iterator that tells `taken` how many bytes have been read. The reader looks one byte ahead of a number.
+/// An input iterator that counts in `taken` the bytes read. After a number the reader has read one byte more.
 class CountedText {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -37,7 +37,7 @@ class CountedText {
   std::size_t* taken_;
 };
 
-/// Where the text that ends behind `end` (its closing quote included) begins: at its opening quote.
+/// The offset of the opening quote of a string literal; `end` is the offset after its closing quote.
 inline std::size_t opening_quote(std::string_view text, std::size_t end) {
   std::size_t at = end - 1;
   while (at > 0) {

@@ -1,4 +1,4 @@
-// JSON texts as values.
+// Parses JSON texts.
 #include "symplant/json/document.hpp"
 
 #include <nlohmann/json.hpp>
@@ -13,9 +13,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kLongestWords = 160;
-constexpr std::size_t kMostOfAKind = 100;  // faults, so that their places cost no more than the text
+constexpr std::size_t kMostOfAKind = 100;  // faults, so that their locations cost no more than the text
 
-/// Without bytes that make no whole character: the library reads, and cuts, byte by byte.
+/// Removes bytes that are not a complete UTF-8 character: the library reads, and cuts, byte by byte.
 std::string whole_characters(std::string_view text) {
   std::string whole;
   for (std::size_t at = 0; at < text.size();) {
@@ -29,7 +29,7 @@ std::string whole_characters(std::string_view text) {
   return whole;
 }
 
-/// The library's words without its own name and place: "unexpected '}'; expected string literal".
+/// The library's message without its name and location: "unexpected '}'; expected string literal".
 std::string words_of(std::string_view what) {
   for (const std::string_view mark : {" - ", ": ", "] "}) {
     const std::size_t at = what.find(mark, mark == ": " ? what.find("column ") : 0);
@@ -40,7 +40,7 @@ std::string words_of(std::string_view what) {
   return whole_characters(what.substr(0, kLongestWords)) + (what.size() > kLongestWords ? " ..." : "");
 }
 
-/// Builds the value, and watches for what the library lets pass.
+/// Builds the value, and finds faults that the library accepts.
 class Builder final : public Json::json_sax_t {
  public:
   Builder(std::string_view text, const std::size_t& taken, Document& document)
@@ -71,22 +71,22 @@ class Builder final : public Json::json_sax_t {
       member_ = &at->second;
     } else {
       if (twice_.size() < kMostOfAKind)
-        twice_.push_back({{token(), "the key `" + name + "` stands here for the second time, leave one out", {}},
-                          {pointer(), "it stood here first", 0, true}});
+        twice_.push_back({{token(), "the key `" + name + "` is repeated; remove one of the two", {}},
+                          {pointer(), "its first use is here", 0, true}});
       member_ = &unused_;
     }
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
-    const std::size_t end = std::min(position, text_.size());  // behind what was read last
+    const std::size_t end = std::min(position, text_.size());  // after the last byte read
     const std::size_t begin = end == 0 ? 0 : end - 1;
-    const std::string hint = ends_list(begin) ? "a comma stands before its end, leave it out; " : "";
-    document_.faults.push_back({{begin, end}, "this is no JSON: " + hint + words_of(error.what()), {}});
+    const std::string hint = ends_list(begin) ? "remove the comma before the closing bracket; " : "";
+    document_.faults.push_back({{begin, end}, "this is not valid JSON: " + hint + words_of(error.what()), {}});
     return false;
   }
 
-  /// The fault of every key that stands twice, with the place of the first.
+  /// Adds a fault for every repeated key, with the location of its first use.
   void report_twice() {
     std::vector<Fault> firsts;
     for (const Twice& twice : twice_) firsts.push_back(twice.first);
@@ -98,7 +98,7 @@ class Builder final : public Json::json_sax_t {
   }
 
  private:
-  /// An object or array that is not at its end.
+  /// An object or array that is still open.
   struct Level {
     Json* value;
     const std::string* key;  // of an object: the last one read
@@ -108,7 +108,7 @@ class Builder final : public Json::json_sax_t {
     Fault first;
   };
 
-  /// Whether a closing bracket stands there, behind a comma.
+  /// Whether there is a closing bracket at `at`, directly after a comma.
   bool ends_list(std::size_t at) const {
     if (at >= text_.size() || (text_[at] != ']' && text_[at] != '}')) return false;
     const std::size_t before = text_.find_last_not_of(" \t\r\n", at - 1);
@@ -119,7 +119,7 @@ class Builder final : public Json::json_sax_t {
 
   void refuse_nul(const std::string& value) {
     if (value.find('\0') == value.npos || document_.faults.size() >= kMostOfAKind) return;
-    document_.faults.push_back({token(), "a NUL character stands in this text, leave it out", {}});
+    document_.faults.push_back({token(), "this text contains a NUL character; remove it", {}});
   }
 
   template <class Value>
@@ -137,7 +137,7 @@ class Builder final : public Json::json_sax_t {
     return member_;
   }
 
-  /// Of the innermost object's last key.
+  /// The JSON pointer of the innermost object's last key.
   std::string pointer() const {
     std::string text;
     for (const Level& level : open_) {
@@ -149,11 +149,11 @@ class Builder final : public Json::json_sax_t {
   bool open(Json::value_t kind) {
     if (open_.size() == kMaxDepth) {
       document_.faults.push_back(
-          {{taken_ - 1, taken_}, "arrays and objects lie more than 100 levels deep, 100 are the most", {}});
+          {{taken_ - 1, taken_}, "arrays and objects are nested more than 100 levels deep, the limit is 100", {}});
       return false;
     }
     Json* value = put(Json(kind));
-    if (value == &unused_) {  // it is overwritten by the next such key, and may lie within itself
+    if (value == &unused_) {  // the next repeated key overwrites it, perhaps inside this value
       unused_values_.push_back(std::make_unique<Json>(kind));
       value = unused_values_.back().get();
     }
@@ -170,8 +170,8 @@ class Builder final : public Json::json_sax_t {
   const std::size_t& taken_;
   Document& document_;
   std::vector<Level> open_;
-  Json* member_ = nullptr;  // of the innermost object: the value to come
-  Json unused_;             // the value of a key that stands for the second time
+  Json* member_ = nullptr;  // of the innermost object: the next value
+  Json unused_;             // the value of a repeated key
   std::vector<std::unique_ptr<Json>> unused_values_;
   std::vector<Twice> twice_;
 };

@@ -1,4 +1,4 @@
-// JSON texts as values, with the places of their faults: comments allowed, a key twice refused.
+// Parses JSON texts with locations of faults; comments are allowed, repeated keys are rejected.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace symplant::json {
 
-/// How deep arrays and objects may lie in each other.
+/// Maximum nesting of arrays and objects.
 inline constexpr std::size_t kMaxDepth = 100;
 
 struct Document {
-  /// Null where the text is no JSON. Members stand in the order of their names.
+  /// Null if the text is not valid JSON. Members are in the order of their names.
   std::unique_ptr<nlohmann::json> root;
   std::vector<Placed> faults;
 
@@ -25,9 +25,9 @@ struct Document {
   ~Document();
 };
 
-/// Reads UTF-8, with a byte order mark or without, with // and /* */ comments. Faults are: a text that is no JSON, a
-/// key twice in one object (the first counts), a NUL in a text, both told a hundred times at most, more than kMaxDepth
-/// levels. Throws nothing but std::bad_alloc. O(text).
+/// Parses UTF-8, with or without a byte order mark, with // and /* */ comments. Faults are: invalid JSON, a repeated
+/// key in one object (the first counts), a NUL in a text (at most 100 faults for each of these two), and more than
+/// kMaxDepth levels. Throws only std::bad_alloc. O(text).
 Document parse(std::string_view text);
 
 }  // namespace symplant::json

@@ -1,4 +1,4 @@
-// Why a value does not fit a schema, in words.
+// Explains why a value does not match a schema.
 #include "symplant/json/explain.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr std::size_t kLongestShown = 60;
 
 std::string in_ticks(std::string_view text) {
   std::string shown(text.substr(0, kLongestShown));
-  if (shown.size() < text.size()) {  // not within a letter
+  if (shown.size() < text.size()) {  // do not cut within a character
     while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80) shown.pop_back();
     if (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80) != 0) shown.pop_back();
     shown += "...";
@@ -28,7 +28,7 @@ std::string in_ticks(std::string_view text) {
   return "`" + shown + "`";
 }
 
-/// "a text", of a type's name in a schema.
+/// The words for a type of a schema: "a text" for "string".
 std::string_view type_words(std::string_view type) {
   struct Words {
     std::string_view type;
@@ -67,7 +67,7 @@ class Explainer {
     if (faults.size() >= kMostFaults) return;
     const Json& own = resolved(schema);
     if (!own.is_object()) {
-      if (own == false) add(pointer, "nothing may stand here, leave it out");
+      if (own == false) add(pointer, "no value is allowed here; remove it");
       return;
     }
     for (const char* key : {"anyOf", "oneOf"}) {
@@ -75,7 +75,7 @@ class Explainer {
     }
     if (!type_fits(own, value)) return wrong_type(own, value, pointer);
     if (own.contains("const") && own["const"] != value) {
-      return add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(own, own["const"].dump()));
+      return add(pointer, "expected " + wanted(own, own["const"].dump()) + ", but found " + what_is_there(value));
     }
     if (own.contains("enum")) not_one_of(own, value, pointer);
     if (value.is_object()) members(own, value, pointer);
@@ -120,11 +120,11 @@ class Explainer {
         types += (types.empty() ? "" : " or ") + std::string(type_words(one.get_ref<const std::string&>()));
       }
     }
-    // Not of what is a fraction only because no whole number is so large.
+    // Not for a number that is a float only because it exceeds all integers.
     const bool spelt = type == "integer" && schema.contains("minimum") && value.is_number_float() &&
                        std::abs(value.get<double>()) < 1e15;
-    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types) +
-                     (spelt ? ", a whole one, written without a point or exponent" : ""));
+    add(pointer, "expected " + wanted(schema, types) + ", but found " + what_is_there(value) +
+                     (spelt ? "; write a whole number without a decimal point or exponent" : ""));
   }
 
   void not_one_of(const Json& schema, const Json& value, const std::string& pointer) {
@@ -136,8 +136,8 @@ class Explainer {
     }
     std::string nearest;
     if (value.is_string()) nearest = nearest_of(value.get_ref<const std::string&>(), values);
-    add(pointer, what_is_there(value) + " stands here, wanted is one of " + known +
-                     (nearest.empty() ? "" : "; the nearest is " + in_ticks(nearest)));
+    add(pointer, "expected one of " + known + ", but found " + what_is_there(value) +
+                     (nearest.empty() ? "" : "; did you mean " + in_ticks(nearest) + "?"));
   }
 
   static std::string nearest_of(std::string_view text, const Json& names) {
@@ -158,7 +158,7 @@ class Explainer {
         const bool titled = properties.contains(key) && resolved(properties[key]).contains("title");
         add(pointer,
             "the key " + in_ticks(key) + " is missing here" +
-                (titled ? ", it holds " + resolved(properties[key])["title"].get<std::string>() : ""),
+                (titled ? "; it holds " + resolved(properties[key])["title"].get<std::string>() : ""),
             true);
       }
     }
@@ -185,9 +185,9 @@ class Explainer {
       nearest.offer(name);
       if (++count <= kMostNamed) known += (known.empty() ? "" : ", ") + in_ticks(name);
     }
-    const std::string hint = !nearest.name().empty() ? ", the nearest is " + in_ticks(nearest.name())
+    const std::string hint = !nearest.name().empty() ? "; did you mean " + in_ticks(nearest.name()) + "?"
                              : count > kMostNamed    ? ""
-                                                     : ", known are " + known;
+                                                     : "; the known keys are " + known;
     add(pointer, "the key " + in_ticks(key) + " is unknown here" + hint, true);
   }
 
@@ -205,20 +205,20 @@ class Explainer {
     const bool short_text = value.is_string() && below("minLength");
     const bool short_array = value.is_array() && below("minItems");
     if (short_text || short_array) {
-      add(pointer, std::string(short_text ? "an empty text" : "an array of too few items") +
-                       " stands here, wanted is " + wanted(schema, "more"));
+      add(pointer, "expected " + wanted(schema, short_text ? "a longer text" : "more items") + ", but found " +
+                       (short_text ? "an empty text" : "an array of too few items"));
     }
     if (value.is_array() && schema.contains("maxItems") && size() > schema["maxItems"].get<std::size_t>()) {
-      add(pointer, "an array of too many items stands here, wanted is " + wanted(schema, "fewer"));
+      add(pointer, "expected " + wanted(schema, "fewer items") + ", but found an array of too many items");
     }
     if (!value.is_number()) return;
     if ((schema.contains("minimum") && value < schema["minimum"]) ||
         (schema.contains("maximum") && value > schema["maximum"])) {
-      add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, "a number within bounds"));
+      add(pointer, "expected " + wanted(schema, "a number within bounds") + ", but found " + what_is_there(value));
     }
   }
 
-  /// Of several schemas that of the value's own type; of objects the one that has most of its keys.
+  /// Continues with the schema of the value's type; for objects with the one that shares most keys with the value.
   void walk_best(const Json& schema, const Json& choices, const Json& value, const std::string& pointer) {
     const Json* best = nullptr;
     std::size_t most = 0;
@@ -238,7 +238,7 @@ class Explainer {
       }
     }
     if (best != nullptr) return walk(*best, value, pointer);
-    add(pointer, what_is_there(value) + " stands here, wanted is " + wanted(schema, types));
+    add(pointer, "expected " + wanted(schema, types) + ", but found " + what_is_there(value));
   }
 
   const Json& root_;

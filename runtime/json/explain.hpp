@@ -1,4 +1,4 @@
-// Why a value does not fit a schema, in words.
+// Explains why a value does not match a schema.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace symplant::json {
 
-/// Walks schema and value side by side and tells, for each value at fault, what is there and what is wanted; the first
-/// 100. Knows the keywords that Schema's own schemas keep to. O(value).
+/// Compares a value with a schema: the first 100 faults, each with what was expected and what was found. Supports the
+/// keywords listed at class Schema. O(value).
 std::vector<Fault> explain(const nlohmann::json& schema, const nlohmann::json& value);
 
 }  // namespace symplant::json

@@ -1,4 +1,4 @@
-// Where in a JSON text a value stands: a second reading of the text, of interest only where there is a fault.
+// Locates values in a JSON text: reads the text a second time, only if it has faults.
 #include "symplant/json/location.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 
 constexpr Span kNowhere{static_cast<std::size_t>(-1), 0};
 
-/// The values that are looked for, and those above them, as a tree.
+/// The values to locate, and their parents, as a tree.
 struct Wanted {
   std::map<std::string, std::unique_ptr<Wanted>, std::less<>> below;
   Wanted* above = nullptr;
@@ -51,7 +51,7 @@ Wanted* grow(Wanted& root, std::string_view pointer) {
 
 bool of_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E'; }
 
-/// Walks the tree beside the text.
+/// Walks through the tree in parallel with the text.
 class Walker final : public Json::json_sax_t {
  public:
   Walker(std::string_view text, const std::size_t& taken, Wanted& root) : text_(text), taken_(taken), next_(&root) {}
@@ -89,7 +89,7 @@ class Walker final : public Json::json_sax_t {
     return found == level.wanted->below.end() ? nullptr : found->second.get();
   }
 
-  /// The value to come.
+  /// The tree node of the next value, or null.
   Wanted* wanted() {
     if (open_.empty() || !open_.back().array) return next_;
     Level& level = open_.back();
@@ -141,7 +141,7 @@ Span span_of(const Wanted* wanted, bool at_key) {
   return {0, 0};
 }
 
-/// The byte of a text's own source, behind its opening quote, at which byte `column` of the decoded text stands.
+/// Maps byte `column` of a decoded text to an offset in its source (without the quotes).
 std::size_t source_byte(std::string_view source, std::size_t column) {
   std::size_t decoded = 0;
   std::size_t at = 0;

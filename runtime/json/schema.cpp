@@ -1,5 +1,6 @@
-// JSON Schema by valijson, which says whether a value fits; explain.cpp says in words why not. The only file that sees
-// it: it takes ten seconds to compile.
+// Validates JSON with valijson; explain.cpp explains the faults.
+//
+// Only this file includes valijson, which takes ten seconds to compile.
 #include "symplant/json/schema.hpp"
 
 #include <cstdio>
@@ -43,7 +44,7 @@ Schema::Schema(std::string_view schema) : parts_(std::make_unique<Parts>()) {
     parts_->text = nlohmann::json::parse(schema);
     valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(parts_->text), parts_->schema);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "a schema of the tool's own is broken: %s\n", error.what());
+    std::fprintf(stderr, "a built-in schema is invalid: %s\n", error.what());
     std::abort();
   }
 }
@@ -57,7 +58,7 @@ std::vector<Fault> Schema::check(const nlohmann::json& value) const {
   if (validator.validate(parts_->schema, adapter, nullptr)) return {};
   std::vector<Fault> faults = explain(parts_->text, value);
   if (!faults.empty()) return faults;
-  valijson::ValidationResults results;  // a keyword that explain() does not know
+  valijson::ValidationResults results;  // a keyword that explain() does not support
   validator.validate(parts_->schema, adapter, &results);
   for (const valijson::ValidationResults::Error& error : results) {
     faults.push_back({pointer_of(error.context), error.description, 0, false});

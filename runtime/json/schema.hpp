@@ -1,4 +1,4 @@
-// JSON Schema (draft-07): whether a value has the shape that is wanted, told in the house's words.
+// Validates values with a JSON Schema (draft-07), with messages in the style of symplant.
 #pragma once
 
 #include <memory>
@@ -10,18 +10,18 @@
 
 namespace symplant::json {
 
-/// A schema of the tool's own, ready to be asked. Such schemas keep to type, enum, const, properties,
-/// additionalProperties, required, items, the lengths and bounds, anyOf, oneOf and $ref within the schema, and say in
-/// `title` what is wanted ("a duration such as `1s`"). Immutable; may be asked by several threads.
+/// A built-in schema. Such schemas use only type, enum, const, properties, additionalProperties, required, items, the
+/// lengths and bounds, anyOf, oneOf and $ref within the schema; `title` has the words for what is expected ("a duration
+/// such as `1s`"). Immutable; several threads may use it.
 class Schema {
  public:
-  /// Ends the program where the text is no schema: it is part of the tool.
+  /// Aborts if the text is not a valid schema, as it is part of the program.
   explicit Schema(std::string_view schema);
   Schema(Schema&&) noexcept;
   Schema& operator=(Schema&&) noexcept;
   ~Schema();
 
-  /// What is wrong with a value, the first 100 faults; nothing where it fits. O(value).
+  /// The first 100 faults of a value; empty if it is valid. O(value).
   std::vector<Fault> check(const nlohmann::json& value) const;
 
  private:

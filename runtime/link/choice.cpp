@@ -1,4 +1,4 @@
-// Which link carries whose symbols.
+// Assigns links to the controllers whose symbols they carry.
 #include "symplant/link/choice.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string text_of(const Names& names, std::uint32_t controller) {
   return "controller `" + std::string(names[controller]) + "`";
 }
 
-/// "`PLC1`, `PLC2`": those that a link can name.
+/// "`PLC1`, `PLC2`": the controllers with a name, which a link can name.
 std::string known(const Names& names) {
   std::string text;
   for (const std::string_view name : names) {
@@ -89,14 +89,14 @@ std::variant<std::vector<LinkChoice>, LinkError> choose_links(const tables::Plan
       });
       if (other != choices.end()) {
         return usage(text_of(names, chosen.controller) + " has two links, `" + other->url + "` and `" + chosen.url +
-                     "`: both would write its operations, leave one away");
+                     "`: both would write its operations, remove one");
       }
     }
     const auto same = std::find_if(choices.begin(), choices.end(),
                                    [&](const LinkChoice& before) { return before.url == chosen.url; });
     if (same != choices.end() && has_fixed_port(chosen.url)) {
       return usage(text_of(names, same->controller) + " and " + text_of(names, chosen.controller) +
-                   " both have the link `" + chosen.url + "`: give each a port of its own");
+                   " both have the link `" + chosen.url + "`: give each its own port");
     }
     choices.push_back(std::move(chosen));
   }

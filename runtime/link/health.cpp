@@ -1,4 +1,4 @@
-// Whether a PLC is there.
+// Whether a PLC is connected.
 #include "symplant/link/health.hpp"
 
 namespace symplant::link {

@@ -1,4 +1,4 @@
-// Which symbol stands where on a link: the I/O map.
+// The I/O map: the table and number of each symbol on a link.
 #include "symplant/link/io_map.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace symplant::link {
 
 namespace {
 
-constexpr std::uint32_t kPlaces = 65'536;  ///< of one table: protocol addresses have 16 bits
+constexpr std::uint32_t kAddresses = 65'536;  ///< size of a full table: protocol addresses have 16 bits
 constexpr std::uint32_t kRounding = 16;
 constexpr std::uint32_t kStatusRounding = 100;
 constexpr std::uint32_t kNone = 0xFFFF'FFFF;
@@ -24,11 +24,11 @@ Table table_of(const tables::SymbolRow& symbol) {
   return bit ? Table::discrete_input : Table::input_register;
 }
 
-/// Where a symbol's own address puts it, or kNone.
+/// The number that a symbol's own address gives it, or kNone.
 std::uint32_t own_number(const tables::SymbolRow& symbol) {
   if (symbol.form() != tables::AddressForm::number) return kNone;
-  const std::uint64_t number = std::uint64_t{symbol.number} * places_of(symbol.type());
-  return number + places_of(symbol.type()) <= kPlaces ? static_cast<std::uint32_t>(number) : kNone;
+  const std::uint64_t number = std::uint64_t{symbol.number} * width_of(symbol.type());
+  return number + width_of(symbol.type()) <= kAddresses ? static_cast<std::uint32_t>(number) : kNone;
 }
 
 class MapMaker {
@@ -50,12 +50,12 @@ class MapMaker {
   IoMap run() {
     sort_out();
     std::stable_partition(carried_.begin(), carried_.end(), [](const Carried& c) { return c.number != kNone; });
-    for (const Carried& carried : carried_) place(carried);
+    for (const Carried& carried : carried_) assign(carried);
     std::sort(map_.points.begin(), map_.points.end(),
               [](const IoPoint& a, const IoPoint& b) { return a.symbol < b.symbol; });
     std::sort(map_.too_many.begin(), map_.too_many.end());
-    place_watchdog();
-    place_status_block();
+    add_watchdog();
+    add_status_block();
     set_sizes();
     return std::move(map_);
   }
@@ -63,13 +63,13 @@ class MapMaker {
  private:
   struct Carried {
     std::uint32_t symbol;
-    std::uint32_t number;  ///< kNone: to be packed
-    bool given;            ///< the number is a setting
+    std::uint32_t number;  ///< kNone: yet to be packed
+    bool given;            ///< the number comes from the settings
     WordOrder word_order;
     OnLoss on_loss;
   };
 
-  /// Which symbols the link carries, and which of them bring their number along.
+  /// Finds the symbols that the link carries, and those with a number of their address or settings.
   void sort_out() {
     const MapRow* next = settings_.rows.data();
     const MapRow* const end = next + settings_.rows.size();
@@ -96,38 +96,38 @@ class MapMaker {
     }
   }
 
-  void place(const Carried& carried) {
+  void assign(const Carried& carried) {
     const tables::SymbolRow& symbol = tables_.symbols[carried.symbol];
     const Table table = table_of(symbol);
-    const std::uint8_t places = places_of(symbol.type());
-    const std::uint32_t number = carried.number != kNone ? carried.number : packed(carried.symbol, table, places);
+    const std::uint8_t width = width_of(symbol.type());
+    const std::uint32_t number = carried.number != kNone ? carried.number : packed(carried.symbol, table, width);
     if (number == kNone) {
       map_.too_many.push_back(carried.symbol);
-    } else if (number >= kPlaces || number + places > kPlaces) {
+    } else if (number >= kAddresses || number + width > kAddresses) {
       fault(MapFault::Kind::beyond_end, carried.symbol);
     } else {
-      occupy(map_.points.emplace_back(IoPoint{carried.symbol, table, static_cast<std::uint16_t>(number), places,
+      occupy(map_.points.emplace_back(IoPoint{carried.symbol, table, static_cast<std::uint16_t>(number), width,
                                               carried.word_order, carried.on_loss}));
     }
   }
 
-  /// The next free places of a packed table; symbols of one address get the same. kNone where the table is full.
-  std::uint32_t packed(std::uint32_t symbol, Table table, std::uint8_t places) {
+  /// The next free number of a packed table; symbols of one address get the same. kNone if the table is full.
+  std::uint32_t packed(std::uint32_t symbol, Table table, std::uint8_t width) {
     std::uint32_t first = symbol;
     while (leader_[first] != first) first = leader_[first];
     if (position_[first] != kNone) return position_[first];
     std::uint32_t& next = next_[static_cast<std::size_t>(table)];
     const auto& owners = owners_[static_cast<std::size_t>(table)];
     const auto is_free = [&](std::uint32_t number) {
-      for (std::uint32_t i = number; i < number + places && i < owners.size(); ++i) {
+      for (std::uint32_t i = number; i < number + width && i < owners.size(); ++i) {
         if (owners[i] != kNone) return false;
       }
       return true;
     };
-    while (next + places <= kPlaces && !is_free(next)) ++next;
-    if (next + places > kPlaces) return kNone;
+    while (next + width <= kAddresses && !is_free(next)) ++next;
+    if (next + width > kAddresses) return kNone;
     position_[first] = next;
-    next += places;
+    next += width;
     return position_[first];
   }
 
@@ -139,7 +139,7 @@ class MapMaker {
       const std::uint32_t other = owners[number];
       if (other == kNone) {
         owners[number] = point.symbol;
-      } else if (other != reported && !is_one_place(point, other)) {
+      } else if (other != reported && !may_share(point, other)) {
         fault(MapFault::Kind::overlap, other, point.symbol);
         reported = other;
       }
@@ -147,11 +147,12 @@ class MapMaker {
     highest_ = std::max(highest_, std::uint64_t{point.last()} + 1);
   }
 
-  /// Whether a symbol that stands on some of the point's registers is of its very address: they are one place.
-  bool is_one_place(const IoPoint& point, std::uint32_t other) const {
+  /// Whether `other`, a symbol on some of the point's registers, has the same address and width: then both may share
+  /// it.
+  bool may_share(const IoPoint& point, std::uint32_t other) const {
     const tables::SymbolRow& a = tables_.symbols[point.symbol];
     const tables::SymbolRow& b = tables_.symbols[other];
-    if (places_of(a.type()) != places_of(b.type())) return false;
+    if (width_of(a.type()) != width_of(b.type())) return false;
     if (leader_[point.symbol] == leader_[other]) return true;
     return a.form() == tables::AddressForm::number && b.form() == a.form() && a.number == b.number;
   }
@@ -166,10 +167,10 @@ class MapMaker {
 
   std::uint32_t end_of(Table table) const {
     const std::uint32_t size = settings_.sizes[static_cast<std::size_t>(table)];
-    return size == 0 ? kPlaces : size;
+    return size == 0 ? kAddresses : size;
   }
 
-  void place_watchdog() {
+  void add_watchdog() {
     if (settings_.watchdog == kNowhere) return;
     const std::uint32_t end = end_of(Table::holding_register);
     if (settings_.watchdog >= end) return fault(MapFault::Kind::watchdog_beyond, settings_.watchdog, end);
@@ -178,11 +179,12 @@ class MapMaker {
     if (owner != kNone) fault(MapFault::Kind::watchdog_overlap, owner);
   }
 
-  void place_status_block() {
+  void add_status_block() {
     if (settings_.status_block == kNowhere) return;
     const std::uint32_t end = end_of(Table::input_register);
     if (settings_.status_block == kAbove) {
-      // `highest_` is counted from one: the first multiple of 100 that is at least it lies above the highest number.
+      // `highest_` counts from 1: the first multiple of 100 not below it is above the highest number, which counts from
+      // 0.
       const std::uint64_t first =
           std::max<std::uint64_t>(1, (highest_ + kStatusRounding - 1) / kStatusRounding) * kStatusRounding;
       map_.no_room_for_status = first + kStatusRegisters > end;
@@ -228,9 +230,9 @@ class MapMaker {
   IoMap map_;
   std::vector<Carried> carried_;
   std::vector<std::uint32_t> leader_;
-  std::vector<std::uint32_t> position_;  ///< in a packed table: of a leader and its followers
+  std::vector<std::uint32_t> position_;  ///< in a packed table: the number of a leader and its followers
   std::array<std::uint32_t, kTables> next_{};
-  std::array<std::vector<std::uint32_t>, kTables> owners_;  ///< by table and number: the first symbol there, or kNone
+  std::array<std::vector<std::uint32_t>, kTables> owners_;  ///< by table and number: the first symbol, or kNone
   std::uint64_t highest_ = 0;                               ///< the highest number of all tables, counted from 1
 };
 
@@ -240,7 +242,7 @@ IoMap make_io_map(const tables::PlantTables& tables, std::uint32_t controller, c
   return MapMaker(tables, controller, settings).run();
 }
 
-std::uint8_t places_of(tables::DataType type) noexcept {
+std::uint8_t width_of(tables::DataType type) noexcept {
   switch (type) {
     case tables::DataType::dint:
     case tables::DataType::udint:

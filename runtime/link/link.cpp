@@ -13,7 +13,7 @@ namespace symplant::link {
 namespace {
 
 std::string loop_fault(std::string_view rest) {
-  return rest.empty() ? std::string() : "`loop:` takes nothing behind the colon";
+  return rest.empty() ? std::string() : "`loop:` takes nothing after the colon";
 }
 
 LinkResult open_loop(std::string_view /*rest*/, const LinkChoice& link, const tables::PlantTables& tables,
@@ -21,7 +21,7 @@ LinkResult open_loop(std::string_view /*rest*/, const LinkChoice& link, const ta
   return std::make_unique<LoopLink>(tables, link.controller);
 }
 
-/// How a URL begins, and who judges and opens what stands behind its colon.
+/// The scheme of a URL, and the functions that check and open what follows its colon.
 struct Scheme {
   std::string_view name;
   std::string_view form;
@@ -44,7 +44,7 @@ std::string known_forms() {
   return forms;
 }
 
-/// Null where no scheme is of that name.
+/// Null if no scheme has that name.
 const Scheme* scheme_of(std::string_view url) {
   const std::size_t colon = url.find(':');
   if (colon == std::string_view::npos) return nullptr;
@@ -59,7 +59,7 @@ std::string_view behind_colon(std::string_view url) { return url.substr(url.find
 
 std::string url_fault(std::string_view url) {
   const Scheme* const scheme = scheme_of(url);
-  if (scheme == nullptr) return "`" + std::string(url) + "` names no link: give one of " + known_forms();
+  if (scheme == nullptr) return "`" + std::string(url) + "` is not a link: give one of " + known_forms();
   return scheme->fault(behind_colon(url));
 }
 

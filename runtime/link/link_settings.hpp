@@ -1,4 +1,4 @@
-// What a plant's description says of a link beside its URL, as data: places of symbols, sizes, policies.
+// The settings of a link in a plant's description, except its URL: numbers of symbols, sizes, policies.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace symplant::link {
 
-/// The four tables of Modbus. Operations are what the PLC writes, events what it reads.
+/// The four tables of Modbus. The PLC writes operations and reads events.
 enum class Table : std::uint8_t {
   coil,              ///< bit operations
   discrete_input,    ///< bit events
@@ -20,48 +20,48 @@ enum class Table : std::uint8_t {
 };
 inline constexpr std::size_t kTables = 4;
 
-/// Which register of a number of more than 16 bits comes first.
+/// Which register of a number with more than 16 bits comes first.
 enum class WordOrder : std::uint8_t { low_first, high_first };
 
 /// What operations do while their link is lost.
 enum class OnLoss : std::uint8_t {
   hold,
   zero,
-  as_link,  ///< of a symbol alone: what its link says
+  as_link,  ///< only for a symbol: the policy of its link
 };
 
 /// What the plant does while a link is lost.
 enum class PlantOnLoss : std::uint8_t { run, freeze };
 
-/// A symbol with settings of its own.
+/// The settings of one symbol.
 struct MapRow {
   static constexpr std::uint32_t kDefault = 0xFFFF'FFFF;
 
   std::uint32_t symbol = 0;         ///< in PlantTables::symbols
-  std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: that of the default map
+  std::uint32_t number = kDefault;  ///< protocol address, counted from 0; kDefault: as in the default map
   WordOrder word_order = WordOrder::low_first;
   OnLoss on_loss = OnLoss::as_link;
 };
 
-/// Place of the status block, of the watchdog: a register, or one of these.
+/// Register of the status block or the watchdog: a number, or one of these.
 inline constexpr std::uint32_t kAbove = 0xFFFF'FFFE;    ///< the first multiple of 100 above the map
-inline constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;  ///< there is none
+inline constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;  ///< off
 
-/// Refers to rows that must outlive it.
+/// All settings of a link. The rows must outlive it.
 struct LinkSettings {
-  std::span<const MapRow> rows = {};  ///< of symbols whose settings differ from the link's, by symbol
+  std::span<const MapRow> rows = {};  ///< symbols whose settings differ from the link's, in ascending order
   WordOrder word_order = WordOrder::high_first;
   OnLoss on_loss = OnLoss::hold;
   PlantOnLoss plant_on_loss = PlantOnLoss::run;
-  std::array<std::uint32_t, kTables> sizes = {};   ///< places of the tables; 0: as many as the map asks for
-  tables::Time loss_after = tables::kSecond;       ///< without a valid request that touches the map
-  tables::Time resync = tables::kSecond;           ///< the longest wait, after a loss, for all that was written before
+  std::array<std::uint32_t, kTables> sizes = {};   ///< addresses of each table; 0: as many as the map needs
+  tables::Time loss_after = tables::kSecond;       ///< time without a valid request that touches the map
+  tables::Time resync = tables::kSecond;           ///< after a loss: longest wait for everything to be written again
   std::uint32_t status_block = kAbove;             ///< first input register
   std::uint32_t watchdog = kNowhere;               ///< a holding register that the PLC changes
-  tables::Time watchdog_within = tables::kSecond;  ///< how long it may stand still
-  std::uint32_t connections = 32;                  ///< of a server: clients at once, 1 to 10,000
-  tables::Time idle = 300 * tables::kSecond;       ///< of a server: closes a client silent for so long; 0: never
-  /// Of a server: numeric addresses of clients that never give way to others.
+  tables::Time watchdog_within = tables::kSecond;  ///< longest time without a change of it
+  std::uint32_t connections = 32;                  ///< server: clients at once, 1 to 10,000
+  tables::Time idle = 300 * tables::kSecond;       ///< server: closes a client without requests for this long; 0: never
+  /// Server: numeric addresses of clients that are never closed to make room for others.
   std::span<const std::string_view> keep = {};
 };
 

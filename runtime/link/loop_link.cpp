@@ -1,4 +1,4 @@
-// The link in process: a test or a library user is the PLC.
+// The link inside the process: a test or a library user acts as the PLC.
 #include "symplant/link/loop_link.hpp"
 
 #include <bit>

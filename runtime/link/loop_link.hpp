@@ -1,4 +1,4 @@
-// The link in process: a test or a library user is the PLC.
+// The link inside the process: a test or a library user acts as the PLC.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,27 @@
 
 namespace symplant::link {
 
-/// Both images in memory. Serves every symbol, those without an address and wide numbers too.
+/// Keeps both images in memory. Serves every symbol, including those without an address.
 ///
-/// The cycle's thread uses it as an Exchange; one other thread may hold the PLC's end at the same time.
+/// The cycle's thread uses it as an Exchange; one other thread may use the PLC's side at the same time.
 class LoopLink final : public Link {
  public:
-  /// With the symbols of one controller, or of all: those of others can neither be written nor read.
+  /// Serves the symbols of one controller, or of all; other symbols can be neither written nor read.
   explicit LoopLink(const tables::PlantTables& tables, std::uint32_t controller = kAllControllers);
 
-  // The PLC's end. Symbols by name or by row in PlantTables::symbols. What was written is seen by the next cycle, and
-  // acts on all symbols of the same address; what is read is the state after the latest cycle.
+  // The PLC's side. A symbol is given by name or by row in PlantTables::symbols. The next cycle reads what was written,
+  // for all symbols of the same address. Reads return the state after the latest cycle.
 
-  /// Writes a BOOL operation; false where the symbol is none.
+  /// Writes a BOOL operation; false if the symbol is not one.
   bool set(std::string_view symbol, bool on);
   bool set(std::uint32_t symbol, bool on) noexcept;
-  /// Writes a numeric operation, as Plant::set_operation_value takes it; false where the symbol is none.
+  /// Writes a numeric operation, as Plant::set_operation_value takes it; false if the symbol is not one.
   bool set_value(std::string_view symbol, std::uint64_t value);
   bool set_value(std::uint32_t symbol, std::uint64_t value) noexcept;
-  /// A BOOL event; nothing where the symbol is none.
+  /// A BOOL event; nothing if the symbol is not one.
   std::optional<bool> event(std::string_view symbol);
   std::optional<bool> event(std::uint32_t symbol) noexcept;
-  /// A numeric event, as Plant::event_value gives it; nothing where the symbol is none.
+  /// A numeric event, as Plant::event_value returns it; nothing if the symbol is not one.
   std::optional<std::uint64_t> event_value(std::string_view symbol);
   std::optional<std::uint64_t> event_value(std::uint32_t symbol) noexcept;
 
@@ -52,11 +52,11 @@ class LoopLink final : public Link {
   const tables::PlantTables& tables_;
   std::uint32_t controller_;
   SymbolNames names_;
-  std::size_t operation_words_;  ///< of bits; a word each numeric operation follows
+  std::size_t operation_words_;  ///< of bits; then one word for each numeric operation
   std::size_t event_words_;
   share::SharedWords operations_;       ///< PLC -> cycle
   share::SharedWords events_;           ///< cycle -> PLC
-  std::vector<std::uint64_t> applied_;  ///< operations that the plant was given
+  std::vector<std::uint64_t> applied_;  ///< operations that the plant has
   bool events_written_ = false;
 };
 

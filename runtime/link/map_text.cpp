@@ -1,4 +1,4 @@
-// A map in words and as a digest.
+// The texts of a map and its digest.
 #include <algorithm>
 #include <string_view>
 #include <tuple>
@@ -12,7 +12,7 @@ namespace symplant::link {
 
 namespace {
 
-/// The symbol's name, out of texts of which each symbol has two.
+/// The symbol's name in back-ticks; `texts` has two entries for each symbol, name and address.
 std::string quoted(const std::vector<std::string_view>& texts, std::uint32_t symbol) {
   const std::size_t at = std::size_t{symbol} * 2;
   return "`" + (at < texts.size() ? std::string(texts[at]) : std::string()) + "`";
@@ -25,9 +25,9 @@ const IoPoint* point_of(const IoMap& map, std::uint32_t symbol) {
 }
 
 /// "holding register 7", "holding registers 10 to 11".
-std::string place_text(const IoPoint& point) {
+std::string address_text(const IoPoint& point) {
   const std::string name = table_name(point.table);
-  if (point.places == 1) return name + " " + std::to_string(point.number);
+  if (point.width == 1) return name + " " + std::to_string(point.number);
   return name + "s " + std::to_string(point.number) + " to " + std::to_string(point.last());
 }
 
@@ -40,33 +40,33 @@ std::string size_text(const IoMap& map, Table table) {
 
 std::string fault_text(const tables::PlantTables& tables, const IoMap& map, const MapFault& fault) {
   const std::vector<std::string_view> texts = tables::split_names(tables.symbol_names);
-  const IoPoint* const point = point_of(map, fault.symbol);  // null where it is no symbol
+  const IoPoint* const point = point_of(map, fault.symbol);  // null if it is not a symbol
   const std::string name = quoted(texts, fault.symbol);
-  const std::string place = point == nullptr ? "" : place_text(*point);
+  const std::string address = point == nullptr ? "" : address_text(*point);
   switch (fault.kind) {
     case MapFault::Kind::overlap: {
       const IoPoint* const other = point_of(map, fault.other);
-      return name + " stands on " + place + ", and so does " + quoted(texts, fault.other) + " on " +
-             (other == nullptr ? "" : place_text(*other)) +
-             ": give one of them another number, in the list or in `links`";
+      return name + " on " + address + " and " + quoted(texts, fault.other) + " on " +
+             (other == nullptr ? "" : address_text(*other)) +
+             " overlap: give one of them another number, in the list or in `links`";
     }
     case MapFault::Kind::beyond_end:
-      return name + " would end behind place 65535, the last that Modbus has: give it a lower number";
+      return name + " would end above address 65535, the highest in Modbus: give it a lower number";
     case MapFault::Kind::beyond_size:
-      return name + " stands on " + place + ", but the " + size_text(map, point->table) +
+      return name + " is on " + address + ", but the " + size_text(map, point->table) +
              ": give them a larger `size`, or the symbol a lower number";
     case MapFault::Kind::status_overlap:
-      return "the status block begins on input register " + std::to_string(*map.status_block) + " and meets " + name +
-             " on " + place + ": give `status` another register, or `\"off\"`";
+      return "the status block from input register " + std::to_string(*map.status_block) + " on overlaps " + name +
+             " on " + address + ": give `status` another register, or `\"off\"`";
     case MapFault::Kind::status_beyond:
-      return "the status block has 12 registers, and from " + std::to_string(fault.symbol) +
-             " on they do not fit, the last input register is " + std::to_string(fault.other - 1) +
+      return "the status block has 12 registers and does not fit from input register " + std::to_string(fault.symbol) +
+             " on, since the last one is " + std::to_string(fault.other - 1) +
              ": give `status` a lower register, or `\"off\"`";
     case MapFault::Kind::watchdog_overlap:
-      return "the watchdog stands on holding register " + std::to_string(*map.watchdog) + ", and so does " + name +
-             " on " + place + ": give `watchdog` another register";
+      return "the watchdog on holding register " + std::to_string(*map.watchdog) + " overlaps " + name + " on " +
+             address + ": give `watchdog` another register";
     case MapFault::Kind::watchdog_beyond:
-      return "the watchdog stands on holding register " + std::to_string(fault.symbol) + ", but the last one is " +
+      return "the watchdog is on holding register " + std::to_string(fault.symbol) + ", but the last one is " +
              std::to_string(fault.other - 1) + ": give `watchdog` a lower register";
   }
   return {};
@@ -93,12 +93,12 @@ std::uint64_t map_hash(const tables::PlantTables& tables, const IoMap& map) {
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     const IoPoint& one = map.points[a];
     const IoPoint& other = map.points[b];
-    const auto place = std::tuple(one.table, one.number);
-    const auto other_place = std::tuple(other.table, other.number);
-    return place != other_place ? place < other_place : name_of(one) < name_of(other);
+    const auto key = std::tuple(one.table, one.number);
+    const auto other_key = std::tuple(other.table, other.number);
+    return key != other_key ? key < other_key : name_of(one) < name_of(other);
   });
 
-  constexpr std::uint32_t kLayout = 1;  ///< of what is digested
+  constexpr std::uint32_t kLayout = 1;  ///< version of the digested data
   tables::Fnv1a64 hash;
   hash.u32(kLayout);
   for (const std::uint32_t size : map.sizes) hash.u32(size);
@@ -107,7 +107,7 @@ std::uint64_t map_hash(const tables::PlantTables& tables, const IoMap& map) {
     hash.byte(static_cast<std::uint8_t>(point.table));
     hash.u32(point.number);
     hash.byte(static_cast<std::uint8_t>(tables.symbols[point.symbol].type()));
-    hash.byte(point.places == 1 ? 0 : static_cast<std::uint8_t>(point.word_order));
+    hash.byte(point.width == 1 ? 0 : static_cast<std::uint8_t>(point.word_order));
     for (const char c : name_of(point)) hash.byte(static_cast<std::uint8_t>(c));
     hash.byte(0);
   }

@@ -1,4 +1,4 @@
-// Symbols by name: an index over the blob of names.
+// Finds symbols by name: an index over the blob of names.
 #include "symplant/link/names.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace symplant::link {
 
 namespace {
 
-/// The text before the next NUL, which is taken off `blob` too.
+/// The text before the next NUL; removes both from `blob`.
 std::string_view next_text(std::string_view& blob) {
   const std::string_view text = blob.substr(0, blob.find('\0'));
   blob.remove_prefix(std::min(text.size() + 1, blob.size()));

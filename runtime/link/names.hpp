@@ -1,4 +1,4 @@
-// Symbols by name.
+// Finds symbols by name.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace symplant::link {
 
-/// Finds symbols by name, without regard to the case of ASCII letters. Immutable once made.
+/// Finds symbols by name, without regard to the case of ASCII letters. Immutable.
 class SymbolNames {
  public:
   explicit SymbolNames(const tables::PlantTables& tables);
 
-  /// The symbol's row in PlantTables::symbols.
+  /// The symbol's row in PlantTables::symbols; nothing if there is no such symbol.
   std::optional<std::uint32_t> find(std::string_view name) const;
 
  private:

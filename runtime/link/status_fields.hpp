@@ -7,9 +7,9 @@
 
 namespace symplant::link {
 
-/// A number in the status block; one of several registers lies in the link's word order.
+/// A number in the status block; a number of several registers has the link's word order.
 struct StatusField {
-  std::uint8_t first;      ///< counted from the block's first register
+  std::uint8_t first;      ///< index of its first register in the block
   std::uint8_t registers;  ///< 1, 2 or 4
   std::string_view name;
   std::string_view meaning;
@@ -17,11 +17,11 @@ struct StatusField {
 
 inline constexpr std::array kStatusFields = {
     StatusField{0, 1, "layout", "version of this layout: 1"},
-    StatusField{1, 1, "heartbeat", "counts the cycles, one more each"},
+    StatusField{1, 1, "heartbeat", "number of cycles, wraps around"},
     StatusField{2, 1, "state", "0 waiting, 1 run, 2 link lost, 3 frozen, 4 stopping"},
-    StatusField{3, 1, "quality", "a bit for each link, in their order"},
+    StatusField{3, 1, "quality", "one bit for each link, in order, 1 while it is live"},
     StatusField{4, 2, "lost exchanges", "of this link, since the start"},
-    StatusField{6, 2, "overruns", "cycles that ended late, since the start"},
+    StatusField{6, 2, "overruns", "cycles that ended after their deadline, since the start"},
     StatusField{8, 4, "map hash", "digest of this map"},
 };
 

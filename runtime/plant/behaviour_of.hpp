@@ -1,4 +1,4 @@
-// The user's class as the engine calls it: which functions it defines, found while compiling.
+// Adapts the user's class to the engine; the functions that it defines are found at compile time.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace symplant::plant {
 namespace detail {
 
-/// `named`: whether a class has a member of the name, of whatever kind, hidden or overloaded too (it makes the name
-/// ambiguous beside a rival's); `right`: whether it is the one function wanted.
+/// `named`: whether a class has any member of that name, also a private or overloaded one (together with Rival's member
+/// the name is then ambiguous); `right`: whether it is one function of the required type.
 #define SYMPLANT_BEHAVIOUR_MEMBER(NAME)                          \
   struct Member_##NAME {                                         \
     struct Rival {                                               \
@@ -69,7 +69,7 @@ constexpr void add_times(engine::Behaviour& behaviour) noexcept {
   using Function = tables::Time (*)(Look&, Transition) noexcept;
   if constexpr (Member_takes::named<Class>) {
     static_assert(Member_takes::right<Class, Function>,
-                  "write `static Time takes(Look& look, Transition transition) noexcept`, public, once");
+                  "declare `static Time takes(Look& look, Transition transition) noexcept` once, as a public member");
     if constexpr (Member_takes::right<Class, Function>) {
       behaviour.takes = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
         Look look(view);
@@ -79,7 +79,7 @@ constexpr void add_times(engine::Behaviour& behaviour) noexcept {
   }
   if constexpr (Member_after::named<Class>) {
     static_assert(Member_after::right<Class, Function>,
-                  "write `static Time after(Look& look, Transition transition) noexcept`, public, once");
+                  "declare `static Time after(Look& look, Transition transition) noexcept` once, as a public member");
     if constexpr (Member_after::right<Class, Function>) {
       behaviour.after = [](engine::BehaviourView& view, std::uint16_t transition) noexcept -> tables::Time {
         Look look(view);
@@ -95,7 +95,8 @@ constexpr void add_wanted(engine::Behaviour& behaviour) noexcept {
   using State = typename Device::State;
   if constexpr (Member_wanted::named<Class>) {
     constexpr bool kRight = Member_wanted::right<Class, std::optional<State> (*)(const Look&) noexcept>;
-    static_assert(kRight, "write `static std::optional<State> wanted(const Look& look) noexcept`, public, once");
+    static_assert(kRight,
+                  "declare `static std::optional<State> wanted(const Look& look) noexcept` once, as a public member");
     if constexpr (kRight) {
       behaviour.wanted = [](engine::BehaviourView& view) noexcept -> std::uint8_t {
         const Look look(view);
@@ -113,7 +114,7 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
   using Function = void (*)(View&, State) noexcept;
   if constexpr (Member_entered::named<Class>) {
     static_assert(Member_entered::right<Class, Function>,
-                  "write `static void entered(View& view, State state) noexcept`, public, once");
+                  "declare `static void entered(View& view, State state) noexcept` once, as a public member");
     if constexpr (Member_entered::right<Class, Function>) {
       behaviour.entered = [](engine::BehaviourView& raw, std::uint8_t state) noexcept {
         View view(raw);
@@ -123,7 +124,7 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
   }
   if constexpr (Member_left::named<Class>) {
     static_assert(Member_left::right<Class, Function>,
-                  "write `static void left(View& view, State state) noexcept`, public, once");
+                  "declare `static void left(View& view, State state) noexcept` once, as a public member");
     if constexpr (Member_left::right<Class, Function>) {
       behaviour.left = [](engine::BehaviourView& raw, std::uint8_t state) noexcept {
         View view(raw);
@@ -133,7 +134,7 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
   }
   if constexpr (Member_woken::named<Class>) {
     constexpr bool kRight = Member_woken::right<Class, void (*)(View&) noexcept>;
-    static_assert(kRight, "write `static void woken(View& view) noexcept`, public, once");
+    static_assert(kRight, "declare `static void woken(View& view) noexcept` once, as a public member");
     if constexpr (kRight) {
       behaviour.woken = [](engine::BehaviourView& raw) noexcept {
         View view(raw);
@@ -145,17 +146,16 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
 
 }  // namespace detail
 
-/// `Class`, which the user has derived from the generated class `Device`, as the engine calls it. What it defines of
-/// takes, after, wanted, entered, left and woken takes the place of the model's rule; one of these names with another
-/// signature, and a Memory that cannot be saved, do not compile.
+/// `Class`, which the user derived from the generated class `Device`, in the form that the engine calls. Each function
+/// that it defines of takes, after, wanted, entered, left and woken replaces the model's rule. A function of one of
+/// these names with another signature, and a Memory that cannot be saved, do not compile.
 template <class Class, class Device>
 constexpr engine::Behaviour behaviour_of() noexcept {
-  static_assert(std::is_base_of_v<Device, Class>, "a behaviour is derived from the generated class of its devices");
-  static_assert(!std::is_final_v<Class>,
-                "leave `final` out: which functions the class has is found by deriving from it");
+  static_assert(std::is_base_of_v<Device, Class>, "a behavior must derive from the generated class of its devices");
+  static_assert(!std::is_final_v<Class>, "remove `final`: the functions of the class are found by deriving from it");
   static_assert(
       std::is_empty_v<Class>,
-      "there is no object of a behaviour's class: what it remembers is its `Memory`, its functions are static");
+      "a behavior's class must have no data members; put its state in `Memory` and make its functions static");
   engine::Behaviour behaviour;
   behaviour.memory_size = detail::memory_size_of<Class>();
   if constexpr (std::is_base_of_v<Device, Class> && !std::is_final_v<Class>) {

@@ -1,6 +1,6 @@
-// A device as the user's code sees it: its class's own enumerators instead of numbers (docs/behaviours.md).
+// A device as a custom behavior sees it, with the enumerators of its generated class (docs/behaviours.md).
 //
-// `Device` is a generated class: it has State, Operation, Event, Input and Value, and `kV`, a ValueKind a Value.
+// `Device` is a generated class: it has State, Operation, Event, Input and Value, and `kV`, one ValueKind per Value.
 #pragma once
 
 #include <bit>
@@ -16,16 +16,16 @@
 
 namespace symplant::plant {
 
-/// A numeric symbol of a device: its type, and who writes it.
+/// The type and the direction of a numeric symbol of a device.
 struct ValueKind {
   tables::DataType type;
   tables::Direction direction;
 };
 
-/// A value of the C++ type that stands for a numeric type: an integer of its size, `double` for REAL and LREAL.
+/// Zero, in the C++ type for a numeric type: an integer of its size, `double` for REAL and LREAL.
 template <tables::DataType Type>
 constexpr auto zero_of() noexcept {
-  static_assert(Type != tables::DataType::boolean, "a bit is no number");
+  static_assert(Type != tables::DataType::boolean, "a BOOL is not a number");
   if constexpr (Type == tables::DataType::sint) return std::int8_t{0};
   if constexpr (Type == tables::DataType::int_) return std::int16_t{0};
   if constexpr (Type == tables::DataType::dint) return std::int32_t{0};
@@ -39,14 +39,14 @@ constexpr auto zero_of() noexcept {
 template <tables::DataType Type>
 using NumberOf = decltype(zero_of<Type>());
 
-/// A way that the device may take: a transition of its table, or one without a command (a spring's own, say).
+/// A transition of the device's table, or a move without a command (a spring return, for example).
 template <class Device>
 class DeviceTransition {
  public:
   using State = typename Device::State;
   using Operation = typename Device::Operation;
 
-  /// What `takes` and `after` are asked for: a transition of the table, or 0xFFFF.
+  /// `number` is the argument of `takes` and `after`: a transition of the table, or 0xFFFF.
   DeviceTransition(const engine::BehaviourView& view, std::uint16_t number) noexcept
       : from_(static_cast<State>(view.state())), to_(static_cast<State>(view.leads_to())), number_(number) {
     const tables::Transition* row = view.transition(number);
@@ -58,9 +58,9 @@ class DeviceTransition {
 
   State from() const noexcept { return from_; }
   State to() const noexcept { return to_; }
-  /// The operation that commands it; nothing where it is automatic or a way without a command.
+  /// The operation that commands it; empty if it is automatic or a move without a command.
   std::optional<Operation> on() const noexcept { return on_; }
-  /// Its place in the table of the device, from 0; 0xFFFF: none, a way without a command.
+  /// Its index in the table of the device, from 0; 0xFFFF for a move without a command.
   std::uint16_t number() const noexcept { return number_; }
 
  private:
@@ -70,7 +70,7 @@ class DeviceTransition {
   std::uint16_t number_;
 };
 
-/// What every function of a behaviour may look at. Valid only while it is called; all members O(1).
+/// What every function of a custom behavior may read. Valid only during the call; all members O(1).
 template <class Device>
 class DeviceLook {
  public:
@@ -82,19 +82,20 @@ class DeviceLook {
 
   explicit DeviceLook(engine::BehaviourView& view) noexcept : view_(view) {}
 
-  tables::Time now() const noexcept { return view_.now(); }  ///< of this instant: ns of plant time
-  /// Settled in, or moving from; `target()` is where to, the same where it is settled.
+  tables::Time now() const noexcept { return view_.now(); }  ///< plant time of this instant, ns
+  /// The state in which the device is settled, or from which it moves. `target()` is the state that it moves to, or
+  /// `state()` if it is settled.
   State state() const noexcept { return static_cast<State>(view_.state()); }
   State target() const noexcept { return static_cast<State>(view_.target()); }
   bool moving() const noexcept { return view_.moving(); }
-  /// On after forces, and armed.
+  /// Whether the operation is on after forces, and armed.
   bool operation(Operation operation) const noexcept { return view_.operation(static_cast<std::uint8_t>(operation)); }
-  /// As the device itself last set it.
+  /// The event as the device itself last set it.
   bool event(Event event) const noexcept { return view_.event(static_cast<std::uint8_t>(event)); }
-  /// Whether a condition of the description's `inputs` holds, by the snapshot that the instant's round reads.
+  /// Whether a condition of the description's `inputs` holds, as published before this round.
   bool input(Input input) const noexcept { return view_.input(static_cast<std::uint32_t>(input)); }
-  /// A numeric symbol: an operation after forces, an event as the device itself last set it. Under a force an integer
-  /// beyond its type's range is cut to it.
+  /// A numeric symbol: an operation after forces, an event as the device itself last set it. A forced integer out of
+  /// its type's range is truncated to the type.
   template <Value Symbol>
   auto value() const noexcept {
     using Number = NumberOf<kind_of<Symbol>().type>;
@@ -105,7 +106,7 @@ class DeviceLook {
       return static_cast<Number>(bits);
     }
   }
-  /// Whether the link that carries the device's operations is well.
+  /// Whether the link that carries the device's operations is connected.
   bool quality() const noexcept { return view_.quality(); }
   template <class Memory>
   const Memory& memory() const noexcept {
@@ -113,11 +114,11 @@ class DeviceLook {
     return view_.template memory<Memory>();
   }
 
-  /// 64 random bits, counted: a saved plant goes on with the same ones. Not in `wanted`, which is asked as often as the
-  /// engine likes.
+  /// 64 random bits. The draws are counted, so a restored plant continues with the same numbers. Not for `wanted`: how
+  /// often the engine calls it is unspecified.
   std::uint64_t draw() noexcept { return view_.draw(); }
-  /// In `takes` and `after`: what the model's own rule says of the transition that they are asked for. A random time is
-  /// drawn by it.
+  /// The time by the model's rule: model_takes() in `takes`, model_after() in `after`, for their transition. A random
+  /// time is drawn, and the draw is counted.
   tables::Time model_takes(const DeviceTransition<Device>& transition) noexcept {
     return view_.model_takes(transition.number());
   }
@@ -128,7 +129,7 @@ class DeviceLook {
  protected:
   template <Value Symbol>
   static constexpr ValueKind kind_of() noexcept {
-    static_assert(static_cast<std::size_t>(Symbol) < Device::kV.size(), "the device has no such number");
+    static_assert(static_cast<std::size_t>(Symbol) < Device::kV.size(), "the device has no such numeric symbol");
     return Device::kV[static_cast<std::size_t>(Symbol)];
   }
   engine::BehaviourView& view() noexcept { return view_; }
@@ -137,7 +138,7 @@ class DeviceLook {
   engine::BehaviourView& view_;
 };
 
-/// What `entered`, `left` and `woken` may do beyond looking.
+/// What `entered`, `left` and `woken` may read and do.
 template <class Device>
 class DeviceView : public DeviceLook<Device> {
  public:
@@ -146,12 +147,12 @@ class DeviceView : public DeviceLook<Device> {
   using DeviceLook<Device>::DeviceLook;
 
   void set_event(Event event, bool on) noexcept { this->view().set_event(static_cast<std::uint8_t>(event), on); }
-  /// Sets a numeric event. A REAL is rounded to 32 bits, as the PLC will see it.
+  /// Sets a numeric event. A REAL is rounded to 32 bits, as the PLC reads it.
   template <Value Symbol>
   void set_value(NumberOf<DeviceLook<Device>::template kind_of<Symbol>().type> number) noexcept {
     constexpr ValueKind kKind = DeviceLook<Device>::template kind_of<Symbol>();
     static_assert(kKind.direction == tables::Direction::event,
-                  "this number is an operation: the PLC writes it, the plant reads it");
+                  "this symbol is an operation, which only the PLC writes; set an event");
     std::uint64_t bits = 0;
     if constexpr (kKind.type == tables::DataType::real) {
       bits = std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(number)));
@@ -164,8 +165,8 @@ class DeviceView : public DeviceLook<Device> {
     }
     this->view().set_value(static_cast<std::uint32_t>(Symbol), bits);
   }
-  /// `woken` is called then, once; the last call counts. A time in the past means now; kNever: not at all. It stands
-  /// still while the device is disabled.
+  /// Requests one call of `woken` at `time`; it replaces an earlier request. A time in the past means now; kNever
+  /// cancels the request. The remaining time does not run while the device is disabled.
   void wake_at(tables::Time time) noexcept { this->view().wake_at(time); }
   void wake_after(tables::Time duration) noexcept {
     const tables::Time now = this->now();

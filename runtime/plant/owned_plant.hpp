@@ -1,4 +1,4 @@
-// A plant with its own memory, for who does not want to place it himself.
+// A plant that allocates its own memory.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace symplant::plant {
 
 namespace detail {
-/// A base so that the memory is there before the plant that lies in it.
+/// A base class, so that the memory is allocated before the plant that uses it.
 struct PlantMemory {
   PlantMemory(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours)
       : size(Plant::memory_size(tables, behaviours)),
@@ -23,13 +23,13 @@ struct PlantMemory {
 };
 }  // namespace detail
 
-/// Allocates once, when it is made; throws std::bad_alloc there and nothing later. `tables` must outlive it.
+/// Only the constructor allocates, and may throw std::bad_alloc. `tables` and `behaviours` must outlive the plant.
 class OwnedPlant : private detail::PlantMemory, public Plant {
  public:
   explicit OwnedPlant(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours = {})
       : PlantMemory(tables, behaviours), Plant(tables, PlantMemory::span(), behaviours) {}
   explicit OwnedPlant(const tables::PlantTables&&,
-                      std::span<const engine::Behaviour> = {}) = delete;  // would not outlive it
+                      std::span<const engine::Behaviour> = {}) = delete;  // tables must outlive it
 };
 
 }  // namespace symplant::plant

@@ -1,4 +1,4 @@
-// The Plant interface over the engine.
+// Implements Plant on the engine.
 #include "symplant/plant/plant.hpp"
 
 #include <algorithm>

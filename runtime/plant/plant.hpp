@@ -1,4 +1,4 @@
-// A running plant: the one interface that generated and run-time tables serve alike.
+// A running plant: one interface for generated tables and for tables made at run time.
 #pragma once
 
 #include <cstddef>
@@ -20,121 +20,123 @@ namespace symplant::plant {
 
 /// What one unit is doing.
 struct UnitView {
-  std::uint8_t state;   ///< settled in, or moving from
-  std::uint8_t target;  ///< moving to; `state` where it is settled
+  std::uint8_t state;   ///< in which it is settled, or from which it moves
+  std::uint8_t target;  ///< to which it moves; `state` if it is settled
   bool moving;
-  bool stopped_midway;     ///< moving, but standing still midway (docs/model.md, "A move under way")
+  bool stopped_midway;     ///< moving, but stopped midway (docs/model.md, "Commands during a move")
   bool disabled;           ///< by another unit
   bool frozen;             ///< found in an instantaneous loop
-  tables::Time remaining;  ///< of the move, ns
-  double progress;         ///< of the move, 0 to 1; 0 where it is settled
+  tables::Time remaining;  ///< remaining travel time, ns; 0 if it is settled
+  double progress;         ///< of the move, 0 to 1; 0 if it is settled
 };
 
-/// A plant of the tables given, in the memory given (memory_size() bytes, aligned for any type).
+/// A plant of the given tables in the given memory (memory_size() bytes, aligned for any type).
 ///
-/// Every member is noexcept and allocates, locks and calls nothing (but observers and behaviours); a plant belongs to
-/// one thread at a time, any number of plants may live in a process. Tables, behaviours and memory must outlive it.
+/// Every member is noexcept and uses no heap, no lock and no system call; it calls only observers and behaviors. Only
+/// one thread at a time may use a plant; a process may have any number of plants. Tables, behaviors and memory must
+/// outlive the plant.
 ///
-/// Operations are sampled: what is written counts in the instant at the time that advance_to() is next called for.
-/// Everything else that acts from outside (set_input, set_state, force, release) acts at now(), in the next instant
-/// run there; advance_before() brings the plant to a time without running its instant.
+/// Operations are sampled: a write takes effect in the instant at the time of the next advance_to(). All other actions
+/// from outside (set_input, set_state, force, release) take effect at now(), in the next instant run there.
+/// advance_before() brings the plant to a time without running its instant.
 class Plant {
  public:
-  /// Bytes that a plant of these tables and behaviours needs. O(tables).
+  /// Bytes that a plant of these tables and behaviors needs. O(tables).
   static std::size_t memory_size(const tables::PlantTables& tables,
                                  std::span<const engine::Behaviour> behaviours = {}) noexcept;
 
-  /// `behaviours`: the user's code by its place in PlantTables::behaviour_names; where there is none, or an empty one,
-  /// the model's own rules serve those units.
-  /// Ends the program where the memory is too small.
+  /// `behaviours`: the custom behaviors, in the order of PlantTables::behaviour_names. Units whose behavior is missing
+  /// or empty follow the model's rules. Calls std::terminate if the memory is too small.
   Plant(const tables::PlantTables& tables, std::span<std::byte> memory,
         std::span<const engine::Behaviour> behaviours = {}) noexcept;
   Plant(const tables::PlantTables&&, std::span<std::byte>,
-        std::span<const engine::Behaviour> = {}) = delete;  // would not outlive it
+        std::span<const engine::Behaviour> = {}) = delete;  // tables must outlive it
   Plant(const Plant&) = delete;
   Plant& operator=(const Plant&) = delete;
 
   const tables::PlantTables& tables() const noexcept { return tables_; }
-  /// What this plant is: equal for generated and run-time tables of one description. Worked out once; O(1).
+  /// Identity of the model: equal for generated and run-time tables of one description. Computed once; O(1).
   std::uint64_t model_hash() const noexcept;
 
-  /// Back to time 0: every unit in its initial state, every operation off, every force released. The first instant, at
-  /// 0, is still to run. `seed` is that of all random times. `cycle` 0 is virtual time; else the length of the cycle
-  /// in ns in which a PLC samples, and events that are on for less are findings. Cost: the size of the plant.
+  /// Resets to time 0: every unit in its initial state, every operation off, every force released. The first instant,
+  /// at 0, has not run yet. `seed` is that of all random times. `cycle` 0 means virtual time; otherwise it is the cycle
+  /// in ns in which a PLC samples, and events that are on for less are findings. O(plant).
   void reset(std::uint64_t seed = 0, tables::Time cycle = 0) noexcept;
 
-  /// Writes a BOOL operation by its bit in the plane, as a PLC does; seen by the next instant that samples. O(1).
+  /// Writes a BOOL operation by its bit in the plane, as a PLC does; the next instant that samples reads it. O(1).
   void set_operation(std::uint32_t bit, bool on) noexcept;
   /// Writes those operations of a word of the plane that are set in `mask`, as they are in `bits`. O(1).
   void set_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   /// Writes a numeric operation by its slot; the value is a two's complement integer or the bits of a double. O(1).
   void set_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
 
-  /// Sets an event that no unit moves, as its source in the plant would: by symbol, BOOL as 0 or 1. False, and nothing
-  /// done, where the symbol is an operation, is moved by a unit, or follows one that is. O(symbols on the address).
+  /// Sets an event that no unit drives, as a sensor would: by symbol, BOOL as 0 or 1. Returns false and does nothing if
+  /// the symbol is an operation, or if a unit drives it or an event on its address. O(symbols on the address).
   bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
-  /// Holds a symbol, and all on its address, at a value (taken as it is, beyond its type's range too) until it is
-  /// released. What is written or made meanwhile is kept and shows again then. O(symbols on the address).
+  /// Holds a symbol, and all others on its address, at a value until it is released. The value is not checked against
+  /// the type's range. Values written meanwhile are kept and take effect on release. O(symbols on the address).
   void force(std::uint32_t symbol, std::uint64_t value) noexcept;
   void release(std::uint32_t symbol) noexcept;
   bool is_forced(std::uint32_t symbol) const noexcept;
-  /// Puts a unit into a state, as a person moves it: a move under way ends, the old state is left, the new one is
-  /// entered, also where it is the same; a disabled or frozen unit stays so. Nothing is done where the unit has no such
-  /// state. O(1) beside what it changes.
+  /// Puts a unit into a state, as if moved by hand: a current move ends, the old state is left and the new one entered,
+  /// even if they are the same. A disabled or frozen unit stays so. Does nothing if the unit has no such state. O(1)
+  /// plus the cost of the changes.
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
-  /// What behaviours are told of the link that carries their operations; well after a reset. O(devices with a
-  /// behaviour).
+  /// Sets for all custom behaviors whether the link that carries their operations is connected (quality()); true after
+  /// a reset. O(devices with a behavior).
   void set_quality(bool well) noexcept;
-  /// What one device's behaviour is told, by its place in PlantTables::behaviour_units. O(1).
+  /// The same for one device, by its index in PlantTables::behaviour_units. O(1).
   void set_quality(std::uint32_t behaviour, bool well) noexcept;
 
-  /// Runs every instant that is due before `time` on the operations as they were, then the one at `time` with what
-  /// was written since the last call. Called again for the same time, it runs a further instant only if something
-  /// was written or done. A time before now() is taken as now(). Costs what happens, not what exists.
+  /// Runs every instant that is due before `time` with the operations as sampled last, then the one at `time` with
+  /// the operations written since. A second call for the same time runs another instant only if an operation was
+  /// written or another action happened. A time before now() means now(). The cost depends on the changes, not on the
+  /// size of the plant.
   void advance_to(tables::Time time, engine::Observer* observer = nullptr) noexcept;
-  /// Runs every instant that is due before `time` and stands there, the instant at `time` still to run.
+  /// Runs every instant that is due before `time`, then sets now() to `time` without running the instant at `time`.
   void advance_before(tables::Time time, engine::Observer* observer = nullptr) noexcept;
 
   tables::Time now() const noexcept;
-  /// When something will happen by itself: now() before the first instant, kNever where nothing will. O(units that
-  /// become due within the same stretch of time: 256 ns, 65 us, 16.7 ms, ... as it is away).
+  /// The time of the next instant without an outside action: now() before the first instant, kNever if nothing is due.
+  /// O(units in one bucket of the wheel: 256 ns, 65 us, 16.7 ms, ... wide, by the distance to that time).
   tables::Time next_due() const noexcept;
 
-  // All read-outs are of the effective side, after forces.
-  bool operation(std::uint32_t bit) const noexcept;  ///< as the last instant saw it
+  // All values read here are after forces.
+  bool operation(std::uint32_t bit) const noexcept;  ///< as sampled by the last instant
   bool event(std::uint32_t bit) const noexcept;
   std::uint64_t operation_value(std::uint32_t slot) const noexcept;
   std::uint64_t event_value(std::uint32_t slot) const noexcept;
-  std::span<const std::uint64_t> operations() const noexcept;  ///< the whole bit plane, as the last instant saw it
+  std::span<const std::uint64_t> operations() const noexcept;  ///< the whole bit plane, as sampled by the last instant
   std::span<const std::uint64_t> events() const noexcept;
 
   /// The words of events() that changed since forget_changed_events(), each once, in no order; all after a reset or a
   /// restore.
   std::span<const std::uint32_t> changed_events() const noexcept;
-  /// The slots of event_value() likewise.
+  /// The slots of event_value() that changed since forget_changed_events(), each once, in no order; all after a reset
+  /// or a restore.
   std::span<const std::uint32_t> changed_event_values() const noexcept;
   void forget_changed_events() noexcept;
 
   UnitView unit(std::uint32_t unit) const noexcept;
-  /// By bit of operations(): on, but without effect until it has been off (docs/model.md, "Transitions"). What is off
-  /// there is armed.
+  /// Mask over operations(): a set bit is disarmed, without effect until the operation has been off (docs/model.md,
+  /// "A transition"). The other operations are armed.
   std::span<const std::uint64_t> disarmed() const noexcept;
 
-  /// Whether a requirement waits for what it expects. O(1).
+  /// Whether a requirement is waiting for its expected condition. O(1).
   bool is_pending(std::uint32_t requirement) const noexcept;
 
-  /// Takes the oldest finding out of the ring; false where there is none.
+  /// Removes the oldest finding from the ring; false if the ring is empty.
   bool take_finding(tables::Finding& finding) noexcept;
-  /// Findings that a full ring did not take, since reset().
+  /// Number of findings lost since reset() because the ring was full.
   std::uint64_t lost_findings() const noexcept;
 
-  /// All that changes in a plant, in one block without pointers: save is a copy of it, to be restored into any plant of
-  /// equal model_hash by the same build of the runtime, unaltered: its bytes are trusted. Findings not yet taken and
-  /// changes not yet forgotten are not part of it.
+  /// The whole changing state, in one block without pointers. A copy of it can be restored into any plant of equal
+  /// model_hash by the same build of the runtime. It must be unaltered: restore() trusts its bytes. Findings not yet
+  /// taken and changes not yet forgotten are not part of it.
   std::span<const std::byte> save() const noexcept;
-  /// False, and nothing done, where the block is another model's or none. O(plant), at memory speed.
+  /// Restores a copy of save(). Returns false and does nothing if the block is of another model or invalid. O(plant).
   bool restore(std::span<const std::byte> block) noexcept;
-  /// Digest of the logical state, whatever the history (docs/engine.md tells its fields). O(plant).
+  /// Digest of the logical state, independent of its history (docs/engine.md lists its fields). O(plant).
   std::uint64_t state_hash() const noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// Whether something holds in a plant as it stands.
+// Evaluates conditions and expectations of a scenario.
 #include "symplant/scenario/evaluate.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace symplant::scenario {
 namespace {
 
-/// A plant as it stands.
+/// The current state of a plant.
 struct OfPlant {
   const plant::Plant& plant;
   plant::UnitView unit(std::uint32_t unit) const noexcept { return plant.unit(unit); }

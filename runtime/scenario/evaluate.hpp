@@ -1,4 +1,4 @@
-// Whether something holds in a plant as it stands.
+// Evaluates conditions and expectations of a scenario.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace symplant::scenario {
 
-/// The value of a symbol after forces, as its plane holds it.
+/// The value of a symbol after forces, in the representation of its plane.
 std::uint64_t value_of(const plant::Plant& plant, std::uint32_t symbol) noexcept;
 
-/// REAL and LREAL compare as numbers, NaN with NaN; everything else bit by bit.
+/// REAL and LREAL compare as numbers, with NaN equal to NaN; all other types bit by bit.
 bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexcept;
 
 bool holds(const condition::Tree& tree, const plant::Plant& plant) noexcept;
-/// Likewise of a plant as its records tell it.
+/// The same for a plant's state from its records.
 bool holds(const condition::Tree& tree, const trace::History& history) noexcept;
 bool holds(const Expectation& expectation, const plant::Plant& plant) noexcept;
 

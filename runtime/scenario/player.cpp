@@ -54,7 +54,7 @@ void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
   ++at_;
 }
 
-/// Of the wait that is next, the present instant run: false while it goes on.
+/// Checks the current wait after the instant at now() has run; false while it continues.
 bool Player::wait_on() noexcept {
   const Step& step = scenario_.steps[at_];
   if (!waiting_) {

@@ -1,4 +1,4 @@
-// Plays a scenario on a plant: acts and looks at its times, whoever paces the plant.
+// Plays a scenario on a plant, in virtual or real time.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +12,40 @@
 
 namespace symplant::scenario {
 
-/// What became of a step.
+/// The outcome of a step.
 struct Outcome {
   enum class Kind : std::uint8_t {
     pending,
-    done,       ///< it only acted
+    done,       ///< it has no expectation and acted
     held,       ///< its expectation held, or its wait was met
-    failed,     ///< it did not, or was not in time
-    unreached,  ///< the run ended before; a failure where it expects something
+    failed,     ///< its expectation did not hold, or its wait was not met in time
+    unreached,  ///< the run ended before it; a failure if it has an expectation
   };
   Kind kind = Kind::pending;
-  tables::Time time = 0;  ///< its own time; of a wait when it was over
+  tables::Time time = 0;  ///< of the step; of a wait the time at which it ended
 };
 
-/// Between instants it acts, at their ends it looks whether a wait is met: it is the plant's observer, and hands
-/// everything on to a recorder. Allocates when it is made and never again, so it may drive a plant in real time.
+/// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
+/// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
 ///
-/// In virtual time advance_to() is called for each time at which something is due, by the plant or by next(). In real
-/// time it is called once a cycle: a step then acts in the first cycle at or after its time, while `plus` still counts
-/// from the time itself.
+/// In virtual time the caller calls advance_to() for each time at which the plant or next() is due. In real time it
+/// calls it once per cycle: a step then acts in the first cycle at or after its time, but `plus` still counts from the
+/// exact time.
 class Player final : public engine::Observer, public exec::Stepper {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the player.
   Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder);
 
-  /// Brings the plant to `time` and plays what is due until then, the instants of `time` included. For each step that
-  /// fails the recorder gets a note: the step's place, and its time as value.
+  /// Advances the plant to `time` and plays the steps that are due until then, including the instants at `time`. For
+  /// each failed step it adds a note to the recorder: the step's index, and its time as the value.
   void advance_to(tables::Time time) noexcept override;
-  /// When it next has something to do; kNever when it is over.
+  /// The time of the next step, or the deadline of the current wait; kNever if the scenario is over.
   tables::Time next() const noexcept;
   bool over() const noexcept override { return at_ == scenario_.steps.size(); }
-  /// The run is over: what is still to come was not reached.
+  /// Ends the run: marks the remaining steps as unreached.
   void end() noexcept;
 
-  /// One a step.
+  /// One outcome per step.
   std::span<const Outcome> outcomes() const noexcept { return outcomes_; }
 
   void instant(const engine::Instant& instant) noexcept override;
@@ -62,12 +62,12 @@ class Player final : public engine::Observer, public exec::Stepper {
   plant::Plant& plant_;
   trace::Recorder& recorder_;
   std::vector<Outcome> outcomes_;
-  std::size_t at_ = 0;         ///< the step that is next, or is waiting
-  tables::Time moment_ = 0;    ///< of the step before
+  std::size_t at_ = 0;         ///< index of the next step, or of the current wait
+  tables::Time moment_ = 0;    ///< time of the previous step
   bool waiting_ = false;       ///< step at_ is a wait, and has begun
-  tables::Time deadline_ = 0;  ///< of that
-  bool met_ = false;           ///< likewise
-  tables::Time met_time_ = 0;
+  tables::Time deadline_ = 0;  ///< of the current wait
+  bool met_ = false;           ///< the current wait is met
+  tables::Time met_time_ = 0;  ///< the time at which it was met
 };
 
 }  // namespace symplant::scenario

@@ -20,18 +20,18 @@ using Json = nlohmann::json;
 
 constexpr const char* kVersionKey = "symplant-scenario";
 
-/// What tells that the file is another one than a scenario of this version; nothing where it is.
+/// The fault of a file that is not a scenario of this version; empty for a scenario.
 std::optional<json::Fault> another_file(const Json& root) {
   if (!root.is_object()) return std::nullopt;
   if (const auto version = root.find(kVersionKey); version != root.end()) {
     if (!version->is_number_integer() || *version == 1) return std::nullopt;
-    return json::Fault{
-        json::child("", kVersionKey),
-        "this scenario is of version " + version->dump() + " of the format, this symplant reads version 1", 0, false};
+    return json::Fault{json::child("", kVersionKey),
+                       "this scenario has version " + version->dump() + " of the format, this symplant reads version 1",
+                       0, false};
   }
   if (!root.contains("symplant")) return std::nullopt;
   return json::Fault{json::child("", "symplant"),
-                     "this is a plant description and no scenario, name it as the plant that is run", 0, true};
+                     "this is a plant description, not a scenario; give it as the plant to run", 0, true};
 }
 
 std::vector<json::Fault> shape_faults(const Json& root) {
@@ -39,7 +39,7 @@ std::vector<json::Fault> shape_faults(const Json& root) {
   return json::Schema(scenario_schema()).check(root);
 }
 
-/// Steps whose shape is wrong, so that they cannot be read.
+/// The indexes of steps that do not match the schema and cannot be read.
 std::set<std::size_t> broken_steps(std::span<const json::Fault> faults) {
   std::set<std::size_t> broken;
   for (const json::Fault& fault : faults) {
@@ -53,7 +53,7 @@ std::set<std::size_t> broken_steps(std::span<const json::Fault> faults) {
   return broken;
 }
 
-/// Reads what can be read and adds what is wrong there to the faults.
+/// Reads the steps that match the schema, and adds their faults to `faults`.
 Scenario read_steps(const Json& steps, StepReader& reader, std::vector<json::Fault>& faults) {
   const std::set<std::size_t> broken = broken_steps(faults);
   Scenario scenario;
@@ -65,7 +65,7 @@ Scenario read_steps(const Json& steps, StepReader& reader, std::vector<json::Fau
   return scenario;
 }
 
-/// Lines of the steps: asked for as faults are, in one pass over the text.
+/// Sets the lines of the steps: locates them as faults, in one pass over the text.
 void find_lines(std::string_view text, Scenario& scenario) {
   std::vector<json::Fault> indexes(scenario.steps.size());
   for (std::size_t i = 0; i < indexes.size(); ++i) indexes[i].pointer = json::child("/steps", i);

@@ -12,12 +12,12 @@
 namespace symplant::scenario {
 
 struct ReadScenario {
-  std::optional<Scenario> scenario;  ///< where there is no fault
-  std::vector<json::Placed> faults;  ///< all that there are, in the order of the text
+  std::optional<Scenario> scenario;  ///< present if there are no faults
+  std::vector<json::Placed> faults;  ///< all faults, in the order of the text
 };
 
-/// `carried`: by symbol, operations that a link to a PLC writes, so that a scenario cannot; empty: none. O(text +
-/// plant).
+/// `carried`: for each symbol, whether it is an operation that a link to a PLC writes, which a scenario cannot set;
+/// empty if there is no such operation. O(text + plant).
 ReadScenario read_scenario(std::string_view text, const trace::PlantNames& names, const std::vector<bool>& carried);
 
 /// The JSON Schema of the format (draft-07), as `symplant schema scenario` prints it.

@@ -1,4 +1,4 @@
-// A scenario: what is done to a plant and expected of it, step by step.
+// A scenario: the actions on a plant and its expected reactions, step by step.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace symplant::scenario {
 
-/// A symbol and a value as the plane holds it: 0 or 1, two's complement, the bits of a double.
+/// A symbol and a value in the representation of its plane: 0 or 1, two's complement, or the bits of a double.
 struct SymbolValue {
   std::uint32_t symbol;
   std::uint64_t value;
@@ -25,18 +25,18 @@ struct UnitState {
   friend bool operator==(const UnitState&, const UnitState&) = default;
 };
 
-/// Values and condition must all hold.
+/// An expectation holds if all values and the condition hold.
 struct Expectation {
   std::vector<SymbolValue> values;
   std::optional<condition::Tree> condition;
-  std::string text;  ///< of the condition, as its author wrote it
+  std::string text;  ///< of the condition, as in the file
 };
 
 struct Step {
   enum class When : unsigned char {
-    at,    ///< at `time`, or at once where that is past
-    plus,  ///< `time` after the step before
-    wait,  ///< until `expect` holds, at most for `time`
+    at,    ///< at `time`, or at once if that is past
+    plus,  ///< `time` after the previous step
+    wait,  ///< until `expect` holds, for at most `time`
   };
   When when = When::at;
   tables::Time time = 0;

@@ -16,20 +16,20 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr tables::Time kDefaultWithin = 10 * tables::kSecond;
-// Far from where 64 bits of nanoseconds end, so that sums cannot overflow.
+// 100 years: far below the range of 64-bit nanoseconds, so that sums cannot overflow.
 constexpr tables::Time kLatest = 876'000 * (3600 * tables::kSecond);
 
 std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string nearest_text(const std::string& nearest) {
-  return nearest.empty() ? "" : ", the nearest is " + ticked(nearest);
+  return nearest.empty() ? "" : "; did you mean " + ticked(nearest) + "?";
 }
 
-/// Symbols that a unit moves, and those on their addresses.
+/// Marks the symbols that a unit drives or reads as commands, and all others on their addresses.
 std::vector<bool> driven_symbols(const tables::PlantTables& tables) {
   std::vector<bool> moved(tables.symbols.size());
   for (std::size_t s = 0; s < moved.size(); ++s) moved[s] = tables.symbols[s].moved();
-  for (int pass = 0; pass < 2; ++pass) {  // to the leader, then from it
+  for (int pass = 0; pass < 2; ++pass) {  // first to the leader, then from it
     for (const tables::SharedAddress& shared : tables.shared_addresses) {
       if (moved[shared.symbol] || moved[shared.leader]) moved[shared.symbol] = moved[shared.leader] = true;
     }
@@ -67,14 +67,14 @@ void StepReader::read_when(const Json& step, const std::string& pointer, Step& r
   for (const auto& [key, when] : kWhens) {
     if (!step.contains(key)) continue;
     if (given != nullptr) {
-      add(json::child(pointer, key), ticked(given) + " says already when this step is, leave one of them out", true);
+      add(json::child(pointer, key), ticked(given) + " already sets the time of this step; remove one of them", true);
       continue;
     }
     given = key;
     result.when = when;
   }
   if (given == nullptr) {
-    add(pointer, "this step does not say when it is, add `at`, `plus` or `wait`");
+    add(pointer, "this step has no time; add `at`, `plus` or `wait`");
   } else if (result.when == Step::When::wait) {
     read_wait(step, pointer, result);
     return;
@@ -83,7 +83,7 @@ void StepReader::read_when(const Json& step, const std::string& pointer, Step& r
     check_order(result, json::child(pointer, given));
   }
   if (step.contains("within")) {
-    add(json::child(pointer, "within"), "`within` belongs to a `wait`, which this step has not", true);
+    add(json::child(pointer, "within"), "`within` is allowed only with `wait`; remove it", true);
   }
 }
 
@@ -99,14 +99,14 @@ void StepReader::read_wait(const Json& step, const std::string& pointer, Step& r
   for (const char* key : {"set", "state", "force", "release", "expect"}) {
     if (!step.contains(key)) continue;
     add(json::child(pointer, key),
-        ticked(key) + " stands beside `wait`, give it a step of its own behind, with `plus`: `0s`", true);
+        ticked(key) + " is not allowed with `wait`; put it into a separate step after it, with `plus`: `0s`", true);
   }
 }
 
 void StepReader::check_order(const Step& step, const std::string& pointer) {
   if (step.when == Step::When::plus) {
     if (step.time > kLatest - earliest_) {
-      add(pointer, "this is later than 100 years, the latest that there is");
+      add(pointer, "this is out of range, the latest time is 100 years");
       return;
     }
     if (step.time > 0) last_ = "plus";
@@ -115,7 +115,7 @@ void StepReader::check_order(const Step& step, const std::string& pointer) {
   }
   if (step.time < earliest_) {
     add(pointer, "this is before the " + ticked(last_) + " above, which is at " + trace::seconds(earliest_) +
-                     " at the earliest, put the steps into their order");
+                     " at the earliest; put the steps into the order of their times");
     return;
   }
   earliest_ = step.time;
@@ -123,7 +123,7 @@ void StepReader::check_order(const Step& step, const std::string& pointer) {
 }
 
 void StepReader::read_expect(const Json& value, const std::string& pointer, Step& result) {
-  if (result.when == Step::When::wait) return;  // told already
+  if (result.when == Step::When::wait) return;  // reported already
   Expectation expectation;
   if (value.is_string()) {
     expectation.text = value.get<std::string>();
@@ -138,9 +138,9 @@ std::optional<tables::Time> StepReader::read_duration(const Json& value, const s
   const auto& text = value.get_ref<const std::string&>();
   const auto time = tables::parse_duration(text);
   if (!time) {
-    add(pointer, ticked(text) + " is no duration, write a number and ns, us, ms, s, min or h, as in `1.5s`");
+    add(pointer, ticked(text) + " is not a duration; write a number and ns, us, ms, s, min or h, as in `1.5s`");
   } else if (*time > kLatest) {
-    add(pointer, ticked(text) + " is later than 100 years, the latest that there is");
+    add(pointer, ticked(text) + " is out of range, the latest time is 100 years");
     return std::nullopt;
   }
   return time;
@@ -157,26 +157,26 @@ std::optional<condition::Tree> StepReader::read_condition(const std::string& tex
 std::optional<std::uint32_t> StepReader::symbol(const std::string& name, const std::string& pointer, bool at_key) {
   if (const auto found = by_name_.symbol(name)) return found->index;
   if (by_name_.unit(name, {})) {
-    add(pointer, ticked(name) + " is a device, name one of its symbols, or put the device into a state by `state`",
+    add(pointer, ticked(name) + " is a device; name one of its symbols, or set the state of the device with `state`",
         at_key);
   } else {
-    add(pointer, "there is no symbol " + ticked(name) + nearest_text(by_name_.nearest_symbol(name)), at_key);
+    add(pointer, "symbol " + ticked(name) + " not found" + nearest_text(by_name_.nearest_symbol(name)), at_key);
   }
   return std::nullopt;
 }
 
-/// Empty where a scenario may.
+/// Why a scenario cannot set a symbol; empty if it can.
 std::string StepReader::why_not_set(std::uint32_t symbol) const {
   const std::string name = ticked(names_.symbol(symbol));
   if (names_.is_operation(symbol)) {
     if (symbol >= carried_.size() || !carried_[symbol]) return {};
-    return name + " is written by the PLC through the link, hold it by `force` instead";
+    return "the PLC writes " + name + " through the link; use `force` instead";
   }
   if (!moved_[symbol]) return {};
   const std::uint32_t unit = names_.tables().symbols[symbol].unit;
-  return name + " is moved by " +
+  return name + " is driven by " +
          (unit == tables::kNoUnit ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
-         ", move that by `state`, or hold the symbol by `force`";
+         "; set that device with `state`, or the symbol with `force`";
 }
 
 std::vector<SymbolValue> StepReader::read_values(const Json& object, const std::string& pointer, bool setting) {
@@ -187,7 +187,7 @@ std::vector<SymbolValue> StepReader::read_values(const Json& object, const std::
     if (!found) continue;
     if (const std::string why = setting ? why_not_set(*found) : ""; !why.empty()) add(here, why, true);
     for (const SymbolValue& other : values) {
-      if (other.symbol == *found) add(here, ticked(name) + " stands here twice, in different letters", true);
+      if (other.symbol == *found) add(here, ticked(name) + " is repeated in another letter case; remove one", true);
     }
     auto read = read_value(names_.tables().symbols[*found].type(), value);
     if (auto* message = std::get_if<std::string>(&read)) {
@@ -207,8 +207,8 @@ std::vector<UnitState> StepReader::read_states(const Json& object, const std::st
     if (!unit) {
       const bool is_symbol = by_name_.symbol(name).has_value();
       add(here,
-          is_symbol ? ticked(name) + " is a symbol and has no states, set or force it"
-                    : "there is no device " + ticked(name) + nearest_text(by_name_.nearest_device(name, {})),
+          is_symbol ? ticked(name) + " is a symbol and has no states; use `set` or `force`"
+                    : "device " + ticked(name) + " not found" + nearest_text(by_name_.nearest_device(name, {})),
           true);
       continue;
     }
@@ -219,7 +219,7 @@ std::vector<UnitState> StepReader::read_states(const Json& object, const std::st
     }
     std::string why = by_name_.why_no_state(*unit, wanted);
     if (why.empty()) {
-      why = "there is no state " + ticked(wanted) + " of " + ticked(name) +
+      why = "state " + ticked(wanted) + " of " + ticked(name) + " not found" +
             nearest_text(by_name_.nearest_state(*unit, wanted));
     }
     add(here, std::move(why));

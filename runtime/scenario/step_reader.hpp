@@ -1,4 +1,4 @@
-// Reads the steps of a scenario, one after the other, and notes what is wrong with each.
+// Reads the steps of a scenario in order, and collects their faults.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -13,12 +13,12 @@
 
 namespace symplant::scenario {
 
-/// Expects of its steps the shape that the schema gives them.
+/// The steps must match the schema.
 class StepReader {
  public:
   StepReader(const trace::PlantNames& names, const std::vector<bool>& carried);
 
-  /// `pointer` is where the step stands in the file.
+  /// `pointer` is the JSON pointer of the step. Call it for the steps in their order.
   Step read(const nlohmann::json& step, const std::string& pointer);
 
   std::vector<json::Fault> faults;
@@ -40,9 +40,9 @@ class StepReader {
   const trace::PlantNames& names_;
   const std::vector<bool>& carried_;
   TableNames by_name_;
-  std::vector<bool> moved_;    ///< symbols that a unit moves, also by another one of their address
-  tables::Time earliest_ = 0;  ///< of the next step, as far as the file alone can tell
-  std::string last_;           ///< what set it: `at` or `plus`
+  std::vector<bool> moved_;    ///< for each symbol: it, or another one on its address, is SymbolRow::moved()
+  tables::Time earliest_ = 0;  ///< the earliest time of the next step, without the duration of waits
+  std::string last_;           ///< the key that set it: `at` or `plus`
 };
 
 }  // namespace symplant::scenario

@@ -1,4 +1,4 @@
-// A plant's tables by names.
+// Looks up units, states and symbols of a plant's tables by name.
 #include "symplant/scenario/table_names.hpp"
 
 #include "symplant/tables/ascii.hpp"
@@ -66,7 +66,7 @@ std::string TableNames::why_no_state(std::uint32_t unit, std::string_view name) 
   const std::string wanted = tables::to_upper(name);
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
     if (tables::to_upper(names_.task(symbol)) != wanted) continue;
-    return "`" + std::string(name) + "` is no state of `" + std::string(names_.unit(unit)) + "`, name the symbol `" +
+    return "`" + std::string(name) + "` is not a state of `" + std::string(names_.unit(unit)) + "`; name the symbol `" +
            std::string(names_.symbol(symbol)) + "`";
   }
   return {};

@@ -1,4 +1,4 @@
-// A plant's tables as conditions and scenarios see them: by names.
+// Looks up units, states and symbols of a plant's tables by name, for conditions and scenarios.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,8 @@
 
 namespace symplant::scenario {
 
-/// Without regard to the case of ASCII letters. `names` must outlive it. O(plant) to make, look-ups O(name).
+/// Names compare without regard to the case of ASCII letters. `names` must outlive this object. The constructor is
+/// O(plant), a look-up O(name), the nearest names O(plant).
 class TableNames final : public condition::Names {
  public:
   explicit TableNames(const trace::PlantNames& names);
@@ -26,7 +27,7 @@ class TableNames final : public condition::Names {
 
  private:
   const trace::PlantNames& names_;
-  std::unordered_map<std::string, std::uint32_t> units_;  ///< by their names in upper case
+  std::unordered_map<std::string, std::uint32_t> units_;  ///< by name in upper case
   std::unordered_map<std::string, std::uint32_t> symbols_;
 };
 

@@ -1,4 +1,4 @@
-// Values of symbols as a scenario writes them.
+// Reads the values of symbols in a scenario.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,10 @@
 
 namespace symplant::scenario {
 
-/// The value as a plane holds it, or what is wrong with it. What a trace writes for the type reads back: true and false
-/// for BOOL; whole numbers within the range of an integer type, also as a text (`9007199254740993`, `16#FF`); for REAL
-/// and LREAL numbers, the nearest value that the type has, also `nan`, `inf` and `-inf`.
+/// The value in the representation of its plane, or a message if it is invalid. All values in traces can be read back.
+/// BOOL: true and false. Integer types: whole numbers within the range of the type, also as a text
+/// (`9007199254740993`, `16#FF`). REAL and LREAL: numbers, rounded to the nearest value of the type, and `nan`, `inf`
+/// and `-inf`.
 std::variant<std::uint64_t, std::string> read_value(tables::DataType type, const nlohmann::json& value);
 
 }  // namespace symplant::scenario

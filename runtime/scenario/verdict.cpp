@@ -1,4 +1,4 @@
-// What became of a scenario, in words.
+// Describes the outcome of a scenario.
 #include "symplant/scenario/verdict.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +16,13 @@ namespace {
 
 using trace::seconds;
 
-/// What an expectation looks at, each once.
+/// The symbols and units of an expectation, each once.
 struct Things {
   std::set<std::uint32_t> symbols;
   std::set<std::uint32_t> units;
 };
 
-/// What a condition that does not hold names; of a conjunction what its parts name that do not hold.
+/// Collects the symbols and units of a condition that does not hold; of a conjunction only the parts that do not hold.
 void collect(const condition::Tree& tree, const trace::History& history, Things& things) {
   if (tree.kind == condition::Tree::Kind::atom) {
     const bool is_unit =
@@ -44,7 +44,7 @@ std::string values_text(std::span<const SymbolValue> values, const trace::PlantN
   return text;
 }
 
-/// The values of an expectation that are not there.
+/// The values of an expectation that do not hold.
 std::vector<SymbolValue> missing(const Expectation& expectation, const trace::PlantNames& names,
                                  const trace::History& history) {
   std::vector<SymbolValue> found;
@@ -62,7 +62,7 @@ struct Force {
 };
 using Forces = std::map<std::uint32_t, Force>;
 
-/// What is forced when the steps up to that one have acted.
+/// The symbols forced after the steps up to and including `step`.
 Forces forces_at(const Scenario& scenario, std::size_t step) {
   Forces forces;
   for (std::size_t i = 0; i <= step; ++i) {
@@ -99,7 +99,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
   std::vector<std::string> parts;
   if (step.when == Step::When::wait) {
     parts.push_back(
-        fmt::format("waited {} for `{}`, in vain until {}", seconds(step.time), step.expect->text, seconds(time)));
+        fmt::format("waited {} for `{}`, not met by {}", seconds(step.time), step.expect->text, seconds(time)));
   } else {
     parts.push_back(fmt::format("expected {} at {}",
                                 wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),

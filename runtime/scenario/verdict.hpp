@@ -1,4 +1,4 @@
-// What became of a scenario, in words.
+// Describes the outcome of a scenario.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 
 namespace symplant::scenario {
 
-/// Steps that expect something, by what became of them.
+/// The number of steps with an expectation, by outcome.
 struct Verdict {
   std::size_t held = 0;
   std::size_t failed = 0;
@@ -20,13 +20,14 @@ struct Verdict {
 };
 Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes);
 
-/// `EXLINE_MB_AGV_I_P2 on`, a condition in its author's words; of a wait with how long.
+/// The expectation of a step as text: `EXLINE_MB_AGV_I_P2 on`, or the condition as in the file; for a wait with its
+/// limit.
 std::string expectation_words(const Step& step, const trace::PlantNames& names);
 
-/// Why a step's expectation failed at `time`: what was expected, then a part for each symbol and each unit that it
-/// names, with what is there, since when, which operation led to it, and which step forces it. Of a conjunction only
-/// what does not hold is told. `at` is the step's place, `history` as of that time. Never empty; joined by `; ` they
-/// are one sentence. O(steps).
+/// Why a step's expectation failed at `time`: what was expected, then one part for each of its symbols and units: its
+/// value or state, since when, the operation that led to it, and the step that forces it. Of a conjunction only the
+/// parts that do not hold are reported. `at` is the index of the step, `history` the records at that time. Never empty;
+/// join the parts with `; `. O(steps).
 std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, tables::Time time,
                                        const trace::PlantNames& names, const trace::History& history);
 

@@ -1,4 +1,4 @@
-// Wait-free hand-over of an image: brings the slot to hand over up to date and gives it away.
+// Wait-free transfer of an image: updates a slot with the changed words, then publishes it.
 #include "symplant/share/shared_words.hpp"
 
 namespace symplant::share {
@@ -13,7 +13,7 @@ void SharedWords::touch(std::size_t word) noexcept {
     const auto bit = static_cast<std::uint8_t>(1U << slot);
     if ((missing_in_[word] & bit) != 0) continue;
     missing_in_[word] = static_cast<std::uint8_t>(missing_in_[word] | bit);
-    missing_[slot].push_back(word);  // never beyond the reserve: a word is named once
+    missing_[slot].push_back(word);  // never exceeds the reserved capacity: a slot lists a word once
   }
 }
 

@@ -1,4 +1,4 @@
-// Wait-free hand-over of an image of 64-bit words, at the cost of what changed in it.
+// Wait-free transfer of an image of 64-bit words between two threads; its cost depends on the changes.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace symplant::share {
 
-/// A triple buffer whose writer keeps the image and says which words it changed. The reader sees whole images only:
-/// the words of one publish() together. All memory is taken by the constructor.
+/// A triple buffer whose writer keeps the image and marks the words that it changes. The reader always gets a complete
+/// image of one publish(). Only the constructor allocates.
 ///
 /// One writer thread uses words(), touch() and publish(), one reader thread update() and latest().
-// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): a cache line of its own for each side
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): each side has a separate cache line
 class SharedWords {
  public:
   /// Both sides start with `initial`.
@@ -23,14 +23,14 @@ class SharedWords {
 
   /// Writer: the image to change; every word changed must be touched before publish().
   std::span<std::uint64_t> words() noexcept { return current_; }
-  /// Writer: says that a word was changed. O(1).
+  /// Writer: marks a word as changed. O(1).
   void touch(std::size_t word) noexcept;
-  /// Writer: hands the image over. O(words touched in the last three calls).
+  /// Writer: publishes the image. O(words touched since the third last call).
   void publish() noexcept;
 
-  /// Reader: takes the image published last; false where there is no newer one.
+  /// Reader: gets the image published last; false if there is no newer one.
   bool update() noexcept { return slots_.update(); }
-  /// Reader: the image taken last.
+  /// Reader: the image that update() got last.
   std::span<const std::uint64_t> latest() const noexcept { return slots_.front(); }
 
  private:
@@ -39,8 +39,8 @@ class SharedWords {
 
   Words current_;
   TripleBuffer<Words> slots_;
-  std::array<std::vector<std::size_t>, kSlots> missing_;  ///< a slot: words that changed since it was written last
-  std::vector<std::uint8_t> missing_in_;                  ///< a word: bit s is on where missing_[s] names it
+  std::array<std::vector<std::size_t>, kSlots> missing_;  ///< of each slot: words that changed since its last update
+  std::vector<std::uint8_t> missing_in_;                  ///< of each word: bit s is set if missing_[s] lists it
 };
 
 }  // namespace symplant::share

@@ -1,4 +1,4 @@
-// Wait-free hand-over of whole values from one thread to another: the latest wins.
+// Wait-free transfer of values from one thread to another; the reader gets the latest value.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 namespace symplant::share {
 
-/// Three slots: the writer owns one, the reader owns one, the third lies between them and changes hands by one atomic
-/// exchange. Neither side waits, repeats or allocates; a value that the reader did not fetch in time is overwritten.
+/// Three slots: the writer owns one, the reader owns one, and one atomic exchange swaps the third with either of them.
+/// Neither side waits, retries or allocates; a value that the reader did not fetch in time is overwritten.
 ///
-/// One writer thread uses back(), back_index() and publish(), one reader thread update() and front(); they may be the
-/// same thread. Memory order: publish() releases what was written to back(), update() acquires it; the exchange of
-/// either side also acquires the slot that the other one gave up, so that no slot is written while it is read.
+/// One writer thread uses back(), back_index() and publish(), one reader thread update() and front(); both may be the
+/// same thread. Memory order: publish() releases the contents of back(), update() acquires them. The exchange of each
+/// side also acquires the slot that the other side released, so no slot is written while it is read.
 template <class T>
 class TripleBuffer {
  public:
@@ -26,22 +26,22 @@ class TripleBuffer {
 
   /// Writer: the slot to fill. It holds an old value, not always the one published last.
   T& back() noexcept { return slots_[back_].value; }
-  /// Writer: which slot back() is, below kSlots, for a writer that remembers what each slot lacks.
+  /// Writer: the index of back(), below kSlots, for a writer that tracks what each slot lacks.
   std::size_t back_index() const noexcept { return back_; }
-  /// Writer: hands back() over and takes another slot.
+  /// Writer: publishes back() and gets another slot.
   void publish() noexcept {
     const auto full = static_cast<std::uint8_t>(back_ | kFresh);
     back_ = middle_.exchange(full, std::memory_order_acq_rel) & kIndex;
   }
 
-  /// Reader: takes the value published last; false where there is none that front() has not shown yet.
+  /// Reader: gets the value published last; false if front() has it already.
   bool update() noexcept {
-    // Relaxed is enough to look: the exchange below orders the contents, and a stale look only delays the value.
+    // Relaxed is enough here: the exchange below orders the contents, and a stale read only delays the value.
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
     return true;
   }
-  /// Reader: the value taken last; it stays as it is until the next update().
+  /// Reader: the value of the last update(); unchanged until the next one.
   const T& front() const noexcept { return slots_[front_].value; }
 
  private:
@@ -54,7 +54,7 @@ class TripleBuffer {
   };
 
   std::array<Slot, kSlots> slots_;
-  // Apart, so that the two threads do not fight for one cache line.
+  // In separate cache lines, so that the two threads do not contend for one.
   alignas(kCacheLine) std::atomic<std::uint8_t> middle_{1};
   alignas(kCacheLine) std::uint8_t back_ = 0;
   alignas(kCacheLine) std::uint8_t front_ = 2;

@@ -1,4 +1,4 @@
-// ASCII letters without regard to their case, as names compare in every PLC tool.
+// ASCII case folding: names compare without regard to case, as in every PLC tool.
 #pragma once
 
 #include <algorithm>

@@ -25,7 +25,7 @@ constexpr bool compares(Number value, Comparison comparison, Number operand) noe
   return false;
 }
 
-/// Whether a slot's value is as the watch asks. NaN compares with nothing.
+/// Whether a slot's value meets the watch's comparison. Every comparison with NaN is false.
 inline bool holds(const ValueWatch& watch, std::uint64_t value) noexcept {
   switch (watch.kind) {
     case NumberKind::signed_integer:

@@ -1,4 +1,4 @@
-// The digest of a plant's tables, field by field so that neither padding nor byte order counts.
+// The digest of a plant's tables, field by field: padding and byte order have no effect on it.
 #include "symplant/tables/digest.hpp"
 
 #include "symplant/tables/version.hpp"
@@ -133,8 +133,8 @@ void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
 
 void add(Fnv1a64& hash, std::uint32_t value) noexcept { hash.u32(value); }
 
-/// Which symbols are whose: a row each time that the controller changes. How a controller's symbols are spread over
-/// lists does not count.
+/// Which symbols belong to which controller: one entry each time that the controller changes. The distribution of a
+/// controller's symbols over lists has no effect.
 void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
   std::uint32_t before = 0;
   for (std::size_t i = 0; i < tables.lists.size(); ++i) {
@@ -145,10 +145,10 @@ void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
     hash.u32(list.controller);
     before = list.controller;
   }
-  hash.u32(kNoUnit);  // which is no symbol
+  hash.u32(kNoUnit);  // end of the list: no symbol has this index
 }
 
-/// A table's size goes before its rows, so that no row can pass for one of the next table.
+/// A table's size is hashed before its rows, so that no row can be read as one of the next table.
 template <class Row>
 void add_rows(Fnv1a64& hash, std::span<const Row> rows) noexcept {
   hash.u64(rows.size());

@@ -28,9 +28,9 @@ class Fnv1a64 {
   std::uint64_t hash_ = 0xCBF2'9CE4'8422'2325;
 };
 
-/// What a plant is, as one number: the same for equal tables wherever they were made, another as soon as any row or
-/// name differs. Lines in the symbol lists, the lists' file names and how a controller's
-/// symbols are spread over lists do not count; the plant's name and its controllers do. O(tables).
+/// The identity of a plant as one number: the same for equal tables on every machine, different if any row or name
+/// differs. The plant's name and its controllers count. The line numbers and file names of the symbol lists, and the
+/// distribution of a controller's symbols over lists, do not. O(tables).
 std::uint64_t model_hash(const PlantTables& tables) noexcept;
 
 }  // namespace symplant::tables

@@ -1,4 +1,4 @@
-// Durations as people write them.
+// Parses durations such as "500ms".
 #include "symplant/tables/duration.hpp"
 
 #include <array>
@@ -22,7 +22,7 @@ constexpr std::array<Unit, 6> kUnits{{{"ns", 1},
                                       {"min", 60 * kSecond},
                                       {"h", 3600 * kSecond}}};
 
-/// More of them are below a nanosecond even of an hour.
+/// The 14th decimal of an hour is less than a nanosecond.
 constexpr std::size_t kMostDecimals = 13;
 
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t'; }

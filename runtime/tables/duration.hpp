@@ -1,4 +1,4 @@
-// Durations as people write them: "500ms", "1.5 s", "2h".
+// Parses durations such as "500ms", "1.5 s" and "2h".
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace symplant::tables {
 
-/// A number, blanks or none, and one of ns us ms s min h; decimal fractions are exact. Nothing where the text is none,
-/// is negative, has a part below 1 ns, or is not below the 292 years that 64 bits hold.
+/// A number, optional blanks, and one of ns us ms s min h; decimal fractions are exact. Empty if the text is not a
+/// duration, is negative, has a part below 1 ns, or is not below the 292 years that 64 bits hold.
 std::optional<Time> parse_duration(std::string_view text) noexcept;
 
 }  // namespace symplant::tables

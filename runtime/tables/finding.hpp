@@ -1,4 +1,4 @@
-// What the plant finds while it runs (docs/model.md, "Findings at run time").
+// Findings at run time (docs/model.md, "What the plant finds").
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace symplant::tables {
 
-/// In the order in which those of one instant stand.
+/// The enumerators are in the order in which findings of one instant are reported.
 enum class FindingKind : std::uint8_t {
   conflicting_operations,         ///< of a unit
   stopped_under_another_command,  ///< of a unit
@@ -18,17 +18,17 @@ enum class FindingKind : std::uint8_t {
   event_too_short,                ///< of an event
   instantaneous_loop,             ///< of units: one finding each, `more` set on all but the loop's last
   requirement_violated,           ///< of a requirement
-  link_lost,                      ///< of a link; this and the next are the host's, not the model's
+  link_lost,                      ///< of a link; the host reports this kind and the next, the model the others
   link_back,                      ///< of a link; a note
 };
-inline constexpr int kFindingKinds = 9;      ///< of the model
-inline constexpr int kAllFindingKinds = 11;  ///< with those of the host
+inline constexpr int kFindingKinds = 9;      ///< kinds that the model reports
+inline constexpr int kAllFindingKinds = 11;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;
-  std::uint32_t of;  ///< a unit, a symbol or a requirement, by its place in the tables; a link by its place in the run
+  std::uint32_t of;  ///< index of a unit, symbol or requirement in the tables, or of a link in the run
   FindingKind kind;
-  bool more;  ///< the next finding names a further unit of this same loop
+  bool more;  ///< the next finding names another unit of the same loop
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

@@ -1,9 +1,9 @@
-// The functions of the I/O model as look-ups in a type's table, for generated classes to be read and used by people.
+// The functions of the I/O model as look-ups in a type's table, for use in generated classes.
 //
 // Park, Wang and Park, "Symbol naming rules for plant model generation in the PLC simulation": a device is
-// <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>. The engine does not call these; it has the tables. They tell
-// the structure alone: whether a condition that guards a transition holds (Transition::when) only a running plant
-// knows.
+// <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>. The engine reads the tables and does not call these functions.
+// They return the structure only: whether the condition of a transition holds (Transition::when) depends on a running
+// plant.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace symplant::tables {
 
-/// Where operation `x` leads from state `a`, by the first transition that it commands there, guarded or not; `a` itself
-/// where it leads nowhere from there. O(transitions).
+/// The state that operation `x` leads to from state `a`, by the first transition that it commands there, with or
+/// without a condition; `a` itself if there is no such transition. O(transitions).
 template <class State, class Operation>
 constexpr State d_ext(std::span<const Transition> transitions, State a, Operation x) noexcept {
   for (const Transition& t : transitions) {
@@ -24,8 +24,8 @@ constexpr State d_ext(std::span<const Transition> transitions, State a, Operatio
   return a;
 }
 
-/// Where state `b` leads by itself, by the first such transition, guarded or not; `b` itself where it stays.
-/// O(transitions).
+/// The state that state `b` leads to automatically, by the first such transition, with or without a condition; `b`
+/// itself if there is no such transition. O(transitions).
 template <class State>
 constexpr State d_int(std::span<const Transition> transitions, State b) noexcept {
   for (const Transition& t : transitions) {
@@ -34,7 +34,8 @@ constexpr State d_int(std::span<const Transition> transitions, State b) noexcept
   return b;
 }
 
-/// Whom device `by` disables while it is settled in `x`: rows of a plant's disables, which are sorted. O(log rows).
+/// The units that device `by` disables while it is settled in `x`, as rows of a plant's disables, which are sorted.
+/// O(log rows).
 template <class State>
 constexpr std::span<const DisableRow> l_disable(std::span<const DisableRow> disables, std::uint32_t by,
                                                 State x) noexcept {

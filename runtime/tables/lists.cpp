@@ -1,4 +1,4 @@
-// Which list a symbol stands in, and whose addresses it has.
+// Finds the list and the controller of a symbol.
 #include "symplant/tables/lists.hpp"
 
 #include <algorithm>

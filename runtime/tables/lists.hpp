@@ -1,4 +1,4 @@
-// Which list a symbol stands in, and whose addresses it has.
+// Finds the list and the controller of a symbol.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace symplant::tables {
 
-/// The place in PlantTables::lists; 0 where there are none. O(log lists).
+/// The index in PlantTables::lists; 0 if there are no lists. O(log lists).
 std::uint32_t list_of(const PlantTables& tables, std::uint32_t symbol) noexcept;
 
-/// The place in PlantTables::controller_names; 0 where there are no lists. O(log lists).
+/// The index in PlantTables::controller_names; 0 if there are no lists. O(log lists).
 std::uint32_t controller_of(const PlantTables& tables, std::uint32_t symbol) noexcept;
 
 }  // namespace symplant::tables

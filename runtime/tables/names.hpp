@@ -1,4 +1,4 @@
-// Names out of the tables' blobs.
+// Splits the name blobs of the tables.
 #pragma once
 
 #include <cstddef>

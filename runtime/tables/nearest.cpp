@@ -1,4 +1,4 @@
-// The distance of two names: insertions, deletions, substitutions, and exchanges of neighbours.
+// The edit distance of two names: insertions, deletions, substitutions, and exchanges of adjacent letters.
 #include "symplant/tables/nearest.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace symplant::tables {
 namespace {
 
-constexpr std::size_t kLongest = 200;  ///< bytes; longer names are compared by nobody
+constexpr std::size_t kLongest = 200;  ///< bytes; longer names are not compared
 
-/// The distance where it is below `limit`, else any number from there on.
+/// The distance if it is below `limit`, else any number >= `limit`.
 std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) {
   std::array<std::array<std::size_t, kLongest + 1>, 3> rows{};
   for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = j;
@@ -29,7 +29,7 @@ std::size_t distance(std::string_view a, std::string_view b, std::size_t limit) 
       }
       least = std::min(least, row[j]);
     }
-    if (least > limit) return least;  // an exchange may still save one
+    if (least > limit) return least;  // not at `limit` itself: an exchange can still lower it
   }
   return rows[a.size() % 3][b.size()];
 }

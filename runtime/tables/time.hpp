@@ -1,4 +1,4 @@
-// Time as the plant counts it: signed 64-bit nanoseconds.
+// Plant time: signed 64-bit nanoseconds.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ inline constexpr Time kMicrosecond = 1'000;
 inline constexpr Time kMillisecond = 1'000'000;
 inline constexpr Time kSecond = 1'000'000'000;
 
-/// Later than everything that ever becomes due.
+/// Later than every due time.
 inline constexpr Time kNever = std::numeric_limits<Time>::max();
 
 }  // namespace symplant::tables

@@ -4,6 +4,7 @@
 namespace symplant::tables {
 
 const char* version() noexcept { return "0.1.0"; }
-static_assert(kVersionMajor == 0 && kVersionMinor == 1 && kVersionPatch == 0, "version() tells another version");
+static_assert(kVersionMajor == 0 && kVersionMinor == 1 && kVersionPatch == 0,
+              "version() and the constants in version.hpp differ; give both the same version");
 
 }  // namespace symplant::tables

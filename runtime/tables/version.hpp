@@ -1,4 +1,4 @@
-// The runtime's version; generated code states which one it was made for.
+// The version of the runtime; generated code checks it.
 #pragma once
 
 namespace symplant::tables {

@@ -1,4 +1,4 @@
-// Findings as a file.
+// Writes findings to a file.
 #include "symplant/trace/finding_file.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace symplant::trace {
 namespace {
 
-constexpr std::size_t kOperations = 8;  ///< of each unit
+constexpr std::size_t kOperations = 8;  ///< at most, for each unit
 
 std::string index_json(std::uint32_t symbol, const PlantNames& names) {
   return fmt::format(R"("address":{},"list":{},"row":{})", json_string(names.address(symbol)),

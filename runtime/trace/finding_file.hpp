@@ -1,4 +1,4 @@
-// Findings as a file: JSON lines.
+// Writes findings to a file, as JSON lines.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace symplant::trace {
 
-/// One writer; not thread-safe. What goes wrong is in error().
+/// One writer; not thread-safe. Errors are in error().
 class FindingFile {
  public:
   FindingFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {}

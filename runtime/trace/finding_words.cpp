@@ -1,4 +1,4 @@
-// Findings as a PLC programmer speaks of them.
+// The texts of run-time findings.
 #include "symplant/trace/finding_words.hpp"
 
 #include <fmt/format.h>
@@ -27,13 +27,13 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
 
 constexpr std::size_t kOperationsShown = 4;
 
-/// `Y0001`, or the symbol's name where it has no address.
+/// `Y0001`, or the symbol's name if it has no address.
 std::string index(std::uint32_t symbol, const PlantNames& names) {
   const std::string_view address = names.address(symbol);
   return std::string(address.empty() ? names.symbol(symbol) : address);
 }
 
-/// Who disables a unit now: `EXLINE_MB_DOOR in OPEN1`.
+/// The units that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
 std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const tables::DisableRow& row : names.tables().disables) {
@@ -65,18 +65,18 @@ std::string of_unit(const FoundThing& found, const PlantNames& names, const Hist
   switch (found.kind) {
     case FindingKind::conflicting_operations:
       return fmt::format(
-          "conflicting operations: {} ({}) is sent to several states at once and obeys none of them{}; look for an "
-          "interlock that is missing between these outputs",
+          "conflicting operations: {} ({}) has commands to several states at once and obeys none of them{}; check "
+          "for a missing interlock between these outputs",
           name, state, operations);
     case FindingKind::stopped_under_another_command:
       return fmt::format(
-          "stopped under another command: {} ({}) stands still, since its own command is off, while another one is "
-          "on{}; look for why the output went off before it arrived",
+          "stopped under another command: {} ({}) has stopped, since its own command is off while another one is on{}; "
+          "check why the output went off before it arrived",
           name, state, operations);
     default:
       return fmt::format(
-          "started on enabling: {} ({}) moved as soon as nothing disabled it any more{}; look whether the command "
-          "should have been taken back meanwhile",
+          "started on enabling: {} ({}) moved as soon as nothing disabled it any more{}; check whether the command "
+          "should have been switched off meanwhile",
           name, state, operations);
   }
 }
@@ -90,20 +90,19 @@ std::string of_operation(const FoundThing& found, const PlantNames& names, const
   if (found.kind == FindingKind::command_to_a_disabled_unit) {
     const std::string by = disablers(unit, names, history);
     return fmt::format(
-        "command to a disabled unit: {}, came on while {} ({}) cannot move{}; look for an interlock that is missing in "
-        "its rung",
+        "command to a disabled unit: {}, came on while {} ({}) cannot move{}; check for a missing interlock in its "
+        "rung",
         who, name, state, by.empty() ? "" : ", disabled by " + by);
   }
   if (found.kind == FindingKind::command_without_effect) {
     return fmt::format(
-        "command without effect: {}, came on while {} is in {}, from where it leads nowhere; look whether the step "
-        "before it was left out, or the wrong output was taken",
+        "command without effect: {}, came on while {} is in {}, from where it has no transition; check whether the "
+        "step before it was skipped, or the wrong output was used",
         who, name, state);
   }
   return fmt::format(
-      "lost command: {}, on since {}, went off before {} ({}) moved on it; look whether the output should be held "
-      "until "
-      "the device has answered",
+      "lost command: {}, on since {}, went off before {} ({}) moved; check whether the output should be held until the "
+      "device has answered",
       who, seconds(history.rose(symbol)), name, state);
 }
 
@@ -116,10 +115,10 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
     text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
     text += led(unit, names, history);
   }
-  return text + "; look for a state that takes no time";
+  return text + "; check for a state that takes no time";
 }
 
-/// What led a unit to where it is: the operation that came on last, and those that are on still.
+/// What led a unit to its state: the operation that came on last, and those that are still on.
 std::string led_here(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   bool has_operations = false;
@@ -139,20 +138,20 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
 std::string of_link(const FoundThing& found, const PlantNames& names) {
   const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::link_back) {
-    return fmt::format("link back: {}, what the PLC writes acts again", link.name);
+    return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
   return fmt::format("link lost: {}, {}", link.name, link.silence);
 }
 
-/// The violation, then each unit that the requirement looks at, the last to change first.
+/// The violation, then each unit in the conditions of the requirement, the latest change first.
 std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t requirement = found.of.front();
   const tables::RequirementRow& row = names.tables().requirements[requirement];
   std::vector<std::string> parts{
       fmt::format("requirement violated: `{}`, {}", names.requirement(requirement),
                   row.kind == tables::RequirementRow::Kind::never
-                      ? "what must never hold begins to hold"
-                      : "what was expected within " + seconds(row.within) + " has not come")};
+                      ? "its condition must never hold and now holds"
+                      : "the expected condition did not become true within " + seconds(row.within))};
   std::vector<std::uint32_t> units = requirement_units(names.tables(), requirement);
   std::stable_sort(units.begin(), units.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
@@ -212,7 +211,7 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
   const plant::UnitView view = history.unit(unit);
   std::string text(names.state(unit, view.state));
   if (view.moving) text += fmt::format("->{}", names.state(unit, view.target));
-  if (view.stopped_midway) text += ", standing still midway";
+  if (view.stopped_midway) text += ", stopped midway";
   if (view.disabled) text += ", disabled";
   if (view.frozen) text += ", frozen";
   return text;
@@ -234,9 +233,9 @@ std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
   if (found.kind == FindingKind::instantaneous_loop) {
     return {fmt::format(
-        "instantaneous loop: {} {} round without time passing and {} frozen until the run ends; look for transitions "
-        "whose `after` and `takes` are 0",
-        name_of(found, names), found.of.size() == 1 ? "goes" : "go", found.of.size() == 1 ? "is" : "are")};
+        "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "
+        "transitions whose `after` and `takes` are 0",
+        name_of(found, names), found.of.size() == 1 ? "loops" : "loop", found.of.size() == 1 ? "is" : "are")};
   }
   return {is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history)};
 }

@@ -1,4 +1,4 @@
-// Findings as a PLC programmer speaks of them.
+// The texts of run-time findings.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace symplant::trace {
 
-/// As the table in docs/model.md has it: `lost command`.
+/// The name in the table of docs/model.md: `lost command`.
 std::string_view finding_name(tables::FindingKind kind);
 
-/// One finding, a loop with all its units.
+/// One finding; a loop with all its units.
 struct FoundThing {
   tables::Time time;
   tables::FindingKind kind;
@@ -25,32 +25,31 @@ bool is_of_unit(tables::FindingKind kind);
 bool is_of_symbol(tables::FindingKind kind);
 bool is_of_link(tables::FindingKind kind);
 
-/// What it is of, by name; a loop's units sorted, with blanks between.
+/// The name of its unit, symbol, requirement or link; for a loop the sorted names of its units, with blanks between.
 std::string name_of(const FoundThing& found, const PlantNames& names);
 
-/// The units that it is about: its own, its symbol's, those that its requirement looks at.
+/// The units that it concerns: its own, that of its symbol, or those in the conditions of its requirement.
 std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::PlantTables& tables);
 
 /// `PLC output Y0001, operation P2 of EXLINE_MB_AGV (symbols.csv:4)`.
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names);
 
-/// `P1`, `P1->P2 (moving)`, with what stops it.
+/// `P1`, `P1->P2`, followed by `, stopped midway`, `, disabled` or `, frozen`.
 std::string state_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
 /// `since 1.5 s`, `since the start`.
 std::string since_words(tables::Time changed);
 
-/// Where a unit is, who disables it, since when, and what led it there: the operation that came on last, and those that
-/// are on still. `EXLINE_MB_AGV is in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s to 0.7
+/// A unit's state, what disables it, since when, and what led to it: the operation that came on last, and those that
+/// are still on. `EXLINE_MB_AGV is in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s to 0.7
 /// s`.
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
-/// What is there, which operations led to it, what to look at; for a violated requirement a further part for each unit
-/// that it looks at, the last to change first. Never empty; joined by `; ` they are one sentence. Its time is not in
-/// it.
+/// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in
+/// its conditions, the latest change first. Never empty; joined by `; ` the parts are one sentence, without the time.
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history);
 
-/// Plant time as people write it: `1.5 s`.
+/// Plant time in seconds: `1.5 s`.
 std::string seconds(tables::Time time);
 
 }  // namespace symplant::trace

@@ -1,4 +1,4 @@
-// What stood where, and since when.
+// The current values of symbols and states of units, and their latest changes.
 #include "symplant/trace/history.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ History::History(const PlantNames& names)
     if (tables.symbols[initial.symbol].type() != tables::DataType::boolean) values_[initial.symbol] = initial.value;
   }
   for (const tables::SharedAddress& shared :
-       tables.shared_addresses) {  // numbers of one address begin as one of them says
+       tables.shared_addresses) {  // numbers of one address share one initial value
     if (tables.symbols[shared.symbol].type() == tables::DataType::boolean) continue;
     if (values_[shared.symbol] == 0) values_[shared.symbol] = values_[shared.leader];
   }

@@ -1,4 +1,4 @@
-// What stood where, and since when: the state of a plant as its records tell it.
+// The current values of symbols and states of units, and their latest changes, from the records of a run.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace symplant::trace {
 
-/// Kept up by the thread that drains a recorder, apart from the plant. `names` must outlive it.
+/// Updated by the thread that drains a recorder; does not access the plant. `names` must outlive it.
 class History {
  public:
   explicit History(const PlantNames& names);
@@ -21,13 +21,13 @@ class History {
 
   std::uint64_t value(std::uint32_t symbol) const { return values_[symbol]; }
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
-  /// Since when it is so; 0 where it never changed.
+  /// Time of its latest change; 0 if it never changed.
   tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
   tables::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
-  /// When it last came on; -1: never.
+  /// Time at which it last came on; -1: never.
   tables::Time rose(std::uint32_t symbol) const { return rose_[symbol]; }
 
-  /// The operations of a unit that have been on, the last to come on first; at most `most`.
+  /// The operations of a unit that have been on, the latest first; at most `most`.
   std::vector<std::uint32_t> last_operations(std::uint32_t unit, std::size_t most) const;
 
  private:

@@ -1,4 +1,4 @@
-// A file written line by line and fast.
+// A buffered output file with an optional size limit.
 #include "symplant/trace/output_file.hpp"
 
 #include <cerrno>
@@ -13,7 +13,7 @@ namespace symplant::trace {
 OutputFile::OutputFile(std::string what, std::string path, std::uint64_t limit)
     : what_(std::move(what)), path_(std::move(path)), limit_(limit) {
   open();
-  // A pipe or a device has no size to be limited, and no name to be moved to.
+  // A pipe or a device has no size to limit, and cannot be renamed.
   std::error_code unknown;
   if (file_ && !std::filesystem::is_regular_file(path_, unknown)) limit_ = kNoLimit;
 }
@@ -33,7 +33,7 @@ void OutputFile::open() {
     fail();
     return;
   }
-  std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // the buffer is here
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);  // buffer_ is the buffer
   buffer_.reserve(kBuffer);
 }
 

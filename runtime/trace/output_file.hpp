@@ -1,4 +1,4 @@
-// A file written line by line and fast, with a size at which it is begun anew; its end is not the plant's.
+// A buffered output file with an optional size limit, at which it starts a new file.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@ namespace symplant::trace {
 
 inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
 
-/// One writer; not thread-safe. A write that fails (a full disk) ends the file and is told once: see error().
+/// One writer; not thread-safe. A failed write (a full disk) ends the file; error() has the reason.
 class OutputFile {
  public:
-  /// Opens a file; what it is called in messages is `what` ("trace"). `limit` in bytes is when full() holds.
+  /// Opens a file. `what` is its name in messages ("trace"). From `limit` bytes on full() holds.
   OutputFile(std::string what, std::string path, std::uint64_t limit = kNoLimit);
-  /// Writes into a stream, which is never full and must outlive this.
+  /// Writes to a stream, which is never full and must outlive this.
   OutputFile(std::string what, std::ostream& stream);
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
@@ -28,16 +28,16 @@ class OutputFile {
     buffer_.append(text);
     if (buffer_.size() >= kBuffer) write_out();
   }
-  /// Gives everything written so far to the system.
+  /// Passes everything written so far to the system.
   void flush();
 
-  /// Whether it holds `limit` bytes or more, and can be begun anew.
+  /// Whether it has `limit` bytes or more, so that begin_again() is due.
   bool full() const noexcept { return written_ + buffer_.size() >= limit_; }
-  /// The file so far becomes `PATH.1`, in place of an older one, and an empty one is begun.
+  /// Renames the file to `PATH.1`, which replaces an older one, and starts an empty file.
   void begin_again();
 
   bool is_open() const noexcept { return file_ != nullptr || stream_ != nullptr; }
-  /// Empty while all is well; else what the system said, once and for all.
+  /// The message of the first error; empty if there was no error.
   const std::string& error() const noexcept { return error_; }
 
  private:

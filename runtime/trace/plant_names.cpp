@@ -1,4 +1,4 @@
-// What the things of a plant are called.
+// The names of symbols, units, states, requirements, lists and links.
 #include "symplant/trace/plant_names.hpp"
 
 #include "symplant/tables/lists.hpp"

@@ -1,4 +1,4 @@
-// What the things of a plant are called, and which symbols a unit has.
+// The names of symbols, units, states, requirements, lists and links; the symbols of each unit.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace symplant::trace {
 
-/// Views into the tables' blobs, which must outlive it. O(plant) to make; members are O(1) where nothing else is said.
+/// Views into the tables' blobs, which must outlive it. Construction is O(plant), members are O(1) unless noted.
 class PlantNames {
  public:
   explicit PlantNames(const tables::PlantTables& tables);
 
   const tables::PlantTables& tables() const { return tables_; }
   std::string_view symbol(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol}]; }
-  /// As the list writes it; empty where there is none.
+  /// As in the list; empty if the symbol has no address.
   std::string_view address(std::uint32_t symbol) const { return symbols_[2 * std::size_t{symbol} + 1]; }
   std::string_view unit(std::uint32_t unit) const { return units_[unit]; }
   std::string_view state(std::uint32_t unit, std::uint8_t state) const;
@@ -27,16 +27,16 @@ class PlantNames {
   /// A link of the run.
   struct Link {
     std::string name;
-    std::string silence;  ///< what a loss of it means: "nothing was heard for 1 s"
+    std::string silence;  ///< why a loss is reported, and what to check
   };
-  /// Empty where none was named.
+  /// The link with this index; empty without name_links().
   Link link(std::uint32_t link) const { return link < links_.size() ? links_[link] : Link(); }
   void name_links(std::vector<Link> links) { links_ = std::move(links); }
-  /// The task that a unit's symbol stands for, by the end of its name.
+  /// The task of a symbol: the state that a unit's operation leads to, else the end of the symbol's name.
   std::string_view task(std::uint32_t symbol) const;
-  /// The name of the list that a symbol is declared in. O(log lists).
+  /// The name of the list that declares a symbol. O(log lists).
   std::string_view list(std::uint32_t symbol) const;
-  /// Where a symbol is declared, as `symbols.csv:4`.
+  /// The location of a symbol, such as `symbols.csv:4`. O(log lists).
   std::string cite(std::uint32_t symbol) const;
 
   /// The symbols of a unit, in list order.
@@ -47,15 +47,16 @@ class PlantNames {
 
  private:
   const tables::PlantTables& tables_;
-  std::vector<std::string_view> symbols_;  ///< name and address of each
+  std::vector<std::string_view> symbols_;  ///< name and address of each symbol
   std::vector<std::string_view> units_;
   std::vector<std::string_view> states_;
   std::vector<std::string_view> requirements_;
   std::vector<std::string_view> lists_;
   std::vector<Link> links_;
-  std::vector<std::uint32_t> first_states_;  ///< a type: of its states in states_
-  std::vector<std::uint32_t> by_unit_;       ///< symbols of units, unit by unit
-  std::vector<std::uint32_t> first_of_;      ///< a unit: of its symbols in by_unit_; one more at the end
+  std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
+  std::vector<std::uint32_t> by_unit_;       ///< symbols of units, grouped by unit
+  std::vector<std::uint32_t>
+      first_of_;  ///< by unit: the index of its first symbol in by_unit_; one more entry at the end
 };
 
 }  // namespace symplant::trace

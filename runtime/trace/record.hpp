@@ -1,4 +1,4 @@
-// What a cycle leaves behind: one change, one finding, one note.
+// One record of a run: a change, a finding or a note.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@ namespace symplant::trace {
 
 struct Record {
   enum class Kind : std::uint8_t {
-    change,   ///< net change of symbol `of` to `value`: 0 or 1; a value plane's content for a numeric symbol
-    unit,     ///< unit `of` is now as `value` says (pack_unit)
-    finding,  ///< as tables::Finding has it
-    note,     ///< by who drives the plant: `of` and `value` are its own
+    change,   ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
+    unit,     ///< unit `of` now has the state `value` (pack_unit)
+    finding,  ///< as in tables::Finding
+    note,     ///< of the program that drives the plant, which defines `of` and `value`
   };
   tables::Time time = 0;
   std::uint64_t value = 0;
   std::uint32_t of = 0;
   Kind kind = Kind::change;
   tables::FindingKind finding = {};
-  bool more = false;  ///< of a finding
-  bool last = false;  ///< of its instant
+  bool more = false;  ///< as in tables::Finding
+  bool last = false;  ///< the last record of its instant
 };
 
-/// A unit's doing in one word; what it is about apart from times.
+/// The state of a unit in one word, without its times.
 constexpr std::uint64_t pack_unit(const plant::UnitView& unit) noexcept {
   return unit.state | std::uint64_t{unit.target} << 8 | std::uint64_t{unit.moving} << 16 |
          std::uint64_t{unit.stopped_midway} << 17 | std::uint64_t{unit.disabled} << 18 |

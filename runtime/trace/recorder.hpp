@@ -1,4 +1,4 @@
-// Records what each instant changed and found: in the cycle, into memory that is there already.
+// Records the changes and findings of each instant in the cycle, without allocation.
 #pragma once
 
 #include <atomic>
@@ -11,27 +11,27 @@
 
 namespace symplant::trace {
 
-/// An observer that fills a ring. One thread runs the plant, another one (or the same) drains; wait-free between them.
-/// Of an instant its findings come first, in their order, then changes of symbols in the order of the symbol list,
-/// then units. All of an instant is there to be drained, or nothing.
+/// An observer that fills a ring. One thread runs the plant, another one (or the same) drains the ring; both are
+/// wait-free. The records of an instant are its findings in their order, then changes of symbols in list order, then
+/// units. They become available to drain() together.
 class Recorder final : public engine::Observer {
  public:
-  /// Room for `capacity` records, rounded up to a power of two; what does not fit is counted as lost.
+  /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
   Recorder(const tables::PlantTables& tables, std::size_t capacity);
-  /// So many records loses nothing where the ring is drained after each instant.
+  /// A capacity that loses nothing if the ring is drained after each instant.
   static std::size_t enough_for_an_instant(const tables::PlantTables& tables);
 
-  /// The plant whose instants come; to be set before it is advanced.
+  /// Sets the observed plant; to be called before the plant advances.
   void attach(const plant::Plant& plant) { plant_ = &plant; }
 
   void instant(const engine::Instant& instant) noexcept override;
   void finding(const tables::Finding& finding) noexcept override;
-  /// A finding of the host, between instants, by the thread that runs the plant.
+  /// Adds a finding of the host. Only between instants, by the thread that runs the plant.
   void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept;
-  /// Between instants, by the thread that runs the plant. False where there was no room.
+  /// Adds a note. Only between instants, by the thread that runs the plant. False if the ring is full.
   bool note(tables::Time time, std::uint32_t of, std::uint64_t value) noexcept;
 
-  /// Hands every record made so far to `take(const Record&)`.
+  /// Passes every available record to `take(const Record&)`.
   template <class Take>
   void drain(Take take) {
     const std::size_t end = written_.load(std::memory_order_acquire);
@@ -52,17 +52,17 @@ class Recorder final : public engine::Observer {
 
   const tables::PlantTables& tables_;
   const plant::Plant* plant_ = nullptr;
-  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or tables::kNoUnit for a bit that none has
+  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or tables::kNoUnit for an unused bit
   std::vector<std::uint32_t> symbol_of_event_;
   std::vector<std::uint32_t> symbol_of_operation_slot_;
   std::vector<std::uint32_t> symbol_of_event_slot_;
-  std::vector<std::uint32_t> changed_;  ///< of the instant at hand; never grows beyond its first capacity
+  std::vector<std::uint32_t> changed_;  ///< symbols changed in this instant; never grows
   std::size_t changed_count_ = 0;
   std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
   std::vector<Record> ring_;
   std::size_t mask_;
-  std::size_t at_ = 0;   ///< where the next record goes; behind written_ while an instant is recorded
-  std::size_t end_ = 0;  ///< up to here there is room, as last seen
+  std::size_t at_ = 0;   ///< index of the next record; ahead of written_ while an instant is recorded
+  std::size_t end_ = 0;  ///< end of the free room, as last read
   std::atomic<std::size_t> written_{0};
   std::atomic<std::size_t> read_{0};
   std::atomic<std::uint64_t> lost_changes_{0};

@@ -1,4 +1,4 @@
-// Which units a requirement looks at.
+// The units in the conditions of a requirement.
 #include "symplant/trace/requirement_units.hpp"
 
 #include <set>
@@ -6,7 +6,7 @@
 namespace symplant::trace {
 namespace {
 
-/// The requirement that a condition is part of, kNoUnit where it is none's.
+/// The requirement that a condition belongs to; kNoUnit if it belongs to no requirement.
 std::uint32_t reader_of(const tables::PlantTables& tables, std::uint32_t condition) {
   for (;;) {
     const tables::ConditionRow& row = tables.conditions[condition];

@@ -1,4 +1,4 @@
-// Which units a requirement looks at.
+// The units in the conditions of a requirement.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace symplant::trace {
 
-/// By what its conditions name: units, and the units of symbols; each once, in the plant's order. O(watches).
+/// The units that its conditions name, and the units of the symbols that they name; each once, ascending. O(watches).
 std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement);
 
 }  // namespace symplant::trace

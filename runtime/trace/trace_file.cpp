@@ -1,4 +1,4 @@
-// The trace as a file.
+// Writes the trace to a file.
 #include "symplant/trace/trace_file.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The trace as a file: JSON lines, a header first, then a line for every net change.
+// Writes the trace to a file: JSON lines, first a header, then one line for each net change.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@ namespace symplant::trace {
 /// One writer; not thread-safe.
 class TraceFile {
  public:
-  /// Writes the header. What goes wrong is in error().
+  /// Writes the header. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
 
-  /// A record of a change; others are passed over. O(line).
+  /// Writes a record of a change; ignores others. O(line).
   void write(const Record& record);
-  /// Between two instants: begins a further part where the file is full. Its header holds `part`, counted from 1, the
-  /// time `t`, and all `values` that are not off or 0, so that it can be read alone. O(1), then O(symbols).
+  /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
+  /// the time `t`, and all `values` that are not off or 0, so that each part can be read alone. O(1); O(symbols) for a
+  /// new part.
   void part(tables::Time time, const History& history);
 
   void flush() { file_.flush(); }
@@ -30,12 +31,12 @@ class TraceFile {
  private:
   const tables::PlantTables& tables_;
   OutputFile file_;
-  std::string head_;                ///< of every part, without its closing brace
-  std::vector<std::string> names_;  ///< of symbols: what stands between time and value
-  std::string time_;                ///< of the lines being written
+  std::string head_;                ///< the header of every part, without its closing brace
+  std::vector<std::string> names_;  ///< by symbol: the text between time and value
+  std::string time_;                ///< the text of last_time_
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
-  bool has_lines_ = false;  ///< this part, so that a large header is not all that is written
+  bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header
 };
 
 }  // namespace symplant::trace

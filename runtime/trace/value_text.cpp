@@ -1,4 +1,4 @@
-// Values and names as JSON.
+// Texts of values and names.
 #include "symplant/trace/value_text.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Values and names as JSON.
+// Texts of values and names: JSON, and for people.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace symplant::trace {
 
-/// A text as JSON, in its quotes.
+/// A text as JSON, with quotes.
 std::string json_string(std::string_view text);
 
-/// The value of a symbol as JSON: true or false; a number, or a string where a number cannot say it (integers beyond
-/// 2^53, NaN, infinities). REAL and LREAL in the shortest form that reads back.
+/// The value of a symbol as JSON: true or false; a number, or a string if JSON numbers cannot represent it (integers
+/// beyond 2^53, NaN, infinities). REAL and LREAL in the shortest form that reads back.
 std::string json_value(tables::DataType type, std::uint64_t value);
 
-/// The value of a symbol as people read it: `on`, `off`, a number.
+/// The value of a symbol for people: `on`, `off`, a number.
 std::string value_text(tables::DataType type, std::uint64_t value);
 
 /// SINT, INT, DINT or LINT.
 bool is_signed(tables::DataType type) noexcept;
 bool is_real(tables::DataType type) noexcept;
-/// Bits that a value of the type has: 1 to 64.
+/// Number of bits of the type: 1 to 64.
 int width(tables::DataType type) noexcept;
 
 }  // namespace symplant::trace

@@ -1,4 +1,4 @@
-// The run as a VCD file.
+// Writes the run as a VCD file.
 #include "symplant/trace/vcd_file.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The run as a VCD file (IEEE 1364) for wave viewers: bits, numbers, and the states of units as strings.
+// Writes the run as a VCD file (IEEE 1364) for wave viewers: bits, numbers, and states of units as strings.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace symplant::trace {
 
-/// One writer; not thread-safe. What goes wrong is in error(). `names` must outlive it.
+/// One writer; not thread-safe. Errors are in error(). `names` must outlive it.
 class VcdFile {
  public:
   VcdFile(OutputFile file, const PlantNames& names);
 
-  /// Header and all values, once, as they stand at the end of the first instant. What comes before it is not written.
+  /// Writes the header and all values at the end of the first instant, once. Earlier records are not written.
   void begin(tables::Time time, const History& history);
-  /// A change of a symbol or a unit; other records are passed over.
+  /// Writes a change of a symbol or a unit; ignores other records.
   void write(const Record& record);
-  /// Between two instants: begins a further part, with header and values, where the file is full.
+  /// To be called between two instants: starts a new part, with header and values, if the file is full.
   void part(tables::Time time, const History& history);
-  /// So that a viewer shows the run up to its end.
+  /// Writes the final time, so that a viewer shows the run up to its end.
   void end(tables::Time time) { put_time(time); }
 
   void flush() { file_.flush(); }
@@ -34,10 +34,10 @@ class VcdFile {
 
   OutputFile file_;
   const PlantNames& names_;
-  std::vector<std::string> identifiers_;  ///< of symbols, then units, with a line's end
+  std::vector<std::string> identifiers_;  ///< of symbols, then of units, each with a line end
   tables::Time last_time_ = -1;
   bool begun_ = false;
-  bool has_lines_ = false;  ///< this part, so that a large header is not all that is written
+  bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header
 };
 
 }  // namespace symplant::trace

@@ -15,8 +15,8 @@ namespace {
 struct Scope {
   std::string name;
   std::vector<std::uint32_t> units;
-  std::vector<Scope> children;                 ///< in the order in which they were first met
-  std::map<std::string, std::size_t> indexes;  ///< a child's name -> its place
+  std::vector<Scope> children;                 ///< in the order of their first unit
+  std::map<std::string, std::size_t> indexes;  ///< a child's name -> its index in children
 };
 
 Scope& child_of(Scope& scope, std::string_view name) {

@@ -9,18 +9,18 @@
 
 namespace symplant::trace {
 
-/// The short name by which changes name variable `number`: printable, without blanks.
+/// The identifier of variable `number` in changes: short, printable, without blanks.
 std::string vcd_identifier(std::size_t number);
 
-/// A name without what would end it in the file, or for GTKWave: blanks as `_`, what is not ASCII as `u00FC`.
+/// A name with the characters that the file or GTKWave cannot read replaced: blanks as `_`, non-ASCII as `u00FC`.
 std::string vcd_name(std::string_view name);
 
-/// A text as a string value: blanks, control characters, backslashes and what is not ASCII as GTKWave reads them back
-/// (`\x20`); as they are they would end its reading of the file.
+/// A text as a string value: blanks, control characters, backslashes and non-ASCII bytes escaped as `\x20`. GTKWave
+/// reads these escapes; without them it stops reading the file.
 std::string vcd_string(std::string_view text);
 
-/// From $version to $enddefinitions. Symbol s is variable s, the state of unit u, by its path, is variable symbols + u.
-/// A unit's scope is its path, level by level; what is of no unit stands in the plant's.
+/// From $version to $enddefinitions. Symbol s is variable s, the state of unit u is variable (number of symbols) + u. A
+/// unit's scope is its path, level by level; symbols without a unit are in the scope of the plant.
 std::string vcd_header(const PlantNames& names);
 
 }  // namespace symplant::trace

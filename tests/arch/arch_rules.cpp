@@ -1,4 +1,4 @@
-// The rules of the house on its sources.
+// The rules that the project sets for its source files.
 #include "arch/arch_rules.hpp"
 
 #include <algorithm>
@@ -17,19 +17,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLines = 400;
-constexpr std::size_t kLeastHead = 15;  // characters, the comment's slashes included
+constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
-// Lowest first; a floor may use those before it.
+// Lowest first; a layer may use the layers before it.
 constexpr std::array<std::string_view, 14> kGenerator = {"base",     "text",        "diag",  "address", "read",
                                                          "name",     "description", "model", "lower",   "check",
                                                          "findings", "emit",        "view",  "app"};
 constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
                                                        "exec",   "link",   "trace", "scenario",  "host"};
 
-/// Which floors of the runtime a floor of the generator may use.
+/// The runtime layers that a layer of the generator may use.
 struct RuntimeUse {
   std::string_view floor;
-  std::string_view uses;  ///< with blanks between and around
+  std::string_view uses;  ///< separated and enclosed by blanks
 };
 constexpr std::array kRuntimeUse = {
     RuntimeUse{"description", " tables json link "},
@@ -41,9 +41,9 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"app", " tables json link scenario host "},
 };
 
-/// Where a third party's headers may be included.
+/// The layers that may include the headers of a third party.
 struct ThirdParty {
-  std::string_view include;  ///< how its includes begin
+  std::string_view include;  ///< prefix of its include paths
   std::array<std::string_view, 3> folders;
 };
 constexpr std::array kThirdParties = {
@@ -51,11 +51,12 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},
+    ThirdParty{"<uchardet", {"generator/text/"}},
 };
 
 struct Include {
   std::size_t line;
-  std::string_view what;  ///< with its quotes or brackets
+  std::string_view what;  ///< quotes or brackets included
 };
 
 std::vector<std::string_view> lines(std::string_view text) {
@@ -110,7 +111,7 @@ bool may_use_of_runtime(std::string_view generator_floor, std::string_view used)
   });
 }
 
-/// What is wrong with an include, by a file of the floor given; nothing where all is well.
+/// What is wrong with an include in a file of the given layer; empty if the include is allowed.
 std::string fault_of(std::string_view what, bool in_generator, std::string_view floor) {
   const std::string_view header = what.substr(1, what.size() - 2);
   const bool of_runtime = first_part(header) == "symplant";

@@ -1,4 +1,4 @@
-// The rules of the house on its sources: floors, third parties, heads, lengths.
+// The rules that the project sets for its source files: layers, third parties, headers, lengths.
 #pragma once
 
 #include <string>
@@ -7,27 +7,27 @@
 namespace symplant::arch {
 
 struct File {
-  std::string path;  ///< from the project's root, with `/`
+  std::string path;  ///< relative to the project root, with `/`
   std::string text;
 };
 
-/// Sources by path. A value, so that tests can make trees that break the rules.
+/// Sources by path. A value, so that tests can build trees that break the rules.
 using Tree = std::vector<File>;
 
 /// Each fault as `path:line: what`, in the order of the tree.
 using Faults = std::vector<std::string>;
 
-/// The .hpp and .cpp files below the folders named, sorted by path.
+/// The .hpp and .cpp files below the given folders, sorted by path.
 Tree read_tree(const std::string& root, const std::vector<std::string>& folders);
 
-/// Includes that climb: a floor may include itself and the floors below it, the generator's floors of the runtime only
-/// what the house lets them. Looks at generator/ and runtime/ only.
+/// Includes of a higher layer: a layer may include itself and the layers below it; a generator layer may include only
+/// the runtime layers that the rules allow. Checks generator/ and runtime/ only.
 Faults climbing_includes(const Tree& tree);
 
-/// Includes of a third party outside the floors that may see it. Looks at generator/ and runtime/ only.
+/// Includes of a third party in layers that must not use it. Checks generator/ and runtime/ only.
 Faults stray_third_parties(const Tree& tree);
 
-/// Files whose first line is no comment that says what they are for.
+/// Files whose first line is not a comment that states their purpose.
 Faults missing_heads(const Tree& tree);
 
 /// Files of more than 400 lines.

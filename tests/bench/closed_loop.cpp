@@ -1,4 +1,4 @@
-// Nanoseconds a motion in closed loop: the engine on the loads grid and distinct, beside the hand-written limit.
+// Nanoseconds per motion in closed loop: the engine on the loads grid and distinct, and the hand-written limit.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -14,7 +14,7 @@ template <class Loop>
 void closed_loop(benchmark::State& state) {
   Loop loop(static_cast<std::uint32_t>(state.range(0)));
   std::int64_t motions = 0;
-  const std::clock_t start = std::clock();  // CPU time: what else runs on the machine does not count
+  const std::clock_t start = std::clock();  // CPU time, so that other processes on the machine do not count
   for (auto _ : state) motions += loop.step();
   const double spent = static_cast<double>(std::clock() - start) * (1e9 / CLOCKS_PER_SEC);
   state.counters["ns_a_motion"] = spent / static_cast<double>(motions);
@@ -27,7 +27,7 @@ void idle(benchmark::State& state) {
   for (auto _ : state) made.plant->advance_to(++now);
 }
 
-/// Saves a plant and puts it back; `copy_ns` is a plain copy of as many bytes there and back.
+/// Saves and restores a plant; `copy_ns` is the time to copy as many bytes there and back.
 void save_and_restore(benchmark::State& state) {
   TwoStatePlant made(static_cast<std::uint32_t>(state.range(0)), {tables::kSecond});
   made.plant->advance_to(0);
@@ -41,7 +41,7 @@ void save_and_restore(benchmark::State& state) {
       benchmark::Counter(2e-9 * static_cast<double>(saved.size()), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// The measure for it.
+/// The baseline for save and restore.
 void copy_there_and_back(benchmark::State& state) {
   std::vector<std::byte> here(static_cast<std::size_t>(state.range(0)));
   std::vector<std::byte> there(here.size());
@@ -55,7 +55,7 @@ void copy_there_and_back(benchmark::State& state) {
       benchmark::Counter(2e-9 * static_cast<double>(here.size()), benchmark::Counter::kIsIterationInvariantRate);
 }
 
-/// What a unit takes: its row, its share of the flat block, and of all that the engine needs.
+/// Memory of a unit: its row, its share of the flat block, and its share of all engine memory.
 template <class Made>
 void memory(benchmark::State& state) {
   const auto devices = static_cast<std::uint32_t>(state.range(0));

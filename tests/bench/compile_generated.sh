@@ -1,7 +1,7 @@
 #!/bin/sh
-# What g++ -O2 takes for generated plants of several sizes, user seconds for all their files:
+# Measures the compile time of g++ -O2 for generated plants of several sizes, in user seconds for all their files:
 #   tests/bench/compile_generated.sh BUILD [DEVICES ...]
-# BUILD is the folder of a build with the preset bench. The least of three runs counts.
+# BUILD is the build folder of the preset bench. The best of three runs counts.
 set -eu
 build=${1:?usage: compile_generated.sh BUILD [DEVICES ...]}
 shift
@@ -22,7 +22,7 @@ for devices; do
   "$build/symplant" generate "$folder/list.csv" -o "$folder/plant" > /dev/null
   run=0
   while [ $run -lt 3 ]; do
-    # The children's user time, as the shell counts it.
+    # The user time of the children, as the shell measures it.
     (compile; times) | tail -n 1 | awk '{ split($1, t, /[ms]/); print t[1] * 60 + t[2] }'
     run=$((run + 1))
   done | sort -n | awk -v devices="$devices" 'NR == 1 { printf "| %d | %d | %.2f |\n", devices, 4 * devices, $1 }'

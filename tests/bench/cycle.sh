@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The cycle in real time: how late it wakes, beside cyclictest of the same minute, and what 10,000 devices cost at 1 ms.
-# usage: cycle.sh BUILD_FOLDER [SECONDS]. Prints the tables of docs/performance.md. SECONDS: of the load (default 30).
+# The cycle in real time: how late it wakes, compared with cyclictest, and the cost of 10,000 devices at 1 ms.
+# usage: cycle.sh BUILD_FOLDER [SECONDS]. Prints the tables of docs/performance.md. SECONDS: of load (default 30).
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/../rt/large_plant.sh"
 build=$(realpath "${1:?usage: cycle.sh BUILD_FOLDER [SECONDS]}") seconds=${2:-30}
@@ -13,7 +13,7 @@ quantile_of() { # NAME: "p50 p99 p99.9 max" of lateness, in us
     awk '{ printf "%.1f %.1f %.1f %.1f\n", $1 / 1e3, $2 / 1e3, $3 / 1e3, $4 / 1e3 }'
 }
 
-histogram_of() { # FILE: the same of cyclictest's histogram, which counts whole us
+histogram_of() { # FILE: the same from cyclictest's histogram, which counts whole us
   awk '/^[0-9]/ { count[NR] = $2; us[NR] = $1 + 0; all += $2; if ($2) last = $1 + 0 }
     END {
       n = split("0.5 0.99 0.999", share, " ")
@@ -74,7 +74,7 @@ plant=$!
 port_of() { sed -n "s,^link PLC$1=modbus-tcp-server://127\.0\.0\.1:\([0-9]*\).*,\1,p" "$work/plant.log"; }
 until grep -q '^running' "$work/plant.log"; do sleep 0.1; done
 ticks() { sed 's/.*) //' "/proc/$plant/stat" | awk '{ print $12, $13 }'; }
-"$masters" 3 100 "$devices" "$(port_of 1)" "$(port_of 2)" >/dev/null # until all are on their way
+"$masters" 3 100 "$devices" "$(port_of 1)" "$(port_of 2)" >/dev/null # until all devices are moving
 read -r user system < <(ticks)
 "$masters" "$seconds" 100 "$devices" "$(port_of 1)" "$(port_of 2)" >"$work/masters.log"
 read -r user_end system_end < <(ticks)

@@ -1,5 +1,5 @@
-// The hand-written limit: what a plant of two-state devices costs when it does nothing that a model asks for beyond
-// moving. Packed images, a wheel of 10 ms slots, no types, no names, no rounds, no arming. Frozen: it is the measure.
+// The hand-written limit: the cost of a plant of two-state devices that only moves, without any other feature of the
+// model. Packed images, a wheel of 10 ms slots, no types, names, rounds or arming. Frozen: it is the baseline.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace symplant::bench {
 
-/// Device d has operations 2d and 2d + 1 and events alike; every travel takes `travel_ticks` (below 128) slots.
+/// Device d has operations 2d and 2d + 1 and events 2d and 2d + 1; a travel takes `travel_ticks` (below 128) slots.
 class LimitPlant {
  public:
   LimitPlant(std::uint32_t devices, std::uint32_t travel_ticks)
@@ -85,7 +85,7 @@ class LimitPlant {
   std::vector<std::uint64_t> operations;
   std::vector<std::uint64_t> last_;
   std::vector<std::uint64_t> events;
-  std::vector<std::uint64_t> changed;  ///< events that came on since the controller last looked
+  std::vector<std::uint64_t> changed;  ///< events that turned on since the controller last read them
 
  private:
   std::vector<Device> devices_;

@@ -1,4 +1,4 @@
-// Lists of any size for benchmarks: devices of a given number of types, four symbols each; and their descriptions.
+// Lists of any size for benchmarks: devices of a given number of types, four symbols each; and their plant.json files.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace symplant::bench {
 
-/// `devices` double solenoids by name; their task words differ from type to type, so that structures do, too.
+/// `devices` double solenoids by name; their task words differ between types, so that their structures differ too.
 inline std::string list_text(int devices, int types) {
   std::string text = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial,Comment\n";
   char line[200];
@@ -25,8 +25,8 @@ inline std::string list_text(int devices, int types) {
   return text;
 }
 
-/// The plant.json of such a list with 10 types: an entry a device, by its exact name, with a condition on its
-/// neighbour.
+/// The plant.json of such a list with 10 types: an entry for each device, by exact name, with a condition on its
+/// neighbor.
 inline std::string description_text(int devices, const std::string& list) {
   std::string text = "{\n  \"symplant\": 1,\n  \"symbols\": [\"" + list + "\"],\n  \"devices\": {\n";
   char line[400];

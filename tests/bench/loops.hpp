@@ -1,7 +1,7 @@
-// The closed loops that are measured: a plant on a load, and the controller that answers it.
+// The measured closed loops: a plant under a load, and the controller that drives it.
 //
-// A motion is: command, leave, travel, arrive, the controller's answer. The controller is the same for all: for every
-// event that came on it takes back the command that led there and gives the other one.
+// A motion is: command, leave, travel, arrive, the controller's answer. All loops use the same controller: for every
+// event that turned on, it clears the command that led there and sets the opposite command.
 #pragma once
 
 #include <bit>
@@ -14,11 +14,11 @@
 
 namespace symplant::bench {
 
-inline constexpr std::uint32_t kTicks = 100;  // of 10 ms: every travel takes a second, arrivals spread over all of them
+inline constexpr std::uint32_t kTicks = 100;  // of 10 ms: every travel takes 1 s, arrivals are spread over all of them
 inline constexpr tables::Time kTick = 10 * tables::kMillisecond;
 
-/// Answers arrivals: `give(bit)` gives the command of that bit and takes back the other one of its device. Gives their
-/// number.
+/// Answers arrivals: `give(bit)` sets the command of that bit and clears the other one of its device. Returns the
+/// number of arrivals.
 template <class Give>
 std::int64_t answer(std::uint32_t word, std::uint64_t arrived, Give give) {
   const std::int64_t motions = std::popcount(arrived);
@@ -38,7 +38,7 @@ class LimitGrid {
     }
   }
 
-  /// Gives the motions that ended in it.
+  /// Returns the number of motions that ended in the step.
   std::int64_t step() {
     std::int64_t motions = 0;
     plant_.tick();
@@ -64,7 +64,7 @@ class LimitGrid {
   LimitPlant plant_;
 };
 
-/// A plant of the engine with the controller's look at what it changed.
+/// A plant of the engine, and the changed events that the controller reads.
 template <class Made>
 class EngineLoop {
  public:
@@ -118,14 +118,14 @@ class EngineScan : public EngineLoop<Made> {
   tables::Time now_ = 0;
 };
 using EngineGrid = EngineScan<TwoStatePlant>;
-/// *rich*: the same with a condition and an `after` a device, and disables.
+/// *rich*: the same, and each device has a condition, an `after` and a disable.
 using EngineRich = EngineScan<RichPlant>;
 
-/// *distinct*: every arrival an instant of its own, the answer another; a step is both.
+/// *distinct*: every arrival is a separate instant, and so is every answer; a step is both.
 class EngineDistinct : public EngineLoop<TwoStatePlant> {
  public:
   explicit EngineDistinct(std::uint32_t devices) : EngineLoop(devices, travels(devices)) {
-    for (std::uint32_t d = 0; d < devices; ++d) {  // their arrivals spread over the time that a travel takes
+    for (std::uint32_t d = 0; d < devices; ++d) {  // arrivals are spread over the travel time
       plant().set_operation(2 * d + 1, true);
       plant().advance_to(1 + tables::kSecond / devices * tables::Time{d});
       answer_plant();
@@ -141,7 +141,7 @@ class EngineDistinct : public EngineLoop<TwoStatePlant> {
   }
 
  private:
-  /// Travels that differ by a prime number of nanoseconds: hardly two arrivals coincide.
+  /// Travel times that differ by a prime number of nanoseconds, so that arrivals rarely coincide.
   static std::vector<tables::Time> travels(std::uint32_t devices) {
     std::vector<tables::Time> times;
     for (std::uint32_t d = 0; d < devices; ++d) times.push_back(tables::kSecond + 7919 * tables::Time{d});

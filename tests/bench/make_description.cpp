@@ -1,4 +1,4 @@
-// Writes the plant.json of such a list, with a condition a device, to standard output: make_description DEVICES LIST
+// Writes the plant.json of such a list, with a condition for each device, to stdout: make_description DEVICES LIST
 #include <cstdio>
 #include <cstdlib>
 #include <string>

@@ -1,8 +1,8 @@
 #!/bin/sh
-# How long check and generate take for a list of a million rows, as whole processes:
+# Measures how long check and generate take for a list of a million rows, as whole processes:
 #   tests/bench/million.sh BUILD [ROWS [RUNS]]
-# BUILD is the folder of a build with the preset bench. Of several runs the least counts: other load on the machine only
-# adds to it.
+# BUILD is the build folder of the preset bench. The best of several runs counts: other load on the machine only
+# increases the time.
 set -eu
 build=${1:?usage: million.sh BUILD [ROWS [RUNS]]}
 rows=${2:-1000000}
@@ -14,7 +14,7 @@ bad=$folder/bad.csv
 "$build/tests/bench/make_list" $((rows / 4)) 10 > "$list"
 sed 's/_\([IO]\)_/-\1_/' "$list" > "$bad" # every name is a finding
 
-# user and system seconds and MB of the quickest of several runs of a command
+# user and system seconds and MB of the fastest of several runs of a command
 least() {
   run=0
   while [ $run -lt "$runs" ]; do

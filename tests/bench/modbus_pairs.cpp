@@ -1,8 +1,8 @@
-// Full-image exchanges with Modbus TCP servers, side by side in one run: pairs a second, and how long one takes.
+// Full-image exchanges with several Modbus TCP servers in one run: pairs per second, and the time of one pair.
 //
-// A pair is a read of 2000 discrete inputs and a write of 1968 coils, each a request and its answer, one after the
-// other. Every round asks each server in its turn, on the same processors, so that what else the machine does meets all
-// alike.
+// A pair is a read of 2000 discrete inputs and a write of 1968 coils, each a request and its answer, in sequence.
+// Each round queries every server in turn, on the same processors, so that other load on the machine affects all
+// servers equally.
 #include <sched.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ void play(Side& side, std::uint16_t port, int pairs) {
   Bytes write = RawClient::frame(2, pdu);
   const auto start = Clock::now();
   for (int i = 0; i < pairs; ++i) {
-    write[20] = static_cast<std::uint8_t>(i);  // something changes each time
+    write[20] = static_cast<std::uint8_t>(i);  // at least one coil changes each time
     const auto begin = Clock::now();
     client.send(read);
     const std::size_t got = client.receive(9 + 250).size();
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   }
   for (int round = 0; round < rounds; ++round) {
     for (Side& side : sides) {
-      if (!pin(server_cpu)) return std::fputs("no such processor\n", stderr), 2;  // its children begin there
+      if (!pin(server_cpu)) return std::fputs("no such processor\n", stderr), 2;  // child processes inherit it
       const ServerProcess server(side.command);
       if (!pin(client_cpu)) return std::fputs("no such processor\n", stderr), 2;
       play(side, server.server().port, pairs);

@@ -1,7 +1,7 @@
-// From a written coil to its consequence: how long until a Modbus client reads what the plant made of it.
+// From a written coil to its consequence: the time until a Modbus client reads the resulting input.
 //
-// The plant is a double solenoid whose travel takes no time, run by `symplant run` in real time. Each sample comes at
-// a random moment of the cycle: a coil is written, then the input is read until it has changed.
+// The plant is a double solenoid with travel time 0, run by `symplant run` in real time. Each sample starts at
+// a random moment of the cycle: the client writes a coil, then reads the input until it has changed.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -51,7 +51,7 @@ double at(const std::vector<double>& sorted, double part) {
   return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
 }
 
-/// Microseconds from sending a command to having read that the cylinder is there.
+/// Microseconds from sending a command to reading the cylinder's new position.
 double sample(RawClient& client, bool advance) {
   const std::uint8_t wanted = advance ? 1 : 2;
   const auto begin = Clock::now();

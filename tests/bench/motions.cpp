@@ -1,5 +1,5 @@
-// Runs a closed loop a given number of steps, so that callgrind can count instructions: the difference of two run
-// lengths, divided by the difference of their motions, is what a motion costs.
+// Runs a closed loop for a given number of steps, so that callgrind can count instructions. The difference of two runs,
+// divided by the difference of their motion counts, is the cost of a motion.
 //
 //   motions limit|grid|distinct|rich DEVICES STEPS
 #include <cstdio>

@@ -1,4 +1,4 @@
-// What near-duplicate names cost where it is hardest: every device's name one letter from many others.
+// The cost of near-duplicate names in the worst case: every device name is one letter away from many others.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -6,7 +6,7 @@
 
 #include "check/spelling/device_classes.hpp"
 #include "check/spelling/slips.hpp"
-#include "model/build_plant.hpp"
+#include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "read/readers.hpp"
 #include "support/memory_file_system.hpp"
@@ -14,7 +14,7 @@
 namespace symplant::bench {
 namespace {
 
-/// The i-th of 26^4 words that differ in up to four letters: a word has a hundred others one letter away.
+/// The i-th of 26^4 words that differ in up to four letters: each word has a hundred neighbors one letter away.
 std::string word(std::int64_t i) {
   std::string text = "CLAMPINGJAW";
   for (const std::size_t at : {1U, 4U, 7U, 9U}) {
@@ -24,7 +24,7 @@ std::string word(std::int64_t i) {
   return text;
 }
 
-/// `halves`: each device has only an operation or only an event, so that each may well belong to another.
+/// `halves`: each device has only an operation or only an event, so that each is a candidate to belong to another.
 std::string list_text(std::int64_t devices, bool halves) {
   std::string text = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n";
   for (std::int64_t i = 0; i < devices; ++i) {
@@ -44,7 +44,7 @@ model::PlantModel plant_of(const std::string& text) {
       std::make_shared<const read::SymbolTable>(std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
   std::vector<model::ListInput> lists;
   lists.push_back({list, name::read_names(*list, name::built_in_rule())});
-  return model::build_plant(lists, {"list"});
+  return model::describe(model::derive(lists, "list"), nullptr).plant;
 }
 
 void near_names(benchmark::State& state, bool halves) {

@@ -1,4 +1,4 @@
-// The load *rich*, from a list and a plant.json by the tool's own road instead of by hand.
+// The load *rich*, built by the tool from a list and a plant.json instead of by hand.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 
 namespace symplant::bench {
 
-/// The devices, conditions, times and disables of RichPlant. Throws where the files are refused.
+/// The devices, conditions, times and disables of RichPlant. Throws if the files are rejected.
 struct RichFiles {
   RichFiles(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     test::MemoryFileSystem files;

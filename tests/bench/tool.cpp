@@ -1,4 +1,4 @@
-// What the tool takes for a list: read + parse + derive + lower, the checks, the emission.
+// The time of the tool for a list: read + parse + derive + lower, the checks, the code generation.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -11,7 +11,7 @@
 #include "check/check_plant.hpp"
 #include "emit/emit.hpp"
 #include "lower/lower.hpp"
-#include "model/build_plant.hpp"
+#include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "support/memory_file_system.hpp"
 
@@ -39,7 +39,7 @@ void read_parse_derive_lower(benchmark::State& state) {
         std::move(*read::read_symbol_list("list.csv", {}, files, diagnostics)));
     std::vector<model::ListInput> lists;
     lists.push_back({list, name::read_names(*list, name::built_in_rule())});
-    const auto plant = model::build_plant(lists, {"list"});
+    const auto plant = model::describe(model::derive(lists, "list"), nullptr).plant;
     benchmark::DoNotOptimize(lower::lower(plant));
   }
   state.counters["ns_a_row"] =
@@ -71,7 +71,7 @@ void generate(benchmark::State& state) {
   benchmark::DoNotOptimize(counter.bytes);
 }
 
-/// The engine on a plant of files; to be held against the load rich of bench_engine.
+/// The engine on a plant from files; compare it with the load rich of bench_engine.
 void rich_from_files(benchmark::State& state) {
   EngineScan<RichFiles> loop(static_cast<std::uint32_t>(state.range(0)));
   std::int64_t motions = 0;

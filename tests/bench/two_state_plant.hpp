@@ -1,4 +1,4 @@
-// Tables of N double solenoids, built by hand: the engine's loads, without the tool.
+// Tables of N double solenoids, built by hand: the loads of the engine benchmarks, without the tool.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace symplant::bench {
 
-/// N devices of one type with two states; unit u travels times[u % times.size()] nanoseconds.
+/// N devices of one type with two states; unit u travels for times[u % times.size()] nanoseconds.
 struct TwoStatePlant {
   TwoStatePlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, kEnter, kLeave, kTargets});
@@ -45,9 +45,9 @@ struct TwoStatePlant {
   std::unique_ptr<plant::Plant> plant;
 };
 
-/// The same with all that costs: each device leaves only while one device far from it is not settled in its first state
-/// or another one is, which must have held for 10 ms; one in eight, settled in its second state, disables its
-/// neighbour.
+/// The same with all costly features: each device leaves only if a distant device is not settled in its first state
+/// or another one is, for 10 ms; one device in eight disables its neighbor while it is settled in its second
+/// state.
 struct RichPlant {
   RichPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, TwoStatePlant::kEnter,

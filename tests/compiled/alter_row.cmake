@@ -1,4 +1,4 @@
-# Replaces the first index of a text in a file; fails where it is not there.
+# Replaces the first occurrence of a text in a file; fails if the text is not found.
 # -DINPUT=... -DOUTPUT=... -DFROM=... -DTO=...
 file(READ ${INPUT} text)
 string(FIND "${text}" "${FROM}" at)

@@ -1,4 +1,4 @@
-// A generated plant's links are as the description's at run time: the same maps, the same policies.
+// The links of a generated plant equal those of the description at run time: the same maps, the same policies.
 #include <algorithm>
 #include <sstream>
 
@@ -23,7 +23,7 @@ app::Compiled compile() {
   return std::move(*compiled);
 }
 
-TEST_CASE("generated links have the maps and policies of the links made at run time") {
+TEST_CASE("Generated links have the maps and policies of the links made at run time") {
   const app::Compiled compiled = compile();
   const tables::PlantTables tables = compiled.tables.tables();
   const auto generated = linked::link_settings();

@@ -1,4 +1,4 @@
-// A generated plant is the plant that the same list makes at run time: the same hash, the same traces.
+// A generated plant equals the plant that the same list makes at run time: the same hash, the same traces.
 #include <functional>
 #include <random>
 #include <set>
@@ -63,7 +63,7 @@ app::Compiled compile(const std::string& list) {
 
 using Trace = std::vector<std::tuple<tables::Time, std::uint32_t, std::uint64_t>>;
 
-/// What a plant does under random operations, one at a random time after another.
+/// The trace of a plant under random operations, set one by one at random times.
 Trace random_trace(const tables::PlantTables& tables, unsigned seed) {
   plant::OwnedPlant plant(tables);
   trace::Recorder recorder(tables, 1 << 16);
@@ -93,19 +93,19 @@ Trace random_trace(const tables::PlantTables& tables, unsigned seed) {
   return trace;
 }
 
-TEST_CASE("a generated plant has the hash of the plant made at run time") {
+TEST_CASE("A generated plant has the hash of the plant made at run time") {
   for (const Case& c : cases()) {
     INFO(c.list);
     const app::Compiled compiled = compile(c.list);
     CHECK(tables::model_hash(c.generated) == tables::model_hash(compiled.tables.tables()));
     CHECK(c.generated.list_names == compiled.tables.tables().list_names);
     for (std::size_t i = 0; i < c.generated.symbols.size(); ++i) {
-      CHECK(c.generated.symbols[i].row == compiled.tables.symbols[i].row);  // cited, though not in the hash
+      CHECK(c.generated.symbols[i].row == compiled.tables.symbols[i].row);  // in messages, though not in the hash
     }
   }
 }
 
-TEST_CASE("a generated plant with one row altered has another hash") {
+TEST_CASE("A generated plant with one altered row has another hash") {
   std::set<std::uint64_t> hashes{tables::model_hash(excell::tables())};
   for (const auto& tables :
        {std::cref(altered_1::tables()), std::cref(altered_2::tables()), std::cref(altered_3::tables()),
@@ -114,7 +114,7 @@ TEST_CASE("a generated plant with one row altered has another hash") {
   }
 }
 
-TEST_CASE("a generated plant does what the plant made at run time does") {
+TEST_CASE("A generated plant does what the plant made at run time does") {
   for (const Case& c : cases()) {
     const app::Compiled compiled = compile(c.list);
     for (const unsigned seed : {1U, 2U, 3U}) {

@@ -1,4 +1,4 @@
-// Plays the table of expectations against servers, row by row.
+// Plays the expectation table against servers, row by row.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -68,7 +68,7 @@ Column play_all(const std::vector<Row>& rows, const std::string& name, const std
     Result result = play(row, server);
     if (!result.good()) {
       std::cout << name << ": " << row.id << ": " << row.what << ": " << result.seen << '\n';
-      // What one row broke is not to be found in the next.
+      // A fault of one row must not affect the next.
       process.reset();
       process = std::make_unique<ServerProcess>(command);
     }
@@ -80,7 +80,7 @@ Column play_all(const std::vector<Row>& rows, const std::string& name, const std
   return column;
 }
 
-/// The lines whose contents do not depend on how fast another's server happens to be: no procedures, no sums.
+/// The lines whose contents do not depend on the speed of another server: no procedures, no totals.
 std::vector<std::string> steady_lines(const std::string& page) {
   std::vector<std::string> lines;
   std::istringstream stream(page);
@@ -94,7 +94,7 @@ std::vector<std::string> steady_lines(const std::string& page) {
   return lines;
 }
 
-/// What was compared, as the sums name it.
+/// The compared servers, as the totals name them.
 std::vector<std::string> versions(const std::string& page) {
   std::vector<std::string> result;
   std::istringstream stream(page.substr(0, page.find("\n## ")));

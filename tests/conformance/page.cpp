@@ -1,4 +1,4 @@
-// docs/modbus-conformance.md, made of what was played.
+// Writes docs/modbus-conformance.md from the results.
 #include "page.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ ctest -R 'peers: conformance'
 stream and of connections) is not compared, nor are pages of other versions of the libraries.
 )";
 
-/// Only what stands in cells: a bar would end one.
+/// For cell contents only: a bar would end the cell.
 std::string cell(std::string text) {
   for (std::size_t at = text.find('|'); at != text.npos; at = text.find('|', at + 2)) text.insert(at, "\\");
   return text;

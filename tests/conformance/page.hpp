@@ -1,4 +1,4 @@
-// docs/modbus-conformance.md, made of what was played.
+// Writes docs/modbus-conformance.md from the results.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace symplant::conformance {
 
-/// What came of all rows with one server.
+/// The results of all rows with one server.
 struct Column {
   std::string name;
   std::string version;
   std::vector<Result> results;
 };
 
-/// The whole page. Nothing in it is of one machine.
+/// The whole page. It contains no data that depend on one machine.
 std::string page(const std::vector<Row>& rows, const std::vector<Column>& columns);
 
 }  // namespace symplant::conformance

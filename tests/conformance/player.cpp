@@ -1,4 +1,4 @@
-// Plays a row: memory set, steps or cells, memory compared.
+// Plays a row: sets memory, plays steps or cells, compares memory.
 #include "player.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Bytes with_data(Bytes head, const Bytes& data) {
   return head;
 }
 
-/// What reading says, in pieces that one request takes.
+/// The memory contents, read in pieces that fit one request.
 std::string compare_table(test::RawClient& client, std::uint8_t function, std::uint32_t size, std::uint32_t at_once,
                           const auto& data_of) {
   for (std::uint32_t first = 0; first < size; first += at_once) {
@@ -153,7 +153,7 @@ std::string compare(const Server& server, const Memory& memory) {
 }
 
 Cell cell_of(const Row& row, std::uint32_t value, const Sizes& sizes, Memory& memory) {
-  const std::uint32_t first = place(row.address, sizes);
+  const std::uint32_t first = address_of(row.address, sizes);
   const auto function = static_cast<std::uint8_t>(row.function);
   const Bytes head = head_of(function, first, value);
   const auto good = [&](std::uint32_t size, std::uint32_t count) { return count > 0 && first + count <= size; };
@@ -173,7 +173,7 @@ Cell cell_of(const Row& row, std::uint32_t value, const Sizes& sizes, Memory& me
     if (function == 5 && good(sizes[0], 1)) memory.coils[first] = value != 0;
     if (function == 6 && good(sizes[2], 1)) memory.registers[first] = static_cast<std::uint16_t>(value);
   } else {
-    // Beyond the limit the data are those of the limit, so that frames stay frames and only the quantity is wrong.
+    // Beyond the limit the data are those of the limit, so that frames stay valid and only the quantity is wrong.
     const bool write = function != 0x17 || row.write_part;
     const std::uint32_t limit = function == 0x0F ? 246 : function == 0x10 ? 246 : 242;
     const std::uint32_t needed = function == 0x0F ? (value + 7) / 8 : 2 * value;

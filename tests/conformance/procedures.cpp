@@ -1,4 +1,4 @@
-// Checks that take more than a sent frame and an answer to it: by the names that the table calls them.
+// Checks that need more than one frame and its answer, by their names in the table.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@ namespace {
 
 using test::RawClient;
 
-constexpr auto kFrameApart = std::chrono::microseconds(300);  ///< so that parts come in segments of their own
+constexpr auto kFrameApart = std::chrono::microseconds(300);  ///< so that parts arrive in separate segments
 
 const Bytes kRead = {1, 0, 0, 0, 8};
 const Bytes kReadAnswer = {1, 1, 0x49};  // coils 0, 3 and 6
@@ -25,7 +25,7 @@ Bytes joined(const std::vector<Bytes>& parts) {
   return all;
 }
 
-/// The next frames must be these answers, their transactions counted from `first`.
+/// The next frames must be these answers; their transaction numbers count from `first`.
 std::string expect(const RawClient& client, const std::vector<Bytes>& answers, int first = 1) {
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const Seen seen = next_frame(client);
@@ -42,7 +42,7 @@ std::string served(RawClient& client) {
   return seen.empty() ? "no answer" : hex(seen);
 }
 
-/// Four requests of unlike length, which leave memory as it is, and their answers.
+/// Four requests of different lengths, which leave memory unchanged, and their answers.
 struct Mixed {
   std::vector<Bytes> frames;
   std::vector<Bytes> answers;
@@ -65,9 +65,9 @@ std::string codes_unserved(const Server& server, Memory&) {
   RawClient client = connect_to(server);
   for (int code = 1; code < 128; ++code) {
     if (std::count(others.begin(), others.end(), code) != 0) continue;
-    // Files (20, 21) and the queue (24) may be served: of other servers any answer is good.
+    // A server may support files (20, 21) and the queue (24): from other servers any answer is valid.
     if (!server.strict && (code == 20 || code == 21 || code == 24)) continue;
-    Bytes request(code % 16 == 9 ? 1 : 5, 0);  // now and then without data
+    Bytes request(code % 16 == 9 ? 1 : 5, 0);  // some requests have no data
     request[0] = static_cast<std::uint8_t>(code);
     const Bytes seen = client.ask(request);
     if (seen == Bytes{static_cast<std::uint8_t>(code | 0x80), 1}) continue;
@@ -134,13 +134,13 @@ std::string pipeline(const Server& server, Memory&) {
 }
 
 std::string deaf(const Server& server, Memory& memory) {
-  constexpr int kRequests = 30'000;  // 7.8 MB of answers: more than sockets hold
+  constexpr int kRequests = 30'000;  // 7.8 MB of answers: more than socket buffers hold
   const RawClient client = connect_to(server);
   std::atomic<int> sent{0};
   std::thread sender([&] {
     for (int i = 0; i < kRequests; ++i, ++sent) client.send(RawClient::frame(i & 0xFFFF, {3, 0, 0, 0, 125}));
   });
-  // Until all is sent, or the server has taken nothing for two seconds.
+  // Until all is sent, or the server has accepted no data for two seconds.
   for (int before = -1, still = 0; sent < kRequests && still < 4; still = sent == before ? still + 1 : 0) {
     before = sent;
     std::this_thread::sleep_for(std::chrono::milliseconds(500));

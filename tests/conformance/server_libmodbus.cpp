@@ -1,4 +1,4 @@
-// A server made with libmodbus, in its plain way, for comparison: the loop of its own example for many clients.
+// A server made with libmodbus, for comparison: the loop of the libmodbus example for many clients.
 #include <arpa/inet.h>
 #include <modbus/modbus.h>
 #include <netinet/tcp.h>
@@ -33,7 +33,7 @@ void serve(modbus_t* context, modbus_mapping_t* mapping, int listener) {
     if ((polled[0].revents & POLLIN) == 0) continue;
     const int client = ::accept(listener, nullptr, nullptr);
     const int on = 1;
-    ::setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);  // as libmodbus itself does where it accepts
+    ::setsockopt(client, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);  // as libmodbus itself does when it accepts
     if (client >= 0) polled.push_back({client, POLLIN, 0});
   }
 }

@@ -1,4 +1,4 @@
-// A server under test in a process of its own.
+// A server under test in a separate process.
 #include "server_process.hpp"
 
 #include <sys/prctl.h>
@@ -18,7 +18,7 @@ ServerProcess::ServerProcess(const std::string& command) {
   pid_ = ::fork();
   if (pid_ == 0) {
     ::setpgid(0, 0);
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // no server outlives a runner that was ended
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a server ends with the runner that started it
     ::dup2(ends[1], 1);
     ::close(ends[0]);
     ::close(ends[1]);

@@ -1,4 +1,4 @@
-// A server under test in a process of its own.
+// A server under test in a separate process.
 #pragma once
 
 #include <sys/types.h>
@@ -9,10 +9,10 @@
 
 namespace symplant::conformance {
 
-/// Runs a command whose first line is `PORT COILS DISCRETE_INPUTS HOLDING INPUT VERSION`, and ends it.
+/// Runs a command whose first line is `PORT COILS DISCRETE_INPUTS HOLDING INPUT VERSION`; its destructor ends it.
 class ServerProcess {
  public:
-  /// Throws std::runtime_error where the command says no such line.
+  /// Throws std::runtime_error if the command does not print such a line.
   explicit ServerProcess(const std::string& command);
   ~ServerProcess();
   ServerProcess(const ServerProcess&) = delete;

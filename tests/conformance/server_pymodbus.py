@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A server made with pymodbus, in its plain way, for comparison. Exit code 77: pymodbus is not installed."""
+"""A simple server made with pymodbus, for comparison. Exit code 77: pymodbus is not installed."""
 import logging
 import socket
 import sys

@@ -1,4 +1,4 @@
-// Our server, as the table of expectations wants it: a plant of symbols that nobody moves, on its Modbus link.
+// The symplant server as the expectation table requires it: a plant of symbols that no device drives, on a Modbus link.
 #include <chrono>
 #include <iostream>
 #include <thread>
@@ -39,7 +39,7 @@ int main() {
   // Rows go C0, D0, C1, D1 ...
   for (std::uint32_t i = 0; i < kBits; ++i) plant->set_input(2 * i + 1, i % 5 < 2 ? 1 : 0);
   plant->advance_to(0);
-  // Without a status block the tables end where the symbols do, as the conformance table expects.
+  // Without a status block the tables end with the symbols, as the conformance table expects.
   const link::LinkSettings settings{.status_block = link::kNowhere};
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables, settings);
   link->write_events(*plant, {});

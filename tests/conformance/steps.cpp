@@ -7,7 +7,7 @@ namespace symplant::conformance {
 
 namespace {
 
-/// What stands right and left of a word.
+/// The texts to the left and right of a word.
 std::pair<std::string, std::string> cut(const std::string& text, const std::string& at) {
   const std::size_t where = text.find(at);
   if (where == text.npos) throw std::runtime_error("`" + text + "` lacks `" + at + "`");
@@ -76,7 +76,7 @@ class Steps {
         silence = silence || answer == "none";
       }
     }
-    // Nothing is waited for where nothing is to come: the answer to a further request comes first.
+    // If no answer is expected, do not wait: the answer to a further request must come first.
     if (silence) client_.send(test::RawClient::frame(kProbe, {1, 0, 0, 0, 1}, 0, unit_));
     const Seen seen = next_frame(client_);
     if (silence && seen.kind == Seen::Kind::frame && seen.transaction == kProbe) return {};
@@ -102,7 +102,7 @@ class Steps {
 
   void becomes(const std::string& text) {
     const std::vector<std::string> parts = words(text);
-    std::uint32_t at = place(parts.at(1), server_.sizes);
+    std::uint32_t at = address_of(parts.at(1), server_.sizes);
     for (std::size_t i = 2; i < parts.size(); ++i, ++at) {
       if (parts[0] == "C") {
         memory_.coils.at(at) = parts[i] == "1";

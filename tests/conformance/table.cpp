@@ -1,4 +1,4 @@
-// Reads the table of expectations.
+// Reads the expectation table.
 #include "table.hpp"
 
 #include <array>

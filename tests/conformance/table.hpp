@@ -1,4 +1,4 @@
-// The table of expectations as it is read from its file.
+// The expectation table as read from its file.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct Row {
   std::vector<std::string> steps;
 
   int function = 0;         ///< of a matrix; 0: steps
-  bool write_part = false;  ///< of function 23: what is written varies, not what is read
+  bool write_part = false;  ///< of function 23: the written part varies, not the read part
   std::string address;
-  std::vector<std::pair<std::uint32_t, std::string>> cells;  ///< a quantity or value, and what must come
+  std::vector<std::pair<std::uint32_t, std::string>> cells;  ///< a quantity or value, and the expected answer
 };
 
-/// Throws std::runtime_error, with the line's number, where the text is no table.
+/// Throws std::runtime_error, with the line number, if the text is not a table.
 std::vector<Row> read_table(const std::string& text);
 
 }  // namespace symplant::conformance

@@ -1,4 +1,4 @@
-// Texts of the table cut into words and bytes.
+// Splits texts of the table into words and bytes.
 #include "words.hpp"
 
 #include <sstream>
@@ -20,7 +20,7 @@ std::uint8_t byte_of(const std::string& digits) {
   return static_cast<std::uint8_t>(value);
 }
 
-/// Whether objects (number, length, text), as many as the byte before them says, fill the PDU from `begin` on.
+/// Whether objects (number, length, text) fill the PDU from `begin` on; the byte before them gives their count.
 bool are_objects(const Bytes& pdu, std::size_t begin) {
   std::size_t at = begin;
   std::size_t count = 0;
@@ -50,7 +50,7 @@ std::vector<std::string> split(const std::string& text, std::string_view separat
   return result;
 }
 
-std::uint32_t place(const std::string& word, const Sizes& sizes) {
+std::uint32_t address_of(const std::string& word, const Sizes& sizes) {
   if (word.front() != '{') return static_cast<std::uint32_t>(std::stoul(word));
   const std::size_t table = std::string("CDHI").find(word.at(1));
   if (table == std::string::npos) throw std::runtime_error("`" + word + "` names no table");
@@ -67,7 +67,7 @@ Pattern pattern(const std::string& text, const Sizes& sizes) {
     } else if (word == "objects") {
       result.objects = true;
     } else if (word.front() == '{') {
-      const std::uint32_t number = place(word, sizes);
+      const std::uint32_t number = address_of(word, sizes);
       result.bytes.emplace_back(static_cast<std::uint8_t>(number >> 8));
       result.bytes.emplace_back(static_cast<std::uint8_t>(number & 0xFF));
     } else if (const std::size_t star = word.find('*'); star != word.npos) {

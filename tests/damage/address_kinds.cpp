@@ -19,7 +19,7 @@ std::string text_of(std::uint64_t number, const char* format) {
   return text;
 }
 
-/// Both columns, X and Y counted in hexadecimal.
+/// Both columns, with X and Y counted in hexadecimal.
 void set_bit(Cells& cells, bool input, std::uint64_t number) {
   cells.vendor = (input ? "X" : "Y") + text_of(number, "%04llX");
   cells.iec = (input ? "%IX" : "%QX") + std::to_string(number);
@@ -27,7 +27,7 @@ void set_bit(Cells& cells, bool input, std::uint64_t number) {
 
 bool is_bit(const Cells& cells, const Levels&) { return cells.type == "BOOL" && !cells.vendor.empty(); }
 
-/// The far end of the bits, where nothing stands.
+/// The far end of the bit addresses, which no symbol uses.
 std::uint64_t free_bit(Dice& dice) { return 0x3000 + dice.below(0x800); }
 
 template <class Wanted, class Change>
@@ -38,7 +38,7 @@ Damaged change_row(const Shop& shop, Dice& dice, Wanted&& wanted, Change&& chang
   return damaged;
 }
 
-/// Two rows of one side on one address: which of them is wrong nobody can know.
+/// Two rows of one side on one address: either may be the wrong one.
 Damaged share(const Shop& shop, Dice& dice, bool driven_by_two) {
   const auto has_operation = [&](const Levels& at) {
     return std::any_of(shop.devices.begin(), shop.devices.end(), [&](const Device& device) {
@@ -79,7 +79,7 @@ Damaged other_side(const Shop& shop, Dice& dice, bool task_has_other) {
 Damaged other_side_of_pair(const Shop& shop, Dice& dice) { return other_side(shop, dice, true); }
 Damaged other_side_alone(const Shop& shop, Dice& dice) { return other_side(shop, dice, false); }
 
-/// Only one of the columns was brought up to date.
+/// Only one of the columns was updated.
 Damaged contradict_number(const Shop& shop, Dice& dice) {
   return change_row(shop, dice, is_bit, [&](Cells& cells) {
     Cells other = cells;
@@ -92,7 +92,7 @@ Damaged contradict_number(const Shop& shop, Dice& dice) {
   });
 }
 
-/// The row was written by somebody who counts X and Y in octal.
+/// The row counts X and Y in octal.
 Damaged contradict_radix(const Shop& shop, Dice& dice) {
   return change_row(
       shop, dice, [](const Cells& cells, const Levels& at) { return is_bit(cells, at) && number_of(cells) >= 8; },
@@ -126,7 +126,7 @@ Damaged leave_out(const Shop& shop, Dice& dice) {
 std::vector<Kind> address_kinds() {
   return {
       {"address-twice", "the address of another device's output", "address-used-twice", share_output},
-      {"address-moved-twice", "the address of another device's input, where both move", "event-moved-twice",
+      {"address-moved-twice", "the address of another device's input, where both move", "event-driven-twice",
        share_driven_input},
       {"address-other-side", "an address of the other direction, where the task has both", "task-claimed-twice",
        other_side_of_pair},

@@ -1,4 +1,4 @@
-// Whatever a careless hand does to a list is found at its row, and little else is told.
+// Damage to a list is reported at its row, with few other findings.
 #include <cstdlib>
 #include <set>
 #include <string>
@@ -24,23 +24,23 @@ const std::vector<Figures>& figures() {
   return all;
 }
 
-TEST_CASE("The line that is damaged is a large one") { CHECK(shop().list.rows.size() >= 3'000); }
+TEST_CASE("The damaged line is a large one") { CHECK(shop().list.rows.size() >= 3'000); }
 
-TEST_CASE("There are more than 30 kinds of damage, each of its own name") {
+TEST_CASE("There are more than 30 kinds of damage, each with a unique name") {
   std::set<std::string_view> names;
   for (const Kind& kind : kinds()) names.insert(kind.name);
   CHECK(names.size() == kinds().size());
   CHECK(names.size() >= 30);
 }
 
-TEST_CASE("Every rule that damage must bring is in the catalogue") {
+TEST_CASE("The catalogue has every rule that damage must trigger") {
   for (const Kind& kind : kinds()) {
     INFO(kind.name);
     CHECK(check::find_rule(kind.rule) != nullptr);
   }
 }
 
-TEST_CASE("Damage of one kind and seed is always the same, of another seed another") {
+TEST_CASE("The same kind and seed give the same damage, another seed gives other damage") {
   for (const Kind& kind : kinds()) {
     INFO(kind.name);
     Dice first(1);
@@ -57,7 +57,7 @@ TEST_CASE("Damage of one kind and seed is always the same, of another seed anoth
   }
 }
 
-/// The part of the manual between its marks.
+/// The part of the manual between its markers.
 struct Page {
   std::string before;
   std::string table;
@@ -74,7 +74,7 @@ Page page_with_table(const std::string& text) {
   return {text.substr(0, first), text.substr(first, to - first), text.substr(to)};
 }
 
-TEST_CASE("Every kind of damage is found at its row by its rule, little else is told, and the manual says so") {
+TEST_CASE("Each kind of damage is reported at its row by its rule with few other findings, as the manual states") {
   const std::string figures_now = table(figures());
   std::size_t findings = 0;
   std::size_t others = 0;

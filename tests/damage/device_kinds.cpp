@@ -1,4 +1,4 @@
-// Damage to what a device has: symbols that are missing, numbers out of sequence, other words.
+// Damage to the symbols of a device: missing symbols, numbers out of sequence, other words.
 #include <algorithm>
 #include <cstdio>
 
@@ -7,7 +7,7 @@
 namespace symplant::damage {
 namespace {
 
-constexpr std::size_t kSiblings = 4;  ///< devices named alike, the damaged one included: fewer say nothing
+constexpr std::size_t kSiblings = 4;  ///< similar devices, the damaged one included: fewer give no evidence
 
 std::size_t siblings(const Shop& shop, const Device& device) {
   return static_cast<std::size_t>(std::count_if(shop.devices.begin(), shop.devices.end(), [&](const Device& other) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> rows_of(const Task& task) {
   return rows;
 }
 
-/// Takes rows out; the roots follow those that stay.
+/// Removes rows; the roots keep pointing at the remaining rows.
 void erase(Damaged& damaged, std::vector<std::size_t> rows) {
   std::sort(rows.rbegin(), rows.rend());
   for (const std::size_t row : rows) {
@@ -40,12 +40,12 @@ void rename(Damaged& damaged, std::size_t row, const std::string& task) {
   damaged.list.rows[row].name = levels.name();
 }
 
-/// Whether something of the task is left when one of its symbols is lost, or two other tasks are.
+/// Whether a part of the task is left after one of its symbols is lost, or two other tasks are.
 bool can_lose(const Device& device, const Task& task) {
   return (task.operation && task.event) || device.tasks.size() > 2;
 }
 
-/// Takes a symbol out of a device that has others; the finding may stand at any of those.
+/// Removes a symbol of a device that has others; any of those may carry the finding.
 Damaged lose(const Shop& shop, Dice& dice, std::optional<std::size_t> Task::*side) {
   const Device& device = pick_device(shop, dice, [&](const Device& at) {
     return is_common(shop, at) && at.rows.size() > 1 &&
@@ -68,7 +68,7 @@ Damaged lose(const Shop& shop, Dice& dice, std::optional<std::size_t> Task::*sid
 Damaged lose_operation(const Shop& shop, Dice& dice) { return lose(shop, dice, &Task::operation); }
 Damaged lose_event(const Shop& shop, Dice& dice) { return lose(shop, dice, &Task::event); }
 
-/// An event on a bit of the PLC's memory is no input any more.
+/// An event on a PLC memory bit is no longer an input.
 Damaged move_to_memory(const Shop& shop, Dice& dice) {
   const Device& device = pick_device(shop, dice, [&](const Device& at) {
     return is_common(shop, at) && at.rows.size() > 1 &&
@@ -84,7 +84,7 @@ Damaged move_to_memory(const Shop& shop, Dice& dice) {
   return damaged;
 }
 
-/// Takes the operation and the event of a task out; one task is left.
+/// Removes the operation and the event of a task; one task is left.
 Damaged lose_task(const Shop& shop, Dice& dice) {
   const Device& device =
       pick_device(shop, dice, [&](const Device& at) { return is_common(shop, at) && at.tasks.size() == 2; });
@@ -101,7 +101,7 @@ bool is_sequence(const Device& device, std::size_t least) {
   return device.tasks.size() >= least;
 }
 
-/// Gives a task another number. Its rows, and those of the task `with`, are the roots.
+/// Gives a task another number. Its rows and those of the task `with` are the roots.
 Damaged renumber(const Shop& shop, const Device& device, std::size_t task, std::size_t number, std::size_t with) {
   Damaged damaged{shop.list, rows_of(device.tasks[task])};
   for (const std::size_t row : rows_of(device.tasks[task])) {
@@ -120,7 +120,7 @@ Damaged leave_gap(const Shop& shop, Dice& dice) {
   return renumber(shop, device, last, last + 2, last);
 }
 
-/// P1 P2 P4: all rows of a task in the midst are lost.
+/// all rows of a middle task are lost.
 Damaged lose_step(const Shop& shop, Dice& dice) {
   const Device& device = pick_device(shop, dice, [](const Device& at) { return is_sequence(at, 4); });
   const std::size_t lost = 1 + dice.below(device.tasks.size() - 2);
@@ -129,7 +129,7 @@ Damaged lose_step(const Shop& shop, Dice& dice) {
   return damaged;
 }
 
-/// HOME1 JOB2 DONE2: the second of the two, or the first, has the wrong number.
+/// the second or the first of the two has the wrong number.
 Damaged repeat_number(const Shop& shop, Dice& dice) {
   const Device& device = pick_device(shop, dice, [](const Device& at) {
     return is_sequence(at, 3) && letters_of(at.tasks[0].word) != letters_of(at.tasks[1].word);
@@ -154,7 +154,7 @@ Damaged bend_word(const Shop& shop, Dice& dice) {
   return damaged;
 }
 
-/// Somebody dragged a row down: the number ran on in the task, and it is one device.
+/// A row was filled down in a spreadsheet: the number in the task counts up, but it is one device.
 Damaged run_on(const Shop& shop, Dice& dice) {
   const std::size_t row = pick_row(shop, dice, [](const Cells& cells, const Levels& at) {
     return cells.type == "BOOL" && at.direction == "I" && !digits_of(at.device).empty();

@@ -1,4 +1,4 @@
-// Kinds of damage that a careless hand does to a symbol list, and what each must bring.
+// Kinds of damage that manual editing does to a symbol list, and the rule that each must trigger.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace symplant::damage {
 
 using property::Dice;
 
-/// A damaged list and the rows (places in it) at one of which the finding must stand.
+/// A damaged list and the rows (indexes); the finding must be at one of them.
 struct Damaged {
   ShopList list;
   std::vector<std::size_t> roots;
 };
 
-/// A clean list with what kinds look for in it.
+/// A clean list with what the kinds look for in it.
 struct Shop {
   explicit Shop(ShopList clean) : list(std::move(clean)), devices(list.devices()) {}
 
@@ -29,22 +29,22 @@ struct Shop {
 
 struct Kind {
   std::string_view name;
-  std::string_view what;  ///< what the hand did, for the table of the manual
-  std::string_view rule;  ///< the slug that it must bring
-  /// At a place by the dice. The list must have a place for it.
+  std::string_view what;  ///< what was changed, for the table of the manual
+  std::string_view rule;  ///< the slug of the rule that must fire
+  /// At a random row. The list must have a suitable row.
   Damaged (*apply)(const Shop& shop, Dice& dice);
 };
 
 /// All of them, in the order of the table.
 const std::vector<Kind>& kinds();
 
-// By subject; each a part of kinds().
+// By subject; each is a part of kinds().
 std::vector<Kind> name_kinds();
 std::vector<Kind> row_kinds();
 std::vector<Kind> address_kinds();
 std::vector<Kind> device_kinds();
 
-/// A row that fulfils `wanted`, by the dice. Throws std::runtime_error where there is none.
+/// A random row that fulfills `wanted`. Throws std::runtime_error if there is no such row.
 template <class Wanted>
 std::size_t pick_row(const Shop& shop, Dice& dice, Wanted&& wanted);
 template <class Wanted>

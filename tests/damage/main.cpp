@@ -1,4 +1,4 @@
-// Damages a list on standard output: damage_list LIST [KIND SEED]. Without a kind it names them all.
+// Writes a damaged list to standard output: damage_list LIST [KIND SEED]. Without a kind it lists all kinds.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

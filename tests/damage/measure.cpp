@@ -1,4 +1,4 @@
-// Counting what is found in damaged lists.
+// Counts the findings in damaged lists.
 #include "damage/measure.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace symplant::damage {
 namespace {
 
-/// Rows move when others come or go: the words are the same.
+/// Row numbers change when rows are added or removed; the words stay the same.
 std::string key_of(const diag::Diagnostic& finding) { return std::string(finding.rule->slug) + ": " + finding.message; }
 
 std::size_t line_of(const diag::Diagnostic& finding) {

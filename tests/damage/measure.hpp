@@ -1,4 +1,4 @@
-// Damages a list again and again, has it checked, and counts what is found.
+// Damages a list repeatedly, checks each copy, and counts the findings.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace symplant::damage {
 
-/// One damaged copy, checked.
+/// One damaged copy and its check results.
 struct Trial {
-  bool found = false;        ///< the rule told of one of the roots
-  std::size_t findings = 0;  ///< beyond those of the clean list
-  std::size_t others = 0;    ///< of these: by another rule, or of another row
-  std::string reported;      ///< the findings, a line each, for whoever has to look
+  bool found = false;        ///< the rule reported one of the roots
+  std::size_t findings = 0;  ///< in addition to those of the clean list
+  std::size_t others = 0;    ///< of these: by another rule, or at another row
+  std::string reported;      ///< the findings, one per line, for inspection
 };
 
-/// The findings of a list before it was damaged.
+/// The findings of the undamaged list.
 class Clean {
  public:
   explicit Clean(const ShopList& list);
@@ -28,20 +28,20 @@ class Clean {
   std::vector<std::string> findings_;  ///< sorted
 };
 
-/// Of all copies damaged in one way.
+/// The counts of all copies with one kind of damage.
 struct Figures {
   const Kind* kind = nullptr;
   std::size_t copies = 0;
   std::size_t found = 0;
   std::size_t findings = 0;
   std::size_t others = 0;
-  std::string missed;  ///< what was told where it was not found, or where others were
+  std::string missed;  ///< what was reported instead, or in addition
 };
 
-/// `copies` of each kind, each by a seed of its own.
+/// `copies` of each kind, each with a separate seed.
 std::vector<Figures> measure(const Shop& shop, std::size_t copies, std::uint64_t seed);
 
-/// The table of the manual: a row a kind, and the sum.
+/// The table of the manual: a row for each kind, and the total.
 std::string table(const std::vector<Figures>& all);
 
 }  // namespace symplant::damage

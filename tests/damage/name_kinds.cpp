@@ -9,9 +9,9 @@ namespace {
 
 using Part = std::string Levels::*;
 
-constexpr std::size_t kShortest = 3;  ///< letters of a word that is misspelt: UP with one more may be any other word
+constexpr std::size_t kShortest = 3;  ///< letters of a misspelled word: UP with one letter more may be any other word
 
-/// One letter more, less, other, or two swapped; digits stay.
+/// One letter added, removed, changed, or two swapped; digits do not change.
 std::string misspelt(const std::string& word, Dice& dice) {
   std::string letters = letters_of(word);
   const std::string digits = digits_of(word);
@@ -34,10 +34,10 @@ std::string misspelt(const std::string& word, Dice& dice) {
   return letters + digits;
 }
 
-/// Whether a letter at its end makes it another form of the word: CLOSED. SP405 tells those.
+/// Whether a letter at its end makes it another form of the word: CLOSED. SP405 reports those.
 bool is_bent(const std::string& word, const std::string& other) { return other == word + "D" || other == word + "S"; }
 
-/// Whether the list has the word at that level anywhere.
+/// Whether the list has the word at that level.
 bool known(const Shop& shop, Part part, const std::string& word) {
   return std::any_of(shop.list.rows.begin(), shop.list.rows.end(), [&](const Cells& row) {
     const auto levels = levels_of(row.name);
@@ -97,7 +97,7 @@ Damaged empty_level(const Shop& shop, Dice& dice) {
   });
 }
 
-/// A separator within a word: CLAMP_1, BUTTON_START.
+/// A separator inside a word: CLAMP_1, BUTTON_START.
 Damaged split_level(const Shop& shop, Dice& dice) {
   const std::size_t row = pick_row(shop, dice, [](const Cells&, const Levels& at) {
     return at.device.size() >= 3 && !digits_of(at.device).empty();
@@ -121,7 +121,7 @@ Damaged illegal_character(const Shop& shop, Dice& dice) {
     const std::string character = dice.pick(std::vector<std::string>{" ", "-", ".", "/", "#", "%"});
     std::string name = levels.name();
     const std::size_t at = 1 + dice.below(name.size() - 2);
-    if (name[at] == '_' || dice.percent(50)) return name.replace(at, 1, character);  // for a letter or a separator
+    if (name[at] == '_' || dice.percent(50)) return name.replace(at, 1, character);  // replaces a letter or a separator
     return name.insert(at, character);
   });
 }
@@ -131,7 +131,7 @@ std::string other_side(Levels levels) {
   return levels.name();
 }
 
-/// The letter of the other side, where the other side has no such symbol.
+/// The letter of the other side, if the other side has no such symbol.
 Damaged turn_direction(const Shop& shop, Dice& dice) {
   const std::size_t row = pick_row(shop, dice, [&](const Cells& cells, const Levels& at) {
     return cells.type == "BOOL" && !shop.list.has(other_side(at));
@@ -141,7 +141,7 @@ Damaged turn_direction(const Shop& shop, Dice& dice) {
   return damaged;
 }
 
-/// The letter of the other side, where there is such a symbol already: either row may be meant.
+/// The letter of the other side, if such a symbol exists already: either row may be meant.
 Damaged turn_direction_onto_other(const Shop& shop, Dice& dice) {
   const std::size_t row = pick_row(shop, dice, [&](const Cells& cells, const Levels& at) {
     return cells.type == "BOOL" && shop.list.has(other_side(at));

@@ -10,12 +10,12 @@ namespace {
 bool any_row(const Cells&, const Levels&) { return true; }
 bool is_bool(const Cells& cells, const Levels&) { return cells.type == "BOOL"; }
 
-/// Behind the row that it is a copy of, or at some place after it.
+/// After the row that it copies, or at a later index.
 std::size_t place_behind(const Shop& shop, std::size_t row, Dice& dice) {
   return dice.percent(50) ? row + 1 : row + 1 + dice.below(shop.list.rows.size() - row);
 }
 
-/// A copy of a row, changed; the first of the two counts for the tool, and either may be meant.
+/// A changed copy of a row; the tool uses the first of the two, and either may be meant.
 template <class Change>
 Damaged copy_row(const Shop& shop, Dice& dice, Change&& change) {
   const std::size_t row = pick_row(shop, dice, any_row);
@@ -39,7 +39,7 @@ Damaged copy_in_other_case(const Shop& shop, Dice& dice) {
   });
 }
 
-/// An address that no row has.
+/// An address that no row uses.
 Damaged copy_to_free_address(const Shop& shop, Dice& dice) {
   return copy_row(shop, dice, [&](Cells& copy) {
     const bool input = copy.iec.find('I') != std::string::npos;
@@ -49,7 +49,7 @@ Damaged copy_to_free_address(const Shop& shop, Dice& dice) {
   });
 }
 
-/// Puts a line of its own into the list.
+/// Inserts a new line into the list.
 Damaged insert_line(const Shop& shop, Dice& dice, std::string raw) {
   const std::size_t at = 1 + dice.below(shop.list.rows.size() - 1);
   Damaged damaged{shop.list, {at}};
@@ -116,7 +116,7 @@ Damaged misspell_initial(const Shop& shop, Dice& dice) {
   return damaged;
 }
 
-/// A second event of a device that starts TRUE.
+/// A second event of a device with Initial TRUE.
 Damaged start_twice(const Shop& shop, Dice& dice) {
   const auto starts = [&](const Task& task) { return task.event && shop.list.rows[*task.event].initial == "TRUE"; };
   const auto other = [&](const Task& task) { return task.event && shop.list.rows[*task.event].initial != "TRUE"; };

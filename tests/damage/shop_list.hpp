@@ -1,4 +1,4 @@
-// A symbol list that can be damaged: rows as cells, and which devices they belong to.
+// A symbol list that can be damaged: rows as cells, and the devices that they belong to.
 #pragma once
 
 #include <cstddef>
@@ -18,10 +18,10 @@ struct Cells {
   std::string type;
   std::string initial;
   std::string comment;
-  std::string raw;  ///< where it is not empty it is written as it is, instead of the cells
+  std::string raw;  ///< if not empty, written verbatim instead of the cells
 };
 
-/// The parts of a name that follows the rule.
+/// The parts of a name that follows the naming rule.
 struct Levels {
   std::string line;
   std::string process;
@@ -35,13 +35,13 @@ struct Levels {
 
 /// Five levels, or nothing.
 std::optional<Levels> levels_of(std::string_view name);
-/// A word's letters before its first digit, and what follows them.
+/// The letters of a word before its first digit, and the rest.
 std::string letters_of(std::string_view word);
 std::string digits_of(std::string_view word);
-/// With `#` for each run of digits: devices that are named alike.
+/// With `#` for each run of digits, to compare devices with similar names.
 std::string class_of(std::string_view device);
 
-/// A task of a device: places of rows.
+/// A task of a device: indexes of rows.
 struct Task {
   std::string word;
   std::optional<std::size_t> operation;
@@ -57,17 +57,17 @@ struct Device {
   const Task* task(std::string_view word) const;
 };
 
-/// Values: kinds of damage work on a copy.
+/// A value: kinds of damage work on a copy.
 struct ShopList {
   std::vector<Cells> rows;
 
-  /// With its header line, so that row i stands in line i + 2.
+  /// With its header line, so that row i is on line i + 2.
   std::string text() const;
   std::vector<Device> devices() const;
   bool has(std::string_view name) const;
 };
 
-/// A list without fault, as the tool reads it.
+/// A valid list, as the tool reads it.
 ShopList read_list(const std::string& text);
 
 }  // namespace symplant::damage

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every relative link of the manual leads to a file.
+# Every relative link of the manual refers to an existing file.
 #
 #   check_links.sh SOURCE_DIR
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every command of a page: the lines of its ```sh blocks, each of which must end with exit code 0.
-# A block behind a line `<!-- run by .ci/run -->` is left out, since .ci/run runs it.
+# A block after a line `<!-- run by .ci/run -->` is skipped, since .ci/run runs it.
 #
 #   run_commands.sh SYMPLANT SOURCE_DIR PAGE
 set -euo pipefail

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs every plant description of a page, and compares what the page says that a command prints.
+# Runs every plant description of a page, and compares the output of its commands with the page.
 #
-# A ```jsonc block behind a line `<!-- plant.json of FOLDER -->` is a plant description for the symbols.csv of that
-# folder; one that does not begin with `{` is a part of one, and is completed. A ```text block behind a line
-# `<!-- COMMAND: exit N -->` is what this command prints beside the plant.json above it, and N what it ends with; a last
-# line `...` stands for whatever follows.
-# A description behind which no such block stands must pass `symplant check`.
+# A ```jsonc block after a line `<!-- plant.json of FOLDER -->` is a plant description for the symbols.csv of that
+# folder; one that does not begin with `{` is a part of one, and is completed. A ```text block after a line
+# `<!-- COMMAND: exit N -->` is the output of this command for the plant.json above it, and N its exit code; a last
+# line `...` matches any further output.
+# A description without such a block must pass `symplant check`.
 #
 #   run_descriptions.sh SYMPLANT SOURCE_DIR PAGE
 set -euo pipefail
@@ -41,7 +41,7 @@ count=0 commands=0
 for here in "$work"/[0-9]*/; do
   [ -e "$here/folder" ] || { echo "$page holds no description: has its form changed?"; exit 1; }
   cp "$source_dir/$(cat "$here/folder")/symbols.csv" "$here"
-  # Its first line that is no comment decides.
+  # Its first line that is not a comment decides.
   if grep -v '^ *//' "$here/plant.part" | head -1 | grep -q '^{'; then
     cp "$here/plant.part" "$here/plant.json"
   else

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The cell beside no controller, listening, in real time: nothing happens after time 0. usage: alone.sh PLANT...
+# The cell without a controller, listening, in real time: nothing happens after time 0. usage: alone.sh PLANT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

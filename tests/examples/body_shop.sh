@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The body-shop line: list and description are what their scripts write, check has nothing but notes to say of them. Its cycle passes
-# and its broken interlock is found, compiled as interpreted. The pictures of both are those of docs/pictures;
-# SYMPLANT_UPDATE_GOLDENS=1 writes these anew. usage: body_shop.sh FOLDER SYMPLANT PLANT PICTURES
+# The body-shop line: list and description equal the output of their scripts, check reports only notes. Its cycle passes
+# and its broken interlock is found, compiled and interpreted. The pictures of both are those of docs/pictures;
+# SYMPLANT_UPDATE_GOLDENS=1 regenerates them. usage: body_shop.sh FOLDER SYMPLANT PLANT PICTURES
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 folder=$1 tool=$2 binary=$3 pictures=$4
@@ -13,7 +13,7 @@ for plant in body-shop.csv plant.json; do
   grep -q ': 3007 of 3007 I/O names follow' "$work/check.log" || fail "a name of $plant breaks the rule"
 done
 
-run() { # SCENARIO EXIT_CODE: by both, which must say the same
+run() { # SCENARIO EXIT_CODE: with both plants, which must give the same output
   local kind code command
   for kind in interpreted compiled; do
     command=("$binary")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash completes commands and options by the script that the tool prints. usage: completion.sh SYMPLANT
+# bash completes commands and options with the script that the tool prints. usage: completion.sh SYMPLANT
 set -euo pipefail
 tool=$1
 PATH=$(dirname "$tool"):$PATH
@@ -7,11 +7,11 @@ PATH=$(dirname "$tool"):$PATH
 source <(symplant completion bash)
 
 failures=0
-check() { # EXPECTED WORD...: the last word is completed to it
+check() { # the last word is completed to EXPECTED
   COMP_WORDS=("${@:2}")
   COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
   COMPREPLY=()
-  _symplant || true # compgen fails where nothing fits
+  _symplant || true # compgen fails if nothing matches
   [[ ${COMPREPLY[*]} == "$1" ]] && return
   printf 'FAILED: %s is completed to [%s], expected [%s]\n' "${*:2}" "${COMPREPLY[*]}" "$1"
   failures=$((failures + 1))

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A device of the gallery passes its scenario, compiled as interpreted, and its trace is the one that is shown.
+# A device of the gallery passes its scenario, compiled and interpreted, and its trace is the published one.
 # usage: gallery.sh FOLDER SYMPLANT PLANT
 set -euo pipefail
 folder=$1 symplant=$2 plant=$3

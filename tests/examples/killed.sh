@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The controller is killed midway: the move under way ends, then nothing changes. usage: killed.sh TIMELINE CONTROLLER PLANT...
+# The controller is killed midway: the current move ends, then nothing changes. usage: killed.sh TIMELINE CONTROLLER PLANT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 timeline=$1 program=$2
@@ -20,7 +20,7 @@ wait "$controller" 2>/dev/null || true
 controller=""
 cycles_then=$(cycles) operations_then=$(operations)
 
-# A move takes a second: in four seconds of plant time a cell that went on would have moved thrice.
+# A move takes 1 s: in 4 s of plant time a cell that continued would move three times.
 long_still() {
   local still
   kill -0 "$plant" || fail "the plant ended by itself"
@@ -32,6 +32,6 @@ wait_until "the cell stands still" long_still
 stop_plant
 
 (($(ended_at) - $(last_change) >= 4000)) || fail "the cell did not stand still for 4 s of plant time"
-# What the controller had written when it was killed may still have come: one step's outputs.
+# Outputs that the controller wrote before it was killed may still arrive: those of one step.
 (($(operations) <= operations_then + 2)) || fail "operations changed after the controller was killed"
 (($(cycles) <= cycles_then + 1)) || fail "cycles went on after the controller was killed"

@@ -1,4 +1,4 @@
-# What the tests of the examples share: a plant in the background, waiting for a condition. To be sourced.
+# Shared parts of the tests of the examples: a plant in the background, waiting for a condition. To be sourced.
 # shellcheck shell=bash
 
 work=$(mktemp -d)
@@ -21,7 +21,7 @@ fail() { # WHAT
   exit 1
 }
 
-# Tries a command until it succeeds, for a minute: nothing is said about how fast this machine is.
+# Tries a command until it succeeds, for a minute at most: the test does not depend on the speed of the machine.
 wait_until() { # WHAT COMMAND...
   local what=$1 try
   shift
@@ -32,7 +32,7 @@ wait_until() { # WHAT COMMAND...
   fail "waited in vain: $what"
 }
 
-# The port on which a link listens, as the plant says it; CONTROLLER is "" for the only link, else as in "PLC1=".
+# The port of a link, as the plant prints it; CONTROLLER is "" for the only link, else as in "PLC1=".
 port_of() { # CONTROLLER
   sed -nE "s,^link $1modbus-tcp-server://127\.0\.0\.1:([0-9]+)(;.*)?\$,\1,p" "$work/plant.log"
 }
@@ -54,12 +54,12 @@ stop_plant() {
   ((code == 0)) || fail "the plant ended with exit code $code"
 }
 
-# The plant time at which it ended, in milliseconds.
+# The plant time at the end of the run, in milliseconds.
 ended_at() { sed -n 's/^ended at \([0-9.e+-]*\) s.*/\1/p' "$work/plant.log" | awk '{ printf "%d\n", $1 * 1000 }'; }
 
 # The plant time of the last change in the trace, in milliseconds.
 last_change() { sed -n 's/^{"t":\([0-9]*\),.*/\1/p' "$work/trace.jsonl" | tail -n 1 | awk '{ printf "%d\n", $1 / 1e6 }'; }
 
-count() { # PATTERN: so many lines of the trace have it
+count() { # the number of trace lines with the pattern
   grep -c -- "$1" "$work/trace.jsonl" || true
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A plant runs for a while in virtual time, and does the same compiled as interpreted. usage: runs.sh PLANT SYMPLANT LIST
+# A plant runs in virtual time, and does the same compiled and interpreted. usage: runs.sh PLANT SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 binary=$1 tool=$2 list=$3

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The timeline of a trace, line by line; of names that clash, values, and of too few cycles. usage: timeline.sh TIMELINE
+# The timeline of a trace, line by line; with clashing names, values, and too few cycles. usage: timeline.sh TIMELINE
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 timeline=$1

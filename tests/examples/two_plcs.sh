@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Two PLCs with equal addresses write and read one plant, each by its own link. usage: two_plcs.sh PLANT...
+# Two PLCs with equal addresses write and read one plant, each over its own link. usage: two_plcs.sh PLANT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

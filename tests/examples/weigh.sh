@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The scales' scenario holds with their code, its trace is the golden one, the guard finds nothing; without the code the
-# plant says so, and the scenario fails. Without the guard where a sanitizer does what it looks for.
+# The scenario of the scales passes with their code, its trace is the golden one, the guard finds nothing; without the code the
+# plant reports it, and the scenario fails. Without the guard if a sanitizer breaks what it checks.
 # usage: weigh.sh PLANT SYMPLANT EXAMPLE GOLDEN [SANITIZER]
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -10,7 +10,7 @@ binary=$1 tool=$2 example=$3 golden=$4
 if [[ -n ${SYMPLANT_UPDATE_GOLDENS-} ]]; then cp "$work/trace.jsonl" "$golden"; fi
 cmp "$golden" "$work/trace.jsonl" || fail "the trace is not $golden"
 grep -q absent "$work/plant.log" && fail "the behaviour is absent"
-grep -q '^nobody moves: 0 of ' "$work/plant.log" || fail "the scales' numbers are said to be moved by nobody"
+grep -q '^not driven: 0 of ' "$work/plant.log" || fail "the scales' numbers are reported as not driven"
 
 "$tool" run "$example/plant.json" --scenario "$example/weigh.json" >"$work/interpreted.log" && fail "it weighs without code"
 grep -q '^behaviour `WeighingScale` of 2 devices absent' "$work/interpreted.log" || fail "nobody says that it is absent"

@@ -1,4 +1,4 @@
-// Any text as a condition: written out it must read the same, and its truth tables must say what its tree says.
+// Any text as a condition: written out it must read the same, and its truth tables must match its tree.
 #include <algorithm>
 #include <variant>
 #include <vector>
@@ -23,7 +23,7 @@ void look_at_index(const Location& index, std::string_view text) {
   require(index.offset <= text.size() && index.length <= text.size() - index.offset, "a place lies outside the text");
 }
 
-/// A number so far off that its exponent is cut.
+/// A number so large or small that its exponent is cut.
 bool is_far(const condition::Number& number) {
   constexpr std::int64_t kFar = std::int64_t{1} << 39;
   return number.exponent > kFar || number.exponent < -kFar;
@@ -51,7 +51,7 @@ std::string quoted(const std::string& name) {
 
 std::string written(const Expression& expression);
 
-/// In parentheses where it binds less than its parent.
+/// In parentheses if it binds less tightly than its parent.
 std::string part(const Expression& child, Expression::Kind parent) {
   const bool loose = child.kind == Expression::Kind::any ||
                      (child.kind == Expression::Kind::all && parent != Expression::Kind::any) ||
@@ -106,7 +106,7 @@ bool same(const Tree& a, const Tree& b) {
                     [](const Tree& x, const Tree& y) { return same(x, y); });
 }
 
-/// A truth of an atom, one of many worlds; equal atoms have equal ones.
+/// The truth of an atom in one of many worlds; equal atoms have equal truths.
 bool truth_of(const condition::Atom& atom, std::uint64_t world) {
   std::uint64_t mixed = world;
   for (const std::uint64_t part :

@@ -1,4 +1,4 @@
-// Any bytes as a symbol list, all the way to generated code.
+// Any bytes as a symbol list, through all stages to generated code.
 #include "fuzz/target.hpp"
 #include "support/memory_file_system.hpp"
 

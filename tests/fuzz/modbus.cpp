@@ -1,4 +1,4 @@
-// Any bytes as what a Modbus client sends, cut anywhere: answers are those of the frames in it, in their order, whole.
+// Any bytes as input from a Modbus client, cut anywhere: answers are those of its frames, in their order, complete.
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -15,7 +15,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::uint32_t kBits = 100;
 constexpr std::uint32_t kRegisters = 40;
 
-/// Numbers from the input itself, so that an input is always cut alike.
+/// Numbers computed from the input, so that the same input is always cut the same.
 class Dice {
  public:
   explicit Dice(const Bytes& seed) {
@@ -30,7 +30,7 @@ class Dice {
   std::uint64_t state_ = 1469598103934665603U;
 };
 
-/// Answers from a small memory, and sees that nothing is written but what the answer tells.
+/// Answers from a small memory, and checks that only what the answer reports is written.
 class Memory final : public Responder {
  public:
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
@@ -79,10 +79,10 @@ class Peer final : public Sink {
 
 struct Heads {
   std::vector<std::array<std::uint8_t, 3>> heads;  ///< transaction and unit
-  bool broken = false;                             ///< the rest is no frame
+  bool broken = false;                             ///< the rest is not a frame
 };
 
-/// The frames in a stream; of requests only those that are answered.
+/// The frames in a stream; of requests, only the answered ones.
 Heads frames_of(const Bytes& bytes, bool requests) {
   Heads result;
   std::size_t at = 0;
@@ -123,7 +123,7 @@ void play(const Bytes& bytes, bool reads_all) {
   }
   const Heads wanted = frames_of(bytes, true);
   require((state == Connection::State::closed) == wanted.broken, "closed without need, or open in spite of it");
-  if (wanted.broken && !reads_all) return;  // what was not taken before the end is lost
+  if (wanted.broken && !reads_all) return;  // what was not read before the end is lost
   require(frames_of(peer.taken, false).heads == wanted.heads, "answers are not those of the requests");
 }
 

@@ -1,4 +1,4 @@
-// Any text as a symbol's name: what is read of it must be the name again.
+// Any text as a symbol's name: the parsed parts must give the name again.
 #include <algorithm>
 
 #include "fuzz/target.hpp"
@@ -11,7 +11,7 @@ namespace {
 using name::NameFault;
 using name::NameReading;
 
-/// Where a view lies within the name.
+/// The range of a view within the name.
 std::size_t offset_of(std::string_view level, std::string_view name) {
   require(level.data() >= name.data() && level.data() + level.size() <= name.data() + name.size(),
           "a level lies outside the name");
@@ -58,7 +58,7 @@ void look_at_fault(std::string_view name, const NameReading& reading) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace symplant;
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (!fuzz::is_utf8(text)) return -1;  // the reader lets none through
+  if (!fuzz::is_utf8(text)) return -1;  // the reader rejects such text
   name::NameParser parser(name::built_in_rule());
   const name::NameReading reading = parser.parse(text);
   if (reading.fault == name::NameFault::none) {

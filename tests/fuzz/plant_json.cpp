@@ -1,10 +1,10 @@
-// Any bytes as a plant.json, whose lists are all the same one.
+// Any bytes as a plant.json whose lists are all the same list.
 #include "fuzz/target.hpp"
 
 namespace symplant::fuzz {
 namespace {
 
-/// Whatever file is asked for but the description holds the fixed list.
+/// Every file except the description has the content of the fixed list.
 class OneListEverywhere final : public base::FileSystem {
  public:
   explicit OneListEverywhere(std::string description) : description_(std::move(description)) {}

@@ -1,4 +1,4 @@
-// Tries the files named, one by one: a fuzz target's main() where libFuzzer is not there.
+// Tries the given files one by one: the main() of a fuzz target without libFuzzer.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
       return 2;
     }
     const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    std::cout << argv[i] << std::endl;  // flushed: the last one named is the one that ended it
+    std::cout << argv[i] << std::endl;  // flushed: the last printed file is the one that ended the program
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
   }
   return 0;

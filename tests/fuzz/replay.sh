@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tries on a fuzz target its corpus, and all inputs that once broke something: replay.sh PROGRAM TARGET FOLDER
+# Runs a fuzz target on its corpus, and on all inputs that once broke something: replay.sh PROGRAM TARGET FOLDER
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$1 target=$2 folder=$3/$2

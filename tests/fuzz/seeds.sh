@@ -9,7 +9,7 @@ target=$1 folder=$2
 rm -rf -- "$folder"
 mkdir -p "$folder"
 
-copy() { # NUMBERS...: each file under a number of its own
+copy() { # NUMBERS...: each file under a separate number
   local file number=0
   for file; do
     [[ ! -s $file ]] || cp -- "$file" "$folder/$(printf 'file%03d' "$number")"

@@ -1,4 +1,4 @@
-// What fuzz targets share.
+// Shared parts of the fuzz targets.
 #include "fuzz/target.hpp"
 
 #include <algorithm>
@@ -20,9 +20,9 @@
 namespace symplant::fuzz {
 namespace {
 
-/// Of so many different plants one is emitted: it takes ten times the time of all else.
+/// One of this many different plants is emitted: code generation takes ten times as long as all other stages.
 constexpr std::uint64_t kOneEmittedIn = 16;
-/// Beyond so many symbols nothing is emitted: it costs time and is the same code.
+/// Plants with more symbols are not emitted: it takes long and covers the same code.
 constexpr std::size_t kMostEmitted = 300;
 
 void look_at_index(const diag::Location& index) {
@@ -108,7 +108,7 @@ void compile_all(const std::string& plant, const base::FileSystem& files) {
   const auto compiled = app::compile({plant, {}, {}, "2026-01-01"}, files, progress, diagnostics);
   require(compiled.has_value() || diagnostics.has_errors(), "nothing was compiled, and no error says why");
   look_at_findings(diagnostics);
-  if (!compiled || compiled->plant.symbols.size() > kMostEmitted) return;
+  if (!compiled || diagnostics.has_errors() || compiled->plant.symbols.size() > kMostEmitted) return;
   const std::uint64_t hash = tables::model_hash(compiled->tables.tables());
   if (hash % kOneEmittedIn == 0) require(emit_ascii(*compiled) == emit_ascii(*compiled), "generating twice differs");
 }
@@ -120,9 +120,9 @@ const model::PlantModel& fixed_plant() {
     std::ostringstream err;
     app::Progress progress(err, false);
     diag::Diagnostics diagnostics;
-    auto made = app::analyse({"symbols.csv", {}, {}}, files, progress, diagnostics);
+    auto made = app::compile({"symbols.csv", {}, {}}, files, progress, diagnostics);
     require(made.has_value(), "the fixed list is not understood");
-    return std::move(*made);
+    return std::move(made->plant);
   }();
   return plant;
 }

@@ -1,4 +1,4 @@
-// What fuzz targets share: the entry that libFuzzer calls, oracles, the whole road of the tool in memory.
+// Shared parts of the fuzz targets: the entry that libFuzzer calls, oracles, all stages of the tool in memory.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 #include "base/file_system.hpp"
 #include "model/plant_model.hpp"
 
-/// Tries one input. 0, or -1 where it is none of the target's inputs at all; ends the program where an oracle is
-/// contradicted.
+/// Tries one input. Returns 0, or -1 if the target does not accept the input; ends the program if an oracle
+/// fails.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace symplant::fuzz {
 
-/// An oracle: ends the program, with these words, where it does not hold.
+/// An oracle: ends the program with this message if the condition is false.
 void require(bool holds, std::string_view what);
 
-/// What every stage promises to the next.
+/// The guarantees of every stage to the next.
 bool is_utf8(std::string_view text);
 
-/// The list that conditions and plant descriptions are tried on: devices of all shapes, numbers, names of every script.
+/// The list for conditions and plant descriptions: devices of all shapes, numbers, names of every script.
 std::string_view fixed_list();
 
 /// From files to C++ and pages, as far as the input gets. `plant` names a file of `files`. Findings lie within their

@@ -1,4 +1,4 @@
-// Which commands a hostile input meets, and misuses of them.
+// The commands that each hostile input runs under, and invalid command lines.
 #include <array>
 
 #include "trial.hpp"

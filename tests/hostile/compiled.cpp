@@ -1,4 +1,4 @@
-// Compiles what is generated from hostile lists, runs it, and reads every name back from its trace.
+// Compiles the code generated from hostile lists, runs it, and reads every name back from its trace.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct Setting {
   std::string tool;
   std::string scratch;
-  std::vector<std::string> compiler;  ///< its command line, but for the sources
+  std::vector<std::string> compiler;  ///< its command line, without the sources
 };
 
 std::string content_of(const std::string& path) {
@@ -29,8 +29,8 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// The second cell of every row but the first, where the fifth is BOOL and it is I/O: a reader of its own, for the
-/// lists written here.
+/// The second cell of every row but the first, if the fifth is BOOL and the row is I/O: a separate reader for the
+/// lists written in this file.
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> names;
   std::vector<std::string> cells(1);
@@ -56,7 +56,7 @@ std::vector<std::string> names_in(const std::string& list) {
   return names;
 }
 
-/// Switches every one of them on and off by force.
+/// Switches every symbol on and off by force.
 std::string scenario_of(const std::vector<std::string>& names) {
   Json on;
   Json off;
@@ -79,7 +79,7 @@ std::set<std::string> names_of_trace(const std::string& trace) {
   return names;
 }
 
-/// What is wrong with an input's generated plant; empty where nothing is, or where none is generated.
+/// What is wrong with an input's generated plant; empty if it is correct, or if no code is generated.
 std::string fault_of(const Setting& setting, const Input& input) {
   const std::string folder = setting.scratch + "/" + "plant";
   fs::remove_all(folder);
@@ -103,7 +103,7 @@ std::string fault_of(const Setting& setting, const Input& input) {
   if (compiled.code != 0) return "it does not compile: " + compiled.err.substr(0, 2000);
 
   const std::vector<std::string> names = input.kind == Input::Kind::plant ? std::vector<std::string>{} : names_in(text);
-  if (names.empty()) {  // of a description, or in another form of list
+  if (names.empty()) {  // of a description, or in another list format
     const Run started = run({"./program", "--until", "1s"}, folder, setting.scratch);
     return started.code == 0 ? "" : "it does not run: " + started.err;
   }

@@ -17,7 +17,7 @@ constexpr const char* kDescription = R"({ "symplant": 1, "symbols": ["symbols.cs
   "requirements": [ { "name": "r\u00e4", "never": "L_P_AGV.P1 and LEVEL > 1e3" } ] }
 )";
 
-/// Checks and generates from every beginning of a file; how often each exit code came of it.
+/// Checks and generates from every prefix of a file; counts each exit code.
 std::vector<int> cut(const std::string& name, const std::string& content) {
   std::vector<int> codes(3);
   for (std::size_t size = 0; size <= content.size(); ++size) {
@@ -37,13 +37,13 @@ std::vector<int> cut(const std::string& name, const std::string& content) {
   return codes;
 }
 
-TEST_CASE("A list cut anywhere is read as far as it goes, or refused; what is refused leaves nothing behind") {
+TEST_CASE("A list cut anywhere is read to the cut or rejected; a rejected list leaves no output") {
   const std::vector<int> codes = cut("symbols.csv", good_list());
   CHECK(codes[0] > 100);
   CHECK(codes[2] > 10);
 }
 
-TEST_CASE("A list of several scripts in quotes, cut anywhere, likewise") {
+TEST_CASE("A quoted list of several scripts, cut anywhere, is read or rejected without output") {
   std::string text = "\xEF\xBB\xBF";
   text += kHeader;
   for (const std::string& name : hostile_names()) {
@@ -53,10 +53,10 @@ TEST_CASE("A list of several scripts in quotes, cut anywhere, likewise") {
   CHECK(cut("symbols.csv", text)[2] > 100);
 }
 
-TEST_CASE("A plant.json cut anywhere is refused, whole it is not") {
+TEST_CASE("A plant.json cut anywhere is rejected, a whole one is accepted") {
   const std::string text = kDescription;
   const std::vector<int> codes = cut("plant.json", text);
-  CHECK(codes[0] == 2);  // with and without its last line end
+  CHECK(codes[0] == 2);  // with and without the last line end
   CHECK(codes[1] == 0);
 }
 

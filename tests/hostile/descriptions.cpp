@@ -6,7 +6,7 @@
 namespace symplant::hostile {
 namespace {
 
-/// A plant.json of good_list() with something more.
+/// A plant.json of good_list() with additional members.
 std::string plant(const std::string& more) {
   return R"({ "symplant": 1, "symbols": ["symbols.csv"])" + (more.empty() ? "" : ",\n" + more) + " }\n";
 }
@@ -84,7 +84,7 @@ std::string requirements() {
 }
 std::string settings() {
   return plant("\"check\": { \"ignore\": [ " +
-               numbered(R"({ "rule": "nobody-moves", "why": "x", "symbols": "*)", "*\" }", 20'000) + " ] }");
+               numbered(R"({ "rule": "event-not-driven", "why": "x", "symbols": "*)", "*\" }", 20'000) + " ] }");
 }
 std::string links() {
   return plant(R"("links": [ { "url": "modbus-tcp-server://[::1]:99999999999" }, { "url": "javascript:alert" },

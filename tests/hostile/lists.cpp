@@ -7,7 +7,7 @@
 namespace symplant::hostile {
 namespace {
 
-/// Bytes without order, the same each time; 0 is among them.
+/// Random bytes, the same each time; 0 is among them.
 std::string noise(std::size_t size) {
   std::string bytes;
   std::uint32_t state = 12345;
@@ -114,7 +114,7 @@ std::string many_devices() {
   return text;
 }
 
-std::string many_tasks() {  // each of a device of its own, none alike
+std::string many_tasks() {  // each in a separate device, all different
   std::string text = kHeader;
   for (std::size_t i = 0; i < 20'000; ++i) text += row("L_P_D" + std::to_string(i) + "_I_T" + std::to_string(i), i);
   return text;

@@ -1,4 +1,4 @@
-// Tries every hostile input under every command of the tool, and keeps docs/reliability.md current.
+// Tries every hostile input under every command of the tool, and checks that docs/reliability.md is current.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,14 +14,14 @@ namespace {
 
 using namespace symplant::hostile;
 
-/// Which inputs are tried.
+/// Selects the inputs to try.
 struct Choice {
-  bool small = false;          ///< none that takes seconds
-  std::string_view word = {};  ///< only those whose description holds it
+  bool small = false;          ///< skip inputs that take seconds
+  std::string_view word = {};  ///< only inputs whose description contains it
   bool takes(std::string_view what, bool large) const { return !(small && large) && what.find(word) != what.npos; }
 };
 
-/// Runs them; faults go to standard error.
+/// Runs the inputs; faults go to standard error.
 Trials try_all(const std::string& tool, const Limits& limits, const Choice& choice, const std::string& scratch,
                bool& well) {
   Trials trials;
@@ -59,8 +59,8 @@ bool is_current(const std::string& file, const std::string& text) {
 
 }  // namespace
 
-// hostile TOOL SCRATCH PAGE: all, and PAGE must be current. hostile --sanitized TOOL SCRATCH: small inputs, wide
-// limits. hostile --only WORD TOOL SCRATCH: those whose description holds WORD, and what the page would say of them.
+// hostile TOOL SCRATCH PAGE: all inputs; PAGE must be current. hostile --sanitized TOOL SCRATCH: small inputs, wide
+// limits. hostile --only WORD TOOL SCRATCH: inputs whose description contains WORD, and what the page would show.
 int main(int argc, char** argv) {
   const std::string_view mode = argc > 1 ? argv[1] : "";
   const bool sanitized = mode == "--sanitized";

@@ -1,4 +1,4 @@
-// Hostile names, and lists of them.
+// Hostile names, and lists of such names.
 #include <array>
 
 #include "inputs.hpp"
@@ -6,7 +6,7 @@
 namespace symplant::hostile {
 namespace {
 
-/// Each as a device with two states, and as a state of a device.
+/// Each name as a device with two states, and as a state of a device.
 std::string levels_list(const std::vector<std::string>& levels) {
   std::string text = kHeader;
   std::size_t number = 0;
@@ -58,7 +58,7 @@ std::string no_identifier() {
   return text;
 }
 
-/// The same word composed and decomposed: different names, which no eye can tell apart.
+/// The same word composed and decomposed: different names that look the same.
 std::string composed() {
   return kHeader + row("L_P_\xC3\x84_I_P1", 0) + row("L_P_A\xCC\x88_I_P1", 1) + row("L_P_\xD0\x90_I_P1", 2) +
          row("L_P_A_I_P1", 3);

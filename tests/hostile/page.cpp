@@ -1,4 +1,4 @@
-// docs/reliability.md, made of what was tried.
+// Writes docs/reliability.md from the results.
 #include "page.hpp"
 
 #include <fmt/format.h>
@@ -63,13 +63,13 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// What all commands of a column came to; one by one where they differ.
+/// The common result of all commands of a column; one by one if they differ.
 std::string cell(const std::vector<Outcome>& outcomes, std::string_view column) {
   std::vector<std::string> cells;
   for (const Outcome& outcome : outcomes) {
     if (outcome.column == column) cells.push_back(outcome.cell);
   }
-  // `check` says its rules in the first form only.
+  // `check` reports its rules in the first format only.
   const auto begins_alike = [&](const std::string& other) { return cells.front().starts_with(other); };
   if (std::all_of(cells.begin(), cells.end(), begins_alike)) return cells.front();
   return fmt::format("{}", fmt::join(cells, " / "));

@@ -1,4 +1,4 @@
-// docs/reliability.md, made of what was tried.
+// Writes docs/reliability.md from the results.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Trials {
   std::vector<std::pair<Misuse, Outcome>> misuses;
 };
 
-/// The whole page. Nothing in it is of one machine: no times, no sizes.
+/// The whole page. It contains no data that depend on one machine: no times, no sizes.
 std::string page(const Trials& trials);
 
 }  // namespace symplant::hostile

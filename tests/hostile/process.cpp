@@ -1,4 +1,4 @@
-// Another program, run within limits and measured.
+// Runs another program within limits and measures it.
 #include "process.hpp"
 
 #include <fcntl.h>
@@ -25,7 +25,7 @@ void send(int descriptor, const std::string& path) {
   if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(127);
 }
 
-/// Between fork and exec: no more than a child may do.
+/// Between fork and exec: only what a child may do.
 [[noreturn]] void become(std::vector<char*>& argv, const std::string& folder, const std::string& out,
                          const std::string& err) {
   const rlimit cpu{100, 100};
@@ -35,7 +35,7 @@ void send(int descriptor, const std::string& path) {
   ::setrlimit(RLIMIT_CPU, &cpu);
   if (address_space != RLIM_INFINITY) ::setrlimit(RLIMIT_AS, &space);
   ::setrlimit(RLIMIT_CORE, &no_core);
-  ::alarm(120);  // lasts beyond exec
+  ::alarm(120);  // remains active after exec
   send(STDOUT_FILENO, out);
   send(STDERR_FILENO, err);
   const int nothing = ::open("/dev/null", O_RDONLY);
@@ -44,7 +44,7 @@ void send(int descriptor, const std::string& path) {
   ::_exit(127);
 }
 
-/// Line ends and tabs are none.
+/// Line ends and tabs do not count.
 void look_for_control_characters(const std::string& text, Run& run) {
   for (std::size_t at = 0; at < text.size();) {
     const text::CodePoint point = text::code_point_at(text, at);

@@ -1,4 +1,4 @@
-// Another program, run within limits and measured.
+// Runs another program within limits and measures it.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ struct Run {
   int signal = 0;  ///< that signal
   double cpu_seconds = 0;
   long peak_kilobytes = 0;
-  std::string out;  ///< the beginning of what it wrote
+  std::string out;  ///< the beginning of its output
   std::string err;
-  bool ill_formed = false;       ///< it wrote ASCII control characters, or bytes that are no UTF-8
-  bool steers_terminal = false;  ///< it wrote control characters beyond ASCII
+  bool ill_formed = false;       ///< it wrote ASCII control characters, or invalid UTF-8
+  bool steers_terminal = false;  ///< it wrote control characters outside ASCII
 };
 
-/// Runs a program in `folder`, with standard output and error kept in files of `scratch`. It is ended after 120 s, or
+/// Runs a program in `folder`, with standard output and error stored in files of `scratch`. Ends it after 120 s, or
 /// 100 s of processor time.
 Run run(const std::vector<std::string>& arguments, const std::string& folder, const std::string& scratch);
 
-/// From now on a program gets no more address space than that, so that a faulty one does not take the whole machine.
-/// Not for programs under sanitizers, which take much.
+/// Limits the address space of all later programs, so that a faulty one cannot exhaust the machine's memory.
+/// Not for programs under sanitizers, which need much address space.
 void limit_address_space(long kilobytes);
 
 }  // namespace symplant::hostile

@@ -33,7 +33,7 @@ std::map<std::string, std::string> files_below(const std::string& folder) {
   return files;
 }
 
-/// Where results go: some stand there from an earlier time.
+/// The output folder: some results exist there from an earlier run.
 void make_out(const std::string& out) {
   fs::remove_all(out);
   fs::create_directories(out + "/generated");
@@ -41,7 +41,7 @@ void make_out(const std::string& out) {
     write(out + file, "old\n");
 }
 
-/// The slugs of errors in a text for people, at most three.
+/// The slugs of errors in text output, at most three.
 std::string errors_in(const std::string& text) {
   std::vector<std::string> slugs;
   std::size_t begin = 0;
@@ -75,7 +75,7 @@ std::string words_of(const Run& run) {
   }
 }
 
-/// `for_people`: what it writes to standard output is no format of a program's.
+/// `for_people`: standard output is not a machine-readable format.
 void judge(const Run& run, const Limits& limits, int highest, bool for_people, std::vector<std::string>& faults) {
   if (run.code < 0) faults.push_back(fmt::format("it was ended by signal {}", run.signal));
   if (run.code > highest) faults.push_back(fmt::format("exit code {}", run.code));
@@ -87,7 +87,7 @@ void judge(const Run& run, const Limits& limits, int highest, bool for_people, s
   if (run.code >= 2 && run.out.empty() && run.err.empty()) faults.emplace_back("it was refused without a word");
 }
 
-/// What is written by the way must be whole, or not be there.
+/// Intermediate files must be complete or absent.
 void judge_files(const std::map<std::string, std::string>& before, const std::map<std::string, std::string>& after,
                  bool refused, std::vector<std::string>& faults) {
   for (const auto& [path, content] : after) {
@@ -102,7 +102,7 @@ void judge_files(const std::map<std::string, std::string>& before, const std::ma
   }
 }
 
-/// The first line that tells of an error, or of what cannot be done; else the first.
+/// The first line that reports an error or an unsupported request; else the first line.
 std::string line_about_it(const std::string& said) {
   std::string first;
   for (std::size_t begin = 0; begin < said.size();) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs a build to a fresh folder and looks at what came. usage: install.sh CMAKE BUILD PREFIX
+# Installs a build to an empty folder and checks the installed files. usage: install.sh CMAKE BUILD PREFIX
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cmake=$1 build_dir=$2 prefix=$3

@@ -1,4 +1,4 @@
-# What the tests of the package share: a folder with a blank in its path, failures. To be sourced.
+# Shared parts of the tests of the package: a folder with a blank in its path, failures. To be sourced.
 # shellcheck shell=bash
 
 outer=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The folder that the tool writes is a project of its own. usage: standalone.sh CMAKE SYMPLANT PLANT CONFIGURE-ARGUMENT...
+# The folder that the tool writes is a complete project. usage: standalone.sh CMAKE SYMPLANT PLANT CONFIGURE-ARGUMENT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cmake=$1 tool=$2 list=$3

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # A real soft PLC in the loop: LinuxCNC's Classic Ladder, a Modbus TCP master, runs the paper's cell by a ladder program. Three
-# cycles; then a sensor is forced off, which must stop the cycle and raise the PLC's own alarm; released, the cycle goes on.
+# cycles; then a sensor is forced off, which must stop the cycle and raise the PLC's alarm; released, it continues.
 #
 # usage: classicladder_test.sh as-it-is|one-off EXAMPLE PLANT [ARGUMENT]...
 #
 # EXAMPLE is the folder examples/excell. `one-off` lets the PLC count addresses from 1 instead of 0: the same check must then fail,
-# though every request is answered. All happens on 127.0.0.1, and in PID and IPC namespaces of its own where those are allowed;
-# with them ends all that was started, shared memory too.
-# Exit code: 0 good, 1 a check failed, 77 Classic Ladder is not installed, or another LinuxCNC is running (a skip, for ctest).
+# though every request is answered. All runs on 127.0.0.1, and in separate PID and IPC namespaces if those are allowed;
+# with them all started processes end, and shared memory is removed.
+# Exit code: 0 passed, 1 a check failed, 77 (skipped by ctest) no Classic Ladder, or another LinuxCNC is running.
 set -euo pipefail
 
 for program in halrun halcmd classicladder Xvfb; do
@@ -28,7 +28,7 @@ fi
 addresses=$1 example=$(realpath "$2")
 shift 2
 
-# --- The soft PLC, in $work/plc, where all its files are. Its real-time part refuses to be root: it becomes nobody.
+# --- The soft PLC, in $work/plc. Its real-time part does not run as root: it runs as the user nobody.
 
 number=$((20000 + RANDOM)) # of the display
 chmod 711 "$work"
@@ -46,7 +46,7 @@ clean_up_all() {
 }
 trap clean_up_all EXIT
 
-start_plc() { # FIRST: what its addresses count from
+start_plc() { # FIRST: the first address
   sed -e "s/127\.0\.0\.1:1502/127.0.0.1:$port/" -e "s/^MODBUS_ELEMENT_OFFSET=.*/MODBUS_ELEMENT_OFFSET=$1/" \
     -e "s/^MODBUS_DEBUG_LEVEL=.*/MODBUS_DEBUG_LEVEL=1/" "$example/classicladder/cell.clp" >cell.clp
   cp "$example/classicladder/cell.hal" .
@@ -57,7 +57,7 @@ start_plc() { # FIRST: what its addresses count from
   halrun=$!
 }
 
-stop_plc() { # its window's process; halrun then ends the rest, and removes the shared memory
+stop_plc() { # ends its window process; halrun then ends the rest, and removes the shared memory
   local code=0
   halcmd unloadusr classicladder >>"$work/plc.log" 2>&1 || true
   wait "$halrun" || code=$?
@@ -68,7 +68,7 @@ stop_plc() { # its window's process; halrun then ends the rest, and removes the 
 plc_cycles() { halcmd getp classicladder.0.s32out-00 2>/dev/null; }
 plc_alarm() { halcmd getp classicladder.0.out-00 2>/dev/null; }
 
-# What the PLC shows by itself, its count of cycles and its alarm lamp: a line for each change, as long as the plant runs.
+# The PLC's own display, its count of cycles and its alarm lamp: a line for each change, while the plant runs.
 watch_plc() {
   local cycles alarm seen=""
   while kill -0 "$plant" 2>/dev/null; do
@@ -81,10 +81,10 @@ watch_plc() {
   done
 }
 
-# --- What is to be seen
+# --- The expected results
 
 # The one check: the plant's verdict on its scenario; in its trace five cycles, and in the fourth a stop of at least 8 s, the
-# vehicle on its way, that ends with the sensor; the PLC's own count, and its alarm during that stop alone.
+# vehicle moving, that ends with the sensor; the PLC's own count, and its alarm during that stop only.
 the_cycle_is_as_told() {
   ((verdict == 0)) || return 1
   awk -v need=5 -f "$example/timeline.awk" "$work/trace.jsonl" >"$work/timeline.txt" || return 1
@@ -127,4 +127,4 @@ else
 fi
 grep '^link .*requests\|^expectations' "$work/plant.log"
 echo "PLC: $counted cycles, $answers answers"
-((answers > 100 && unanswered <= 1)) || fail "the PLC got $answers answers, and none to $unanswered requests" # one, as the plant ends
+((answers > 100 && unanswered <= 1)) || fail "the PLC got $answers answers, and none to $unanswered requests" # at its end

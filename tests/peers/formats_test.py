@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""A second opinion on `symplant check --format sarif|junit`: the schema of SARIF 2.1.0, and Python's own XML reader.
+"""Independent check of `symplant check --format sarif|junit`: the schema of SARIF 2.1.0, and Python's own XML reader.
 
 usage: formats_test.py SYMPLANT SOURCE_DIR SCHEMA
 
-SCHEMA is where the schema lies, or is put by sarif_schema.sh. Tried are all goldens of `check`, one by one and all in one
-run, the examples, and a list and a folder of hostile names. Exit code: 0 good, 1 a check failed, 77 the schema cannot be
-had, or jsonschema is not installed (a skip, for ctest).
+SCHEMA is the path of the schema, or the target of sarif_schema.sh. Checks all goldens of `check`, one by one and all in
+one run, the examples, and a list and a folder of hostile names. Exit code: 0 passed, 1 a check failed, 77 the schema is not
+available, or jsonschema is not installed (skipped by ctest).
 """
 import json
 import os

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# A second opinion: mbpoll, a foreign Modbus client, reads and writes the paper's cell as a plant serves it.
+# Independent check: mbpoll, a third-party Modbus client, reads and writes the paper's cell as a plant serves it.
 #
 # usage: mbpoll_test.sh PLANT [ARGUMENT]...
 #
 # PLANT is a command that runs the cell in real time (`symplant run list.csv`, a generated plant); this script adds
 # `--link modbus-tcp-server://127.0.0.1:PORT`. The cell: discrete inputs 1 to 4 are AGV P1, AGV P2, MC IDLE1, MC RUN2;
-# coils 1 to 4 are AGV to P2, AGV to P1, MC to IDLE1, MC to RUN2; every travel takes a second or less than ten.
-# Exit code: 0 good, 1 a check failed, 2 usage, 77 mbpoll is not installed (a skip, for ctest).
+# coils 1 to 4 are AGV to P2, AGV to P1, MC to IDLE1, MC to RUN2; every travel takes 1 s to 10 s.
+# Exit code: 0 passed, 1 a check failed, 2 usage, 77 mbpoll is not installed (skipped by ctest).
 set -u
 
 (($# > 0)) || { echo "usage: $0 PLANT [ARGUMENT]..." >&2; exit 2; }
@@ -24,11 +24,11 @@ stop_plant() {
 }
 trap 'stop_plant; rm -f "$log"' EXIT
 
-poll() { # ARGUMENT... [-- VALUE...]: mbpoll once on protocol addresses, that is counted from 0
+poll() { # mbpoll once with protocol addresses, which count from 0
   mbpoll -m tcp -p "$port" -0 -1 -o 5 "$@" 2>&1
 }
 
-# TABLE FIRST COUNT: the values, with blanks between; table 0 coils, 1 discrete inputs, 3 input and 4 holding registers
+# TABLE FIRST COUNT: the values, separated by blanks; table 0 coils, 1 discrete inputs, 3 input and 4 holding registers
 read_values() {
   poll -t "$1" -r "$2" -c "$3" 127.0.0.1 | sed -n 's/^\[[0-9]*\]:[[:space:]]*\([0-9-]*\).*/\1/p' | paste -sd ' '
 }
@@ -44,7 +44,7 @@ check() { # WHAT EXPECTED SEEN
   fi
 }
 
-check_inputs_become() { # WHAT EXPECTED: waits, as nothing is said about how fast this machine is
+check_inputs_become() { # WHAT EXPECTED: waits, because the speed of the machine is unknown
   local seen=""
   for ((try = 0; try < 300; try++)); do
     seen=$(read_values 1 1 4)
@@ -54,10 +54,10 @@ check_inputs_become() { # WHAT EXPECTED: waits, as nothing is said about how fas
   check "$1" "$2" "$seen"
 }
 
-start_plant() { # on a port that is free; 3 is a plant's exit code for a port that is not
+start_plant() { # on a free port; 3 is a plant's exit code for a port in use
   for ((start = 0; start < 10; start++)); do
     port=$((20000 + RANDOM % 12000))
-    (: <>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && continue # somebody else's
+    (: <>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && continue # another program's
     "${command[@]}" --link "modbus-tcp-server://127.0.0.1:$port" >"$log" 2>&1 &
     plant=$!
     for ((try = 0; try < 300; try++)); do

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A second opinion: pymodbus, a foreign Modbus client, on a plant with bits and numbers in all four tables.
+"""Independent check: pymodbus, a third-party Modbus client, on a plant with bits and numbers in all four tables.
 
 usage: pymodbus_test.py SYMPLANT
 
-Runs `symplant run` on a list of its own in real time, on a free port of this machine. Exit code: 0 good, 1 a check
-failed, 77 pymodbus is not installed (a skip, for ctest).
+Runs `symplant run` on a separate list in real time, on a free port of this machine. Exit code: 0 passed, 1 a check
+failed, 77 pymodbus is not installed (skipped by ctest).
 """
 import os
 import pathlib
@@ -45,7 +45,7 @@ def check(what, expected, seen):
 
 
 def until(read, wanted):
-    """What is read, once it is as wanted or after 30 s: nothing is said about how fast this machine is."""
+    """Reads until the values are as wanted or 30 s are over: the speed of the machine is unknown."""
     end = time.monotonic() + 30
     seen = read()
     while seen != wanted and time.monotonic() < end:
@@ -122,7 +122,7 @@ def check_exceptions(client):
 
 
 def check_many(port, client_of):
-    """Several clients at once: each reads back what it wrote to its own place, in whole words."""
+    """Several clients at once: each reads back what it wrote to its own addresses, in whole words."""
     wrong = []
 
     def work(place, seed):

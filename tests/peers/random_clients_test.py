@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Foreign Modbus clients at random: pymodbus, npm's modbus-serial and mbpoll take turns on one plant, operation by operation.
+"""Random third-party Modbus clients: pymodbus, npm's modbus-serial and mbpoll take turns on one plant.
 
 usage: random_clients_test.py SYMPLANT PACKAGES OPERATIONS [SEED]
 
-Every answer is compared with a model of the four tables: no bit may be wrong. PACKAGES is where modbus-serial lies, or is put.
-Exit code: 0 good, 1 a check failed, 77 a client is not installed or cannot be fetched: what is there was tried, and was good.
+Every answer is compared with a model of the four tables: no bit may be wrong. PACKAGES is the folder of modbus-serial,
+existing or new. Exit code: 0 passed, 1 a check failed, 77 a client is not available: the others were tried and passed.
 """
 import collections
 import os
@@ -19,7 +19,7 @@ import time
 from running_plant import RunningPlant
 
 HERE = pathlib.Path(__file__).resolve().parent / "random_clients"
-PATIENCE = 20  # seconds in which inputs must follow: nothing is said about how fast this machine is
+PATIENCE = 20  # seconds in which inputs must follow, on a machine of any speed
 ILLEGAL_ADDRESS, ILLEGAL_VALUE = 2, 3
 READS = {"read_coils": 2000, "read_discrete_inputs": 2000, "read_holding_registers": 125, "read_input_registers": 125}
 WRITES = {"write_coils": 1968, "write_registers": 123}
@@ -31,7 +31,7 @@ class Wrong(Exception):
 
 
 class Play:
-    """The operations, drawn one by one; `clients` with how often each has its turn."""
+    """The operations, drawn one by one; `clients` has the weight of each client."""
 
     def __init__(self, known, layout, clients, refusal, dice, operations):
         self.known, self.layout, self.dice, self.operations = known, layout, dice, operations
@@ -65,7 +65,7 @@ class Play:
             raise Wrong(f"{call}{args}: expected {wanted}, seen {seen}")
 
     def may(self, call):
-        """mbpoll has neither the calls that read and write at once nor long ranges: its turn is then another's."""
+        """mbpoll supports neither calls that read and write nor long ranges: another client then takes its turn."""
         if self.client.name == "mbpoll" and call in ("mask_write_register", "readwrite_registers"):
             self.client = self.clients[0]
 
@@ -84,7 +84,7 @@ class Play:
         self.compare(call, self.place(0, self.size[call], count), count)
 
     def compare(self, call, first, count):
-        """Reads, and again as long as nothing but inputs that may still be on their way differ."""
+        """Reads, and repeats as long as only inputs that may still change differ."""
         table = {"read_coils": self.known.coils, "read_discrete_inputs": self.known.inputs,
                  "read_holding_registers": self.known.holding, "read_input_registers": self.known.input_registers}[call]
         end = time.monotonic() + PATIENCE
@@ -101,7 +101,7 @@ class Play:
             self.look_again(call)
 
     def look_again(self, call):
-        """The same question once more is no operation of its own."""
+        """Repeating the same request does not count as an operation."""
         self.done -= 1
         self.counts[self.client.name] -= 1
         self.calls[call] -= 1
@@ -149,11 +149,11 @@ class Play:
         count, size = self.quantity(121), self.quantity(125)
         first, words = self.place(0, self.layout.HOLDING, count), [self.dice.randrange(65536) for _ in range(count)]
         read_first = self.place(0, self.layout.HOLDING, size)
-        self.known.write_holding(first, words)  # the writing comes first
+        self.known.write_holding(first, words)  # the write comes first
         self.must(self.known.holding[read_first:read_first + size], "readwrite_registers", read_first, size, first, words)
 
     def refused(self):
-        """Requests with one fault each. mbpoll itself refuses quantities that are none; 124 registers make no legal frame."""
+        """Requests with one fault each. mbpoll itself rejects invalid quantities; 124 registers do not fit a legal frame."""
         call = self.dice.choice([*READS, *WRITES])
         most = READS.get(call) or WRITES[call]
         faults = ["beyond", "across"] if call != "read_input_registers" else ["beyond"]
@@ -165,7 +165,7 @@ class Play:
         self.must(self.refusal(ILLEGAL_VALUE if fault == "too many" else ILLEGAL_ADDRESS), call, first, values)
 
     def barrier(self):
-        """One more write, and a wait until its device has followed: then every earlier one has."""
+        """One more write, and a wait until its device has followed: then all earlier ones have."""
         coil, (on, _) = self.layout.BARRIER, self.known.followers[self.layout.BARRIER]
         bit = 1 - self.known.coils[coil]
         self.must([coil, bit], "write_coil", coil, bool(bit))
@@ -198,7 +198,7 @@ class Play:
 
 
 def clients_on(port, packages, clients):
-    """Those that can be had, with how often each has its turn."""
+    """The available clients, with the weight of each."""
     found = {clients.Pymodbus(port): 55}
     if subprocess.run([str(HERE / "modbus_serial.sh"), packages], check=False).returncode == 0 and shutil.which("node"):
         found[clients.ModbusSerial(str(HERE / "modbus_serial.js"), packages, port)] = 44

@@ -1,4 +1,4 @@
-"""A plant that runs beside a test: started as a Modbus TCP server on a free port, ended at the test's end."""
+"""A plant that runs during a test: started as a Modbus TCP server on a free port, ended at the end of the test."""
 import pathlib
 import re
 import signal
@@ -8,7 +8,7 @@ import time
 
 
 class RunningPlant:
-    """`command` with a link on 127.0.0.1; what it says goes to `log` in `folder`. `port` is where it listens."""
+    """`command` with a link on 127.0.0.1; its output goes to `log` in `folder`. `port` is its port."""
 
     def __init__(self, command, folder):
         self.path = pathlib.Path(folder) / "log"
@@ -34,13 +34,13 @@ class RunningPlant:
         sys.exit(1)
 
     def stop(self):
-        """Ends it by SIGTERM where it still runs; the exit code."""
+        """Ends it by SIGTERM if it still runs; returns the exit code."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGTERM)
         return self.ended()
 
     def ended(self):
-        """Waits for its end, half a minute at most; the exit code."""
+        """Waits for its end, half a minute at most; returns the exit code."""
         try:
             return self.process.wait(timeout=30)
         except subprocess.TimeoutExpired:

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Fetches the schema of SARIF 2.1.0, as an npm package ships it, where it is not there yet.
+# Fetches the schema of SARIF 2.1.0 from an npm package unless it is there already.
 #
 # usage: sarif_schema.sh FILE
 #
-# Exit code: 0 FILE is there, 2 usage, 77 it cannot be had (a skip, for ctest): no npm, or its registry is out of reach.
+# Exit code: 0 FILE is there, 2 usage, 77 it is not available (skipped by ctest): no npm, or no access to its registry.
 set -u
 
 (($# == 1)) || { echo "usage: $0 FILE" >&2; exit 2; }
 file=$1
-package=@microsoft/sarif-multitool-linux@5.7.0 # 43 MB, of which one file is taken
+package=@microsoft/sarif-multitool-linux@5.7.0 # 43 MB, of which one file is used
 [[ ! -s $file ]] || exit 0
 
 command -v npm >/dev/null || { echo "npm is not installed, so the schema of SARIF cannot be fetched: skipped"; exit 77; }

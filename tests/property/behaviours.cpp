@@ -1,4 +1,4 @@
-// Behaviours by what a View shows alone; time enters through wake-ups only.
+// Behaviors that use only what a View shows; time enters through wake-ups only.
 #include "property/behaviours.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using tables::kMillisecond;
 using tables::Time;
 
-/// Durations of its own, some of them drawn, some by what it sees.
+/// Custom durations: some drawn, some computed from what it sees.
 template <class View>
 struct Timing {
   static constexpr std::uint32_t kMemory = 0;
@@ -35,7 +35,7 @@ struct Timing {
   static constexpr auto kAfter = &after;
 };
 
-/// Counts its ways and wants a state after every third.
+/// Counts its transitions and requests a state after every third.
 template <class View>
 struct Counting {
   struct Memory {
@@ -67,7 +67,7 @@ struct Counting {
   static constexpr auto kWoken = nullptr;
 };
 
-/// Wakes again and again once it has moved; what it draws decides what it writes and wants.
+/// Wakes repeatedly after it has moved; its random draws decide what it writes and wants.
 template <class View>
 struct Waking {
   struct Memory {
@@ -121,7 +121,7 @@ std::vector<Behaviour> all_behaviours() {
           behaviour_of<Behaviour, Waking<View>>()};
 }
 
-/// In behaviour_names(); its size where it is none of them.
+/// Index in behaviour_names(); its size if the name is unknown.
 std::size_t location_of(std::string_view name) {
   const auto& names = behaviour_names();
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name.substr(0, name.find('_'))) -

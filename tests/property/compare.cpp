@@ -1,4 +1,4 @@
-// Both plants are given the same; what they show must be the same.
+// Runs the same actions on both plants and compares what they show.
 #include "property/compare.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Run {
 
   const reference::Plant& reference() const { return reference_; }
 
-  /// The first difference after an action; empty where there is none.
+  /// The first difference after an action; empty if there is no difference.
   std::string act(const Action& action) {
     if (ended_) return {};
     switch (action.kind) {
@@ -138,12 +138,12 @@ class Run {
     return {};
   }
 
-  /// The reference first, instant by instant, so that it can be cut short where there is no end of them.
+  /// The reference first, instant by instant, so that the run can be cut short if instants never end.
   std::string advance(const Action& action) {
     ++counts_.advances;
     const tables::Time target = target_of(action);
     const bool before = action.kind == Kind::advance_before;
-    if (before && target == reference_.now()) return {};  // what was done shows in the instant that is still to run
+    if (before && target == reference_.now()) return {};  // the action takes effect in the pending instant
     tables::Time reached = target;
     reference_.clear_instants();
     for (int i = 0;; ++i) {
@@ -201,7 +201,7 @@ class Run {
   reference::Plant reference_;
   RunCounts& counts_;
   CycleRises rises_;
-  bool ended_ = false;  ///< the engine need not equal the reference any more
+  bool ended_ = false;  ///< the engine no longer needs to equal the reference
   std::vector<Saved> saves_;
   std::unordered_map<std::string_view, std::uint32_t> symbols_;
   std::unordered_map<std::string_view, std::uint32_t> units_;
@@ -241,8 +241,9 @@ std::optional<Difference> run_case(const model::PlantModel& plant, const tables:
 }
 
 std::optional<Difference> run_case(const Case& the_case, reference::Counters& counters, RunCounts& counts) {
-  const model::PlantModel plant = build(the_case.plant);
-  if (!runnable(plant)) return std::nullopt;
+  const model::Derived derived = build(the_case.plant);
+  const model::PlantModel& plant = derived.plant;
+  if (!runnable(derived)) return std::nullopt;
   const lower::EngineTables tables = lower::lower(plant);
   const tables::PlantTables rows = tables.tables();
   return run_case(plant, rows, the_case.actions, true, counters, counts);

@@ -1,4 +1,4 @@
-// Engine and reference side by side.
+// Compares engine and reference.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace symplant::property {
 
-/// What a run did beyond the reference's own counters.
+/// Counters of a run in addition to the reference's own counters.
 struct RunCounts {
   long instants = 0;
   long advances = 0;
@@ -20,28 +20,28 @@ struct RunCounts {
   long restores = 0;
   long restores_elsewhere = 0;  ///< into another plant
   long resets = 0;
-  long inputs = 0;  ///< set_input that did something
+  long inputs = 0;  ///< set_input calls with an effect
   long inputs_refused = 0;
   long forces = 0;
   long qualities = 0;       ///< set_quality
-  long cut_short = 0;       ///< advances that would have run too many instants
-  long too_many_rises = 0;  ///< runs ended where more events rose within a cycle than the engine remembers
+  long cut_short = 0;       ///< advances that would run too many instants
+  long too_many_rises = 0;  ///< runs ended because more events rose within a cycle than the engine remembers
 
   RunCounts& operator+=(const RunCounts& other);
 };
 
 struct Difference {
-  std::size_t action;  ///< after which it showed; the number of actions where there is none to blame
+  std::size_t action;  ///< the action after which the difference showed; the number of actions if no action caused it
   std::string text;
 };
 
-/// Does the actions to both and compares after every advance. The first difference, or nothing. `tables` must be the
-/// model's: lowered, or of its generated code.
+/// Applies the actions to both, compares after every advance, returns the first difference, or nothing. `tables` must
+/// be the model's: lowered, or from its generated code.
 std::optional<Difference> run_case(const model::PlantModel& plant, const tables::PlantTables& tables,
                                    const std::vector<Action>& actions, bool with_behaviours,
                                    reference::Counters& counters, RunCounts& counts);
 
-/// Builds, lowers and runs. A case that is no valid plant has no difference.
+/// Builds, lowers and runs. An invalid plant has no difference.
 std::optional<Difference> run_case(const Case& the_case, reference::Counters& counters, RunCounts& counts);
 
 }  // namespace symplant::property

@@ -1,4 +1,4 @@
-// How many events rose within a cycle: more than the engine remembers are no case to compare.
+// Counts the events that rise within a cycle: a case with more than the engine remembers cannot be compared.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace symplant::property {
 
-/// In real time the engine keeps the last 64 rises (of one instant in one word each) for *event too short*; what a PLC
-/// may miss of an event older than that within one cycle it does not tell (runtime/core/short_events.hpp).
+/// In real time the engine keeps the last 64 rises (of one instant in one word each) for *event too short*. It does not
+/// report an older event that the PLC may miss within one cycle (runtime/core/short_events.hpp).
 class CycleRises {
  public:
   explicit CycleRises(const tables::PlantTables& tables) : tables_(&tables) {}
 
   void clear() { times_.clear(); }
-  /// Takes up what happened; true where the engine may have forgotten a rise.
+  /// Records what happened; true if the engine may have forgotten a rise.
   bool too_many(const std::vector<reference::InstantRecord>& instants, tables::Time cycle) {
     constexpr std::size_t kRemembered = 64;
     if (cycle == 0) return false;

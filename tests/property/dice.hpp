@@ -19,7 +19,7 @@ class Dice {
     z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EB;
     return z ^ (z >> 31);
   }
-  /// 0 to n - 1; 0 where n is 0.
+  /// 0 to n - 1; 0 if n is 0.
   std::size_t below(std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(bits() % n); }
   bool percent(unsigned chance) { return bits() % 100 < chance; }
   bool one_in(unsigned n) { return bits() % n == 0; }

@@ -138,7 +138,7 @@ std::string Shadow::difference(const EnginePlant& engine) const {
   for (std::uint32_t i = 0; i < units_.size(); ++i) {
     reference::UnitView old = as_reference(units_[i]);
     reference::UnitView view = as_reference(now.unit(i));
-    old.remaining = view.remaining = 0;  // goes by itself
+    old.remaining = view.remaining = 0;  // changes with time alone
     if (old != view && !engine.units_reported()[i]) {
       return both("unit not told: " + std::string(plant_.units[i].path), reported_as(view, plant_.units[i]),
                   reported_as(old, plant_.units[i]) + " before");

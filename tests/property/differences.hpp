@@ -1,4 +1,4 @@
-// What differs between the two, in words.
+// The difference between engine and reference, as text.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace symplant::property {
 
-// Each gives the first difference, empty where there is none.
+// Each function returns the first difference, empty if there is no difference.
 std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
                                 const model::PlantModel& plant);
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant);
 std::string next_due_difference(plant::Plant& engine, const reference::Plant& reference);
 
-/// What the engine showed before an advance, to see whether it tells all that has changed after it.
+/// What the engine showed before an advance, to check that it reports all changes after it.
 class Shadow {
  public:
   Shadow(const EnginePlant& engine, const model::PlantModel& plant);

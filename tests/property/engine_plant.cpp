@@ -1,4 +1,4 @@
-// What the engine's observer is told, mapped to symbols.
+// Maps what the engine's observer receives to symbols.
 #include "property/engine_plant.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ EnginePlant::EnginePlant(const tables::PlantTables& tables, const std::vector<en
   const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   const std::size_t pieces = size / sizeof(std::max_align_t) + 1;
   memory_ = std::make_unique_for_overwrite<std::max_align_t[]>(pieces);
-  // What the engine does not write itself must not matter.
+  // Memory that the engine does not write must not matter.
   std::fill_n(reinterpret_cast<unsigned char*>(memory_.get()), pieces * sizeof(std::max_align_t), 0xA5);
   plant_ =
       std::make_unique<plant::Plant>(tables, std::span(reinterpret_cast<std::byte*>(memory_.get()), size), behaviours_);
@@ -43,7 +43,7 @@ void EnginePlant::write(std::uint32_t symbol, std::uint64_t value) {
   const std::uint64_t bit = std::uint64_t{1} << (row.index % 64);
   if (row.type() == tables::DataType::boolean && ++writes_ % 3 == 0) {
     plant_->set_operations(row.index / 64, bit,
-                           value != 0 ? ~std::uint64_t{0} : 0);  // bits outside the mask are nobody's
+                           value != 0 ? ~std::uint64_t{0} : 0);  // bits outside the mask have no meaning
   } else if (row.type() == tables::DataType::boolean) {
     plant_->set_operation(row.index, value != 0);
   } else {

@@ -1,4 +1,4 @@
-// The engine's plant with its memory and a record of what it told, in the reference's words.
+// The engine's plant with its memory and a record of its reports, in the reference's words.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace symplant::property {
 
-/// Which symbol stands at a bit or slot.
+/// Maps a bit or slot to its symbol.
 struct SymbolIndexes {
   explicit SymbolIndexes(const tables::PlantTables& tables);
 
@@ -38,7 +38,7 @@ class EnginePlant final : private engine::Observer {
   /// Since forget().
   const std::vector<reference::InstantRecord>& instants() const { return instants_; }
   const std::vector<bool>& units_reported() const { return units_reported_; }
-  /// The first thing told that no plant tells; empty where there was none.
+  /// The first invalid report; empty if all are valid.
   std::string fault() const;
   void forget();
 
@@ -54,10 +54,10 @@ class EnginePlant final : private engine::Observer {
   std::unique_ptr<std::max_align_t[]> memory_;
   std::unique_ptr<plant::Plant> plant_;
   std::vector<reference::InstantRecord> instants_;
-  std::vector<tables::Finding> pending_;  ///< told before their instant
+  std::vector<tables::Finding> pending_;  ///< reported before their instant
   std::vector<bool> units_reported_;
   std::string fault_;
-  unsigned writes_ = 0;  ///< every third one goes by the word
+  unsigned writes_ = 0;  ///< every third write uses whole words
 };
 
 }  // namespace symplant::property

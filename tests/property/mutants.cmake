@@ -1,7 +1,7 @@
 # Planted bugs of the engine, one line each. The property test must find every one of them within CI's plants.
 #
-# symplant_planted_source(NAME FOLDER INCLUDE FROM TO): a source in which the line FROM of a file of FOLDER, whose files
-# are included as INCLUDE/..., is TO. Its path is then in `source`, the folder to include first in `include`.
+# symplant_planted_source(NAME FOLDER INCLUDE FROM TO): a source in which the line FROM of a file of FOLDER, included as
+# INCLUDE/..., is TO. Its path is then in `source`, the folder to include first in `include`.
 function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
   set(include ${CMAKE_CURRENT_BINARY_DIR}/mutants/${NAME})
   set(source ${include}/mutant.cpp)
@@ -17,11 +17,11 @@ function(symplant_planted_source NAME FOLDER INCLUDE FROM TO)
   set(source ${source} PARENT_SCOPE)
 endfunction()
 
-# symplant_mutant(NAME FROM TO): the line FROM of runtime/engine becomes TO, and the file that it stands in is linked in
-# index of the engine's own.
+# symplant_mutant(NAME FROM TO): the line FROM of runtime/engine becomes TO, and the file that contains it replaces that
+# of the engine.
 function(symplant_mutant NAME FROM TO)
   symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/engine symplant/engine "${FROM}" "${TO}")
-  set_target_properties(symplant_engine PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
+  set_target_properties(symplant_engine PROPERTIES UNITY_BUILD OFF) # one object is replaced, not all
   add_executable(property_mutant_${NAME} main.cpp ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)

@@ -1,4 +1,4 @@
-// Plain arguments, each with its value behind it.
+// Simple arguments, each followed by its value.
 #include "property/options.hpp"
 
 #include <charconv>

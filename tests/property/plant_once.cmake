@@ -1,5 +1,5 @@
-# Copies a folder's sources with one text replaced, and writes a source that includes the file it stands in. Fails
-# unless the text stands exactly once in all of them.
+# Copies a folder's sources with one text replaced, and writes a source that includes the changed file. Fails
+# unless the text occurs exactly once in all of them.
 # -DFROM_FOLDER=... -DTO_FOLDER=... -DINCLUDE=... -DSOURCE=... -DFROM=... -DTO=...
 file(COPY ${FROM_FOLDER}/ DESTINATION ${TO_FOLDER} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.cpp")
 string(LENGTH "${FROM}" length)

@@ -1,11 +1,11 @@
-// From plain values to the plant's model, by the tool's own floors.
+// From plain values to the plant's model, by the tool's own layers.
 #include "property/plant_text.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "model/build_plant.hpp"
+#include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "name/naming_rule.hpp"
 #include "property/behaviours.hpp"
@@ -42,7 +42,7 @@ bool serves_behaviour(const model::Unit& unit) {
 
 }  // namespace
 
-model::PlantModel build(const PlantText& text) {
+model::Derived build(const PlantText& text) {
   std::vector<model::ListInput> lists;
   const auto add = [&](std::size_t begin, std::size_t end, const std::string& controller) {
     const auto table = table_of(text, begin, end);
@@ -51,14 +51,13 @@ model::PlantModel build(const PlantText& text) {
   const std::size_t first_end = text.two_lists() ? text.second_list : text.rows.size();
   add(0, first_end, "");
   if (text.two_lists()) add(first_end, text.rows.size(), text.second_controller);
-  model::BuildOptions options;
-  options.plant_name = text.name;
-  options.description = std::make_shared<const description::Description>(text.description);
-  return model::build_plant(lists, options);
+  return model::describe(model::derive(lists, text.name),
+                         std::make_shared<const description::Description>(text.description));
 }
 
-bool runnable(const model::PlantModel& plant) {
-  if (!plant.description_faults.empty() || !plant.driven_twice.empty()) return false;
+bool runnable(const model::Derived& derived) {
+  const model::PlantModel& plant = derived.plant;
+  if (!derived.evidence.faults.empty() || !derived.evidence.driven_twice.empty()) return false;
   return std::all_of(plant.units.begin(), plant.units.end(), [](const model::Unit& unit) {
     return unit.described == nullptr || unit.described->behaviour.empty() || serves_behaviour(unit);
   });

@@ -1,4 +1,4 @@
-// A plant and what is done to it, as plain values: by names, so that parts can be taken away.
+// A plant and its actions as plain values: by names, so that parts can be removed.
 #pragma once
 
 #include <cstddef>
@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "description/description.hpp"
-#include "model/plant_model.hpp"
+#include "model/derived.hpp"
 
 namespace symplant::property {
 
 /// A row of a symbol list.
 struct Row {
   std::string name;
-  std::string address;  ///< an IEC one; empty: none
+  std::string address;  ///< IEC; empty: no address
   std::string type;
   std::string initial;
 
@@ -25,27 +25,27 @@ struct PlantText {
   std::string name = "drawn";
   std::vector<Row> rows;
   description::Description description;
-  std::size_t second_list = 0;  ///< the row with which a second list begins; 0 or beyond the last: there is one list
-  std::string second_controller = {};  ///< whose list that is; empty: the one of the first
+  std::size_t second_list = 0;  ///< the first row of a second list; 0 or after the last row: there is one list
+  std::string second_controller = {};  ///< the controller of the second list; empty: that of the first
 
   bool two_lists() const { return second_list > 0 && second_list < rows.size(); }
 };
 
-/// One thing done to a running plant. What names something that the plant lacks does nothing.
+/// One action on a running plant. An action that names something the plant lacks has no effect.
 struct Action {
   enum class Kind : std::uint8_t {
     reset,           ///< `value` the seed, `time` the cycle
     set,             ///< an operation, by its symbol's name, to `value`
-    set_input,       ///< likewise
-    force,           ///< likewise
+    set_input,       ///< as `set`
+    force,           ///< as `set`
     release,         ///< by the symbol's name
-    set_state,       ///< a unit, by its path, to the state at the place `value`
-    set_quality,     ///< of the link: well where `value` is not 0
+    set_state,       ///< a unit, by its path, to the state with index `value`
+    set_quality,     ///< of the link: good if `value` is not 0
     advance,         ///< to `time` from now
-    advance_to_due,  ///< to when something is due; a second from now where nothing is
-    advance_before,  ///< to `time` from now, its instant still to run
+    advance_to_due,  ///< to the next due time; by a second if nothing is due
+    advance_before,  ///< by `time`, with its instant still pending
     save,
-    restore,  ///< the save `value` (from 0, modulo how many there are), into another plant where `time` is not 0
+    restore,  ///< the save `value` (from 0, modulo the number of saves), into another plant if `time` is not 0
   };
   Kind kind = Kind::advance;
   std::string what = {};
@@ -58,16 +58,16 @@ struct Case {
   std::vector<Action> actions;
 };
 
-/// The model of a plant's list and description. Whoever wants to run it asks runnable() first.
-model::PlantModel build(const PlantText& text);
+/// The model of a plant's list and description. Check runnable() before running it.
+model::Derived build(const PlantText& text);
 
-/// Whether a plant may be run: no fault of its description, no address that two units move, and what the test's own
-/// behaviours count on is there.
-bool runnable(const model::PlantModel& plant);
+/// Whether a plant may run: its description is valid, no address is driven by two units, and the test's own
+/// behaviors have what they need.
+bool runnable(const model::Derived& derived);
 
-/// The rows from `begin` to before `end` as a GX IEC Developer export has them.
+/// The rows from `begin` to before `end` in the format of GX IEC Developer.
 std::string list_text(const PlantText& text, std::size_t begin, std::size_t end);
-/// All of them.
+/// All rows.
 std::string list_text(const PlantText& text);
 
 }  // namespace symplant::property

@@ -1,4 +1,4 @@
-// Runs random plants through engine and reference, or cases written down before.
+// Runs random plants through engine and reference, or stored cases.
 #include "property/program.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 bool of_the_model(const Difference& difference) { return difference.text.starts_with("the model"); }
 
-/// The smallest case that still shows a difference of that sort.
+/// The smallest case that still shows a difference of that kind.
 Case smallest(const Case& found, const Difference& first) {
   return shrink(found, [&](const Case& candidate) {
     reference::Counters counters;
@@ -62,10 +62,10 @@ int replay_file(const fs::path& path) {
     std::cout << path.string() << ": " << fault << "\n";
     return 1;
   }
-  const model::PlantModel plant = build(the_case->plant);
-  if (!runnable(plant)) {
+  const model::Derived derived = build(the_case->plant);
+  if (!runnable(derived)) {
     std::cout << path.string() << ": no valid plant\n";
-    for (const auto& found : plant.description_faults) std::cout << found.pointer << ": " << found.message << "\n";
+    for (const auto& found : derived.evidence.faults) std::cout << found.pointer << ": " << found.message << "\n";
     return 1;
   }
   reference::Counters counters;

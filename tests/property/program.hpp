@@ -1,4 +1,4 @@
-// The property test's program, for its own main and for those of the planted bugs.
+// The property test's program, for its main and for those of the planted bugs.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace symplant::property {
 
-/// 0 where all is as asked (options.hpp), 1 where it is not, 2 where an argument is not understood.
+/// Returns 0 if all is as requested (options.hpp), 1 if not, 2 if an argument is invalid.
 int run_program(const std::vector<std::string>& arguments);
 
 }  // namespace symplant::property

@@ -1,4 +1,4 @@
-// Conditions over everything that a plan holds.
+// Random conditions over everything in a plant.
 #include <algorithm>
 #include <cctype>
 
@@ -28,7 +28,7 @@ class ConditionWriter {
     if (kind < 70 && !unit.operations().empty()) return cased(unit.path + "_O_" + dice_.pick(unit.operations()));
     if (kind < 80) return spare(unit);
     if (kind < 90) return number(unit);
-    // The list may call an event by `_O_` (random_rows): states are the safe way to name those.
+    // The list may name an event `_O_` (random_rows): states are the safe names for those.
     return unit.signals.empty() ? cased(unit.path + "." + dice_.pick(unit.states()))
                                 : cased(unit.path + "_I_" + dice_.pick(unit.signals));
   }
@@ -62,7 +62,7 @@ class ConditionWriter {
     return name + " " + dice_.pick(kComparisons) + " " + dice_.pick(kOperands);
   }
 
-  /// Names count without regard to case.
+  /// Names are compared ignoring case.
   std::string cased(std::string name) {
     if (dice_.percent(90)) return name;
     for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

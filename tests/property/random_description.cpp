@@ -1,4 +1,4 @@
-// What a user might say of a random plan: all that a description can say, and nothing that is refused.
+// A random valid description of a random plan, with every feature of descriptions.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -39,7 +39,7 @@ class DeviceWriter {
   }
 
  private:
-  /// Adds a transition, unless the same stands there already.
+  /// Adds a transition unless it exists already.
   void add(GivenTransition given) {
     if (given.from == given.to) return;
     const std::string on = given.automatic ? "*" : given.on.empty() ? given.to : given.on;
@@ -128,7 +128,7 @@ class DeviceWriter {
   }
 
   void behaviour() {
-    // A name of each unit's own: units of one behaviour would have to be alike.
+    // A separate name for each unit: units with the same behavior must have the same structure.
     device_.behaviour = dice_.pick(behaviour_names()) + "_" + std::to_string(&unit_ - plan_.units.data());
     for (std::size_t i = 1 + dice_.below(2); i > 0; --i) {
       device_.inputs.emplace_back("in" + std::to_string(i), random_condition(dice_, plan_, unit_));

@@ -1,4 +1,4 @@
-// Plans become plants; what is refused is drawn again.
+// Turns plans into plants; draws again if a plan is rejected.
 #include "property/random_plant.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ PlannedPlant random_plan(Dice& dice, const DrawOptions& options) {
   return plan;
 }
 
-/// More units than an instant has rounds at first, each moved by the one before it.
+/// More units than an instant has rounds at first, each driven by the one before it.
 PlantText ripple_plant(Dice& dice) {
   PlantText text;
   const std::size_t size = 210 + dice.below(45);
@@ -58,25 +58,25 @@ PlantText ripple_plant(Dice& dice) {
   return text;
 }
 
-/// Addresses that two units move are parted.
-model::PlantModel build_apart(PlantText& text) {
-  model::PlantModel plant = build(text);
-  for (int i = 0; i < 8 && !plant.driven_twice.empty(); ++i) {
-    for (const auto& [second, first] : plant.driven_twice) {
-      const std::string_view name = plant.symbols[second].name();
+/// Separates addresses that two units drive.
+model::Derived build_apart(PlantText& text) {
+  model::Derived derived = build(text);
+  for (int i = 0; i < 8 && !derived.evidence.driven_twice.empty(); ++i) {
+    for (const auto& [second, first] : derived.evidence.driven_twice) {
+      const std::string_view name = derived.plant.symbols[second].name();
       for (Row& row : text.rows) {
         if (row.name == name) row.address = row.address.substr(0, 3) + std::to_string(10'000 + second);
       }
     }
-    plant = build(text);
+    derived = build(text);
   }
-  return plant;
+  return derived;
 }
 
-std::string refusal(const model::PlantModel& plant) {
-  if (!plant.driven_twice.empty()) return "an address that two units move";
-  if (plant.description_faults.empty()) return "a behaviour that its unit does not serve";
-  return plant.description_faults.front().pointer + ": " + plant.description_faults.front().message;
+std::string refusal(const model::Evidence& evidence) {
+  if (!evidence.driven_twice.empty()) return "an address that two units move";
+  if (evidence.faults.empty()) return "a behaviour that its unit does not serve";
+  return evidence.faults.front().pointer + ": " + evidence.faults.front().message;
 }
 
 }  // namespace
@@ -92,9 +92,11 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
       drawn.text = {"drawn", random_rows(dice, plan), random_description(dice, plan)};
     }
     drawn.text.name = "drawn_" + std::to_string(seed);
-    drawn.model = build_apart(drawn.text);
-    if (runnable(drawn.model)) return drawn;
-    if (drawn.first_refusal.empty()) drawn.first_refusal = refusal(drawn.model);
+    model::Derived derived = build_apart(drawn.text);
+    const bool runs = runnable(derived);
+    if (!runs && drawn.first_refusal.empty()) drawn.first_refusal = refusal(derived.evidence);
+    drawn.model = std::move(derived.plant);
+    if (runs) return drawn;
   }
 }
 

@@ -1,4 +1,4 @@
-// Random plants that are valid, and what might be done to them.
+// Random valid plants, and random actions on them.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace symplant::property {
 struct DrawnPlant {
   PlantText text;
   model::PlantModel model;
-  int refused = 0;            ///< plans that were no valid plant, before this one
-  std::string first_refusal;  ///< why the first of them was none
+  int refused = 0;            ///< rejected plans before this one
+  std::string first_refusal;  ///< the reason for the first rejection
 };
 
 struct DrawOptions {
@@ -26,10 +26,10 @@ struct DrawOptions {
 /// The same plant for the same seed and options, everywhere.
 DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options = {});
 
-/// A value that a symbol of the type may have: 0 or 1, two's complement, or the bits of a double.
+/// A value that is valid for a symbol of the type: 0 or 1, two's complement, or the bits of a double.
 std::uint64_t random_content(Dice& dice, tables::DataType type);
 
-/// What is done to a plant of this model, from a reset on.
+/// The actions on a plant of this model, from a reset on.
 std::vector<Action> random_stimulus(std::uint64_t seed, const model::PlantModel& plant);
 
 }  // namespace symplant::property

@@ -29,7 +29,7 @@ class RowWriter {
     for (const PlannedTask& task : unit.tasks) {
       if (task.operation) bit(name(unit, "_O_", task.name), true);
       if (!task.event) continue;
-      // The address overrules the name, where the name says otherwise.
+      // The address overrides the name if the name differs.
       const bool odd = !task.operation && dice_.percent(5);
       bit(name(unit, odd ? "_O_" : "_I_", task.name), false, odd);
       if (!odd && !task.operation && dice_.percent(2)) bit(name(unit, "_O_", task.name), false, true);
@@ -50,7 +50,7 @@ class RowWriter {
     if (type == "LINT" || type == "ULINT" || type == "LWORD" || type == "LREAL") return 'L';
     return 'D';
   }
-  /// A number behind all that stand already: %IL3 lies on the registers of %ID6 and %ID7.
+  /// A number after all existing ones: %IL3 lies on the registers of %ID6 and %ID7.
   std::string next_number(const std::string& type) {
     const std::size_t registers = size_of(type) == 'L' ? 4 : size_of(type) == 'D' ? 2 : 1;
     const std::size_t number = (next_ + registers - 1) / registers;
@@ -65,7 +65,7 @@ class RowWriter {
   std::size_t next_ = 0;
 };
 
-/// Puts rows onto addresses of others of their kind.
+/// Gives rows the addresses of other rows of their kind.
 void share_addresses(Dice& dice, std::vector<Row>& rows) {
   const std::size_t pairs = 1 + dice.below(1 + rows.size() / 6);
   for (std::size_t i = 0; i < pairs; ++i) {

@@ -1,4 +1,4 @@
-// What a PLC, a scenario and a trainer might do, leaning to what is interesting.
+// Random actions of a PLC, a scenario and a trainer, biased to interesting cases.
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -82,7 +82,7 @@ class StimulusWriter {
     add(Kind::set, name(symbol), on ? 1 : 0, 0);
   }
 
-  /// One operation of a unit on, its others off, as a PLC changes its mind.
+  /// One operation of a unit on, its other operations off, as when a PLC changes the command.
   void command() {
     if (plant_.units.empty()) return;
     const auto& operations = plant_.units[dice_.below(plant_.units.size())].operations;

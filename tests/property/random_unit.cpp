@@ -1,4 +1,4 @@
-// Random units: of every kind that names alone can tell, and of none.
+// Random units: of every kind that names can determine, and of no kind.
 #include "property/random_unit.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ void add_task(Dice& dice, PlannedUnit& unit, unsigned numbered, unsigned operati
   unit.tasks.push_back(std::move(task));
 }
 
-/// IDLE1, RUN2 ...: some without an operation, so that they are reached by themselves.
+/// IDLE1, RUN2 ...: some without an operation, so that automatic transitions lead to them.
 void plan_sequence(Dice& dice, PlannedUnit& unit) {
   const std::size_t count = 2 + dice.below(dice.percent(20) ? 6 : 3);
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,7 +59,7 @@ void plan_tasks(Dice& dice, PlannedUnit& unit) {
   }
 }
 
-/// Up to as many operations and events as a unit may have.
+/// Up to the highest number of operations and events of a unit.
 void plan_large(Dice& dice, PlannedUnit& unit) {
   const std::size_t count = 50 + dice.below(15);
   for (std::size_t i = 0; i < count; ++i) {
@@ -67,7 +67,7 @@ void plan_large(Dice& dice, PlannedUnit& unit) {
   }
 }
 
-/// What a behaviour counts on.
+/// What a behavior needs.
 void plan_behaviour(Dice& dice, PlannedUnit& unit) {
   unit.behaves = true;
   if (unit.operations().empty()) unit.tasks.front().operation = true;

@@ -1,4 +1,4 @@
-// What a random plant is planned to hold, before it is written down as a list and a description.
+// The plan of a random plant, before it becomes a list and a description.
 #pragma once
 
 #include <string>
@@ -24,18 +24,18 @@ struct PlannedValue {
 struct PlannedUnit {
   std::string path;
   std::vector<PlannedTask> tasks;     ///< that name states
-  std::vector<std::string> commands;  ///< operations that are to be no states
-  std::vector<std::string> signals;   ///< events that are to be no states
+  std::vector<std::string> commands;  ///< operations that are not states
+  std::vector<std::string> signals;   ///< events that are not states
   std::vector<std::string> added;     ///< states that no symbol names
   std::vector<PlannedValue> values;
-  bool behaves = false;  ///< is to have a behaviour of the test's own
+  bool behaves = false;  ///< has a behavior of the test
 
-  std::vector<std::string> states() const;      ///< as far as they are planned
+  std::vector<std::string> states() const;      ///< as far as planned
   std::vector<std::string> operations() const;  ///< tasks of operations, commands included
   std::vector<std::string> events() const;      ///< tasks of events, signals included
 };
 
-/// Bits and numbers that are in no unit, or at least in none that is planned.
+/// Bits and numbers that belong to no unit, or to no planned unit.
 struct PlannedPlant {
   std::vector<PlannedUnit> units;
   std::vector<std::string> spare_bits;
@@ -45,13 +45,13 @@ struct PlannedPlant {
 PlannedUnit random_unit(Dice& dice, std::size_t number);
 PlannedValue random_value(Dice& dice, std::string name, bool operation);
 
-/// The rows of the plan, their addresses given, some shared; in any order.
+/// The rows of the plan, with addresses, some shared; in any order.
 std::vector<Row> random_rows(Dice& dice, const PlannedPlant& plan);
 
-/// What the user says of the plan.
+/// The description of the plan.
 description::Description random_description(Dice& dice, const PlannedPlant& plan);
 
-/// A condition over the plan, seen from a unit of it.
+/// A condition over the plan, from the view of one of its units.
 std::string random_condition(Dice& dice, const PlannedPlant& plan, const PlannedUnit& own);
 
 /// From a small grid, so that coincidences are frequent.

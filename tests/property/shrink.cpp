@@ -71,7 +71,7 @@ class Shrinker {
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.devices; });
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.requirements; });
     for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
-    // One edit after the other; a kept one makes the plant smaller, so that the next stands at the same place.
+    // One edit after the other; a kept edit makes the plant smaller, so that the next has the same index.
     for (std::size_t i = 0; i < count_simpler(best_.plant);) {
       Case candidate = best_;
       make_simpler(candidate.plant, i);

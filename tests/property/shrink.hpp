@@ -1,4 +1,4 @@
-// A case that shows a disagreement, made as small as it goes.
+// Makes a case that shows a difference as small as possible.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace symplant::property {
 
-/// Takes away actions, then units, then what is said of them, as long as `disagrees` says that the case still shows
-/// what is wanted; at most `most_runs` questions are asked.
+/// Removes actions, then units, then parts of their description, as long as `disagrees` confirms that the case still
+/// shows the difference; calls it at most `most_runs` times.
 Case shrink(Case the_case, const std::function<bool(const Case&)>& disagrees, int most_runs = 4000);
 
-/// Takes away pieces of the list that `list_of` finds in `best`, larger ones first. `keep` is given each candidate, and
-/// makes it `best` where it still shows what is wanted.
+/// Removes parts of the list that `list_of` finds in `best`, larger ones first. `keep` receives each candidate, and
+/// makes it `best` if it still shows the difference.
 template <class Whole, class ListOf, class Keep>
 void remove_pieces(const Whole& best, ListOf&& list_of, Keep&& keep) {
   const auto size = [&] {

@@ -1,4 +1,4 @@
-// Edits of a plant, each a small one.
+// Small single edits of a plant.
 #include "property/simpler.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ std::vector<std::string> atoms_of(const std::string& condition) {
   return atoms;
 }
 
-/// Calls what it is given for every place of its kind; the visitor counts and edits.
+/// Calls the visitor for every item of its kind; the visitor counts and edits.
 class Edits {
  public:
   explicit Edits(std::optional<std::size_t> wanted) : wanted_(wanted) {}

@@ -1,4 +1,4 @@
-// Single steps towards a simpler plant.
+// Single steps toward a simpler plant.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace symplant::property {
 
-/// Of how much the plant consists; every edit here makes it less.
+/// The size of the plant; every edit here reduces it.
 std::size_t plant_size(const PlantText& plant);
 
-/// LINE_PROC_DEV of rows that have one.
+/// LINE_PROC_DEV of rows that have these levels.
 std::vector<std::string> unit_paths(const PlantText& plant);
-/// Rows, description and whatever names the unit.
+/// Removes rows, description and everything that names the unit.
 void remove_unit(PlantText& plant, const std::string& path);
 
-/// False where the row shares no address.
+/// False if the row shares no address.
 bool give_own_address(PlantText& plant, std::size_t row);
 
 /// Edits of single conditions, times, outputs and words, by number.

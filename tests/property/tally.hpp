@@ -1,4 +1,4 @@
-// What random plants were like, and how often what happened in them.
+// Counts the features of random plants, and what happened in them.
 #pragma once
 
 #include <ostream>
@@ -15,7 +15,7 @@ class Tally {
  public:
   void add_plant(const DrawnPlant& drawn);
   void print(std::ostream& out, double seconds) const;
-  /// Whether something happened less often than `minimum`; says what.
+  /// Whether something happened less often than `minimum`; prints it.
   bool missed(std::ostream& out, long minimum) const;
 
   reference::Counters counters;

@@ -1,4 +1,4 @@
-// Writes cases. An empty cell is `-`; a condition stands last on its line.
+// Writes cases. An empty cell is `-`; a condition is last on its line.
 #include "property/text_form.hpp"
 
 #include <string_view>

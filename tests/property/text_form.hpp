@@ -1,4 +1,4 @@
-// Cases as text, line by line, for reports and fixtures: what is written reads back.
+// Cases as text, line by line, for reports and fixtures: written text reads back the same.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace symplant::property {
 
-/// A word a line says what it is; `#` begins a comment. The page of the form is write_case() itself.
+/// The first word of a line is its kind; `#` starts a comment. write_case() defines the format.
 std::string write_case(const Case& the_case);
 
-/// Nothing where the text has a line that is none; `fault` says which then.
+/// Nothing if the text has an invalid line; `fault` then says which.
 std::optional<Case> read_case(const std::string& text, std::string& fault);
 
 }  // namespace symplant::property

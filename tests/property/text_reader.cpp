@@ -1,4 +1,4 @@
-// Reads cases.
+// Reads cases from text.
 #include <algorithm>
 #include <charconv>
 #include <sstream>
@@ -10,7 +10,7 @@
 namespace symplant::property {
 namespace {
 
-/// A line's words, one after the other. Throws what is missing or wrong, as std::runtime_error.
+/// The words of a line, one after the other. Throws std::runtime_error for a missing or invalid word.
 class Line {
  public:
   explicit Line(std::string_view text) : rest_(text) { skip_blanks(); }

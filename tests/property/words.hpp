@@ -1,4 +1,4 @@
-// The words of the text form.
+// The words of the text format.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace symplant::property {
 
 inline constexpr std::array<std::string_view, 4> kActuationWords = {"latched", "bistable", "held", "spring"};
 
-/// What a line of an action says behind its word.
+/// The words after the first word of an action line.
 struct ActionWord {
   std::string_view word;
   bool what;

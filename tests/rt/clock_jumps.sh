@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The time of day jumps by an hour and a day at every look: cycles and plant time do not notice.
+# The time of day jumps by an hour and a day at every read: cycles and plant time are not affected.
 # usage: clock_jumps.sh SYMPLANT LIST JUMPING_CLOCK
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -15,5 +15,5 @@ took=$(($(milliseconds) - begin))
 cat "$work/plant.log"
 (($(stat_of plant_time) == 3000000000 && $(stat_of cycles) == 300)) || fail "plant time is not 300 cycles"
 ((took >= 2990)) || fail "it took $took ms: cycles were skipped"
-# On any machine that is not overloaded by minutes.
+# Holds on any machine that is not overloaded by minutes.
 (($(stat_of slipped) < 600000000000 && took < 600000)) || fail "a jump became lost time: $took ms"

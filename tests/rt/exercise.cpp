@@ -1,4 +1,4 @@
-// Every member of Plant is called here, with nothing else about.
+// Calls every member of Plant, and nothing else.
 #include "rt/exercise.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ Exercise::Exercise(const model::PlantModel& model, const tables::PlantTables& ta
   }
   const std::size_t size = plant::Plant::memory_size(tables, behaviours_);
   for (Memory& memory : memory_) memory.resize(size / sizeof(std::max_align_t) + 1);
-  saves_.resize(saves, std::vector<std::byte>(size));  // a block is a part of the memory
+  saves_.resize(saves, std::vector<std::byte>(size));  // each save is a block of the memory
 }
 
 void Exercise::run() noexcept {

@@ -1,4 +1,4 @@
-// A plant and all that is done to it, made ready beforehand so that doing it needs nothing but the plant.
+// A plant and its actions, prepared so that running the actions uses only the plant.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace symplant::test {
 
-/// What happened, so that a test can see that something did.
+/// What happened, so that a test can check that something happened.
 struct Happened {
   long instants = 0;
   long restores = 0;
@@ -22,20 +22,20 @@ struct Happened {
   long refused_blocks = 0;
   std::array<long, tables::kFindingKinds> findings{};
   std::array<long, tables::kFindingKinds> findings_reported{};
-  std::uint64_t digest = 0;  ///< of every read-out after every action
+  std::uint64_t digest = 0;  ///< of all values read after every action
 
   Happened& operator+=(const Happened& other);
 };
 
 class Exercise final : private engine::Observer {
  public:
-  /// `tables` and `model` must outlive it.
+  /// `tables` and `model` must outlive this object.
   Exercise(const model::PlantModel& model, const tables::PlantTables& tables, std::vector<engine::Behaviour> behaviours,
            const std::vector<property::Action>& actions);
 
-  /// Makes two plants in the memory that was laid out, does the actions to the one or the other, and calls every
-  /// reader after each. Every member of Plant is called. The first run goes from instant to instant, a further one
-  /// goes through all that were due in one call; all else is the same.
+  /// Makes two plants in the allocated memory, applies the actions to one or the other, and calls every reader
+  /// after each. Calls every member of Plant. The first run advances from instant to instant, a later one advances
+  /// through all due instants in one call; all else is the same.
   void run() noexcept;
 
   const Happened& happened() const { return happened_; }
@@ -46,7 +46,7 @@ class Exercise final : private engine::Observer {
     std::uint32_t what;
     std::uint64_t value;
     tables::Time time;
-    bool at_once;  ///< an advance of which is known that it ends
+    bool at_once;  ///< an advance that is known to end
   };
   using Memory = std::vector<std::max_align_t>;
 

@@ -1,4 +1,4 @@
-// What a test says of a guarded run.
+// The check after a guarded run.
 #pragma once
 
 #include "support/catch.hpp"
@@ -9,8 +9,8 @@ namespace symplant::test {
 using exec::GuardReport;
 using exec::run_guarded;
 
-/// Where system calls cannot be trapped, the run shows less than it should: ctest then tells the test as skipped
-/// (tests/rt/CMakeLists.txt), unless it has failed already.
+/// If system calls cannot be trapped, the run checks less than it should: ctest then reports the test as skipped
+/// (tests/rt/CMakeLists.txt), unless it failed already.
 inline void expect_trap(const GuardReport& report) {
   if (!report.no_trap.empty()) WARN("SKIPPED: no trap of system calls here: " << report.no_trap);
 }

@@ -1,4 +1,4 @@
-// The guard itself: each fault planted is caught and named.
+// Tests of the guard: it catches and names each planted fault.
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
@@ -30,7 +30,7 @@ using exec::kMostViolations;
 using exec::Violation;
 using exec::words;
 
-/// The first thing that the work did, without who called it.
+/// The first fault of the work, without its caller.
 std::string first_of(const std::function<void()>& work) {
   const GuardReport report = run_guarded(work);
   if (report.violations.empty()) return "nothing";
@@ -38,7 +38,7 @@ std::string first_of(const std::function<void()>& work) {
   return text.substr(0, text.find(','));
 }
 
-/// Of a call that only the trap sees; the expected name where there is no trap.
+/// For a call that only the trap sees; the expected name if there is no trap.
 std::string trapped(const std::string& expected, const std::function<void()>& work) {
   const GuardReport report = run_guarded(work);
   if (!report.no_trap.empty()) {
@@ -51,10 +51,10 @@ std::string trapped(const std::string& expected, const std::function<void()>& wo
   return "nothing";
 }
 
-/// Keeps the compiler from leaving out an allocation that nobody uses.
+/// Keeps the compiler from removing an unused allocation.
 void use(void* memory) { asm volatile("" : : "r"(memory) : "memory"); }
 
-TEST_CASE("work that only computes is clean, and does its work") {
+TEST_CASE("Work that only computes is clean, and completes") {
   std::vector<int> numbers(1000, 3);
   int sum = 0;
   const GuardReport report = run_guarded([&] {
@@ -65,7 +65,7 @@ TEST_CASE("work that only computes is clean, and does its work") {
   expect_nothing(report);
 }
 
-TEST_CASE("the heap is seen by the name of its function") {
+TEST_CASE("A use of the heap is reported with the name of its function") {
   void* kept = std::malloc(8);
   CHECK(first_of([] { use(std::malloc(16)); }) == "heap: malloc");
   CHECK(first_of([] { use(std::calloc(2, 16)); }) == "heap: calloc");
@@ -78,7 +78,7 @@ TEST_CASE("the heap is seen by the name of its function") {
         }) == "heap: posix_memalign");
 }
 
-TEST_CASE("new and delete are seen, of arrays and of what is aligned too, and in the library's own code") {
+TEST_CASE("New and delete are reported, also for arrays, aligned types and inside the standard library") {
   struct alignas(128) Wide {
     char bytes[128];
   };
@@ -95,7 +95,7 @@ TEST_CASE("new and delete are seen, of arrays and of what is aligned too, and in
   CHECK(first_of([] { use(std::make_shared<int>(7).get()); }) == "heap: operator new");
 }
 
-TEST_CASE("a lock is seen also when nobody else wants it") {
+TEST_CASE("An uncontended lock is reported") {
   std::mutex mutex;
   std::timed_mutex timed;
   std::shared_mutex shared;
@@ -124,7 +124,7 @@ TEST_CASE("a lock is seen also when nobody else wants it") {
         }) == "lock: pthread_rwlock_timedrdlock");
 }
 
-TEST_CASE("spinning on a lock and waiting for a signal are seen") {
+TEST_CASE("Spinning on a lock and waiting for a signal are reported") {
   pthread_spinlock_t spin{};
   pthread_spin_init(&spin, PTHREAD_PROCESS_PRIVATE);
   CHECK(first_of([&] {
@@ -151,7 +151,7 @@ TEST_CASE("spinning on a lock and waiting for a signal are seen") {
   pthread_barrier_destroy(&barrier);
 }
 
-TEST_CASE("a write is seen, and still written") {
+TEST_CASE("A write is reported and still executed") {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
   CHECK(trapped("system call: write", [&] {
@@ -164,7 +164,7 @@ TEST_CASE("a write is seen, and still written") {
   close(ends[1]);
 }
 
-TEST_CASE("asking the kernel for the time, sleeping and yielding are seen") {
+TEST_CASE("Reading the kernel's time, sleeping and yielding are reported") {
   CHECK(trapped("system call: clock_gettime", [] {
           timespec now{};
           syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &now);
@@ -180,7 +180,7 @@ TEST_CASE("asking the kernel for the time, sleeping and yielding are seen") {
   CHECK(trapped("system call: sched_yield", [] { sched_yield(); }) == "system call: sched_yield");
 }
 
-TEST_CASE("waiting on an atomic is seen by its system call") {
+TEST_CASE("Waiting on an atomic is reported by its system call") {
   std::atomic<int> waited{0};
   CHECK(trapped("system call: futex", [&] {
           const timespec time{0, 1000};
@@ -188,13 +188,13 @@ TEST_CASE("waiting on an atomic is seen by its system call") {
         }) == "system call: futex");
 }
 
-TEST_CASE("a call fails in the guard as it fails outside") {
+TEST_CASE("A call fails in the guard as it fails outside") {
   CHECK(trapped("system call: close", [] {
           if (close(-1) != -1 || errno != EBADF) std::abort();
         }) == "system call: close");
 }
 
-TEST_CASE("everything is counted, the first of it kept in its order") {
+TEST_CASE("All faults are counted, and the first ones are stored in order") {
   const GuardReport report = run_guarded([] {
     for (int i = 0; i < 100; ++i) {
       void* memory = std::malloc(8);
@@ -209,7 +209,7 @@ TEST_CASE("everything is counted, the first of it kept in its order") {
   CHECK(report.text().ends_with("and 136 more\n"));
 }
 
-TEST_CASE("a thread under the trap may do everything while it is not guarded, again and again") {
+TEST_CASE("A thread under the trap may do anything while it is not guarded, repeatedly") {
   const GuardReport report = exec::run_watched([&] {
     for (int i = 0; i < 10; ++i) {
       {
@@ -226,7 +226,7 @@ TEST_CASE("a thread under the trap may do everything while it is not guarded, ag
   expect_trap(report);
 }
 
-TEST_CASE("other threads do what they want while one is guarded") {
+TEST_CASE("Other threads are not restricted while one thread is guarded") {
   std::atomic<bool> inside{false};
   std::atomic<bool> done{false};
   std::thread other([&] {

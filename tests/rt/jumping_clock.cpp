@@ -1,5 +1,5 @@
-// A time of day that jumps an hour and a day to and fro at every look, for LD_PRELOAD. All other clocks are as they
-// are.
+// A time of day that jumps an hour and a day back and forth at every read, for LD_PRELOAD. Other clocks do not
+// change.
 #include <dlfcn.h>
 #include <sys/time.h>
 

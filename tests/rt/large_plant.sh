@@ -1,7 +1,7 @@
-# A plant of two controllers with equal addresses, for the tests that keep it going. To be sourced.
+# A plant of two controllers with equal addresses, for the tests that keep it moving. To be sourced.
 # shellcheck shell=bash
 
-# DEVICES double solenoids a controller, PLC1 and PLC2, a travel of 800 ms each: FOLDER/plant.json and two lists.
+# DEVICES double solenoids per controller, PLC1 and PLC2, with travels of 800 ms: FOLDER/plant.json and two lists.
 write_large_plant() { # FOLDER DEVICES
   local folder=$1 devices=$2 plc
   for plc in 1 2; do

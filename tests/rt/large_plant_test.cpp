@@ -1,4 +1,4 @@
-// Ten thousand devices under the guard, plain ones and those of which the engine keeps a record.
+// Ten thousand devices under the guard: simple ones, and ones that the engine keeps a record for.
 #include <bit>
 
 #include "bench/two_state_plant.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kDevices = 10'000;
 
-/// The controller of a closed loop: what has arrived is sent back.
+/// The controller of a closed loop: sends arrived devices back.
 struct Controller {
   std::vector<std::uint64_t> seen;
   long motions = 0;
@@ -59,11 +59,11 @@ void runs_clean(long least_motions) {
   expect_nothing(report);
 }
 
-TEST_CASE("ten thousand plain devices run without heap, lock or system call") {
+TEST_CASE("Ten thousand simple devices run without heap, lock or system call") {
   runs_clean<bench::TwoStatePlant>(100'000);
 }
 
-TEST_CASE("ten thousand devices with conditions and disables run without heap, lock or system call") {
+TEST_CASE("Ten thousand devices with conditions and disables run without heap, lock or system call") {
   runs_clean<bench::RichPlant>(10'000);
 }
 

@@ -1,8 +1,8 @@
-// PLCs for a plant of double solenoids: each exchanges the whole image by Modbus TCP in a fixed period and keeps every
-// device going to and fro. usage: modbus_masters SECONDS PERIOD_MS DEVICES PORT...
+// PLCs for a plant of double solenoids: each exchanges the whole image by Modbus TCP in a fixed period and moves every
+// device back and forth. usage: modbus_masters SECONDS PERIOD_MS DEVICES PORT...
 //
-// Device d of a port has the coils 2d (advance) and 2d+1 (return), and discrete inputs of the same numbers. It says at
-// the end what was exchanged, by how much the exchange with the whole image was slowest, and how many motions ended.
+// Device d of a port has the coils 2d (advance) and 2d+1 (return), and discrete inputs of the same numbers. At the
+// end it prints the number of exchanges, the slowest exchange of the whole image, and the number of motions.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -84,7 +84,7 @@ class Master {
     image[at / 8] = static_cast<std::uint8_t>(on ? image[at / 8] | mask : image[at / 8] & ~mask);
   }
 
-  /// Sends whoever has arrived back; gives how many did.
+  /// Sends arrived devices back; returns their number.
   std::uint64_t command() {
     std::uint64_t arrived = 0;
     for (std::size_t ram = 0; ram < bits(); ram += 2) {
@@ -109,7 +109,7 @@ class Master {
     return true;
   }
 
-  /// A request of `size` bytes behind the header, which it fills in; its answer, without the header, into `answer_`.
+  /// A request of `size` bytes after the header, which this function fills in; its answer is in `answer_`.
   bool ask(std::span<std::uint8_t> frame, std::size_t answer) {
     const auto length = static_cast<std::uint8_t>(frame.size() - kHeader + 1);
     const auto id = ++transaction_;

@@ -7,8 +7,8 @@ set -euo pipefail
 program=$1 planted=$2 masters=$3 seconds=$4
 devices=5000 cycles=$((seconds * 1000))
 
-(while :; do :; done) & # the load beside
-controller=$!           # ended with the rest, see lib.sh
+(while :; do :; done) & # the load
+controller=$!           # ends with the rest, see lib.sh
 
 "$planted" '[planted]' >"$work/planted.log" || fail "a planted fault was not found"
 grep -v '^=*$' "$work/planted.log"
@@ -26,7 +26,7 @@ code=0
 wait "$plant" || code=$?
 plant=""
 cat "$work/masters.log" "$work/plant.log" "$work/stats.json"
-if grep -q 'were not looked at' "$work/plant.log"; then skip "the guard cannot look at all of it here"; fi
+if grep -q 'were not checked' "$work/plant.log"; then skip "the guard cannot look at all of it here"; fi
 if grep -q '^warning: `--lock-memory` is refused' "$work/plant.log" && [[ $(grep -c '^rt-check: ' "$work/plant.log") == 3 ]] &&
   grep -q '^rt-check: memory: ' "$work/plant.log"; then
   skip "memory cannot be locked here, and the system took some away"

@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::uint64_t kPlants = 300;
 
-/// Looks at what the behaviours of the random plants do not look at.
+/// Reads what the behaviors of the random plants do not read.
 void look_round(engine::BehaviourView& view, std::uint8_t) noexcept {
   static_cast<void>(view.quality());
   static_cast<void>(view.target());
 }
 
-TEST_CASE("no member of Plant uses heap, lock or system call, whatever the plant and whatever is done to it") {
+TEST_CASE("No member of Plant uses heap, lock or system call, for any plant and any action") {
   Happened all;
   GuardReport last;
   for (std::uint64_t seed = 1; seed <= kPlants; ++seed) {
@@ -34,11 +34,11 @@ TEST_CASE("no member of Plant uses heap, lock or system call, whatever the plant
     INFO("plant " << seed);
     INFO(last.text());
     REQUIRE(last.count == 0);
-    // What ran under the guard is the same run, to the last bit.
+    // The run under the guard is identical to the last bit.
     REQUIRE(exercise.happened().digest == free.digest);
     all += free;
   }
-  // The guard proves nothing of what never happened.
+  // The guard checks only what happened, so all of this must happen.
   REQUIRE(all.instants > 10'000);
   REQUIRE(all.restores > 100);
   REQUIRE(all.restores_elsewhere > 50);

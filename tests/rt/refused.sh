@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the system refuses is told once, with what to do, and the plant runs all the same. usage: refused.sh SYMPLANT LIST
+# What the system refuses is reported once with a hint, and the plant still runs. usage: refused.sh SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 program=$1 list=$2
@@ -22,8 +22,8 @@ run_with() { # MEMLOCK_BYTES
 
 run_with 0
 grep -q '0 MB may be locked' "$work/plant.log" || fail "it does not say how much may be locked"
-run_with 8388608 # enough to begin with, too little for a thread
+run_with 8388608 # enough at the start, too little for a thread
 cat "$work/plant.log"
 
-# A stack that is smaller than what a cycle is given beforehand.
+# A stack that is smaller than what a cycle gets in advance.
 (ulimit -s 256 && "$1" run "$2" --clock real --until 50ms >"$work/small") || fail "with a stack of 256 kB: exit code $?"

@@ -1,4 +1,4 @@
-// --rt-check names who broke the rules: which function of which behaviour, of which device.
+// --rt-check names the function, behavior and device that broke the rules.
 #include "symplant/exec/rt_check.hpp"
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ using engine::BehaviourView;
 void* kept = nullptr;
 std::mutex mutex;
 
-/// Counts, and does in each function what it must not do.
+/// Counts, and breaks a rule in each function.
 constexpr Behaviour kFaulty{
     .memory_size = 8,
     .takes =
@@ -55,7 +55,7 @@ const BenchTables& two_arms() {
   return tables;
 }
 
-/// Both arms go to B2, each cycle under the guard.
+/// Both arms move to B2, each cycle under the guard.
 exec::GuardReport there(plant::Plant& plant) {
   plant.set_operation(1, true);
   plant.set_operation(3, true);
@@ -67,7 +67,7 @@ exec::GuardReport there(plant::Plant& plant) {
   });
 }
 
-TEST_CASE("who breaks the rules is named: act, function, behaviour and device") {
+TEST_CASE("A broken rule is reported with its act, function, behavior and device") {
   const Behaviour code[] = {kSound, kFaulty};
   const exec::WatchedBehaviours watched(two_arms().rows, code);
   plant::OwnedPlant plant(two_arms().rows, watched.watched());
@@ -79,14 +79,14 @@ TEST_CASE("who breaks the rules is named: act, function, behaviour and device") 
     return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.starts_with(begin); });
   };
   for (const std::string& line : lines) CHECK(line.find("ARM1") == line.npos);
-  CHECK(reported("lock: pthread_mutex_lock, in `takes` of behaviour `Faulty`, device L_P_ARM2, once"));
-  CHECK(reported("heap: realloc, in `entered` of behaviour `Faulty`, device L_P_ARM2, "));
+  CHECK(reported("lock: pthread_mutex_lock, in `takes` of behavior `Faulty`, device L_P_ARM2, once"));
+  CHECK(reported("heap: realloc, in `entered` of behavior `Faulty`, device L_P_ARM2, "));
   if (report.no_trap.empty())
-    CHECK(reported("system call: lseek, in `left` of behaviour `Faulty`, device L_P_ARM2, once"));
+    CHECK(reported("system call: lseek, in `left` of behavior `Faulty`, device L_P_ARM2, once"));
   expect_trap(report);
 }
 
-TEST_CASE("watched behaviours do what those do that they stand for, and sound ones are clean") {
+TEST_CASE("Watched behaviors do the same as the originals, and valid ones are clean") {
   const Behaviour code[] = {kSound, kSound};
   const exec::WatchedBehaviours watched(two_arms().rows, code);
   plant::OwnedPlant plant(two_arms().rows, watched.watched());
@@ -98,7 +98,7 @@ TEST_CASE("watched behaviours do what those do that they stand for, and sound on
   CHECK(exec::WatchedBehaviours(two_arms().rows, {}).watched().empty());
 }
 
-TEST_CASE("A run with --rt-check runs so many cycles and gives 1 with the names where the rules were broken, else 0") {
+TEST_CASE("A run with --rt-check runs a number of cycles and exits with 1 and the names if rules were broken, else 0") {
   Reported reported;
   reported.device("ARM").behaviour = "Mine";
   reported.by_itself("ARM", "A1", "B2", fixed(50 * kMs)).by_itself("ARM", "B2", "A1", fixed(50 * kMs));
@@ -120,21 +120,21 @@ TEST_CASE("A run with --rt-check runs so many cycles and gives 1 with the names 
   CHECK(nothing.find("20 cycles, nothing found\n") != std::string::npos);
   const auto [broken, found] = checked(kFaulty);
   CHECK(broken == host::kFindings);
-  CHECK(found.find("rt-check: heap: realloc, in `entered` of behaviour `Mine`, device L_P_ARM, 4 times") !=
+  CHECK(found.find("rt-check: heap: realloc, in `entered` of behavior `Mine`, device L_P_ARM, 4 times") !=
         std::string::npos);
   options.clock = host::RunOptions::Clock::real_time;
   options.cycle = 5 * kMs;
   CHECK(checked(kSound).first == host::kGood);
 }
 
-TEST_CASE("what was not looked at is said") {
+TEST_CASE("The unchecked parts are reported") {
   exec::GuardReport report;
   report.no_hooks = "a reason";
   report.no_trap = "another";
   report.count = 3;
   CHECK(exec::rt_check_lines(report, two_arms().rows) ==
-        std::vector<std::string>{"and 3 acts more", "heap and locks were not looked at: a reason",
-                                 "system calls were not looked at: another"});
+        std::vector<std::string>{"and 3 more violations", "heap and locks were not checked: a reason",
+                                 "system calls were not checked: another"});
 }
 
 }  // namespace

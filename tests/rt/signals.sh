@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Signals: the end within a second whatever goes on, SIGUSR1, an ignored SIGHUP, a reader that is gone.
+# Signals: the end within a second in every state, SIGUSR1, an ignored SIGHUP, a reader that has exited.
 # usage: signals.sh SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 program=$1 list=$2
 server=(--link modbus-tcp-server://127.0.0.1:0)
 
-# Of three tries one is enough: the machine may be busy with something else for a second.
+# One of three tries is enough: the machine may be busy with something else for a second.
 ends_within_a_second() { # SIGNAL BEFORE OPTION...; BEFORE is a command, run just before the signal
   local signal=$1 before=$2 try begin took code
   shift 2
@@ -29,7 +29,7 @@ ends_within_a_second() { # SIGNAL BEFORE OPTION...; BEFORE is a command, run jus
   fail "$signal with $*: it took $took ms"
 }
 
-# Two seconds of cycles of 10 us, all of which are to be caught up.
+# Two seconds of cycles of 10 us, all of them to catch up.
 fall_behind() { kill -STOP "$plant" && sleep 2 && kill -CONT "$plant"; }
 
 ends_within_a_second TERM true
@@ -41,11 +41,11 @@ ends_within_a_second TERM fall_behind --cycle 10us --late catch-up:1000000
 
 start_cycle "$program" run "$list" "${server[@]}"
 kill -USR1 "$plant"
-wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, p99 .* late, .* overruns; link waiting$' "$work/plant.log"
+wait_until "SIGUSR1 is answered" grep -q '^[0-9]* cycles, late by .* us (p99), .* overruns; link waiting$' "$work/plant.log"
 stop_plant
 
-# A PLC that reads the status block each 150 ms, fifteen times as long as a cycle, reads that the plant stops.
-state() { # of the plant, by the connection 5
+# A PLC that reads the status block every 150 ms, fifteen cycles, reads that the plant stops.
+state() { # of the plant, over connection 5
   printf '\0\1\0\0\0\6\1\4\0\146\0\1' >&5 # input register 102
   head -c 11 <&5 | od -An -tu1 | awk '{ print $11 }'
 }
@@ -55,7 +55,7 @@ exec 5<>"/dev/tcp/127.0.0.1/$port"
 [[ $(state) == 0 ]] || fail "the status block does not say that the plant waits"
 begin=$(milliseconds)
 kill -TERM "$plant"
-for ((told = 0; told != 4; )); do # it goes on until the signal has come through
+for ((told = 0; told != 4; )); do # repeats until the signal has had its effect
   sleep 0.15
   told=$(state)
   [[ -n $told ]] || fail "the connection ended, and the status block did not say that the plant stops"
@@ -65,7 +65,7 @@ plant=""
 printf 'TERM, its end read: %d ms\n' "$(($(milliseconds) - begin))"
 exec 5<&-
 
-# One that reads it no more is waited for half a second, and no longer.
+# A PLC that stops reading is waited for half a second at most.
 start_cycle "$program" run "$list" "${server[@]}"
 port=$(port_of "")
 exec 5<>"/dev/tcp/127.0.0.1/$port"
@@ -79,7 +79,7 @@ sleep 0.5
 kill -0 "$plant" || fail "a SIGHUP that was ignored at the start ended it"
 stop_plant
 
-# Who reads its output goes away; the plant goes on.
+# The reader of its output exits; the plant continues.
 mkfifo "$work/pipe"
 "$program" run "$list" "${server[@]}" --stats "$work/stats.json" >"$work/pipe" 2>"$work/plant.log" &
 plant=$!
@@ -95,8 +95,8 @@ plant=""
 ((code == 3)) || fail "exit code $code where the output could not be written"
 grep -q '"cycles":' "$work/stats.json" || fail "without a reader there are no statistics"
 
-# Nobody takes what it writes: it ends all the same, and says why. Of three tries one is enough, as above.
-cannot_end() { # WHAT WORDS COMMAND...; the command's plant is told to end after half a second
+# No reader takes its output: it still ends, and says why. One of three tries is enough, as above.
+cannot_end() { # WHAT WORDS COMMAND...; the command's plant gets the signal to end after half a second
   local what=$1 words=$2 try begin took code
   shift 2
   for try in 1 2 3; do
@@ -121,7 +121,7 @@ cannot_end() { # WHAT WORDS COMMAND...; the command's plant is told to end after
 }
 
 mkfifo "$work/full" "$work/late" "$work/unread"
-exec 3<>"$work/full" 4<>"$work/late" # readers that stand still
+exec 3<>"$work/full" 4<>"$work/late" # readers that do not read
 fill() { timeout 1 head -c 1048576 /dev/zero >"$1" || true; }
 fill "$work/full"
 stuck() { exec "$program" run "$list" "$@" >"$work/full"; }
@@ -130,9 +130,9 @@ stuck_later() {
   exec "$program" run "$list" "$@" >"$work/late"
 }
 named() { exec "$program" run "$list" "$@" >"$work/said"; }
-cannot_end "a trace to a pipe that is not read" "while nobody took the output" stuck "${server[@]}" --trace -
-cannot_end "a pipe that is not read" "while nobody took the output" stuck "${server[@]}"
-cannot_end "a pipe that is no longer read" "while nobody took the output" stuck_later "${server[@]}"
-cannot_end "a run in virtual time into a pipe" "while nobody took the output" stuck --until 10h --trace -
-cannot_end "a file that is a pipe" "while nobody took the output" named "${server[@]}" --trace "$work/full"
+cannot_end "a trace to a pipe that is not read" "while an output was blocked" stuck "${server[@]}" --trace -
+cannot_end "a pipe that is not read" "while an output was blocked" stuck "${server[@]}"
+cannot_end "a pipe that is no longer read" "while an output was blocked" stuck_later "${server[@]}"
+cannot_end "a run in virtual time into a pipe" "while an output was blocked" stuck --until 10h --trace -
+cannot_end "a file that is a pipe" "while an output was blocked" named "${server[@]}" --trace "$work/full"
 cannot_end "a FIFO without a reader" "before the run began" named --clock real --trace "$work/unread"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The status line: drawn each second on a terminal, not in a file, not on a terminal that cannot. usage: status_line.sh SYMPLANT LIST
+# The status line: drawn each second on a terminal, but not in a file or on a dumb terminal. usage: status_line.sh SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 command -v script >/dev/null || skip "script, which gives a program a terminal, is not installed"
 run="$1 run $2 --link modbus-tcp-server://127.0.0.1:0 --until 2200ms"
-line=$'\r\033\\[K[0-9]* cycles, p99 [0-9.]* us late, [0-9]* overruns; link waiting'
+line=$'\r\033\\[K[0-9]* cycles, late by [0-9.]* us (p99), [0-9]* overruns; link waiting'
 
 TERM=xterm script -qec "$run" /dev/null >"$work/terminal" </dev/null
 (($(grep -o "$line" "$work/terminal" | wc -l) >= 2)) || fail "no status line each second"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A process that stands still for 5 s: no more than the catch-up is run at once, the rest is lost and counted.
+# A process stopped for 5 s: it runs only the catch-up at once, the rest is lost and counted.
 # usage: stopped.sh SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -13,7 +13,7 @@ kill -TERM "$plant"
 wait "$plant" || fail "it ended with exit code $?"
 plant=""
 cat "$work/plant.log" "$work/stats.json"
-# 5 s less the ten cycles and the one that was due.
+# 5 s minus the ten cycles and the one that was due.
 (($(stat_of slipped) >= 4880000000)) || fail "too little was lost: a burst made up for it"
 (($(stat_of plant_time) == $(stat_of cycles) * 10000000)) || fail "a cycle is not 10 ms of plant time"
 (($(stat_of wall_time) - $(stat_of plant_time) >= $(stat_of slipped))) || fail "more was lost than time went by"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All threads of a run at once, for the thread sanitizer: two links whose PLCs come and go, a trace, findings, a terminal with
+# All threads of a run, for the thread sanitizer: two links with unsteady PLCs, a trace, findings, a terminal with
 # its status line, SIGUSR1. usage: threads.sh SYMPLANT MASTERS
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -32,5 +32,5 @@ code=0
 wait "$plant" || code=$?
 plant=""
 ((code == 0)) || fail "exit code $code"
-if grep -q ThreadSanitizer "$work/plant.log"; then fail "a race"; fi # script does not always tell the exit code
+if grep -q ThreadSanitizer "$work/plant.log"; then fail "a race"; fi # the exit code may be lost
 grep -q '"cycles":' "$work/stats.json" || fail "no statistics"

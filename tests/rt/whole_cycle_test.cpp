@@ -1,4 +1,4 @@
-// The guard on the whole cycle: links' reading and writing, the plant, what looks at it, and the sleep between.
+// The guard on the whole cycle: reading and writing of links, the plant, its observers, and the sleep in between.
 #include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -24,7 +24,7 @@ namespace {
 using tables::kMillisecond;
 using Fault = void (*)();
 
-/// A link that does in one cycle what it must not do.
+/// A link that breaks a rule in one cycle.
 class FaultyLink final : public exec::Exchange {
  public:
   FaultyLink(Fault reading, Fault writing) : reading_(reading), writing_(writing) {}
@@ -35,7 +35,7 @@ class FaultyLink final : public exec::Exchange {
   void write_events(const plant::Plant&, const exec::CycleStatus&) noexcept override {
     if (reads_ == 5 && writing_ != nullptr) writing_();
   }
-  void leave() noexcept override { free(malloc(100)); }  // the end is no cycle
+  void leave() noexcept override { free(malloc(100)); }  // the end is not a cycle
 
  private:
   Fault reading_;
@@ -43,7 +43,7 @@ class FaultyLink final : public exec::Exchange {
   int reads_ = 0;
 };
 
-/// Looks at instants, and takes memory in one of them.
+/// Observes instants, and allocates memory in one of them.
 class FaultyObserver final : public engine::Observer {
   void instant(const engine::Instant&) noexcept override { kept_page = std::realloc(kept_page, 100); }
   void finding(const tables::Finding&) noexcept override {}
@@ -93,7 +93,7 @@ void fault() {
   for (std::size_t at = 0; at < kSize; at += 4096) static_cast<volatile char*>(fresh)[at] = 1;
 }
 
-TEST_CASE("a cycle with links on the real clock is clean, its sleeps included") {
+TEST_CASE("A cycle with links on the real clock is clean, including its sleeps") {
   FaultyLink one(nullptr, nullptr);
   FaultyLink other(nullptr, nullptr);
   const Watched result = watched({&one, &other});
@@ -102,33 +102,33 @@ TEST_CASE("a cycle with links on the real clock is clean, its sleeps included") 
   expect_nothing(result.report);
 }
 
-TEST_CASE("memory that a link takes while it reads is found", "[planted]") {
+TEST_CASE("Memory that a link allocates while it reads is reported", "[planted]") {
   FaultyLink link(take_memory, nullptr);
   CHECK(watched({&link}).acts() == std::vector<std::string>{"heap: malloc"});
 }
 
-TEST_CASE("a lock that a link takes while it writes is found", "[planted]") {
+TEST_CASE("A lock that a link takes while it writes is reported", "[planted]") {
   FaultyLink sound(nullptr, nullptr);
   FaultyLink link(nullptr, take_lock);
   CHECK(watched({&sound, &link}).acts() == std::vector<std::string>{"lock: pthread_mutex_lock"});
 }
 
-TEST_CASE("a system call that a link makes is found, the cycle's own sleeps are not", "[planted]") {
+TEST_CASE("A system call of a link is reported, the cycle's own sleeps are not", "[planted]") {
   FaultyLink link(nullptr, write_nothing);
   const Watched result = watched({&link});
   if (result.report.no_trap.empty()) CHECK(result.acts() == std::vector<std::string>{"system call: write"});
   expect_trap(result.report);
 }
 
-TEST_CASE("what the cycle's observer does is found", "[planted]") {
+TEST_CASE("Faults of the cycle's observer are reported", "[planted]") {
   FaultyObserver observer;
   const Watched result = watched({}, &observer);
   REQUIRE(!result.report.violations.empty());
   CHECK(result.acts()[0] == "heap: realloc");
 }
 
-TEST_CASE("memory that was there before is touched, so that the cycle's thread faults no more on it") {
-  // Bigger than what malloc keeps, so that nobody has touched it.
+TEST_CASE("Memory from before the cycle is touched, so that the cycle's thread has no page faults on it") {
+  // Larger than malloc's free blocks, so that no page was touched before.
   const std::size_t size = std::size_t{4} << 20;
   const std::unique_ptr<char[]> fresh(new char[size]);
   std::uint64_t faults = 1;
@@ -143,13 +143,13 @@ TEST_CASE("memory that was there before is touched, so that the cycle's thread f
   CHECK(faults == 0);
 }
 
-TEST_CASE("memory right above a thread's stack is touched, too, the stack itself is not") {
+TEST_CASE("Memory directly above a thread's stack is touched, the stack itself is not") {
   pthread_attr_t defaults;
   std::size_t stack = 0;
   REQUIRE(pthread_getattr_default_np(&defaults) == 0);
   pthread_attr_getstacksize(&defaults, &stack);
   pthread_attr_destroy(&defaults);
-  // As the kernel shows them: a fence, then stack and memory as one mapping.
+  // As the kernel reports them: a guard page, then stack and memory as one mapping.
   constexpr std::size_t kPage = 4096;
   constexpr std::size_t kMore = 16 * kPage;
   const std::size_t size = kPage + stack + kMore;
@@ -166,14 +166,14 @@ TEST_CASE("memory right above a thread's stack is touched, too, the stack itself
   CHECK(std::all_of(resident.end() - 16, resident.end(), there));
 }
 
-TEST_CASE("a page that a link touches for the first time is counted", "[planted]") {
+TEST_CASE("A page that a link touches for the first time is counted", "[planted]") {
   void* const fresh = mmap(nullptr, std::size_t{16} * 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   REQUIRE(fresh != MAP_FAILED);
   madvise(fresh, std::size_t{16} * 4096, MADV_NOHUGEPAGE);
   kept_page = fresh;
   FaultyLink link([] { fault(); }, nullptr);
   const Watched populated = watched({&link});
-  CHECK(populated.faults.pages() == 0);  // it was there before the first cycle
+  CHECK(populated.faults.pages() == 0);  // it existed before the first cycle
   madvise(fresh, std::size_t{16} * 4096, MADV_DONTNEED);
   FaultyLink late([] { madvise(kept_page, std::size_t{16} * 4096, MADV_DONTNEED); }, [] { fault(); });
   CHECK(watched({&late}).faults.pages() == 16);

@@ -1,4 +1,4 @@
-// Tables with nothing in them but the sizes of the planes, to be filled in by tests.
+// Tables that contain only the sizes of the planes; tests fill in the rest.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Catch2's main. Version 3 brings one as a library, version 2 wants it compiled once.
+// The main of Catch2. Version 3 has one as a library, version 2 needs it compiled once.
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// From a list as text to what each stage makes of it, in memory.
+// From a list as text to the results of each stage, in memory.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@
 #include "findings/causes.hpp"
 #include "findings/settings.hpp"
 #include "lower/lower.hpp"
-#include "model/build_plant.hpp"
+#include "model/derive.hpp"
 #include "name/named_table.hpp"
 #include "name/naming_rule.hpp"
 #include "support/memory_file_system.hpp"
 
 namespace symplant::test {
 
-/// One row of a list. `address` is a vendor's, `iec` an IEC one.
+/// One row of a list. `address` is a vendor address, `iec` an IEC address.
 struct Row {
   std::string name;
   std::string address = {};
@@ -39,8 +39,8 @@ inline std::string list_text(const std::vector<Row>& rows) {
   return text;
 }
 
-/// BOOL rows of these names, each with an IEC address of its own: `%QX` where the name holds `_O_`, else `%IX`. A `*`
-/// behind a name gives it Initial TRUE.
+/// BOOL rows of these names, each with a separate IEC address: `%QX` if the name contains `_O_`, else `%IX`. A `*`
+/// after a name sets Initial TRUE.
 inline std::vector<Row> bits(const std::vector<std::string>& names) {
   std::vector<Row> rows;
   for (std::string name : names) {
@@ -54,17 +54,18 @@ inline std::vector<Row> bits(const std::vector<std::string>& names) {
 }
 
 struct Analysed {
-  std::optional<model::PlantModel> plant;
+  std::optional<model::Derived> derived;
   diag::Diagnostics diagnostics;
 
-  const model::PlantModel& model() const { return *plant; }
-  /// How often a rule has fired.
+  const model::PlantModel& model() const { return derived->plant; }
+  const model::Evidence& evidence() const { return derived->evidence; }
+  /// The number of findings of a rule.
   std::size_t count(std::string_view slug) const {
     std::size_t count = 0;
     for (const diag::Diagnostic& finding : diagnostics.all()) count += finding.rule->slug == slug ? 1U : 0U;
     return count;
   }
-  /// Every rule that fired, in order, with blanks between.
+  /// Every rule that fired, in order, separated by blanks.
   std::string fired() const {
     std::string text;
     for (const diag::Diagnostic& finding : diagnostics.all()) {
@@ -72,7 +73,7 @@ struct Analysed {
     }
     return text;
   }
-  /// The findings of at least this severity.
+  /// The findings with at least this severity.
   std::string fired(diag::Severity least) const {
     std::string text;
     for (const diag::Diagnostic& finding : diagnostics.all()) {
@@ -90,7 +91,9 @@ inline Analysed analyse_text(const std::string& text, std::optional<address::Rad
   std::ostringstream err;
   app::Progress progress(err, false);
   Analysed result;
-  result.plant = app::analyse({name, {}, xy}, files, progress, result.diagnostics);
+  if (auto compiled = app::compile({name, {}, xy}, files, progress, result.diagnostics)) {
+    result.derived = model::Derived{std::move(compiled->plant), std::move(compiled->evidence)};
+  }
   return result;
 }
 
@@ -98,7 +101,7 @@ inline Analysed analyse_rows(const std::vector<Row>& rows, std::optional<address
   return analyse_text(list_text(rows), xy);
 }
 
-/// A list of a plant with several.
+/// One list of a plant with several lists.
 struct GivenList {
   std::string file;
   std::string text;
@@ -106,7 +109,7 @@ struct GivenList {
   std::optional<address::Radix> xy = {};
 };
 
-/// Reads lists and their names, builds their plant with a description, checks it: analyse() with what plant.json would
+/// Reads lists and their names, builds their plant with a description, checks it: compile() with what plant.json would
 /// say.
 inline Analysed analyse_lists(const std::vector<GivenList>& given, description::Description description = {},
                               std::string_view today = {}) {
@@ -119,12 +122,13 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
     const auto table = std::make_shared<const read::SymbolTable>(std::move(read.value()));
     lists.push_back({table, name::read_names(*table, name::built_in_rule()), list.controller, list.xy});
   }
-  result.plant =
-      model::build_plant(lists, {"symbols", std::make_shared<const description::Description>(std::move(description))});
-  check::check_plant(*result.plant, result.diagnostics);
-  result.diagnostics = findings::apply_settings(result.diagnostics, result.plant->description->check, today);
-  findings::fold_consequences(*result.plant, result.diagnostics);
-  result.diagnostics.sort_by_location(result.plant->sources());
+  result.derived = model::describe(model::derive(lists, "symbols"),
+                                   std::make_shared<const description::Description>(std::move(description)));
+  const model::PlantModel& plant = result.model();
+  check::check_plant(plant, result.evidence(), result.diagnostics);
+  result.diagnostics = findings::apply_settings(result.diagnostics, plant.description->check, today);
+  findings::fold_consequences(plant, result.diagnostics);
+  result.diagnostics.sort_by_location(plant.sources());
   return result;
 }
 
@@ -151,22 +155,24 @@ inline CompiledText compile_text(const std::string& text, const std::string& nam
   app::Progress progress(err, false);
   CompiledText result;
   result.compiled = app::compile({name, {}, {}}, files, progress, result.diagnostics);
+  if (result.diagnostics.has_errors()) result.compiled.reset();
   return result;
 }
 
 inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_text(list_text(rows)); }
 
-/// The tables of a plant without errors; nothing of another.
+/// The tables of a valid plant; empty for any other.
 inline CompiledText lower_analysed(Analysed analysed) {
   CompiledText result;
   result.diagnostics = std::move(analysed.diagnostics);
-  if (result.diagnostics.has_errors() || !analysed.plant->description_faults.empty()) return result;
-  lower::EngineTables tables = lower::lower(*analysed.plant);
-  result.compiled = app::Compiled{std::move(*analysed.plant), std::move(tables)};
+  if (result.diagnostics.has_errors() || !analysed.evidence().faults.empty()) return result;
+  lower::EngineTables tables = lower::lower(analysed.model());
+  result.compiled =
+      app::Compiled{std::move(analysed.derived->plant), std::move(analysed.derived->evidence), std::move(tables)};
   return result;
 }
 
-/// compile() with a description; nothing where it, or the list, has a fault.
+/// compile() with a description; nothing if the description or the list has a fault.
 inline CompiledText compile_described(const std::vector<Row>& rows, description::Description description) {
   return lower_analysed(analyse_described(rows, std::move(description)));
 }

@@ -1,4 +1,4 @@
-// Comparing with a golden file. SYMPLANT_UPDATE_GOLDENS=1 in the environment writes the files anew instead.
+// Compares with a golden file. SYMPLANT_UPDATE_GOLDENS=1 in the environment writes the files instead.
 #pragma once
 
 #include <cstdlib>

@@ -13,7 +13,7 @@
 
 namespace symplant::test {
 
-/// One way of a unit, with its times.
+/// One transition of a unit, with its times.
 struct Route {
   std::uint8_t from;
   std::uint8_t to;
@@ -22,10 +22,10 @@ struct Route {
   tables::Time takes;
 };
 
-/// A unit whose states 0 .. n-1 have an event each, of the same number.
+/// A unit whose states 0 .. n-1 each have an event of the same number.
 struct HandUnit {
   std::uint8_t states;
-  std::vector<std::uint8_t> operation_targets;  ///< an operation each: the state of its name, or tables::kNoState
+  std::vector<std::uint8_t> operation_targets;  ///< for each operation, the state of its name, or tables::kNoState
   std::vector<Route> routes;
   tables::Actuation actuation = tables::Actuation::latched;
   std::uint8_t rest = tables::kNoState;
@@ -33,7 +33,7 @@ struct HandUnit {
   tables::Time travel = tables::kSecond;
 };
 
-/// Every unit has a type of its own and begins a word of its own: unit u has bits 64 u ... in both planes.
+/// Every unit has a separate type and separate words: unit u has bits 64 u ... in both planes.
 class HandPlant {
  public:
   explicit HandPlant(const std::vector<HandUnit>& units) {
@@ -87,7 +87,7 @@ class HandPlant {
     parts.targets = unit.operation_targets;
   }
 
-  std::map<std::size_t, Parts> parts_;  // nodes stay where they are
+  std::map<std::size_t, Parts> parts_;  // nodes do not move
   std::vector<tables::TypeRow> types_;
   std::vector<tables::UnitRow> rows_;
   std::vector<tables::TransitionTimes> times_;

@@ -1,4 +1,4 @@
-// A file system for tests: files in memory, and faults where a test wants them.
+// A file system for tests: files in memory, and faults where a test needs them.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ namespace symplant::test {
 class MemoryFileSystem final : public base::FileSystem {
  public:
   std::map<std::string, std::string> files;
-  /// By path: why it can be neither read nor written.
+  /// By path: why it cannot be read or written.
   std::map<std::string, std::string> faults;
   /// Files that a write has changed, in order.
   std::vector<std::string> written;

@@ -1,4 +1,4 @@
-// A plant of the engine, from a list's names and a description, spoken to by names.
+// A plant of the engine, from a list's names and a description, used by names.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ struct Reported {
     device(device_name).transitions.push_back(std::move(given));
     return *this;
   }
-  /// A commanded one, by the operation of its target.
+  /// A commanded transition, by the operation of its target.
   Reported& on_command(const std::string& device_name, std::string from, std::string to, description::Duration takes) {
     description::GivenTransition given;
     given.from = std::move(from);
@@ -57,8 +57,8 @@ struct Reported {
 
 inline description::Duration fixed(tables::Time time) { return description::Duration::fixed(time); }
 
-/// Tables that plants can be made of, and the places of names in them. Names go without `L_P_`, the line and process
-/// that all share.
+/// Tables for plants, and the indexes of their names. Names omit `L_P_`, the line and process
+/// that all names share.
 class BenchTables {
  public:
   explicit BenchTables(const std::vector<std::string>& names, const Reported& reported = {})
@@ -100,7 +100,7 @@ class BenchTables {
     return name.starts_with("L_P_") ? name.substr(4) : name;
   }
   std::string unit_name(std::uint32_t unit) const { return std::string(model().units[unit].path.substr(4)); }
-  /// "lost AGV_O_P2"; with a `+` behind it where the next finding belongs to it.
+  /// "lost AGV_O_P2"; a `+` at the end if the next finding belongs to it.
   std::string words(const tables::Finding& finding) const {
     static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
                                                     "started",     "short",   "loop",     "violated"};
@@ -127,7 +127,7 @@ class BenchTables {
   CompiledText text_;
 };
 
-/// One plant of such tables, with a record of what it told. Times are in ms.
+/// One plant of such tables, with a record of its reports. Times are in ms.
 class BenchPlant final : private engine::Observer {
  public:
   explicit BenchPlant(const BenchTables& tables) : tables_(tables), plant(tables.rows) {}
@@ -178,7 +178,7 @@ class BenchPlant final : private engine::Observer {
     return (plant.disarmed()[bit / 64] >> (bit % 64) & 1) != 0;
   }
   plant::UnitView unit(const std::string& device) const { return plant.unit(tables_.unit_index(device)); }
-  /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled; with a `#` where it is frozen.
+  /// "A", "A->B", "A->B!" if it stopped; in brackets while it is disabled; with a `#` if it is frozen.
   std::string state(const std::string& device) const {
     const auto& states = tables_.model().units[tables_.unit_index(device)].states;
     const plant::UnitView view = unit(device);
@@ -189,12 +189,12 @@ class BenchPlant final : private engine::Observer {
     return view.disabled ? "[" + text + "]" : text;
   }
 
-  /// Changes of BOOL symbols that the observer was told since the last call, "500:AGV_O_P2=1 ...", by instant, then in
-  /// list order.
+  /// Changes of BOOL symbols that the observer received since the last call, "500:AGV_O_P2=1 ...", by instant, then
+  /// in list order.
   std::string changes() { return std::exchange(changes_, {}); }
-  /// Findings likewise, "500:lost AGV_O_P2 ...".
+  /// Findings in the same format, "500:lost AGV_O_P2 ...".
   std::string reported() { return std::exchange(reported_, {}); }
-  /// Findings from the ring, likewise.
+  /// Findings from the ring, in the same format.
   std::string findings() {
     std::string text;
     tables::Finding finding{};

@@ -1,4 +1,4 @@
-// A Modbus client of raw bytes: whatever is sent, and however it is cut.
+// A Modbus client of raw bytes: sends any bytes, cut anywhere.
 #pragma once
 
 #include <arpa/inet.h>
@@ -15,7 +15,7 @@
 
 namespace symplant::test {
 
-/// Of this process.
+/// CPU time of this process.
 inline std::size_t open_descriptors() {
   std::size_t count = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) ++count;
@@ -24,7 +24,7 @@ inline std::size_t open_descriptors() {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A TCP client on the loopback that waits for what it reads; the wait has an end only so that a failed test has one.
+/// A TCP client on the loopback that waits for data; a time limit only lets a failed test end.
 class RawClient {
  public:
   explicit RawClient(std::uint16_t port, int family = AF_INET)
@@ -59,7 +59,7 @@ class RawClient {
     }
   }
 
-  /// `size` bytes, or fewer where the server closed the connection (or did not answer for as long as it may).
+  /// `size` bytes, or fewer if the server closed the connection or did not answer in time.
   Bytes receive(std::size_t size) const {
     Bytes bytes;
     while (bytes.size() < size) {
@@ -73,7 +73,7 @@ class RawClient {
     return bytes;
   }
 
-  /// True when the server has closed the connection; waits for it.
+  /// True if the server has closed the connection; waits for it.
   bool is_closed() const {
     pollfd waiting{socket_.get(), POLLIN, 0};
     if (::poll(&waiting, 1, patience_) <= 0) return false;

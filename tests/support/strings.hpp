@@ -1,4 +1,4 @@
-// Small things about text that Catch2's versions spell differently.
+// Small text helpers that Catch2's versions spell differently.
 #pragma once
 
 #include <string_view>

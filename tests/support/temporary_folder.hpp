@@ -1,4 +1,4 @@
-// A folder of the test's own on disk, gone when the test is over.
+// A temporary folder on disk, removed when the test ends.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The tool in process: a command line in, its world from memory, all that it says as text.
+// The tool in process: a command line in, its files in memory, all its output as text.
 #pragma once
 
 #include <sstream>

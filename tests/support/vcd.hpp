@@ -14,13 +14,13 @@ struct Vcd {
     std::string type;
     int width = 0;
   };
-  std::map<std::string, Variable> variables;  ///< by scopes and name, with dots between
+  std::map<std::string, Variable> variables;  ///< by scopes and name, separated by dots
   std::vector<std::string> changes;  ///< "500000000 excell.EXLINE.MB.AGV.EXLINE_MB_AGV=P1->P2", in the file's order
-  std::map<std::string, std::string> values;  ///< as they stand at the end
-  std::string initial;                        ///< $dumpvars: "name=value" with blanks between
+  std::map<std::string, std::string> values;  ///< at the end
+  std::string initial;                        ///< $dumpvars: "name=value", separated by blanks
   std::string timescale;
   std::string last_time;
-  std::string fault;  ///< empty where the file is well formed
+  std::string fault;  ///< empty if the file is valid
 };
 
 class VcdReader {
@@ -42,7 +42,7 @@ class VcdReader {
   }
   void take(const std::string& word) {
     if (word == "$scope") {
-      scopes_.push_back(until_end().substr(7));  // behind "module "
+      scopes_.push_back(until_end().substr(7));  // after "module "
     } else if (word == "$upscope") {
       until_end();
       scopes_.empty() ? void(vcd_.fault = "no scope to leave") : scopes_.pop_back();

@@ -1,5 +1,5 @@
-// The worked example of docs/model.md, "The paper's Figure 6": what the PLC writes, what the plant answers, in which
-// states its devices are then. For any plant made from examples/excell/excell.csv, generated or not.
+// The worked example of docs/model.md, "The paper's Figure 6": PLC commands, the plant's answers, and the states of
+// its devices. For any plant made from examples/excell/excell.csv, generated or not.
 #pragma once
 
 #include <string>
@@ -40,7 +40,7 @@ inline std::vector<ExampleRow> worked_example() {
 
 inline constexpr std::string_view kExamplePrefix = "EXLINE_MB_";
 
-/// A unit's place by its path; fails the test where there is none.
+/// The index of a unit by its path; fails the test if there is no such unit.
 inline std::uint32_t unit_index(const tables::PlantTables& tables, std::string_view path) {
   const auto names = tables::split_names(tables.unit_names);
   for (std::uint32_t i = 0; i < names.size(); ++i) {
@@ -62,8 +62,8 @@ inline std::string state_text(const plant::Plant& plant, std::uint32_t unit) {
   return text;
 }
 
-/// Plays the table on a plant at time 0 and checks every change, at its time, and every state after it. `seen` takes
-/// each change that the recorder handed out.
+/// Plays the table on a plant at time 0 and checks every change, its time, and every state after it. `seen` receives
+/// each change that the recorder returned.
 template <class Seen>
 void check_worked_example(plant::Plant& plant, Seen seen) {
   const tables::PlantTables& tables = plant.tables();
@@ -76,7 +76,7 @@ void check_worked_example(plant::Plant& plant, Seen seen) {
   for (const ExampleRow& row : worked_example()) {
     const tables::Time time = row.milliseconds * tables::kMillisecond;
     INFO("at " << row.milliseconds << " ms");
-    // Nothing may happen between the rows.
+    // There must be no change between the rows.
     if (time > 0) plant.advance_to(time - 1, &recorder);
     for (const auto& [name, on] : row.writes) {
       std::size_t found = tables.symbols.size();

@@ -21,16 +21,16 @@ _/FILE-modbusioconf.csv
 _FILE-symbols.csv
 #VER=1.0
 %I0,AUTO,automatic: cycles begin
-%B1,AGV_I_P1,X0001 AGV stands at place 1
-%B2,AGV_I_P2,X0002 AGV stands at place 2
+%B1,AGV_I_P1,X0001 AGV is at P1
+%B2,AGV_I_P2,X0002 AGV is at P2
 %B3,MC_I_IDL1,X0003 machine is idle
 %B4,MC_I_RUN2,X0004 machine is working
-%B15,TO_P2,step: AGV drives to place 2
+%B15,TO_P2,step: AGV drives to P2
 %B16,WORK,step: machine works
 %B17,BACK,step: both go back
 %Q0,ALARM,a step takes too long
-%B11,AGV_O_P2,Y0001 AGV drive to place 2
-%B12,AGV_O_P1,Y0002 AGV drive to place 1
+%B11,AGV_O_P2,Y0001 AGV drive to P2
+%B12,AGV_O_P1,Y0002 AGV drive to P1
 %B13,MC_O_IDL1,Y0003 machine go idle
 %B14,MC_O_RUN2,Y0004 machine start work
 %QW0,CYCLES,cycles completed

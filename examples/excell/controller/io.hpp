@@ -7,7 +7,7 @@
 
 #include "program.hpp"
 
-// libmodbus' handle, so that its header stays in one file.
+// The handle of libmodbus, declared here so that only io.cpp includes its header.
 struct _modbus;
 
 namespace excell {
@@ -18,11 +18,11 @@ class Io {
   Io(const std::string& host, const std::string& port, std::chrono::milliseconds timeout);
 
   bool connected() const { return connected_; }
-  /// Discrete inputs 1 to 4; false where the plant did not answer.
+  /// Reads discrete inputs 1 to 4; false if the plant did not answer.
   bool read(Inputs& in);
-  /// Coils 1 to 4; false where the plant did not answer.
+  /// Writes coils 1 to 4; false if the plant did not answer.
   bool write(const Outputs& out);
-  /// Why the last of these failed.
+  /// Why the last of these calls failed.
   std::string error() const;
 
  private:

@@ -25,7 +25,7 @@ int not_completed(const excell::Program& program, const std::string& why) {
   return kNotCompleted;
 }
 
-/// Scans until all cycles are done, a signal came, or the cell stands still for too long.
+/// Scans until all cycles are done, a signal arrives, or a step waits for too long.
 int run(excell::Io& io, const excell::Options& options) {
   excell::Program program;
   excell::Inputs in;
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGINT, [](int) { stop_asked = 1; });
   std::signal(SIGTERM, [](int) { stop_asked = 1; });
-  std::signal(SIGPIPE, SIG_IGN);  // a plant that goes is told by the next call's fault
+  std::signal(SIGPIPE, SIG_IGN);  // if the plant ends, the next call reports an error
 
   excell::Io io(options->host, options->port, options->connect_timeout);
   if (!io.connected()) {

@@ -15,8 +15,8 @@ const char* const kUsage =
     "\n"
     "  --cycles N            end after N cycles of the cell (default 0: run until a signal)\n"
     "  --scan MS             time of one scan (default 10)\n"
-    "  --connect-timeout MS  keep trying to connect for so long (default 5000)\n"
-    "  --step-timeout MS     give up when a step waits for its input for so long (default 10000)\n"
+    "  --connect-timeout MS  how long to retry the connection (default 5000)\n"
+    "  --step-timeout MS     give up if a step waits longer for its input (default 10000)\n"
     "  --help                print this\n"
     "\n"
     "exit code: 0 good, 1 a cycle was not completed, 2 usage, 3 no connection\n"
@@ -34,7 +34,7 @@ bool parse_address(std::string_view text, Options& options, std::string& error) 
   const std::size_t colon = text.rfind(':');
   std::uint32_t port = 0;
   if (colon == std::string_view::npos || colon == 0 || !parse_number(text.substr(colon + 1), 1, 65'535, port)) {
-    error = "`" + std::string(text) + "` is no HOST:PORT";
+    error = "`" + std::string(text) + "` is not HOST:PORT";
     return false;
   }
   std::string_view host = text.substr(0, colon);
@@ -63,19 +63,19 @@ constexpr std::array kNumberOptions = {
         [](Options& options, std::uint32_t number) { options.step_timeout = std::chrono::milliseconds(number); }},
 };
 
-/// The option of that name and its value; false where there is none, or the value is no number for it.
+/// Sets the option `name` to `value`; false if there is no such option, or the value is not a valid number.
 bool parse_number_option(std::string_view name, const char* value, Options& options, std::string& error) {
   for (const NumberOption& option : kNumberOptions) {
     if (option.name != name) continue;
     std::uint32_t number = 0;
     if (value == nullptr || !parse_number(value, option.least, kMost, number)) {
-      error = std::string(name) + " takes a number from " + std::to_string(option.least) + " on";
+      error = std::string(name) + " takes a number of at least " + std::to_string(option.least);
       return false;
     }
     option.set(options, number);
     return true;
   }
-  error = "`" + std::string(name) + "` is no option";
+  error = "`" + std::string(name) + "` is not an option";
   return false;
 }
 
@@ -93,7 +93,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, std::str
       if (!parse_number_option(word, i + 1 < argc ? argv[i + 1] : nullptr, options, error)) return std::nullopt;
       ++i;
     } else if (!options.port.empty()) {
-      error = "`" + std::string(word) + "` is one word too many";
+      error = "`" + std::string(word) + "` is one argument too many";
       return std::nullopt;
     } else if (!parse_address(word, options, error)) {
       return std::nullopt;

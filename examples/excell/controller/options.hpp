@@ -19,7 +19,7 @@ struct Options {
 
 extern const char* const kUsage;
 
-/// Nothing, with the reason in `error`, where the command line cannot be understood.
+/// The options of the command line. Nothing, and the reason in `error`, if the command line is invalid.
 std::optional<Options> parse_options(int argc, const char* const* argv, std::string& error);
 
 }  // namespace excell

@@ -6,9 +6,9 @@ namespace excell {
 Outputs Program::scan(const Inputs& in, Duration elapsed) {
   waiting_ += elapsed;
 
-  // --- Transitions: a step ends when its input comes on; one transition a scan, as in a sequential function chart.
+  // --- Transitions: a step ends when its input comes on; one transition in a scan, as in a sequential function chart.
   switch (step_) {
-    case Step::home:  // bring the cell to where it starts: AGV at P1, machine idle
+    case Step::home:  // bring the cell to its start position: AGV at P1, machine idle
       if (in.agv_p1 && in.mc_idle1) go(Step::agv_to_p2);
       break;
     case Step::agv_to_p2:  // the AGV brings the part to the machine

@@ -14,7 +14,7 @@ struct Inputs {
   bool mc_run2 = false;   ///< X4  EXLINE_MB_MC_I_RUN2
 };
 
-/// What the plant is told.
+/// The commands to the plant, by the names of the symbol list.
 struct Outputs {
   bool agv_p2 = false;    ///< Y1  EXLINE_MB_AGV_O_P2
   bool agv_p1 = false;    ///< Y2  EXLINE_MB_AGV_O_P1
@@ -22,12 +22,12 @@ struct Outputs {
   bool mc_run2 = false;   ///< Y4  EXLINE_MB_MC_O_RUN2
 };
 
-/// The latches that a PLC keeps from scan to scan.
+/// The program, with the memory that a PLC keeps from scan to scan.
 class Program {
  public:
   using Duration = std::chrono::milliseconds;
 
-  /// One scan. `elapsed` is the time since the scan before.
+  /// Runs one scan. `elapsed` is the time since the previous scan.
   Outputs scan(const Inputs& in, Duration elapsed);
 
   /// Cycles of the cell completed.

@@ -1,4 +1,4 @@
-// How the scales of the plant dosing weigh: material flows in at a rate, and the weight can be read on the way.
+// The behavior of the scales of the plant dosing: material flows in at a rate, and the weight rises meanwhile.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 
 namespace dosing {
 
-/// A way to FULL2 takes what the target needs at the flow of that moment; the weight is shown every 100 ms. A batch is
-/// up to 20 g over its target. Emptying takes what the description says.
+/// The travel time to FULL2 is the time that the target needs at the flow at the start. The weight is updated every
+/// 100 ms. A batch exceeds its target by up to 20 g. The description gives the time of emptying.
 class WeighingScale : public Scale {
  public:
-  /// Weights in g, so that all computers find the same. No gaps: 8 bytes each.
+  /// Weights are integers in g, so that all computers compute the same. Each member has 8 bytes: no padding.
   struct Memory {
     std::int64_t batches;
     std::int64_t target;  ///< of the batch that flows in
     std::int64_t flow;    ///< g/s, while it flows
-    std::int64_t began;   ///< since when it flows, ns
+    std::int64_t began;   ///< when it began to flow, ns
   };
 
   static Time takes(Look& look, Transition transition) noexcept {
@@ -58,7 +58,7 @@ class WeighingScale : public Scale {
   static constexpr Time kSecond = symplant::tables::kSecond;
   static constexpr Time kShown = 100 * kMillisecond;
 
-  /// What the PLC wants, in g: at most 1 t, whatever it writes.
+  /// The target of the PLC in g, limited to 1 t.
   static std::int64_t target(const Look& look) noexcept {
     const double kilograms = look.value<Value::kTARGET>();
     return kilograms > 0 ? static_cast<std::int64_t>(std::min(kilograms, 1000.0) * 1000.0) : 0;

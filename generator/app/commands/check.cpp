@@ -56,7 +56,7 @@ std::string selected_text(const diag::Diagnostics& findings) {
   return text;
 }
 
-/// How many names follow the rule, and what that makes of the plant.
+/// How many names follow the rule, and the number of devices and findings.
 std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
     return symbol.reading.fault == name::NameFault::none;
@@ -69,7 +69,7 @@ std::string result_line(const std::string& list, const model::PlantModel& plant,
                      selected_text(findings));
 }
 
-/// The command, plant by plant.
+/// Runs the command, plant by plant.
 class Check {
  public:
   Check(const CheckOptions& options, Context& context)
@@ -80,6 +80,9 @@ class Check {
         inputs_(options.plants) {}
 
   void run() {
+    for (const std::string& word : selection_.renamed()) {
+      context_.err << "warning: " << check::renamed_rule(word) << "\n";
+    }
     for (const std::string& plant : options_.plants) look_at(plant);
     write_result(context_, options_.output, rendered(), inputs_);
   }
@@ -88,27 +91,27 @@ class Check {
   void look_at(const std::string& file) {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
-    auto plant = analyse({file, options_.plant.read, options_.plant.xy, context_.today, selection_}, context_.files,
+    auto compiled = compile({file, options_.plant.read, options_.plant.xy, context_.today, selection_}, context_.files,
                          progress, diagnostics);
-    if (plant) {
-      const std::vector<std::string> read = plant->input_files();
+    if (compiled) {
+      const std::vector<std::string> read = compiled->plant.input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());
     }
-    if (plant && options_.plant.verbose) report_decisions(context_, *plant);
+    if (compiled && options_.plant.verbose) report_decisions(context_, *compiled);
     if (options_.plant.verbose) report_ignored(context_, diagnostics);
     left_out_.by_description += diagnostics.ignored().size();
     left_out_.by_options += diagnostics.left_out().not_selected + diagnostics.left_out().ignored;
     int code = reaches(diagnostics, fail_on_) ? host::kFindings : host::kGood;
-    if (!plant) code = host::kBadInput;
+    if (!compiled) code = host::kBadInput;
     context_.exit_code = std::max(context_.exit_code, code);
     if (options_.format == "text") {
       text_ += diag::render_text(diagnostics.all(), {context_.colour_out && options_.output.empty(),
                                                      options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
-      if (plant) text_ += result_line(file, *plant, diagnostics);
+      if (compiled) text_ += result_line(file, compiled->plant, diagnostics);
     } else {
-      reports_.push_back({file, std::move(diagnostics), plant.has_value()});
+      reports_.push_back({file, std::move(diagnostics), compiled.has_value()});
     }
-    if (plant) context_.kept = std::make_shared<const model::PlantModel>(std::move(*plant));
+    if (compiled) context_.kept = std::make_shared<const Compiled>(std::move(*compiled));
   }
 
   std::string rendered() {
@@ -131,8 +134,7 @@ class Check {
     }
     if (results > diag::kMostSarifResults) {
       context_.err << fmt::format(
-          "note: {} of {} findings are left out, those of least weight last; --select chooses, --format json lists "
-          "all\n",
+          "note: {} of {} findings are left out, the least severe ones: choose with --select, or use --format json\n",
           results - diag::kMostSarifResults, results);
     }
     return diag::render_sarif(reports_, {tables::version(), context_.folder, context_.exit_code});
@@ -160,27 +162,27 @@ class Check {
 
 void add_check(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Check names and models; say what the model loses by each fault");
-  command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a plant of its own")
+  CLI::App* command = app.add_subcommand("check", "Check names and models; show what the model loses by each fault");
+  command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a separate plant")
       ->required();
   command
       ->add_option("--format", options->format,
                    "text for people, json for programs, sarif for code scanning, junit for the tests of a build server "
-                   "(default: "
-                   "text)")
+                   "(default: text)")
       ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
   command->add_option("--output", options->output, "write the result to this file")->type_name("FILE");
-  command->add_option("--fail-on", options->fail_on, "the severity from which on the exit code is 1 (default: error)")
+  command->add_option("--fail-on", options->fail_on, "the lowest severity that makes the exit code 1 (default: error)")
       ->check(CLI::IsMember({"error", "warning", "note"}));
   command
       ->add_option("--select", options->select,
-                   "tell these rules only: ids, slugs, beginnings of ids (SP4); errors that leave no sound plant are "
-                   "always told")
+                   "report only these rules: ids, slugs, prefixes of ids (SP4); errors that leave no valid plant are "
+                   "always reported")
       ->type_name("RULE,..")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--ignore", options->ignore, "leave these rules out; of --select and --ignore the more exact counts")
+      ->add_option("--ignore", options->ignore,
+                   "do not report these rules; of --select and --ignore the more specific one applies")
       ->type_name("RULE,..")
       ->delimiter(',')
       ->allow_extra_args(false);

@@ -48,7 +48,7 @@ std::string bash(const CLI::App& app) {
 }
 
 std::string zsh(const CLI::App& app) {
-  return "#compdef symplant\n# zsh completion for symplant: put this line into ~/.zshrc, behind compinit:\n"
+  return "#compdef symplant\n# zsh completion for symplant: put this line into ~/.zshrc, after compinit:\n"
          "#   source <(symplant completion zsh)\n_symplant() {\n  local options=\"\"\n  if (( CURRENT == 2 )); then\n"
          "    compadd -- " +
          command_names(app) + " " + long_options(app) + "\n    return\n  fi\n  case \"${words[2]}\" in\n" + cases(app) +

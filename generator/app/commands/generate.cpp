@@ -35,7 +35,7 @@ std::string own_path(const GenerateOptions& options, const emit::OwnFile& file) 
   return (std::filesystem::path(options.behaviours) / file.name).string();
 }
 
-/// --behaviours: writes what is missing of the user's own files, and leaves the others alone. False where it fails.
+/// --behaviours: writes the missing files of the user, and leaves the others unchanged. False if writing fails.
 bool write_own(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
   if (options.behaviours.empty()) return true;
   if (emitted.own_files.empty()) {
@@ -53,7 +53,7 @@ bool write_own(const GenerateOptions& options, const emit::EmitResult& emitted, 
   return true;
 }
 
-/// --check: tells what is missing or differs, writes nothing.
+/// --check: reports files that are missing or differ, writes nothing.
 void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Context& context) {
   for (const emit::EmittedFile& file : emitted.files) {
     const std::string path = in_folder(options, file.name);
@@ -83,10 +83,10 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, std:
     }
     if (*written) ++changed;
   }
-  if (!options.depfile.empty()) {  // last: whoever sees it sees the rest
+  if (!options.depfile.empty()) {  // last: when it exists, all other files do
     const std::vector<std::string> plant_files = inputs;
     inputs.insert(inputs.end(), emitted.inputs.begin(), emitted.inputs.end());
-    if (!options.templates.empty()) inputs.push_back(options.templates);  // its own time tells of templates that come
+    if (!options.templates.empty()) inputs.push_back(options.templates);  // its time changes if a template is added
     if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs), plant_files))
       return;
   }
@@ -102,7 +102,7 @@ void generate(const GenerateOptions& options, Context& context) {
   std::error_code unknown;
   if (!options.templates.empty() && !std::filesystem::is_directory(options.templates, unknown)) {
     context.err << "error: `" << options.templates
-                << "` is no folder: --templates wants the folder with your templates\n";
+                << "` is not a folder: give the folder with your templates\n";
     context.exit_code = host::kBadInput;
     return;
   }
@@ -132,16 +132,16 @@ void add_generate(CLI::App& app, Context& context) {
   command->add_option("--depfile", options->depfile, "write what the files were made from, for make and ninja")
       ->type_name("FILE");
   command
-      ->add_option("--templates", options->templates, "a folder with templates that take the place of the tool's own")
+      ->add_option("--templates", options->templates, "a folder with templates that replace the built-in ones")
       ->type_name("DIR");
   command
       ->add_option("--behaviours", options->behaviours,
-                   "a folder of yours: what is missing of your classes for devices is written there, once")
+                   "the folder of your behavior classes: missing ones are written there, once")
       ->type_name("DIR");
   command->add_flag("--check", options->check, "write nothing; exit code 1 if the folder is out of date");
   add_plant_options(*command, options->plant_options);
   command->footer(
-      "The generated code is your own: the licence of symplant does not extend to it.\n"
+      "The generated code is yours: the license of symplant does not extend to it.\n"
       "Examples:\n  symplant generate plant.json -o plant\n  symplant generate symbols.csv -o plant --check\n"
       "  symplant generate plant.json -o plant --behaviours behaviours");
   command->callback([options, &context] { generate(*options, context); });

@@ -1,4 +1,4 @@
-// symplant init: a plant description to begin with.
+// symplant init: writes a first plant description.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -24,7 +24,7 @@ struct InitOptions {
   bool force = false;
 };
 
-/// The list as seen from where the description will lie; with `/`, which every system reads.
+/// The path of the list relative to the folder of the description, with `/`, which every system accepts.
 std::string list_from(const std::string& output, const std::string& list) {
   namespace fs = std::filesystem;
   std::error_code unknown;
@@ -46,7 +46,7 @@ emit::SkeletonList reference(const InitOptions& options) {
 void init(const InitOptions& options, Context& context) {
   if (!options.output.empty() && !options.force && context.files.read(options.output)) {
     context.err << "error: `" << options.output
-                << "` is there already, and may hold your work: name another file, or say --force\n";
+                << "` already exists, and may contain your work: name another file, or use --force\n";
     context.exit_code = host::kBadInput;
     return;
   }
@@ -57,14 +57,14 @@ void init(const InitOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
-  write_result(context, options.output, emit::skeleton(compiled->plant, reference(options)), {options.list});
+  write_result(context, options.output, emit::skeleton(compiled->plant, compiled->evidence, reference(options)), {options.list});
 }
 
 }  // namespace
 
 void add_init(CLI::App& app, Context& context) {
   auto options = std::make_shared<InitOptions>();
-  CLI::App* command = app.add_subcommand("init", "Begin a plant.json: what was inferred, and what it would pay to say");
+  CLI::App* command = app.add_subcommand("init", "Write a first plant.json: inferred facts, and keys worth giving");
   command->add_option("LIST", options->list, "a symbol list")->required();
   command
       ->add_option("-o,--output", options->output,
@@ -73,7 +73,7 @@ void add_init(CLI::App& app, Context& context) {
   command->add_flag("--force", options->force, "overwrite the file");
   add_plant_options(*command, options->plant_options);
   command->footer(
-      "The description is valid as it stands. Take the `//` away before a key to say it.\n"
+      "The description is valid as it is. To set a key, remove the `//` before it.\n"
       "Examples:\n  symplant init symbols.csv -o plant.json\n  symplant init symbols.csv | less");
   command->callback([options, &context] { init(*options, context); });
 }

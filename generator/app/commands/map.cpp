@@ -1,4 +1,4 @@
-// symplant map: the I/O map.
+// symplant map: shows the I/O map.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -25,14 +25,14 @@ namespace symplant::app {
 namespace {
 
 constexpr std::size_t kColumns = 9;
-constexpr std::size_t kWords = 6;   ///< the column of word orders, shown where some number takes several registers
-constexpr std::size_t kOnLoss = 7;  ///< shown where symbols differ in it
+constexpr std::size_t kWords = 6;   ///< the column of word orders, shown if a number takes several registers
+constexpr std::size_t kOnLoss = 7;  ///< shown if symbols differ in it
 
 struct Row {
   std::array<std::string, kColumns> cells;
 };
 
-/// Columns on a terminal.
+/// The width of a text in columns of a terminal.
 std::size_t width_of(std::string_view text) {
   std::size_t width = 0;
   for (std::size_t at = 0; at < text.size();) {
@@ -62,7 +62,7 @@ std::string table_text(const std::vector<Row>& rows, const std::array<bool, kCol
   return text;
 }
 
-/// Who moves a symbol.
+/// What drives a symbol; `-` for an event that no device drives.
 std::string driver(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t index) {
   const model::Symbol& symbol = plant.symbols[index];
   const auto unit_of = [&](const model::Symbol& of) { return std::string(plant.units[of.unit].path); };
@@ -74,42 +74,42 @@ std::string driver(const model::PlantModel& plant, const tables::PlantTables& ta
   if (symbol.leader != model::kNone && tables.symbols[symbol.leader].moved()) {
     return unit_of(plant.symbols[symbol.leader]);
   }
-  return "nobody";
+  return "-";
 }
 
 bool is_operation(const link::IoPoint& point) {
   return point.table == link::Table::coil || point.table == link::Table::holding_register;
 }
 
-/// Which columns say something in this map.
+/// Which columns are not empty in this map.
 std::array<bool, kColumns> columns_of(const link::IoMap& map, const link::LinkSettings& settings) {
   std::array<bool, kColumns> shown{};
   shown.fill(true);
   const auto any = [&](auto has) { return std::any_of(map.points.begin(), map.points.end(), has); };
-  shown[kWords] = any([](const link::IoPoint& point) { return point.places > 1; });
+  shown[kWords] = any([](const link::IoPoint& point) { return point.width > 1; });
   shown[kOnLoss] =
       any([&](const link::IoPoint& point) { return is_operation(point) && point.on_loss != settings.on_loss; });
   return shown;
 }
 
-/// The map of one controller: what a link to it carries.
+/// The map of one controller: the symbols that a link to it carries.
 std::string map_text(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller) {
   const link::LinkSettings settings = plant.links[controller].settings();
   const link::IoMap map = link::make_io_map(tables, controller, settings);
   std::vector<const link::IoPoint*> points(tables.symbols.size());
   for (const link::IoPoint& point : map.points) points[point.symbol] = &point;
 
-  std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "words", "on loss", "moved by"}}};
+  std::vector<Row> rows{{{"row", "symbol", "address", "IEC", "Modbus", "Modicon", "words", "on loss", "driven by"}}};
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const model::Symbol& symbol = plant.symbols[i];
     if (plant.controller_of(symbol) != controller) continue;
     const link::IoPoint* point = points[i];
     const std::string list = plant.lists.size() == 1 ? "" : diag::visible(plant.list_of(symbol).name()) + ":";
-    const bool wide = point != nullptr && point->places > 1;
+    const bool wide = point != nullptr && point->width > 1;
     const bool operation = point != nullptr && is_operation(*point);
     rows.push_back({{list + std::to_string(symbol.row->line), diag::visible(symbol.name()),
                      diag::visible(symbol.row->vendor_address), diag::visible(symbol.row->iec_address),
-                     point == nullptr ? "-" : place_text(*point), point == nullptr ? "-" : modicon_text(*point),
+                     point == nullptr ? "-" : address_text(*point), point == nullptr ? "-" : modicon_text(*point),
                      wide ? word_order_text(point->word_order) : "",
                      !operation                             ? ""
                      : point->on_loss == link::OnLoss::hold ? "holds"
@@ -119,8 +119,7 @@ std::string map_text(const model::PlantModel& plant, const tables::PlantTables& 
   return table_text(rows, columns_of(map, settings)) + map_notes(tables, map, settings);
 }
 
-/// The controllers whose maps are wanted: all, or those that the links name. Nothing, and an error, where a link is
-/// none that has a map.
+/// The controllers whose maps to show: all, or those that the links name. Nothing, and an error, if a link has no map.
 std::optional<std::vector<std::uint32_t>> wanted(const tables::PlantTables& tables,
                                                  const std::vector<std::string>& links, Context& context) {
   std::vector<std::uint32_t> controllers;
@@ -133,9 +132,9 @@ std::optional<std::vector<std::uint32_t>> wanted(const tables::PlantTables& tabl
     return std::nullopt;
   };
   for (const link::LinkRequest& request : requests) {
-    if (link::is_loop(request.url)) return fail("`loop:` carries symbols by name, it has no map of numbers");
+    if (link::is_loop(request.url)) return fail("`loop:` carries symbols by name, it has no map of addresses");
     if (!request.url.starts_with("modbus-tcp-server:")) {
-      return fail("`" + request.url + "` names no link that has a map: give `modbus-tcp-server://HOST:PORT`");
+      return fail("`" + request.url + "` is not a link with a map: give `modbus-tcp-server://HOST:PORT`");
     }
   }
   const auto chosen = link::choose_links(tables, requests);
@@ -177,7 +176,7 @@ void show(const MapOptions& options, Context& context) {
 
 void add_map(CLI::App& app, Context& context) {
   auto options = std::make_shared<MapOptions>();
-  CLI::App* command = app.add_subcommand("map", "Show where each I/O symbol stands on a link, and who moves it");
+  CLI::App* command = app.add_subcommand("map", "Show the address of each I/O symbol on a link, and what drives it");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("--link", options->links, "[CONTROLLER=]URL: only the map of this link's controller");
   add_plant_options(*command, options->plant_options);

@@ -31,7 +31,7 @@ void show(const ModelOptions& options, Context& context) {
   }
   if (units.empty() && options.device != "*") {
     context.err << "error: no device matches `" << options.device
-                << "`: `*` stands for any text, `?` for one character\n";
+                << "`: `*` matches any text, `?` one character\n";
     context.exit_code = host::kBadInput;
     return;
   }

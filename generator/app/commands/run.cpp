@@ -1,4 +1,4 @@
-// symplant run: the plant without a compiler.
+// symplant run: runs a plant without a compiler.
 #include "symplant/host/run.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ struct RunOptions {
   host::RunOptions run;
 };
 
-/// What the tables do not hold: the rows that are no I/O, and the symbols that are in no device.
+/// Lines about what the tables do not contain: rows that are not I/O, and symbols in no device.
 std::vector<std::string> more(const model::PlantModel& plant) {
   std::vector<std::string> lines;
   std::string internal;
@@ -41,10 +41,11 @@ std::vector<std::string> more(const model::PlantModel& plant) {
     ++(symbol.unmodelled == model::Unmodelled::numeric ? numeric : faulty);
   }
   if (numeric != 0)
-    lines.push_back(fmt::format("in no device: {} numeric, since states come from BOOL; served all the same", numeric));
+    lines.push_back(
+        fmt::format("in no device: {} numeric, since states come from BOOL; on the links nevertheless", numeric));
   if (faulty != 0)
     lines.push_back(
-        fmt::format("in no device: {} by their names; served all the same; `symplant check` says why", faulty));
+        fmt::format("in no device: {} by their names; on the links nevertheless; see `symplant check`", faulty));
   return lines;
 }
 
@@ -53,7 +54,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
 void add_run(CLI::App& app, Context& context) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command =
-      app.add_subcommand("run", "Run the plant, beside a PLC or in virtual time; no compiler is needed");
+      app.add_subcommand("run", "Run the plant, with a PLC or in virtual time; no compiler is needed");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   host::add_run_options(*command, options->run);
   add_plant_options(*command, options->plant_options);

@@ -1,4 +1,4 @@
-// symplant schema: the JSON Schemas of the formats.
+// symplant schema: prints the JSON Schema of a format.
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -19,7 +19,7 @@ namespace {
 
 struct Schema {
   std::string_view format;
-  std::string_view (*text)();  ///< null: this version does not know the format yet
+  std::string_view (*text)();  ///< null: this version does not support the format yet
 };
 constexpr std::array kSchemas{
     Schema{"plant", &description::plant_schema},
@@ -45,10 +45,10 @@ void add_schema(CLI::App& app, Context& context) {
                                            [&](const Schema& schema) { return schema.format == options->format; });
     if (found == kSchemas.end()) {
       context.err << "error: `" << options->format
-                  << "` is no format that has a schema: write plant, scenario, naming or model\n";
+                  << "` is not a format with a schema: write plant, scenario, naming or model\n";
       context.exit_code = host::kBadInput;
     } else if (found->text == nullptr) {
-      context.err << "error: the format `" << options->format << "` is not yet known to this version of symplant\n";
+      context.err << "error: the format `" << options->format << "` is not supported by this version of symplant yet\n";
       context.exit_code = host::kBadInput;
     } else {
       write_result(context, options->output, std::string(found->text()), {});

@@ -21,9 +21,10 @@ void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& foun
 
 }  // namespace
 
-std::vector<WrittenCondition> conditions_of(const model::PlantModel& plant) {
+std::vector<WrittenCondition> conditions_of(const Subject& subject) {
+  const model::PlantModel& plant = subject.plant;
   std::vector<WrittenCondition> found;
-  if (!is_described(plant)) return found;
+  if (!is_described(subject)) return found;
   for (const model::Unit& unit : plant.units) {
     if (!unit.conditions.empty()) add_conditions(unit, found);
   }

@@ -19,6 +19,6 @@ struct WrittenCondition {
 };
 
 /// Those of devices, in the order of their devices. O(transitions).
-std::vector<WrittenCondition> conditions_of(const model::PlantModel& plant);
+std::vector<WrittenCondition> conditions_of(const Subject& subject);
 
 }  // namespace symplant::check

@@ -15,7 +15,7 @@ device (X1F, Y0001, M500, D10).
 **What the model loses.** The symbol has no address from this cell. Without one in the other column its direction is that
 of its name, and it is on no link.
 
-**How to mend it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
+**How to fix it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
 )";
 
 /// An address of X or Y whose digits are hexadecimal, in a list that is read in octal.
@@ -26,7 +26,7 @@ bool is_hexadecimal(std::string_view cell) {
 
 void check_address_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::BadAddress& bad : plant.bad_addresses) {
+  for (const model::BadAddress& bad : subject.evidence.bad_addresses) {
     diagnostics.add(
         rule.info, about(*bad.row),
         fmt::format("`{}` is no address{}: `{}` gets none from it; {}", bad.cell,

@@ -15,7 +15,7 @@ not changed.
 **What the model loses.** Symbols of one address are kept equal: whatever writes one writes all. Where a unit moves one of
 them, the others follow it and say nothing of their own.
 
-**How to mend it.** Give the symbol the address that it has in the wiring, or take the second name away.
+**How to fix it.** Give the symbol the address that it has in the wiring, or take the second name away.
 )";
 
 void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -24,9 +24,9 @@ void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Di
     if (symbol.leader == model::kNone) continue;
     const model::Symbol& leader = plant.symbols[symbol.leader];
     const auto index = static_cast<std::uint32_t>(&symbol - plant.symbols.data());
-    const auto found = std::lower_bound(plant.driven_twice.begin(), plant.driven_twice.end(), index,
+    const auto found = std::lower_bound(subject.evidence.driven_twice.begin(), subject.evidence.driven_twice.end(), index,
                                         [](const auto& pair, std::uint32_t i) { return pair[0] < i; });
-    if (found != plant.driven_twice.end() && (*found)[0] == index) continue;  // SP304 tells
+    if (found != subject.evidence.driven_twice.end() && (*found)[0] == index) continue;  // SP304 tells
     diagnostics.add(
         rule.info, about(symbol, leader),
         fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "

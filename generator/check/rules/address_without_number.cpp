@@ -19,7 +19,7 @@ list order instead, since else they could meet. Here most addresses of a table h
 **What the model loses.** Every coil, input or register of that table stands elsewhere on the link than its address says. The
 PLC's wiring by addresses fails without a word.
 
-**How to mend it.** Correct the address. Or give the symbol a `number` in the description's `links`: then the others keep
+**How to fix it.** Correct the address. Or give the symbol a `number` in the description's `links`: then the others keep
 theirs. A list whose addresses are all of words and bits (`%IX1.15`) is packed as a whole, and nothing is said.
 )";
 

@@ -18,7 +18,7 @@ Where more than half of a list's rows are so, it is told once: then the columns 
 **What the model loses.** The IEC address counts. If it is the wrong one, the symbol stands on another signal's place, or on
 the other side: the plant listens where the PLC says nothing, and the PLC reads what belongs to another device.
 
-**How to mend it.** Correct the column that is wrong, or leave it empty.
+**How to fix it.** Correct the column that is wrong, or leave it empty.
 )";
 
 constexpr std::size_t kFew = 8;
@@ -86,9 +86,9 @@ std::vector<std::string> about_row(const model::PlantModel& plant, const model::
 void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   std::vector<std::size_t> count(plant.lists.size());
-  for (const model::AddressContradiction& found : plant.address_contradictions) ++count[found.list];
+  for (const model::AddressContradiction& found : subject.evidence.address_contradictions) ++count[found.list];
   std::vector<bool> reported(plant.lists.size());
-  for (const model::AddressContradiction& found : plant.address_contradictions) {
+  for (const model::AddressContradiction& found : subject.evidence.address_contradictions) {
     if (reported_of_list(plant, found)) continue;
     const model::PlantList& list = plant.lists[found.list];
     const read::ListRow& row = *found.row;

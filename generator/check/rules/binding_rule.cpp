@@ -11,7 +11,7 @@ plant: a file could not be read, two devices move one event, the description con
 
 **What the model loses.** The entry counts for nothing.
 
-**How to mend it.** Mend what the errors say, and take the entry out.
+**How to fix it.** Mend what the errors say, and take the entry out.
 )";
 
 }  // namespace

@@ -15,7 +15,7 @@ in different ways. So the symbol is in the images and on no register.
 
 **What the model loses.** The PLC can neither write nor read the symbol over Modbus.
 
-**How to mend it.** Give the symbol a register of its own in the description's `links`, by `symbol` and `number`; it lies in the
+**How to fix it.** Give the symbol a register of its own in the description's `links`, by `symbol` and `number`; it lies in the
 lower half. Or use a type of 16 bits (INT, UINT, WORD).
 )";
 

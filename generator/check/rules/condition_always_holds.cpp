@@ -14,13 +14,13 @@ constexpr std::string_view kConditionAlwaysHoldsPage =
 **What the model loses.** The condition holds nobody back: a transition is taken as if it had no `when`, and an input of a
 behaviour is always on. What it was to guard against can happen.
 
-**How to mend it.** Most often `or` stands where `and` was meant. Correct the condition, or leave it out.
+**How to fix it.** Most often `or` stands where `and` was meant. Correct the condition, or leave it out.
 )";
 
 void check_condition_always_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
-  for (const WrittenCondition& condition : conditions_of(plant)) {
+  for (const WrittenCondition& condition : subject.conditions) {
     if (!decide(*condition.tree, plant, all).always()) continue;
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("`{}` always holds, so that {}: correct it or leave it out", condition.text,

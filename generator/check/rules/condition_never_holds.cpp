@@ -15,13 +15,13 @@ time never moves.
 
 **What the model loses.** A transition with such a `when` is never taken, and an input of a behaviour is always off.
 
-**How to mend it.** Most often `and` stands where `or` was meant, or a state of another device. Correct the condition.
+**How to fix it.** Most often `and` stands where `or` was meant, or a state of another device. Correct the condition.
 )";
 
 void check_condition_never_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
-  for (const WrittenCondition& condition : conditions_of(plant)) {
+  for (const WrittenCondition& condition : subject.conditions) {
     if (!decide(*condition.tree, plant, all).never()) continue;
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("`{}` can never hold, so that {}: correct it", condition.text,

@@ -16,13 +16,13 @@ tried together in 4096 combinations at most (twelve symbols). This condition has
 **What the model loses.** Nothing. Only whether the condition can never hold (SP614) or always holds (SP615) is not known, and
 it counts as one that may hold.
 
-**How to mend it.** Nothing to do. Who wants to be sure takes the condition apart.
+**How to fix it.** Nothing to do. Who wants to be sure takes the condition apart.
 )";
 
 void check_condition_not_examined(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   const AllStates all(plant);
-  for (const WrittenCondition& condition : conditions_of(plant)) {
+  for (const WrittenCondition& condition : subject.conditions) {
     if (decide(*condition.tree, plant, all).known()) continue;
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("this condition of `{}` has more than {} combinations of parts that depend on each "

@@ -21,7 +21,7 @@ others while it stands in its state.
 **What the model loses.** Once all of them stand in these states, none can leave any more: the plant is stuck until reset, or
 until a scenario or a person moves one of them. Two devices that come into their states in the same instant are enough.
 
-**How to mend it.** Let one of them disable the other only where the other cannot stand in its own disabling state, or use a
+**How to fix it.** Let one of them disable the other only where the other cannot stand in its own disabling state, or use a
 condition (`when`) on the start of the move instead of `disables`.
 )";
 
@@ -85,7 +85,7 @@ Step step_of(const model::PlantModel& plant, std::uint32_t by, std::uint32_t uni
 
 void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  if (!is_described(plant)) return;
+  if (!is_described(subject)) return;
   const Edges edges = disables_of(plant);
   for (const std::vector<std::uint32_t>& part : strong_parts(edges)) {
     if (part.size() < 2) continue;

@@ -10,7 +10,7 @@ constexpr std::string_view kDateNotUnderstoodPage =
 
 **What the model loses.** The entry counts for nothing, and what it was to hide is told.
 
-**How to mend it.** Correct the date, or leave `until` out where the entry is to count for ever.
+**How to fix it.** Correct the date, or leave `until` out where the entry is to count for ever.
 )";
 
 }  // namespace

@@ -13,7 +13,7 @@ input (X, `%I`).
 **What the model loses.** The address wins, since it is wired; the symbol is taken as what its address says. If the
 address is the one that is wrong, a command of the device is missing, or one of its reports.
 
-**How to mend it.** Correct the name, or the address.
+**How to fix it.** Correct the name, or the address.
 )";
 
 void check_direction_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -13,7 +13,7 @@ rule it is `I` (the PLC reads it: an event of the plant) or `O` (the PLC writes 
 **What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same, in
 the direction of its address.
 
-**How to mend it.** Write `I` or `O` there, as seen from the PLC: `EXLINE_MB_AGV_X_P1` with address X0001 becomes
+**How to fix it.** Write `I` or `O` there, as seen from the PLC: `EXLINE_MB_AGV_X_P1` with address X0001 becomes
 `EXLINE_MB_AGV_I_P1`.
 )";
 

@@ -12,12 +12,12 @@ ASCII letters, as PLC tools do.
 
 **What the model loses.** Nothing: the first row counts, the second is left out.
 
-**How to mend it.** Delete one of the rows.
+**How to fix it.** Delete one of the rows.
 )";
 
 void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::Duplicate& duplicate : plant.duplicates) {
+  for (const model::Duplicate& duplicate : subject.evidence.duplicates) {
     if (!duplicate.same) continue;
     diagnostics.add(
         rule.info, about(*duplicate.second),

@@ -11,7 +11,7 @@ constexpr std::string_view kEmptyLevelPage =
 
 **What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same.
 
-**How to mend it.** Write the missing word, or take the surplus `_` away: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
+**How to fix it.** Write the missing word, or take the surplus `_` away: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
 )";
 
 void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -1,4 +1,4 @@
-// SP304 event-moved-twice: two devices move events on one address.
+// SP304 event-driven-twice: two devices move events on one address.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -12,12 +12,12 @@ answers for it.
 
 **What the model loses.** It cannot be built.
 
-**How to mend it.** Correct the address of one of them.
+**How to fix it.** Correct the address of one of them.
 )";
 
 void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const auto& [second, first] : plant.driven_twice) {
+  for (const auto& [second, first] : subject.evidence.driven_twice) {
     const model::Symbol& a = plant.symbols[first];
     const model::Symbol& b = plant.symbols[second];
     diagnostics.add(
@@ -30,7 +30,7 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
 
 }  // namespace
 
-const Rule kEventDrivenTwice{{"SP304", "event-moved-twice", diag::Severity::error,
+const Rule kEventDrivenTwice{{"SP304", "event-driven-twice", diag::Severity::error,
                               "two devices move events on one address", kEventDrivenTwicePage},
                              check_event_driven_twice};
 

@@ -1,4 +1,4 @@
-// SP404 nobody-moves: inputs of the PLC that nobody moves.
+// SP404 event-not-driven: inputs of the PLC that nobody moves.
 #include <fmt/format.h>
 
 #include <string>
@@ -15,7 +15,7 @@ constexpr std::string_view kEventNotDrivenPage =
 **What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
 person sets them. A program that waits for healthy contacts never starts on them.
 
-**How to mend it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant. Where something in the plant does move
+**How to fix it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant. Where something in the plant does move
 it, say so in plant.json: automatic transitions with a `when`, or a behaviour.
 )";
 
@@ -74,7 +74,7 @@ void check_event_not_driven(const Rule& rule, const Subject& subject, diag::Diag
 }  // namespace
 
 const Rule kEventNotDriven{
-    {"SP404", "nobody-moves", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage},
+    {"SP404", "event-not-driven", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage},
     check_event_not_driven};
 
 }  // namespace symplant::check

@@ -12,7 +12,7 @@ the rest state of a spring nor the next one of a numbered sequence.
 
 **What the model loses.** The event never comes on by itself. A program that waits for it waits for ever.
 
-**How to mend it.** Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`) if the
+**How to fix it.** Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`) if the
 device goes on to this one by itself. In plant.json a transition to the state says what else leads there.
 )";
 
@@ -21,7 +21,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
   for (const model::Unit& unit : plant.units) {
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
-      if (unled(unit, s, subject.overruled) != Unled::no_operation) continue;
+      if (unled(subject, unit, s) != Unled::no_operation) continue;
       const model::Symbol& symbol = event_of(plant, unit, state.event);
       diagnostics.add(
           rule.info, about(symbol),

@@ -10,7 +10,7 @@ over. The findings that it hid are told again.
 
 **What the model loses.** Nothing by the entry; what the findings say, it loses still.
 
-**How to mend it.** Mend what the findings say and take the entry out, or set a new date.
+**How to fix it.** Mend what the findings say and take the entry out, or set a new date.
 )";
 
 }  // namespace

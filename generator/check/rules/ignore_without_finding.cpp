@@ -9,7 +9,7 @@ constexpr std::string_view kIgnoreWithoutFindingPage =
 
 **What the model loses.** Nothing. But an entry that hides nothing today may hide a fault tomorrow.
 
-**How to mend it.** Take the entry out, or correct its pattern. A pattern is compared with the name of the symbol, device (by
+**How to fix it.** Take the entry out, or correct its pattern. A pattern is compared with the name of the symbol, device (by
 its path) or requirement that a finding is about; `*` stands for any text, `?` for one character.
 )";
 

@@ -13,7 +13,7 @@ bracket. Letters and digits of every script are welcome.
 **What the model loses.** The name cannot be cut into levels, so the symbol is in no unit: nothing moves it, and it moves
 nothing. It is served all the same, under the name that it has.
 
-**How to mend it.** Take the character away, or write the separator in its place: `EXLINE-MB_AGV_I_P1` becomes
+**How to fix it.** Take the character away, or write the separator in its place: `EXLINE-MB_AGV_I_P1` becomes
 `EXLINE_MB_AGV_I_P1`.
 )";
 

@@ -15,7 +15,7 @@ constexpr std::string_view kInitialAmbiguousPage =
 
 **What the model loses.** None of them counts: the device starts in its rest state, or else in the first of its states.
 
-**How to mend it.** Leave Initial TRUE with the one event that is on when the plant starts, or say `initial` in plant.json.
+**How to fix it.** Leave Initial TRUE with the one event that is on when the plant starts, or say `initial` in plant.json.
 )";
 
 /// Else it only reports, as the description says, and starts as its Initial has it.
@@ -28,7 +28,7 @@ bool is_state(const model::Unit& unit, const model::Symbol& symbol) {
 void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.initial_candidates < 2) continue;
+    if (evidence_of(subject, unit).initial_candidates < 2) continue;
     std::vector<diag::Related> others;
     const model::Symbol* first = nullptr;
     for (const std::uint32_t index : unit.events) {
@@ -44,7 +44,7 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
     diagnostics.add(
         rule.info, about(*first),
         fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
-                    unit.initial_candidates, unit.path, unit.states[unit.initial].name),
+                    evidence_of(subject, unit).initial_candidates, unit.path, unit.states[unit.initial].name),
         location_of(plant, *first->row, first->row->initial), std::move(others));
   }
 }

@@ -12,7 +12,7 @@ whose symbol comes first in the list.
 
 **What the model loses.** The device may start at the wrong end; the PLC then sees an input on that should be off.
 
-**How to mend it.** Write Initial TRUE with the event that is on when the plant starts, number the tasks, or say `initial` in plant.json.
+**How to fix it.** Write Initial TRUE with the event that is on when the plant starts, number the tasks, or say `initial` in plant.json.
 )";
 
 void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -20,7 +20,7 @@ void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::
   for (const model::Unit& unit : plant.units) {
     // Without an event there is nothing to write TRUE with; of several that are TRUE, SP408 tells.
     if (unit.initial_from != model::InitialFrom::row_order || unit.events.empty()) continue;
-    if (unit.initial_candidates > 1) continue;
+    if (evidence_of(subject, unit).initial_candidates > 1) continue;
     diagnostics.add(rule.info, about(unit),
                     fmt::format("`{}` starts in `{}`, only because its row comes first: {}", unit.path,
                                 unit.states[unit.initial].name,

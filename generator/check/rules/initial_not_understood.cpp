@@ -14,7 +14,7 @@ constexpr std::string_view kInitialNotUnderstoodPage =
 **What the model loses.** The symbol starts off, or at 0. Where it was to say in which state a device starts, the device
 starts in another one.
 
-**How to mend it.** Correct the cell, or leave it empty.
+**How to fix it.** Correct the cell, or leave it empty.
 )";
 
 void check_initial_not_understood(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -19,7 +19,7 @@ word is rare, and the one that is meant is at least eight times as common (a tas
 the PLC's command moves nothing, or it lacks an event, and the PLC waits for it in vain. Patterns of plant.json pass the
 symbol by.
 
-**How to mend it.** Write the word that is meant. Where two words are meant, leave the finding out by `check.ignore` in
+**How to fix it.** Write the word that is meant. Where two words are meant, leave the finding out by `check.ignore` in
 plant.json.
 )";
 

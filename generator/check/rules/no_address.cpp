@@ -14,7 +14,7 @@ constexpr std::string_view kNoAddressPage =
 **What the model loses.** Nothing within the plant: they are modelled and traced. But they are on no link, so no PLC writes
 or reads them.
 
-**How to mend it.** Give them addresses where a PLC should see them.
+**How to fix it.** Give them addresses where a PLC should see them.
 )";
 
 void check_no_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

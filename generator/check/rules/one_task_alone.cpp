@@ -15,7 +15,7 @@ alike that differ in digits only: `CLAMP1`, `CLAMP2`.
 **What the model loses.** A state. The device was given a rest state without an event in its place (inference 1): it returns there
 like a spring, and nothing reports it. A program that waits for the other task waits for ever.
 
-**How to mend it.** Add the rows of the missing task. If the device really has one, leave the finding out in plant.json,
+**How to fix it.** Add the rows of the missing task. If the device really has one, leave the finding out in plant.json,
 section `check`.
 )";
 

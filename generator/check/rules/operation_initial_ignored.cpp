@@ -12,7 +12,7 @@ until a PLC, a scenario or a person sets them.
 
 **What the model loses.** Nothing, if the PLC writes its outputs as every PLC does.
 
-**How to mend it.** Nothing to do.
+**How to fix it.** Nothing to do.
 )";
 
 void check_operation_initial_ignored(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

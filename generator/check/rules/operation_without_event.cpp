@@ -14,7 +14,7 @@ constexpr std::string_view kOperationWithoutEventPage =
 **What the model loses.** The device moves to that state and nothing tells the PLC. A program that waits for the report
 waits for ever. Most often the event is missing in the list, or its task is spelled in another way.
 
-**How to mend it.** Add the event, or spell both tasks alike; or let `outputs` in plant.json switch an event in that state. Devices without any event (lamps, plain motors) are not
+**How to fix it.** Add the event, or spell both tasks alike; or let `outputs` in plant.json switch an event in that state. Devices without any event (lamps, plain motors) are not
 meant by this rule.
 )";
 
@@ -28,7 +28,7 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
 void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.events.empty() || unit.two_words || unit.has_behaviour()) continue;  // the user's code reports
+    if (unit.events.empty() || evidence_of(subject, unit).two_words || unit.has_behaviour()) continue;  // the user's code reports
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
       if (state.operation == model::kNone || state.event != model::kNone) continue;

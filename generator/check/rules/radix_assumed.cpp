@@ -12,7 +12,7 @@ MELSEC and an IEC address that would prove it, and numbers occur for which it ma
 
 **What the model loses.** Nothing within the plant. On a link, `X0010` is place 16 in hexadecimal and place 8 in octal.
 
-**How to mend it.** Say `--xy hex` or `--xy octal` (in plant.json `"xy"` beside the list's file), or export the IEC addresses
+**How to fix it.** Say `--xy hex` or `--xy octal` (in plant.json `"xy"` beside the list's file), or export the IEC addresses
 as well.
 )";
 

@@ -14,7 +14,7 @@ for all of them.
 **What the model loses.** MELSEC addresses of this list, where no IEC address stands beside them, are read in the other way:
 `X0010` is place 16 in hexadecimal and place 8 in octal.
 
-**How to mend it.** Lists of two controllers: give each its own `"controller"`. Lists of one: correct the wrong addresses, or
+**How to fix it.** Lists of two controllers: give each its own `"controller"`. Lists of one: correct the wrong addresses, or
 the `"xy"`.
 )";
 

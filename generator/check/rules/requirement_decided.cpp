@@ -15,7 +15,7 @@ conditions always holds.
 **What the model loses.** A requirement that cannot fail looks like a passed test and tests nothing. One that cannot be met
 fails in every run.
 
-**How to mend it.** Correct the condition, or give the devices it names the transitions that they lack; `unreachable-state`
+**How to fix it.** Correct the condition, or give the devices it names the transitions that they lack; `unreachable-state`
 (SP610) names those. Where only a scenario brings about what is forbidden, ignore this finding in plant.json with a `why`.
 )";
 
@@ -77,7 +77,7 @@ class Requirements {
 
 void check_requirement_decided(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  if (plant.requirements.empty() || !is_described(plant)) return;
+  if (plant.requirements.empty() || !is_described(subject)) return;
   Requirements requirements(rule, plant, diagnostics);
   for (std::size_t i = 0; i < plant.requirements.size(); ++i) requirements.look_at(i);
 }

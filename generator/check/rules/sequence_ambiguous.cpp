@@ -12,13 +12,13 @@ number; but several states have that number.
 
 **What the model loses.** Nothing leads to the state: its event never comes on by itself.
 
-**How to mend it.** Give each state of the sequence a number of its own, or add the operation.
+**How to fix it.** Give each state of the sequence a number of its own, or add the operation.
 )";
 
 void check_sequence_ambiguous(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    for (const std::uint32_t state : unit.ambiguous_sequence) {
+    for (const std::uint32_t state : evidence_of(subject, unit).ambiguous_sequence) {
       if (unit.reaches(state)) continue;  // by what the description says
       const model::Symbol& symbol = event_of(plant, unit, unit.states[state].event);
       diagnostics.add(

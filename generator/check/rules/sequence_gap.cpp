@@ -15,7 +15,7 @@ constexpr std::string_view kSequenceGapPage =
 **What the model loses.** A state, if its rows are missing: the device steps from `P2` to `P4`, and a program that waits for `P3`
 waits for ever. Nothing, if the number was merely skipped: the order stays the same.
 
-**How to mend it.** Add the rows of the missing number, or number the tasks without a gap.
+**How to fix it.** Add the rows of the missing number, or number the tasks without a gap.
 )";
 
 /// The step from one number to the next, where most steps are alike and few numbers are missing; 0 else.

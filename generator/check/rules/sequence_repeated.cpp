@@ -14,7 +14,7 @@ constexpr std::string_view kSequenceRepeatedPage =
 **What the model loses.** The order. Which of the two comes first is decided by their rows, and a state that should come by
 itself after them, or is one of them, is not reached, or from the wrong one.
 
-**How to mend it.** Give each task of the sequence a number of its own, or say its `transitions` in plant.json.
+**How to fix it.** Give each task of the sequence a number of its own, or say its `transitions` in plant.json.
 )";
 
 /// The second of the only two states that share a number; nothing where none or more do.

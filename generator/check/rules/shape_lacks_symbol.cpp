@@ -18,7 +18,7 @@ symbol; where several devices lack it, more than one in eight, that counts as me
 reported, without its number a scenario or a requirement has nothing to set or to read. The device becomes another type than the
 others, and may be taken for what it is not, a single solenoid, say.
 
-**How to mend it.** Add the row, or spell its task as the others do. If the device really is another one, leave the finding out
+**How to fix it.** Add the row, or spell its task as the others do. If the device really is another one, leave the finding out
 in plant.json, section `check`.
 )";
 

@@ -18,7 +18,7 @@ constexpr std::string_view kStateNeverLeftPage =
 **What the model loses.** Once there, the device stays for ever and ignores its operations. A program that commands it away
 waits for ever.
 
-**How to mend it.** Give the device a transition out of the state in plant.json, take `"only": true` away so that the ways of
+**How to fix it.** Give the device a transition out of the state in plant.json, take `"only": true` away so that the ways of
 its operations are derived again, or mend the conditions that the related places show.
 )";
 
@@ -35,7 +35,7 @@ std::uint32_t command_away(const model::Unit& unit, std::uint32_t state) {
 
 void check_state_never_left(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  if (!is_described(plant)) return;
+  if (!is_described(subject)) return;
   const Reach reach(plant);
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
     const model::Unit& unit = plant.units[u];

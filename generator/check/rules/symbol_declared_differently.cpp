@@ -13,12 +13,12 @@ ASCII letters, as PLC tools do.
 
 **What the model loses.** It cannot be built: whichever row counted, the PLC program may mean the other.
 
-**How to mend it.** Rename one of the symbols, or delete the row that is wrong.
+**How to fix it.** Rename one of the symbols, or delete the row that is wrong.
 )";
 
 void check_symbol_declared_differently(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::Duplicate& duplicate : plant.duplicates) {
+  for (const model::Duplicate& duplicate : subject.evidence.duplicates) {
     if (duplicate.same) continue;
     const auto controller = [&](const read::ListRow& row) { return plant.lists[plant.list_of(row)].controller; };
     const bool other = controller(*duplicate.first) != controller(*duplicate.second);

@@ -1,4 +1,4 @@
-// SP316 places-overlap: two symbols stand on one place of a link.
+// SP316 symbols-overlap: two symbols stand on one place of a link.
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -11,14 +11,14 @@ nothing else is said a symbol's number is its address's own, counted in register
 
 **What the model loses.** What the PLC writes for one of them would reach the other.
 
-**How to mend it.** Correct the addresses, or give one of the two another `number` in `links`. `symplant map` shows who stands
+**How to fix it.** Correct the addresses, or give one of the two another `number` in `links`. `symplant map` shows who stands
 where.
 )";
 
 }  // namespace
 
 /// Fired by what makes the map of a link (app/map_findings.cpp).
-const Rule kSymbolsOverlap{{"SP316", "places-overlap", diag::Severity::error,
+const Rule kSymbolsOverlap{{"SP316", "symbols-overlap", diag::Severity::error,
                             "two symbols stand on one place of a link", kSymbolsOverlapPage}};
 
 }  // namespace symplant::check

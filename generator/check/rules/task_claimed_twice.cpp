@@ -13,7 +13,7 @@ comes from an address that overruled its name (the address wins, since it is wir
 **What the model loses.** The first row keeps the task; the other symbol is in no unit: it is served all the same, but
 moves nothing and is not moved.
 
-**How to mend it.** Correct the name or the address of one of them.
+**How to fix it.** Correct the name or the address of one of them.
 )";
 
 void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -17,7 +17,7 @@ are the only tasks of the device, or two forms of one word.
 **What the model loses.** If both words mean one state, the device has one state too many: it goes to CLAMP and CLAMPED is
 never reported. A program that waits for it waits for ever.
 
-**How to mend it.** Spell both alike (`O_CLAMP`, `I_CLAMP`). If they are two states, add the operation or the event that is
+**How to fix it.** Spell both alike (`O_CLAMP`, `I_CLAMP`). If they are two states, add the operation or the event that is
 missing.
 )";
 
@@ -69,7 +69,7 @@ bool are_two_states(const Subject& subject, const model::Unit& unit) {
 void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.two_words) {
+    if (evidence_of(subject, unit).two_words) {
       if (are_two_states(subject, unit)) continue;
       const bool first = unit.states[0].operation != model::kNone;
       report(rule, plant, unit, unit.states[first ? 0 : 1], unit.states[first ? 1 : 0], diagnostics);

@@ -13,7 +13,7 @@ constexpr std::string_view kTypeAgainstAddressPage =
 **What the model loses.** The symbol is in the model, but on no link: where it would stand there is anybody's guess, and
 might be another symbol's place.
 
-**How to mend it.** Correct the type or the address: BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`;
+**How to fix it.** Correct the type or the address: BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`;
 32-bit ones with `%ID`, `%QD`.
 )";
 

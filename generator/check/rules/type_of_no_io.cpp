@@ -13,12 +13,12 @@ SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL, LREAL. Most often the type is
 **What the model loses.** The whole symbol: the row counts as internal. It is in no image and on no link, and its device lacks a
 command or a report.
 
-**How to mend it.** Write the type, or put the row's cells back into their columns.
+**How to fix it.** Write the type, or put the row's cells back into their columns.
 )";
 
 void check_type_of_no_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::TypelessIo& io : plant.typeless_io) {
+  for (const model::TypelessIo& io : subject.evidence.typeless_io) {
     diagnostics.add(
         rule.info, about(*io.row),
         fmt::format("`{}` is no type of an input or output, so `{}` on `{}` is left out; write BOOL, or the "

@@ -12,12 +12,12 @@ should tell devices apart is the same for all of them.
 
 **What the model loses.** All its symbols are in no unit: nothing moves them. They are served all the same.
 
-**How to mend it.** Look at the device level of the names: a rule with another level as the device may fit.
+**How to fix it.** Look at the device level of the names: a rule with another level as the device may fit.
 )";
 
 void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  for (const model::TooLarge& large : plant.too_large) {
+  for (const model::TooLarge& large : subject.evidence.too_large) {
     diagnostics.add(
         rule.info, {std::string(large.path)},
         fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "

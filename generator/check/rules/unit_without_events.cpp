@@ -11,7 +11,7 @@ constexpr std::string_view kUnitWithoutEventsPage =
 
 **What the model loses.** Nothing, if the device is like that. It moves, and the PLC is never told.
 
-**How to mend it.** Nothing to do, unless its events are named for another device.
+**How to fix it.** Nothing to do, unless its events are named for another device.
 )";
 
 void check_unit_without_events(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

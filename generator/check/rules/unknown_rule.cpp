@@ -10,7 +10,7 @@ constexpr std::string_view kUnknownRulePage =
 
 **What the model loses.** The entry counts for nothing, and what it was to hide or to raise is told as ever.
 
-**How to mend it.** Correct the name; the message says the nearest.
+**How to fix it.** Correct the name; the message says the nearest.
 )";
 
 }  // namespace

@@ -20,7 +20,7 @@ moves (push buttons, doors) count as standing anywhere. Two devices that wait fo
 **What the model loses.** The state is never entered, so its event never comes on, and what waits for it waits for ever. Only
 a scenario or a person at the panel can put the device there.
 
-**How to mend it.** Give the device a transition to the state in plant.json, take `"only": true` away, or mend the condition
+**How to fix it.** Give the device a transition to the state in plant.json, take `"only": true` away, or mend the condition
 that the related places show. If only a scenario is meant to enter the state (a fault, say), tell `check` so in plant.json:
 `"check": { "ignore": [ { "rule": "unreachable-state", "symbols": "THE_DEVICE", "why": "..." } ] }`.
 )";
@@ -55,13 +55,13 @@ diag::Location position_of_state(const model::PlantModel& plant, const model::Un
 
 void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  if (!is_described(plant)) return;
+  if (!is_described(subject)) return;
   const Reach reach(plant);
   for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
     const model::Unit& unit = plant.units[u];
     if (unit.described == nullptr) continue;
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
-      if (reach.settled(u, s) || unled(unit, s, subject.overruled) != Unled::no) continue;
+      if (reach.settled(u, s) || unled(subject, unit, s) != Unled::no) continue;
       std::vector<diag::Related> routes;
       bool reported = true;  // SP614 tells
       for (const model::Transition& transition : unit.transitions) {

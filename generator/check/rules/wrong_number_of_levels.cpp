@@ -13,7 +13,7 @@ constexpr std::string_view kWrongNumberOfLevelsPage =
 **What the model loses.** Nobody can tell which device the symbol belongs to, so it is in no unit: nothing moves it, and
 it moves nothing. It is served all the same: it is in the images, on the links and in the traces, and can be set by hand.
 
-**How to mend it.** Give the name the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
+**How to fix it.** Give the name the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
 `EXLINE_MB_AGVFAST_O_P2`.
 )";
 

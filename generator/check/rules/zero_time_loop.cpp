@@ -17,7 +17,7 @@ constexpr std::string_view kZeroTimeLoopPage =
 **What the model loses.** The device would go round for ever within one instant. The running plant finds that out after 200
 rounds: it names the device and freezes it until reset (*instantaneous loop*).
 
-**How to mend it.** Give one of the transitions a time (`"after": "1s"`) or a condition (`when`).
+**How to fix it.** Give one of the transitions a time (`"after": "1s"`) or a condition (`when`).
 )";
 
 constexpr std::uint32_t kNowhere = model::kNone;
@@ -43,7 +43,7 @@ std::vector<std::uint32_t> instant_transitions(const model::PlantModel& plant, c
 
 void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  if (!is_described(plant)) return;
+  if (!is_described(subject)) return;
   for (const model::Unit& unit : plant.units) {
     // The user's code has its own times.
     if (unit.described == nullptr || unit.has_behaviour()) continue;

@@ -1,4 +1,4 @@
-// SP603: two equally specific patterns say different things of a device.
+// SP603: two equally specific patterns give a key of a device different values.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -9,15 +9,15 @@ inline constexpr diag::RuleInfo kContradictoryPatterns{
     .id = "SP603",
     .slug = "contradictory-patterns",
     .severity = diag::Severity::error,
-    .summary = "two equally specific patterns say different things of a device",
+    .summary = "two equally specific patterns give a key of a device different values",
     .page =
-        R"page(Several entries of `"devices"` may speak of one device. Key by key an exact name beats every pattern, and of patterns the one
-with more literal characters wins. Here two patterns with equally many give one key different values, and neither an exact
+        R"page(Several entries of `"devices"` may match one device. Key by key an exact name beats every pattern, and of patterns
+the one with more literal characters wins. Here two patterns with equally many give one key different values, and neither an exact
 name nor a more specific pattern decides.
 
-**What the model loses.** It cannot be built: which of the two is meant is not to be guessed.
+**What the model loses.** It cannot be built: symplant does not guess which of the two is meant.
 
-**How to mend it.** Make one of the patterns longer, or say it once more under the device's own name; or let both say the same.
+**How to fix it.** Make one of the patterns longer, or set the key under the device's exact name; or give both the same value.
 )page"};
 
 }  // namespace symplant::description

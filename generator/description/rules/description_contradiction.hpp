@@ -1,4 +1,4 @@
-// SP607: a plant description says what cannot be.
+// SP607: a plant description contradicts itself or the symbol list.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -9,15 +9,15 @@ inline constexpr diag::RuleInfo kDescriptionContradiction{
     .id = "SP607",
     .slug = "description-contradiction",
     .severity = diag::Severity::error,
-    .summary = "a plant description says what cannot be",
+    .summary = "a plant description contradicts itself or the symbol list",
     .page =
-        R"page(Each name is known, but together they make no sense: a transition of a state to itself, the same transition twice, an
-`automatic` one with an operation, a `rest` state where nothing springs back, a state added that a symbol names already, a
-device that disables itself, a device or a requirement that is described twice.
+        R"page(Each name is known, but the entries contradict each other: a transition of a state to itself, the same transition
+twice, an `automatic` one with an operation, a `rest` state without a spring, an added state that a symbol already
+names, a device that disables itself, a device or a requirement that is described twice.
 
-**What the model loses.** It cannot be built, since one half of what is said would have to be passed over.
+**What the model loses.** It cannot be built, because a part of the description would have to be ignored.
 
-**How to mend it.** The message says what to leave out or to add.
+**How to fix it.** The message says what to remove or to add.
 )page"};
 
 }  // namespace symplant::description

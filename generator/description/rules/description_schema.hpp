@@ -11,14 +11,14 @@ inline constexpr diag::RuleInfo kDescriptionSchema{
     .severity = diag::Severity::error,
     .summary = "a plant description does not fit its format",
     .page =
-        R"page(The file is JSON, but not of the shape that a `plant.json` has: a key that is unknown there (the nearest known one is
-told), a text where a number belongs, a missing key, a text that is no duration; or it is another kind of file
-altogether, or one of a version of the format that this symplant does not read.
+        R"page(The file is JSON, but it does not have the shape of a `plant.json`: an unknown key (the message names the nearest known
+one), a text in place of a number, a missing key, an invalid duration; or it is another kind of file, or uses a version
+of the format that this symplant does not read.
 
-**What the model loses.** It cannot be built, and nothing is written: what is not understood is never passed over, or a
-slip of the keyboard would silently change the plant.
+**What the model loses.** It cannot be built, and nothing is written: symplant never ignores what it does not understand,
+because then a typing mistake would silently change the plant.
 
-**How to mend it.** The message says what is there and what is wanted. The whole format is in the manual's page on
+**How to fix it.** The message names the actual and the expected value. The whole format is in the manual's page on
 plant.json and in the schema, `symplant schema plant`.
 )page"};
 

@@ -1,4 +1,4 @@
-// SP605: some devices lack what is said of them under a pattern.
+// SP605: some devices lack a name that a pattern's entry uses.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -9,15 +9,15 @@ inline constexpr diag::RuleInfo kLeftOutForSome{
     .id = "SP605",
     .slug = "left-out-for-some",
     .severity = diag::Severity::warning,
-    .summary = "some devices lack what is said of them under a pattern",
+    .summary = "some devices lack a name that a pattern's entry uses",
     .page =
-        R"page(An entry under a pattern names a state, an operation or an event that some of the devices have and others lack. For those
-it is left out: the others have it.
+        R"page(An entry under a pattern names a state, an operation or an event that some of the devices have and others lack. It is left
+out for the devices that lack it.
 
-**What the model loses.** Nothing where that was meant. Where those devices ought to have it, a symbol is missing in the list,
-or its name has a slip.
+**What the model loses.** Nothing if that is intended. If those devices should have it, a symbol is missing in the list, or
+its name has a slip.
 
-**How to mend it.** Make the pattern fit only the devices that are meant, or say it under their own names.
+**How to fix it.** Make the pattern match only the intended devices, or describe these under their names.
 )page"};
 
 }  // namespace symplant::description

@@ -12,12 +12,12 @@ inline constexpr diag::RuleInfo kPatternMatchesNothing{
     .summary = "a pattern matches no device",
     .page =
         R"page(A pattern (`*` is any text, `?` one character) is compared with the whole of LINE_PROC_DEV, without regard to the case of
-letters. This one fits none of the plant's devices.
+letters. This one matches no device of the plant.
 
-**What the model loses.** What stands under it counts for nobody.
+**What the model loses.** The entry applies to no device.
 
-**How to mend it.** Mind the levels: the devices of a line are `EXLINE_*`, a kind of device in any line and process `*_STOPPER?`.
-Or delete the entry, where the devices are gone from the list.
+**How to fix it.** Check the levels: the devices of a line are `EXLINE_*`, a kind of device in any line and process `*_STOPPER?`.
+If the devices are no longer in the list, delete the entry.
 )page"};
 
 }  // namespace symplant::description

@@ -1,4 +1,4 @@
-// SP101: a file could not be read at all.
+// SP101: a file could not be read.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -11,13 +11,13 @@ inline constexpr diag::RuleInfo kCannotReadFile{
     .severity = diag::Severity::error,
     .summary = "a file cannot be read",
     .page =
-        R"page(The list that was named cannot be opened or read: it does not exist, it is a folder, its permissions forbid it, or the
+        R"page(The named list cannot be opened or read: it does not exist, it is a folder, its permissions forbid it, or the
 disk failed. The message gives the reason.
 
 **What the model loses.** It cannot be built: no row is known, and nothing is written.
 
-**How to mend it.** Correct the path, which counts from the folder that the tool was started in, or the permissions
-(`ls -l`). Give the list itself, not the folder that it lies in.
+**How to fix it.** Correct the path, which is relative to the folder in which the tool was started, or the permissions
+(`ls -l`). Give the list itself, not its folder.
 )page"};
 
 }  // namespace symplant::read

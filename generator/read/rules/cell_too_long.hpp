@@ -1,4 +1,4 @@
-// SP111: a cell so long that it can be no name, address, type or value.
+// SP111: a cell is too long to be a name, address, type or value.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ inline constexpr diag::RuleInfo kCellTooLong{
     .severity = diag::Severity::error,
     .summary = "a cell is longer than 65,536 bytes",
     .page =
-        R"page(A class, name, address, type or initial value of more than 65,536 bytes is none. It stands in a file whose line ends were
-lost, or behind a quote that is closed far below. Comments may be as long as they like.
+        R"page(A class, name, address, type or initial value is never longer than 65,536 bytes. The line ends of the file
+were lost, or a quote before it is closed far below. The length of comments is not limited.
 
 **What the model loses.** It cannot be built: it is not known which rows are meant. Nothing is written.
 
-**How to mend it.** Export the list again, or put back the line end or quote that is missing.
+**How to fix it.** Export the list again, or restore the missing line end or quote.
 )page"};
 
 }  // namespace symplant::read

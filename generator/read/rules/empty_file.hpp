@@ -1,4 +1,4 @@
-// SP103: a list holds nothing but blanks.
+// SP103: a list is empty or holds only blanks.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -11,11 +11,11 @@ inline constexpr diag::RuleInfo kEmptyFile{
     .severity = diag::Severity::error,
     .summary = "a list is empty",
     .page =
-        R"page(The file is empty, or holds only blanks and line ends. Most often an export was broken off.
+        R"page(The file is empty, or holds only blanks and line ends. Most often an export was interrupted.
 
 **What the model loses.** It cannot be built: without symbols there is no plant. Nothing is written.
 
-**How to mend it.** Export the list again, and look at its size before it is used.
+**How to fix it.** Export the list again, and check the size of the file.
 )page"};
 
 }  // namespace symplant::read

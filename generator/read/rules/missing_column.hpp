@@ -12,11 +12,11 @@ inline constexpr diag::RuleInfo kMissingColumn{
     .summary = "a list has no column of identifiers",
     .page =
         R"page(A header was found by at least three of its columns (class, addresses, type ...), but none of its columns is one of
-identifiers. A device and its states are read from the names of its symbols, so nothing can stand in for them.
+identifiers. A device and its states are read from the names of its symbols, so nothing can replace them.
 
 **What the model loses.** It cannot be built, and nothing is written.
 
-**How to mend it.** Export the list with its identifiers, or name their column `Identifier`, `Label Name`, `Variable` or
+**How to fix it.** Export the list with its identifiers, or name their column `Identifier`, `Label Name`, `Variable` or
 `Name`, in whatever case.
 )page"};
 

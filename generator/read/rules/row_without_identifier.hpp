@@ -15,10 +15,10 @@ inline constexpr diag::RuleInfo kRowWithoutIdentifier{
 rows look like this, and so does an address that was reserved and never named.
 
 **What the model loses.** The row is left out: it gives no symbol, and its address is not served unless another row has
-it.
+the same address.
 
-**How to mend it.** Name the symbol, or delete the row. Where many rows are reported, look with `--verbose` at which
-column was taken for the identifiers.
+**How to fix it.** Name the symbol, or delete the row. If many rows are reported, check with `--verbose` which column
+was taken for the identifiers.
 )page"};
 
 }  // namespace symplant::read

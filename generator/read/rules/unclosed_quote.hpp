@@ -1,4 +1,4 @@
-// SP108: a quote opens a cell and nothing closes it up to the end of the file.
+// SP108: the quote that opens a cell is not closed before the end of the file.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -12,12 +12,12 @@ inline constexpr diag::RuleInfo kUnclosedQuote{
     .summary = "a quoted cell is never closed",
     .page =
         R"page(A cell that begins with `"` goes on, over line ends too, up to the next `"` that is not doubled. Here there is none: the
-cell would swallow the rest of the list. The place is where its quote opens. The fault itself may stand further up,
-where a quote too many made all that follow change sides; SP110 then often shows the row.
+cell would swallow the rest of the list. The location is that of the opening quote. The mistake itself may be further
+up: one quote too many turns every opening quote after it into a closing one. SP110 then often shows the row.
 
 **What the model loses.** It cannot be built: it is not known which rows are meant. Nothing is written.
 
-**How to mend it.** Close the quote, or take it away. A quote within a quoted cell is written twice: `"the 5"" valve"`.
+**How to fix it.** Close the quote, or remove it. A quote within a quoted cell is written twice: `"the 5"" valve"`.
 )page"};
 
 }  // namespace symplant::read

@@ -1,4 +1,4 @@
-// SP106: the option `--input-format` names no format that is known.
+// SP106: the option `--input-format` names an unknown format.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -9,15 +9,14 @@ inline constexpr diag::RuleInfo kUnknownInputFormat{
     .id = "SP106",
     .slug = "unknown-input-format",
     .severity = diag::Severity::error,
-    .summary = "--input-format names no known format",
+    .summary = "--input-format names an unknown format",
     .page =
-        R"page(The word after `--input-format` is no format of a list that can be read. The message names those that are; they are
-written in lower case.
+        R"page(The word after `--input-format` is not a known format of a list. The message names the known formats in lower case.
 
 **What the model loses.** It cannot be built: the list is not even opened, and nothing is written.
 
-**How to mend it.** Write one of the names in the message, or leave the option out: the format is then told by what
-stands in the file.
+**How to fix it.** Write one of the names in the message, or omit the option: the format is then recognized by
+the content of the file.
 )page"};
 
 }  // namespace symplant::read

@@ -1,5 +1,5 @@
-// Shows the model of the JSON in #data: a tree of devices, and the one that the address names. A user's texts only ever
-// become text nodes and attributes, by the DOM's own functions.
+// Shows the model of the JSON in #data: a tree of devices, and the device that the address names. A user's texts become
+// text nodes and attributes only, by functions of the DOM.
 "use strict";
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
@@ -30,7 +30,7 @@
   const deviceLink = (path) => unitOfPath.has(path)
     ? make("a", {href: "#d" + unitOfPath.get(path), class: "code"}, path) : code(path);
 
-  // The tree: a line, its processes, their devices; what is closed is not made yet.
+  // The tree: lines, their processes, their devices. The content of a branch is made when it is first opened.
   const lineMap = new Map();
   data.units.forEach((unit, index) => {
     if (!lineMap.has(unit.line)) lineMap.set(unit.line, new Map());
@@ -111,7 +111,7 @@
     if (wanted) showFound(wanted); else showTree();
   });
 
-  // The chart of a device: its kind's layout, its own initial state.
+  // The chart of a device: the layout of its kind, and its initial state.
   const drawText = (x, y, text, name) => draw("text", {x, y, class: name || ""}, text);
   const drawChart = (unit, kind) => {
     const layout = data.layouts[kind.layout];
@@ -199,7 +199,7 @@
       content.push(section("Conditions", table(null, unit.conditions.map((text, i) => ["c" + (i + 1), code(text)]))));
     }
     if (unit.behaviour) {
-      content.push(section("Behaviour", make("p", {}, "The user's own class ", code(unit.behaviour), "."),
+      content.push(section("Custom behavior", make("p", {}, "The class ", code(unit.behaviour), "."),
         unit.inputs.length ? table(["input", "condition"], unit.inputs.map(([name, text]) => [name, code(text)])) : null));
     }
     if (unit.requirements) {
@@ -210,15 +210,15 @@
 
   const requirementTable = (rows) => table(["name", "must hold"], rows.map(([name, text]) => [name, code(text)]));
   const showRequirements = () => [make("h1", {}, "Requirements"), data.requirements.length
-    ? requirementTable(data.requirements) : make("p", {}, "The description has none.")];
+    ? requirementTable(data.requirements) : make("p", {}, "The description has no requirements.")];
 
   const showNone = () => {
     const rows = data.symbols.filter((symbol) => symbol[UNIT] < 0);
-    return [make("h1", {}, "Symbols in no device"), make("p", {}, "They are served all the same: in the images, on the links, in traces."),
+    return [make("h1", {}, "Symbols in no device"), make("p", {}, "They are nevertheless in the images, on the links and in traces."),
       rows.length ? table(["symbol", "direction", "address", "IEC", "type", "row", "why"], rows.map((symbol) => [
         code(symbol[NAME]), symbol[DIRECTION] ? "event" : "operation", code(symbol[ADDRESS] || "-"),
         code(symbol[IEC] || "-"), data.types[symbol[TYPE]], place(symbol), data.reasons[symbol[WHY]]]))
-        : make("p", {}, "There is none.")];
+        : make("p", {}, "There are no such symbols.")];
   };
 
   const showAbout = () => [make("h1", {}, data.plant),
@@ -230,12 +230,12 @@
       ...data.internal.map(([reason, rows]) => ["rows: " + reason, String(rows)]),
     ]),
     section("How to read it", lines([
-      "Choose a device at the left, or search: / goes to the search box, the arrow keys walk the tree.",
-      "In a chart a dot shows the state it starts in, a thick border a spring's rest state, a dashed arrow a way that it goes by itself; an arrow from a dot outside stands for one from every other state. [c1] is condition c1 of the device.",
-      "I are the commands from the PLC (operations), O the reports to it (events).",
+      "Choose a device at the left, or search: / moves to the search box, the arrow keys move through the tree.",
+      "In a chart a dot marks the initial state, a thick border the rest state of a spring, a dashed arrow an automatic transition. An arrow from a dot outside means a transition from every other state. [c1] is condition c1 of the device.",
+      "I are the commands from the PLC (operations), O is the feedback to it (events).",
     ])),
-    section("What this page cannot hold", lines([
-      "It is a view, not the model. Commands count as levels, not as edges. What a move under way does when commands change depends on the actuation; a way that it goes by itself disarms the command that led there; of several ways that are ready the first in the table fires. The manual page of the model tells.",
+    section("What this page cannot show", lines([
+      "It is a view, not the model. Commands are levels, not edges. What a moving device does when commands change depends on the actuation. An automatic transition disarms the command that led there. Of several transitions that are ready, the first in the table fires. See the manual page of the model.",
     ]))];
 
   const currentDevice = () => {

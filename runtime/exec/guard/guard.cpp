@@ -1,4 +1,4 @@
-// The record of each thread, and guarded work on a thread of its own.
+// The violations of each thread, and guarded work in a separate thread.
 #include "symplant/exec/guard/guard.hpp"
 
 #include <cxxabi.h>

@@ -1,10 +1,10 @@
-// Proof that code uses no heap, no lock and no system call: what it does of these inside the guard is recorded by name.
+// Checks that code uses no heap, no lock and no system call: uses inside the guard are recorded by name.
 //
-// A program that does not ask for it pays nothing. Who asks has the functions of heap and locks interposed
-// (interpose.hpp); they record only on a thread that is guarded at that moment, and always do what they were called
-// for. So does the trap of system calls (seccomp, x86-64 Linux), which is set thread by thread and cannot be taken away
-// again. Not seen: calls that the kernel serves in user space (clock_gettime of the vDSO), page faults
-// (thread_faults.hpp counts them), locks built of atomics alone, and locks that a library takes within itself.
+// A program that does not use the guard has no cost. With the guard, the functions of heap and locks are interposed
+// (interpose.hpp): they record only in a thread that is guarded at that moment, and always do their normal work. The
+// trap of system calls (seccomp, x86-64 Linux) does the same; it is set per thread and cannot be removed. Not detected:
+// calls that the kernel serves in user space (clock_gettime in the vDSO), page faults (thread_faults.hpp counts them),
+// locks made of atomics only, and locks that a library takes internally.
 #pragma once
 
 #include <cstddef>
@@ -15,47 +15,47 @@
 
 namespace symplant::exec {
 
-/// Whose code runs, as far as the guard was told.
+/// The function of a custom behavior that runs, and its unit (see DoingNow).
 struct Doing {
-  const char* function = nullptr;  ///< null: nobody said
+  const char* function = nullptr;  ///< null: not in a custom behavior
   std::uint32_t unit = 0;
 };
 
-/// What guarded code did that it must not do.
+/// A forbidden call in guarded code.
 struct Violation {
   enum class Kind : std::uint8_t { heap, lock, system_call };
   Kind kind = Kind::heap;
   const char* name = nullptr;    ///< of the function; null for a system call
   long number = 0;               ///< of the system call
-  const void* caller = nullptr;  ///< the instruction behind the call
+  const void* caller = nullptr;  ///< the instruction after the call
   Doing doing;
 };
 
 /// "heap: operator new", "system call: write".
 std::string act_of(const Violation& violation);
-/// The function that the call came from, or its file and place there.
+/// The function that made the call, or its file and offset; empty if unknown.
 std::string caller_of(const Violation& violation);
 /// "heap: operator new, called from main".
 std::string words(const Violation& violation);
 
-inline constexpr std::size_t kMostViolations = 64;  ///< of one thread that are kept; all are counted
+inline constexpr std::size_t kMostViolations = 64;  ///< kept per thread; all are counted
 
 struct GuardReport {
-  std::vector<Violation> violations;  ///< in their order
-  std::uint64_t count = 0;
-  std::string no_hooks;  ///< why heap and locks could not be looked at; empty: they were
-  std::string no_trap;   ///< why system calls could not be trapped; empty: they were
+  std::vector<Violation> violations;  ///< the first kMostViolations, in order of time
+  std::uint64_t count = 0;            ///< number of all violations
+  std::string no_hooks;               ///< why heap and locks were not checked; empty if they were
+  std::string no_trap;                ///< why system calls were not checked; empty if they were
 
-  /// A line each.
+  /// One line per violation.
   std::string text() const;
 };
 
-/// Runs `work` on a thread of its own, under the trap and inside the guard.
+/// Runs `work` in a separate thread, with the trap and inside the guard.
 GuardReport run_guarded(const std::function<void()>& work);
-/// The same for work that makes a Guard itself where it wants to be looked at: a cycle that sleeps between its cycles.
+/// As run_guarded(), but `work` constructs a Guard itself around the code to check, such as a cycle that sleeps.
 GuardReport run_watched(const std::function<void()>& work);
 
-/// While one lives, the calling thread is guarded.
+/// The calling thread is guarded during the lifetime of a Guard. Guards may be nested.
 class Guard {
  public:
   Guard() noexcept;
@@ -64,7 +64,7 @@ class Guard {
   Guard& operator=(const Guard&) = delete;
 };
 
-/// While one lives, the calling thread is not guarded, however many guards it is in: for the sleep between two cycles.
+/// Suspends all guards of the calling thread during its lifetime, for example for the sleep between two cycles.
 class Unguarded {
  public:
   Unguarded() noexcept;
@@ -76,7 +76,7 @@ class Unguarded {
   int depth_;
 };
 
-/// What is recorded on the calling thread while one lives is said to be of this code.
+/// Violations of the calling thread during its lifetime are attributed to `doing`.
 class DoingNow {
  public:
   explicit DoingNow(Doing doing) noexcept;
@@ -88,11 +88,11 @@ class DoingNow {
   Doing before_;
 };
 
-/// Every system call of the calling thread is trapped from now on, for good; a thread or process cannot be started from
-/// it any more. Gives why that cannot be; empty: it is so.
+/// Traps every system call of the calling thread permanently; it can no longer start threads or processes. Returns the
+/// reason if that is not possible, else an empty text.
 std::string trap_system_calls();
 
-/// What was recorded on the calling thread since the last call.
+/// The violations of the calling thread since the last call.
 GuardReport take_violations();
 
 }  // namespace symplant::exec

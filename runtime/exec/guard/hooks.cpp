@@ -1,4 +1,4 @@
-// Functions of heap and locks: noted where the thread is guarded, then done by who would have done them.
+// Hooks of heap and lock functions: they record a call if the thread is guarded, then call the original function.
 #include "symplant/exec/guard/hooks.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace symplant::exec::guard {
 namespace {
 
-/// What a function calls in its turn (`operator new` calls malloc) is not noted again.
+/// Above 0 inside a hook: nested calls (`operator new` calls malloc) are not recorded again.
 constinit thread_local int inside = 0;
 
 class Noted {
@@ -26,7 +26,7 @@ class Noted {
 
 using Kind = Violation::Kind;
 
-/// One function by the row of kRows that it is. To free nothing is nothing.
+/// The hook of the function in row `Row` of kRows. With `Frees`, a call with a null pointer is not recorded.
 template <std::size_t Row, bool Frees, class Result, class... Arguments>
 struct Function {
   static constinit inline void* next = nullptr;

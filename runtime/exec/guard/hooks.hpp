@@ -1,4 +1,4 @@
-// The functions of heap and locks that the guard takes the place of.
+// The functions of heap and locks that the guard replaces.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 namespace symplant::exec::guard {
 
 struct Hook {
-  const char* symbol;  ///< as the linker knows it
-  const char* name;    ///< as people do
+  const char* symbol;  ///< the name for the linker
+  const char* name;    ///< the name in reports
   Violation::Kind kind;
-  void* ours;   ///< notes the call and makes it
-  void** next;  ///< where `ours` finds the function itself; null until it is set
+  void* ours;   ///< the replacement: records the call, then calls `*next`
+  void** next;  ///< the original function; null until interpose() sets it
 };
 
-/// All of them; the same at each call.
+/// All hooks; the same array in each call.
 std::span<const Hook> hooks() noexcept;
 
 }  // namespace symplant::exec::guard

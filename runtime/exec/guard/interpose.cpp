@@ -1,5 +1,4 @@
-// Interposition after the fact: the tables of addresses that the loader has filled in are searched for the hooks'
-// names.
+// Interposes functions in a running program: replaces their addresses in the tables that the loader filled.
 #include "symplant/exec/guard/interpose.hpp"
 
 #if defined(__linux__) && defined(__LP64__)
@@ -35,11 +34,11 @@ constexpr std::uint64_t kJumpSlot = ~std::uint64_t{0};
 constexpr std::uint64_t kGlobalData = ~std::uint64_t{0};
 #endif
 
-/// What a loaded file's dynamic section tells.
+/// The tables in the dynamic section of a loaded file.
 struct Tables {
   const ElfW(Sym) * symbols = nullptr;
   const char* names = nullptr;
-  const ElfW(Rela) * calls = nullptr;  ///< of functions called
+  const ElfW(Rela) * calls = nullptr;  ///< relocations of functions called
   std::size_t calls_size = 0;
   const ElfW(Rela) * others = nullptr;
   std::size_t others_size = 0;
@@ -48,7 +47,7 @@ struct Tables {
 Tables tables_of(ElfW(Addr) base, const ElfW(Dyn) * entry) noexcept {
   Tables tables;
   for (; entry->d_tag != DT_NULL; ++entry) {
-    // glibc has made addresses of most, but not in files whose section cannot be written.
+    // glibc has relocated most of these to addresses, but not in files with a read-only section.
     const ElfW(Addr) address = entry->d_un.d_ptr < base ? base + entry->d_un.d_ptr : entry->d_un.d_ptr;
     switch (entry->d_tag) {
       case DT_SYMTAB:
@@ -88,7 +87,7 @@ struct Search {
   bool refused = false;
 };
 
-/// Addresses that never change again may lie in pages that cannot be written.
+/// Writes one address. The slot may lie in a read-only page (RELRO), which is made writable for the write.
 bool write_slot(void** slot, void* value, const dl_phdr_info& file) noexcept {
   const auto page_size = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto index = reinterpret_cast<std::uintptr_t>(slot);
@@ -112,7 +111,7 @@ void replace(const ElfW(Rela) * row, std::size_t count, const Tables& tables, co
     const Hook* hook = hook_of(tables.names + tables.symbols[ELF64_R_SYM(row->r_info)].st_name);
     if (hook == nullptr) continue;
     auto* const slot = reinterpret_cast<void**>(file.dlpi_addr + row->r_offset);
-    if (*slot == nullptr || *slot == hook->ours) continue;  // a weak one that is not there
+    if (*slot == nullptr || *slot == hook->ours) continue;  // a weak symbol that is undefined
     if (write_slot(slot, hook->ours, file)) {
       ++search.replaced;
     } else {
@@ -124,7 +123,7 @@ void replace(const ElfW(Rela) * row, std::size_t count, const Tables& tables, co
 int look_at(dl_phdr_info* file, std::size_t, void* raw) noexcept {
   auto& search = *static_cast<Search*>(raw);
   const std::string_view name = file->dlpi_name;
-  if (name.find("ld-linux") != name.npos || name.find("vdso") != name.npos) return 0;  // they have a heap of their own
+  if (name.find("ld-linux") != name.npos || name.find("vdso") != name.npos) return 0;  // they have separate heaps
   for (int i = 0; i < file->dlpi_phnum; ++i) {
     if (file->dlpi_phdr[i].p_type != PT_DYNAMIC) continue;
     const auto* const dynamic = reinterpret_cast<const ElfW(Dyn)*>(file->dlpi_addr + file->dlpi_phdr[i].p_vaddr);
@@ -139,7 +138,7 @@ int look_at(dl_phdr_info* file, std::size_t, void* raw) noexcept {
 }  // namespace
 
 std::string interpose() {
-  if (kBesideThreadSanitizer) return "the thread sanitizer has taken the functions' places";
+  if (kBesideThreadSanitizer) return "the thread sanitizer replaces the same functions";
   for (const Hook& hook : hooks()) {
     if (*hook.next == nullptr) *hook.next = dlsym(RTLD_DEFAULT, hook.symbol);
   }

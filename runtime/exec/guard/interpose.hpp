@@ -1,15 +1,15 @@
-// Puts the guard's functions in the place of the allocator's and the locks', in a program that runs.
+// Interposes the guard's functions for those of the allocator and of locks in a running program.
 #pragma once
 
 #include <string>
 
 namespace symplant::exec::guard {
 
-/// Every call between the program's files (itself, its libraries) of a function of heap or locks goes through the guard
-/// from now on: the addresses that the loader has put in for them are replaced. To be called once, before the threads
-/// to be looked at start; a further call does nothing. Until it is called a program pays nothing. Gives why that cannot
-/// be; empty: it is so. Not seen: calls within one file (of glibc's own locks, say), and libraries that are loaded
-/// later.
+/// Routes every call of a heap or lock function between the program's files (the program and its libraries) through
+/// the guard: replaces the addresses that the loader filled in. Call it before the threads to check start; after a
+/// success further calls do nothing. Without the call a program has no cost. Returns the reason if that is not
+/// possible, else an empty text. Not detected: calls within one file (locks inside glibc, for example), and calls from
+/// libraries loaded later.
 std::string interpose();
 
 }  // namespace symplant::exec::guard

@@ -1,4 +1,4 @@
-// What the guard's parts share: is this thread guarded, and the record of what it did.
+// Shared by the parts of the guard: whether this thread is guarded, and its record of violations.
 #pragma once
 
 #include "symplant/exec/guard/guard.hpp"
@@ -6,7 +6,7 @@
 namespace symplant::exec::guard {
 
 bool guarded() noexcept;
-/// Callable from a signal handler.
+/// Records a violation of the calling thread. Async-signal-safe.
 void record(const Violation& violation) noexcept;
 
 inline void note(Violation::Kind kind, const char* name, const void* caller) noexcept {

@@ -1,4 +1,4 @@
-// The system calls that a plant's code may come to make by mistake.
+// Names of the system calls that a plant's code may make by mistake.
 #include "symplant/exec/guard/system_calls.hpp"
 
 #include <sys/syscall.h>

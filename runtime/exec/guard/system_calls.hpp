@@ -5,7 +5,7 @@
 
 namespace symplant::exec::guard {
 
-/// "write", or "number 512" of one that code of ours is not likely to make.
+/// The name of a system call, such as "write", or "number 512" if it is not in the table.
 std::string system_call_name(long number);
 
 }  // namespace symplant::exec::guard

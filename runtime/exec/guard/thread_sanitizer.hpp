@@ -1,5 +1,7 @@
-// Whether this is compiled for the thread sanitizer, which puts functions of its own in the guard's places, hands
-// signals on later, and takes two threads that know one file by its number for a race.
+// Detects the thread sanitizer, with which the guard cannot work.
+//
+// The sanitizer replaces the same functions as the guard, delivers signals late, and reports two threads that use one
+// file descriptor as a race.
 #pragma once
 
 #if defined(__SANITIZE_THREAD__)
@@ -21,7 +23,7 @@ namespace symplant::exec::guard {
 
 inline constexpr bool kBesideThreadSanitizer = true;
 
-/// While it lives the sanitizer overlooks what this thread reads; without a sanitizer it is nothing.
+/// The sanitizer ignores the reads of this thread during the lifetime; without the sanitizer it has no effect.
 class UnwatchedReads {
  public:
   UnwatchedReads() { AnnotateIgnoreReadsBegin(__FILE__, __LINE__); }
@@ -36,7 +38,7 @@ inline constexpr bool kBesideThreadSanitizer = false;
 
 class UnwatchedReads {
  public:
-  UnwatchedReads() {}   // NOLINT(modernize-use-equals-default): one that does nothing would be an unused variable
+  UnwatchedReads() {}   // NOLINT(modernize-use-equals-default): a trivial class would give unused-variable warnings
   ~UnwatchedReads() {}  // NOLINT(modernize-use-equals-default)
   UnwatchedReads(const UnwatchedReads&) = delete;
   UnwatchedReads& operator=(const UnwatchedReads&) = delete;

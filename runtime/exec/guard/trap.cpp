@@ -1,7 +1,7 @@
-// System calls, trapped thread by thread with seccomp: noted where the thread is guarded, then done.
+// Traps the system calls of a thread with seccomp: records them if the thread is guarded, then makes them.
 //
-// The filter lets pass what comes from one instruction, that of forward() below; all else becomes a SIGSYS, whose
-// handler notes the call and makes it from there.
+// The filter allows calls from one instruction, in symplant_guard_forward below. Every other call raises SIGSYS; the
+// handler records the call and makes it from that instruction.
 #include <cerrno>
 #include <cstring>
 #include <string>
@@ -27,7 +27,7 @@
 
 extern "C" {
 long symplant_guard_forward(long number, long a, long b, long c, long d, long e, long f) noexcept;
-extern const char symplant_guard_forward_return[];  // NOLINT: a place in code
+extern const char symplant_guard_forward_return[];  // NOLINT: an address in code
 }
 
 __asm__(R"(
@@ -54,8 +54,8 @@ namespace {
 
 std::string failed(const char* what) { return std::string(what) + ": " + std::strerror(errno); }
 
-/// A mask that is set in the handler would last until its end: it belongs to whom the handler returns to. SIGSYS itself
-/// is never blocked, a trap then ends the process.
+/// Sets the signal mask of the interrupted context: a mask set in the handler would be lost when it returns. SIGSYS is
+/// never blocked, as a trap would then end the process.
 long set_mask(ucontext_t& context, long how, const std::uint64_t* set, std::uint64_t* old) noexcept {
   std::uint64_t mask = 0;
   std::memcpy(&mask, &context.uc_sigmask, sizeof mask);
@@ -85,7 +85,7 @@ void on_trap(int, siginfo_t* info, void* raw) noexcept {
   auto& registers = context.uc_mcontext.gregs;
   const long number = info->si_syscall;
   if (guard::guarded()) guard::record({Violation::Kind::system_call, nullptr, number, info->si_call_addr, {}});
-  if (starts_another(number)) {  // it would begin its life in this handler
+  if (starts_another(number)) {  // the new thread or process would start in this handler
     registers[REG_RAX] = -ENOSYS;
   } else if (number == SYS_rt_sigprocmask) {
     // Registers hold addresses as numbers.
@@ -118,7 +118,7 @@ std::string handle_traps() {
 constexpr sock_filter load(std::size_t offset) {
   return {BPF_LD | BPF_W | BPF_ABS, 0, 0, static_cast<std::uint32_t>(offset)};
 }
-/// Goes on behind `otherwise` further instructions where what was loaded is not `value`.
+/// Skips `otherwise` instructions if the loaded word is not `value`.
 constexpr sock_filter unless(std::uint32_t value, std::uint8_t otherwise) {
   return {BPF_JMP | BPF_JEQ | BPF_K, 0, otherwise, value};
 }
@@ -132,7 +132,7 @@ std::string set_filter() {
   std::array program = {load(offsetof(seccomp_data, arch)),
                         unless(AUDIT_ARCH_X86_64, 8),
                         load(offsetof(seccomp_data, nr)),
-                        unless(SYS_rt_sigreturn, 1),  // a handler's way back
+                        unless(SYS_rt_sigreturn, 1),  // the return from a signal handler
                         give(SECCOMP_RET_ALLOW),
                         load(kIndex),
                         unless(low, 3),
@@ -146,7 +146,7 @@ std::string set_filter() {
   return {};
 }
 
-/// Some kernels' stand-ins take a filter and do nothing.
+/// Checks the trap with one call: some emulated kernels accept a filter and ignore it.
 std::string try_trap() {
   {
     const Guard guard;
@@ -158,7 +158,7 @@ std::string try_trap() {
 }  // namespace
 
 std::string trap_system_calls() {
-  if (guard::kBesideThreadSanitizer) return "the thread sanitizer hands signals on later";
+  if (guard::kBesideThreadSanitizer) return "the thread sanitizer delivers signals late";
   std::string fault = handle_traps();
   if (fault.empty()) fault = set_filter();
   return fault.empty() ? try_trap() : fault;

@@ -18,7 +18,7 @@ constexpr std::uint32_t kMaxReadBits = 2000;
 constexpr std::uint32_t kMaxReadRegisters = 125;
 constexpr std::uint32_t kMaxWriteBits = 1968;
 constexpr std::uint32_t kMaxWriteRegisters = 123;
-constexpr std::uint32_t kMaxReadWriteRegisters = 121;  ///< what function 23 writes at most
+constexpr std::uint32_t kMaxReadWriteRegisters = 121;  ///< most that function 23 writes
 constexpr std::uint8_t kFirstReserved = 0x80;          ///< function codes from here on mark exceptions in replies
 constexpr std::uint16_t kCoilOn = 0xFF00;
 constexpr std::uint16_t kCoilOff = 0x0000;
@@ -35,7 +35,7 @@ Answer refuse(Request request, Reply reply, Exception exception) noexcept {
   return {.size = 2, .exception = exception};
 }
 
-/// The reply to a write: the request's first bytes again.
+/// The reply to a write: the request's first bytes.
 Answer echo(Request request, Reply reply, Table table, std::uint16_t count) noexcept {
   std::copy_n(request.begin(), kShortRequest, reply.begin());
   return {.size = kShortRequest, .written = table, .first = field(request, 1), .count = count};
@@ -43,7 +43,7 @@ Answer echo(Request request, Reply reply, Table table, std::uint16_t count) noex
 
 constexpr std::uint32_t bytes_of_bits(std::uint32_t bits) { return (bits + 7) / 8; }
 
-/// 03 or 02 for a request to read, else none.
+/// Checks a request to read: exception 03 or 02, or no exception.
 Exception check_read(Request request, std::uint32_t max, std::uint32_t size) noexcept {
   if (request.size() != kShortRequest) return Exception::illegal_data_value;
   const std::uint32_t quantity = field(request, 3);
@@ -51,7 +51,7 @@ Exception check_read(Request request, std::uint32_t max, std::uint32_t size) noe
   return field(request, 1) + quantity > size ? Exception::illegal_data_address : Exception::none;
 }
 
-/// What a request read is told beside its reply.
+/// An answer with the range that was read.
 Answer reported(std::size_t size, Table table, std::uint32_t first, std::uint32_t count) noexcept {
   return {.size = size,
           .read = table,
@@ -59,8 +59,8 @@ Answer reported(std::size_t size, Table table, std::uint32_t first, std::uint32_
           .read_count = static_cast<std::uint16_t>(count)};
 }
 
-Answer read_bits(Request request, Reply reply, Table table, Places<const std::uint64_t> places) noexcept {
-  const Exception fault = check_read(request, kMaxReadBits, places.size);
+Answer read_bits(Request request, Reply reply, Table table, TableView<const std::uint64_t> view) noexcept {
+  const Exception fault = check_read(request, kMaxReadBits, view.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
   const std::uint32_t quantity = field(request, 3);
@@ -68,7 +68,7 @@ Answer read_bits(Request request, Reply reply, Table table, Places<const std::ui
   reply[0] = request[0];
   reply[1] = static_cast<std::uint8_t>(bytes);
   for (std::uint32_t done = 0; done < quantity; done += kBitsPerWord) {
-    std::uint64_t bits = get_bits(places.words, first + done);
+    std::uint64_t bits = get_bits(view.words, first + done);
     if (quantity - done < kBitsPerWord) bits &= (std::uint64_t{1} << (quantity - done)) - 1;
     for (std::uint32_t i = done / 8; i < std::min(bytes, done / 8 + 8); ++i, bits >>= 8) {
       reply[2 + i] = static_cast<std::uint8_t>(bits);
@@ -78,19 +78,19 @@ Answer read_bits(Request request, Reply reply, Table table, Places<const std::ui
 }
 
 Answer registers_from(std::uint32_t first, std::uint32_t quantity, Request request, Reply reply, Table table,
-                      Places<const std::uint64_t> places) noexcept {
+                      TableView<const std::uint64_t> view) noexcept {
   reply[0] = request[0];
   reply[1] = static_cast<std::uint8_t>(2 * quantity);
-  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(places.words, first + i));
+  for (std::uint32_t i = 0; i < quantity; ++i) put_field(reply, 2 + 2 * i, get_register(view.words, first + i));
   return reported(2 + 2 * quantity, table, first, quantity);
 }
 
-Answer read_registers(Request request, Reply reply, Table table, Places<const std::uint64_t> places) noexcept {
-  const Exception fault = check_read(request, kMaxReadRegisters, places.size);
+Answer read_registers(Request request, Reply reply, Table table, TableView<const std::uint64_t> view) noexcept {
+  const Exception fault = check_read(request, kMaxReadRegisters, view.size);
   if (fault != Exception::none) return refuse(request, reply, fault);
   const std::uint32_t first = field(request, 1);
   const std::uint32_t quantity = field(request, 3);
-  return registers_from(first, quantity, request, reply, table, places);
+  return registers_from(first, quantity, request, reply, table, view);
 }
 
 Answer read_coils(Request request, const Tables& tables, Reply reply) noexcept {
@@ -114,21 +114,21 @@ Answer write_single_coil(Request request, const Tables& tables, Reply reply) noe
   if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
   const std::uint16_t value = field(request, 3);
   if (value != kCoilOn && value != kCoilOff) return refuse(request, reply, Exception::illegal_data_value);
-  const std::uint16_t place = field(request, 1);
-  if (place >= tables.coils.size) return refuse(request, reply, Exception::illegal_data_address);
-  set_bit(tables.coils.words, place, value == kCoilOn);
+  const std::uint16_t address = field(request, 1);
+  if (address >= tables.coils.size) return refuse(request, reply, Exception::illegal_data_address);
+  set_bit(tables.coils.words, address, value == kCoilOn);
   return echo(request, reply, Table::coil, 1);
 }
 
 Answer write_single_register(Request request, const Tables& tables, Reply reply) noexcept {
   if (request.size() != kShortRequest) return refuse(request, reply, Exception::illegal_data_value);
-  const std::uint16_t place = field(request, 1);
-  if (place >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
-  set_register(tables.holding_registers.words, place, field(request, 3));
+  const std::uint16_t address = field(request, 1);
+  if (address >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
+  set_register(tables.holding_registers.words, address, field(request, 3));
   return echo(request, reply, Table::holding_register, 1);
 }
 
-/// 03 or 02 for a request to write several places whose data take `bytes(quantity)`, else none.
+/// Checks a request to write several addresses, whose data take `bytes(quantity)`: exception 03 or 02, or none.
 Exception check_write(Request request, std::uint32_t max, std::uint32_t (*bytes)(std::uint32_t),
                       std::uint32_t size) noexcept {
   if (request.size() < kWriteHead) return Exception::illegal_data_value;
@@ -172,19 +172,19 @@ Answer write_registers(Request request, const Tables& tables, Reply reply) noexc
 
 Answer mask_write_register(Request request, const Tables& tables, Reply reply) noexcept {
   if (request.size() < 3) return refuse(request, reply, Exception::illegal_data_value);
-  // The one function whose diagram has the address before everything else (section 6.16).
-  const std::uint16_t place = field(request, 1);
-  if (place >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
+  // The only function whose diagram checks the address first (section 6.16).
+  const std::uint16_t address = field(request, 1);
+  if (address >= tables.holding_registers.size) return refuse(request, reply, Exception::illegal_data_address);
   if (request.size() != kMaskRequest) return refuse(request, reply, Exception::illegal_data_value);
   const std::uint32_t kept = field(request, 3);
   const std::uint32_t set = field(request, 5);
-  const std::uint32_t now = get_register(tables.holding_registers.words, place);
-  set_register(tables.holding_registers.words, place, static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
+  const std::uint32_t now = get_register(tables.holding_registers.words, address);
+  set_register(tables.holding_registers.words, address, static_cast<std::uint16_t>((now & kept) | (set & ~kept)));
   std::copy_n(request.begin(), kMaskRequest, reply.begin());
-  return {.size = kMaskRequest, .written = Table::holding_register, .first = place, .count = 1};
+  return {.size = kMaskRequest, .written = Table::holding_register, .first = address, .count = 1};
 }
 
-/// 03 or 02 for a request to read and write registers, else none.
+/// Checks a request to read and write registers: exception 03 or 02, or no exception.
 Exception check_read_write(Request request, std::uint32_t size) noexcept {
   if (request.size() < kReadWriteHead) return Exception::illegal_data_value;
   const std::uint32_t read = field(request, 3);
@@ -212,7 +212,7 @@ Answer read_write_registers(Request request, const Tables& tables, Reply reply) 
   return answer;
 }
 
-/// A function code and who answers it.
+/// A function code and the function that answers it.
 struct Function {
   std::uint8_t code;
   Answer (*answer)(Request request, const Tables& tables, Reply reply) noexcept;

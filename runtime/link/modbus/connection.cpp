@@ -1,4 +1,4 @@
-// One client of the server: its bytes in, its answers out, whatever the pace of either.
+// One client of the server: reads its requests and sends its answers, each at its own pace.
 #include "symplant/link/modbus/connection.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Connection::State Connection::work(Responder& responder, Sink& sink) {
   std::size_t begin = 0;
   State state = State::open;
   while (state == State::open) {
-    // A peer that reads gets all its answers: they are sent before any request is refused for their number.
+    // Answers are sent before a request is rejected for their number: a peer that reads gets all its answers.
     if (queued_.size() >= kMaxInFlight && !flush(sink)) return State::closed;
     if (queued_.size() >= kMaxQueued) break;
     const Frame frame = parse_frame(std::span(in_).subspan(begin, in_size_ - begin));
@@ -36,7 +36,7 @@ Connection::State Connection::work(Responder& responder, Sink& sink) {
   std::copy(in_.begin() + static_cast<std::ptrdiff_t>(begin), in_.begin() + static_cast<std::ptrdiff_t>(in_size_),
             in_.begin());
   in_size_ -= begin;
-  // Also before closing: requests ahead of the broken frame were good ones.
+  // Also before closing: the requests before the broken frame were valid.
   return flush(sink) ? state : State::closed;
 }
 
@@ -66,7 +66,7 @@ bool Connection::flush(Sink& sink) {
     sent_ += static_cast<std::size_t>(taken);
   }
   while (!queued_.empty() && queued_.front() <= sent_) queued_.pop_front();
-  // What was taken goes, so that the buffer never holds more than the answers in the queue.
+  // Removes what was sent, so that the buffer never holds more than the answers in the queue.
   out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(sent_));
   for (std::size_t& end : queued_) end -= sent_;
   sent_ = 0;

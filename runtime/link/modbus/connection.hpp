@@ -1,4 +1,4 @@
-// One client of the server: its bytes in, its answers out, whatever the pace of either.
+// One client of the server: reads its requests and sends its answers, each at its own pace.
 #pragma once
 
 #include <array>
@@ -12,18 +12,19 @@
 
 namespace symplant::link::modbus {
 
-/// Answers the PDU of a request; the server's tables stand behind it.
+/// Answers the PDU of a request from the server's tables.
 class Responder {
  public:
   virtual Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept = 0;
-  /// A request was refused without being looked at.
+  /// A request was rejected without being parsed.
   virtual void refused() noexcept = 0;
 
  protected:
   ~Responder() = default;
 };
 
-/// Where answers go: takes what it can without waiting. Returns the bytes taken, less than 0 where the peer is gone.
+/// The receiver of answers: takes what it can without waiting. Returns the bytes taken; less than 0 if the peer is
+/// gone.
 class Sink {
  public:
   virtual std::ptrdiff_t write(std::span<const std::uint8_t> bytes) noexcept = 0;
@@ -32,11 +33,11 @@ class Sink {
   ~Sink() = default;
 };
 
-/// The protocol's state of one connection, apart from its socket.
+/// The protocol state of one connection, without its socket. Not thread-safe.
 ///
-/// Requests are answered in their order, as they come: split anywhere or many at once. At most kMaxInFlight answers
-/// wait for the peer to take them; requests beyond that are refused with exception 06, and when kMaxQueued answers
-/// wait, the connection takes no further bytes until some have gone.
+/// Requests are answered in their order, whether they arrive in pieces or many at once. At most kMaxInFlight answers
+/// wait for the peer to take them; further requests are rejected with exception 06. When kMaxQueued answers wait, the
+/// connection takes no further bytes until some have been sent.
 class Connection {
  public:
   static constexpr std::size_t kMaxInFlight = 16;
@@ -44,15 +45,15 @@ class Connection {
 
   enum class State { open, closed };
 
-  /// Where received bytes are to be put; empty while no more are taken.
+  /// Buffer for received bytes; empty while the connection takes no more.
   std::span<std::uint8_t> room() noexcept;
-  /// Takes `count` bytes put into room(), answers what is complete and sends what the peer takes.
+  /// Takes `count` bytes put into room(), answers complete requests and sends what the peer takes.
   State received(std::size_t count, Responder& responder, Sink& sink);
-  /// Sends on, after the peer was found ready; then answers what had to wait.
+  /// Continues to send when the peer is ready; then answers the requests that had to wait.
   State resume(Responder& responder, Sink& sink);
 
   bool has_answers_to_send() const noexcept { return sent_ < out_.size(); }
-  /// Bytes are there that no whole frame is made of yet, or that wait until answers have gone.
+  /// Whether received bytes wait: for the rest of their frame, or until answers have been sent.
   bool holds_part_of_frame() const noexcept { return in_size_ != 0; }
   std::uint64_t requests() const noexcept { return requests_; }
 
@@ -66,8 +67,8 @@ class Connection {
   std::array<std::uint8_t, kRoom> in_{};
   std::size_t in_size_ = 0;
   std::vector<std::uint8_t> out_;
-  std::size_t sent_ = 0;            ///< bytes of out_ that the peer took
-  std::deque<std::size_t> queued_;  ///< an answer not yet wholly taken: where it ends in out_
+  std::size_t sent_ = 0;            ///< number of bytes of out_ that the peer took
+  std::deque<std::size_t> queued_;  ///< for each answer not yet taken completely: its end in out_
   std::uint64_t requests_ = 0;
 };
 

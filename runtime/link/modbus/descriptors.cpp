@@ -1,4 +1,4 @@
-// What the system allows of sockets: what follows when a client cannot be accepted, how many can be.
+// Limits of the system on sockets: what to do after a failed accept(), how many clients are possible.
 #include "symplant/link/modbus/descriptors.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace symplant::link::modbus {
 
 namespace {
 
-constexpr rlim_t kOtherFiles = 32;  ///< of the process beside its clients, ample
+constexpr rlim_t kOtherFiles = 32;  ///< ample for all descriptors of the process but its clients
 
 }  // namespace
 
@@ -49,12 +49,12 @@ void make_room_for(std::size_t clients) {
   const auto wanted = limit_for(limit, clients);
   if (!wanted) {
     throw std::system_error(EMFILE, std::generic_category(),
-                            std::to_string(clients) + " connections are more than fit in the " +
+                            std::to_string(clients) + " connections do not fit in the " +
                                 std::to_string(limit.rlim_max) +
                                 " files that this process may open, give fewer `connections` or raise `ulimit -Hn`");
   }
   limit.rlim_cur = std::max(*wanted, limit.rlim_cur);
-  // Up to the hard limit needs no privilege.
+  // Raising it up to the hard limit needs no privilege.
   if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) throw std::system_error(errno, std::generic_category(), "setrlimit");
 }
 

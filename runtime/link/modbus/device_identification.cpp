@@ -1,4 +1,4 @@
-// Function 43/14 of Modbus, read device identification: who the server is.
+// Function 43/14 of Modbus, read device identification.
 #include "symplant/link/modbus/device_identification.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@ constexpr std::uint8_t kReadDeviceIdentification = 14;
 constexpr std::size_t kRequest = 4;
 constexpr std::size_t kReplyHead = 7;
 
-/// The codes of a request: streams of categories, and one object alone.
+/// The codes of a request: 1 to 3 read the objects of a category, 4 reads one object.
 constexpr std::uint8_t kBasic = 1;
 constexpr std::uint8_t kOne = 4;
-/// What this server can do: the basic objects, as a stream and one by one.
+/// The conformity level of this server: the basic objects, as a stream and one by one.
 constexpr std::uint8_t kConformity = 0x81;
 
 constexpr std::size_t kObjects = 3;
@@ -45,12 +45,12 @@ Identified identify(std::span<const std::uint8_t> request, const Identity& ident
   std::size_t first = request[3];
   if (first >= kObjects) {
     if (code == kOne) return {.exception = Exception::illegal_data_address};
-    first = 0;  // a stream from an object that is not there begins at the beginning
+    first = 0;  // a stream from an unknown object begins at the first one
   }
   const std::size_t end = code == kOne ? first + 1 : kObjects;
   std::copy_n(request.begin(), 3, reply.begin());
   reply[3] = kConformity;
-  reply[4] = 0;  // nothing follows: all objects fit into one reply
+  reply[4] = 0;  // no more follows: all objects fit into one reply
   reply[5] = 0;
   reply[6] = static_cast<std::uint8_t>(end - first);
   std::size_t size = kReplyHead;

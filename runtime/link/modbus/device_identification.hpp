@@ -1,4 +1,4 @@
-// Function 43/14 of Modbus, read device identification: who the server is.
+// Function 43/14 of Modbus, read device identification.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct Identified {
 };
 
 /// Answers a request of function 43: the basic objects 0 to 2, as a stream or one of them, by the Modbus Application
-/// Protocol V1.1b3, section 6.21. Another interface than 14 is 01, a wrong length or code 03, one object that is not
-/// there 02; where there is an exception nothing useful is in `reply`.
+/// Protocol V1.1b3, section 6.21. Exceptions: 01 for an interface other than 14, 03 for a wrong length or code, 02 for
+/// one unknown object. After an exception the content of `reply` is undefined.
 Identified identify(std::span<const std::uint8_t> request, const Identity& identity,
                     std::span<std::uint8_t, kMaxPdu> reply) noexcept;
 

@@ -1,4 +1,4 @@
-// The 16-bit fields of Modbus frames: high byte first, as the Modbus Application Protocol V1.1b3, section 4.2 says.
+// The 16-bit fields of Modbus frames: high byte first (Modbus Application Protocol V1.1b3, section 4.2).
 #pragma once
 
 #include <cstddef>

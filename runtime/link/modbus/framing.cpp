@@ -7,7 +7,7 @@ namespace symplant::link::modbus {
 
 namespace {
 
-/// The header up to its length field, which counts all that follows it: the unit and the PDU.
+/// The header up to and including its length field, which counts everything after it: the unit and the PDU.
 constexpr std::size_t kBeforeLength = 6;
 constexpr std::size_t kMinLength = 2;
 constexpr std::size_t kMaxLength = 1 + kMaxPdu;

@@ -12,21 +12,21 @@ namespace symplant::link::modbus {
 inline constexpr std::size_t kMbapHeader = 7;
 inline constexpr std::size_t kMaxFrame = kMbapHeader + kMaxPdu;
 
-/// What stands at the front of the bytes received so far.
+/// The first frame in the bytes received so far.
 struct Frame {
   enum class Kind {
-    incomplete,  ///< more bytes are needed; nothing is consumed
+    incomplete,  ///< more bytes are needed; nothing was consumed
     complete,    ///< a request to answer
-    foreign,     ///< a whole frame of another protocol: to be dropped without an answer
-    broken,      ///< no frame, and no telling where the next one begins: the connection is to be closed
+    foreign,     ///< a complete frame of another protocol: drop it without an answer
+    broken,      ///< not a frame, and the begin of the next one is unknown: close the connection
   } kind = Kind::incomplete;
-  std::size_t consumed = 0;             ///< bytes that the frame takes
+  std::size_t consumed = 0;             ///< size of the frame in bytes
   std::uint16_t transaction = 0;        ///< to be echoed
   std::uint8_t unit = 0;                ///< to be echoed
   std::span<const std::uint8_t> pdu{};  ///< within the bytes given
 };
 
-/// Looks at the front of `bytes` and never past the frame that its header announces.
+/// Parses the first frame of `bytes`; never reads past the length in its header.
 Frame parse_frame(std::span<const std::uint8_t> bytes) noexcept;
 
 /// Writes the header of a reply of `pdu_size` bytes to the request `frame`.

@@ -9,10 +9,10 @@ namespace symplant::link::modbus {
 
 namespace {
 
-constexpr std::uint32_t kNoPlace = 0xFFFF'FFFF;
+constexpr std::uint32_t kUnmapped = 0xFFFF'FFFF;
 constexpr std::uint32_t kPlaneWordBits = 64;
 
-// Behind the tables of operations: what a loss awaits.
+// Words after the tables of operations: the losses seen, and whether all is written again.
 constexpr std::size_t kLossesSeen = 0;
 constexpr std::size_t kRewritten = 1;
 constexpr std::size_t kControlWords = 2;
@@ -25,36 +25,36 @@ std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) 
 
 std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
 
-std::vector<std::uint32_t> places_of_events(const tables::PlantTables& tables, const IoMap& map) {
-  std::vector<std::uint32_t> places(tables.event_bits, kNoPlace);
+std::vector<std::uint32_t> addresses_of_events(const tables::PlantTables& tables, const IoMap& map) {
+  std::vector<std::uint32_t> addresses(tables.event_bits, kUnmapped);
   for (const IoPoint& point : map.points) {
-    if (point.table == Table::discrete_input) places[tables.symbols[point.symbol].index] = point.number;
+    if (point.table == Table::discrete_input) addresses[tables.symbols[point.symbol].index] = point.number;
   }
-  return places;
+  return addresses;
 }
 
 }  // namespace
 
-std::span<const std::uint32_t> Images::ByPlace::at(std::uint32_t place) const noexcept {
-  if (place + 1 >= first.size()) return {};
-  return std::span(rows).subspan(first[place], first[place + 1] - first[place]);
+std::span<const std::uint32_t> Images::ByAddress::at(std::uint32_t address) const noexcept {
+  if (address + 1 >= first.size()) return {};
+  return std::span(rows).subspan(first[address], first[address + 1] - first[address]);
 }
 
-Images::ByPlace Images::by_place(const IoMap& map, Table table) {
-  ByPlace result;
+Images::ByAddress Images::by_address(const IoMap& map, Table table) {
+  ByAddress result;
   result.first.assign(size_of(map, table) + std::size_t{1}, 0);
   const auto each = [&](auto act) {
     for (std::uint32_t i = 0; i < map.points.size(); ++i) {
       const IoPoint& point = map.points[i];
       if (point.table != table) continue;
-      for (std::size_t place = point.number; place <= point.last(); ++place) act(i, place);
+      for (std::size_t address = point.number; address <= point.last(); ++address) act(i, address);
     }
   };
-  each([&](std::uint32_t, std::size_t place) { ++result.first[place + 1]; });
-  for (std::size_t place = 1; place < result.first.size(); ++place) result.first[place] += result.first[place - 1];
+  each([&](std::uint32_t, std::size_t address) { ++result.first[address + 1]; });
+  for (std::size_t address = 1; address < result.first.size(); ++address) result.first[address] += result.first[address - 1];
   result.rows.resize(result.first.back());
   std::vector<std::uint32_t> next = result.first;
-  each([&](std::uint32_t i, std::size_t place) { result.rows[next[place]++] = i; });
+  each([&](std::uint32_t i, std::size_t address) { result.rows[next[address]++] = i; });
   return result;
 }
 
@@ -64,9 +64,9 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
       sizes_(map.sizes),
       coil_words_(bit_words(size_of(map, Table::coil))),
       discrete_words_(bit_words(size_of(map, Table::discrete_input))),
-      coils_(by_place(map, Table::coil)),
-      holding_registers_(by_place(map, Table::holding_register)),
-      place_of_event_(places_of_events(tables, map)),
+      coils_(by_address(map, Table::coil)),
+      holding_registers_(by_address(map, Table::holding_register)),
+      address_of_event_(addresses_of_events(tables, map)),
       applied_(initial_operations()),
       zeroed_(zero_masks()),
       scratch_(applied_.size()),
@@ -74,7 +74,7 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
       watchdog_(map.watchdog),
       word_order_(word_order),
       events_written_(tables.event_bits / kPlaneWordBits, 0),
-      point_of_slot_(tables.event_slots, kNoPlace),
+      point_of_slot_(tables.event_slots, kUnmapped),
       rewriting_(size_of(map, Table::coil), size_of(map, Table::holding_register)),
       operations_(with_control_words(applied_)),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
@@ -82,30 +82,30 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
     const IoPoint& point = points_[i];
     if (point.table != Table::input_register || seen[point.number]) continue;
-    seen[point.number] = true;  // of several symbols on one register the first speaks
+    seen[point.number] = true;  // the first of several symbols on one register gives the value
     point_of_slot_[tables.symbols[point.symbol].index] = i;
   }
-  for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = PlaceSet(map.sizes[table]);
-  for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.places);
+  for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = AddressSet(map.sizes[table]);
+  for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.width);
   if (watchdog_) mapped_[static_cast<std::size_t>(Table::holding_register)].add(*watchdog_, 1);
 }
 
-/// The bits of operations whose policy it is to go to zero.
+/// The bits of operations whose policy on loss is zero.
 std::vector<std::uint64_t> Images::zero_masks() const {
   std::vector<std::uint64_t> masks(applied_.size());
   for (const IoPoint& point : points_) {
     if (point.on_loss != OnLoss::zero) continue;
     if (point.table == Table::coil) set_bit(masks, point.number, true);
     if (point.table != Table::holding_register) continue;
-    for (std::uint32_t place = point.number; place <= point.last(); ++place) {
-      set_register(std::span(masks).subspan(coil_words_), place, 0xFFFF);
+    for (std::uint32_t address = point.number; address <= point.last(); ++address) {
+      set_register(std::span(masks).subspan(coil_words_), address, 0xFFFF);
     }
   }
   return masks;
 }
 
-NumberPlace Images::number_place(const IoPoint& point) const noexcept {
-  return {point.number, point.places, point.word_order, tables_.symbols[point.symbol].type()};
+NumberLayout Images::number_layout(const IoPoint& point) const noexcept {
+  return {point.number, point.width, point.word_order, tables_.symbols[point.symbol].type()};
 }
 
 std::vector<std::uint64_t> Images::initial_operations() const {
@@ -115,12 +115,12 @@ std::vector<std::uint64_t> Images::initial_operations() const {
   const std::uint32_t size = sizes_[static_cast<std::size_t>(Table::holding_register)];
   std::vector<bool> seen(size);
   std::vector<std::uint64_t> words(coil_words_ + register_words(size), 0);
-  // Bit operations start off whatever their list says; numbers stand at their initial value, so that the register a
-  // PLC reads before it ever wrote shows what the plant has.
+  // Bit operations start off whatever their list says. Numbers start at their initial value, so that a PLC that reads a
+  // register before its first write gets the value of the plant.
   for (const IoPoint& point : points_) {
     if (point.table != Table::holding_register || seen[point.number]) continue;
     seen[point.number] = true;
-    set_number(std::span(words).subspan(coil_words_), number_place(point), initial[point.symbol]);
+    set_number(std::span(words).subspan(coil_words_), number_layout(point), initial[point.symbol]);
   }
   return words;
 }
@@ -130,7 +130,7 @@ void Images::apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t no
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
     const bool on = (now >> bit & 1) != 0;
-    // All symbols of a place have one address, so that the first one's write is everybody's.
+    // All symbols of a coil have one address, so that a write to the first one is a write to all.
     const auto rows = coils_.at(static_cast<std::uint32_t>(word) * kBitsPerWord + bit);
     if (!rows.empty()) plant.set_operation(tables_.symbols[points_[rows.front()].symbol].index, on);
   }
@@ -139,28 +139,28 @@ void Images::apply_coils(plant::Plant& plant, std::size_t word, std::uint64_t no
 void Images::apply_registers(plant::Plant& plant, std::size_t word, std::span<const std::uint64_t> now) const noexcept {
   const auto registers = now.subspan(coil_words_);
   const auto before = std::span(applied_).subspan(coil_words_);
-  const auto changed = [&](std::uint32_t place) {
-    return get_register(registers, place) != get_register(before, place);
+  const auto changed = [&](std::uint32_t address) {
+    return get_register(registers, address) != get_register(before, address);
   };
   const auto first = static_cast<std::uint32_t>(word) * kRegistersPerWord;
-  for (std::uint32_t place = first; place < first + kRegistersPerWord; ++place) {
-    if (!changed(place)) continue;
-    // One write for each type that reads the register: symbols of one type and address are kept equal by the plant.
+  for (std::uint32_t address = first; address < first + kRegistersPerWord; ++address) {
+    if (!changed(address)) continue;
+    // One write for each type on the register: the plant keeps symbols of one type and address equal.
     std::uint32_t types_written = 0;
-    for (const std::uint32_t row : holding_registers_.at(place)) {
-      const NumberPlace number = number_place(points_[row]);
+    for (const std::uint32_t row : holding_registers_.at(address)) {
+      const NumberLayout number = number_layout(points_[row]);
       const std::uint32_t bit = std::uint32_t{1} << static_cast<unsigned>(number.type);
       if ((types_written & bit) != 0) continue;
       types_written |= bit;
-      bool written = false;  // for the sake of one of its registers before this one
-      for (std::uint32_t other = number.first; other < place; ++other) written = written || changed(other);
+      bool written = false;  // because one of its lower registers changed
+      for (std::uint32_t other = number.first; other < address; ++other) written = written || changed(other);
       if (written) continue;
       plant.set_operation_value(tables_.symbols[points_[row].symbol].index, number_at(registers, number));
     }
   }
 }
 
-/// Gives the plant all that differs between the image and what it has.
+/// Applies all differences between the image and the operations of the plant.
 void Images::change_operations(plant::Plant& plant, std::span<const std::uint64_t> image) noexcept {
   for (std::size_t word = 0; word < image.size(); ++word) {
     const std::uint64_t changed = image[word] ^ applied_[word];
@@ -205,18 +205,18 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
   events_written_[word] = bits;
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
-    const std::uint32_t place = place_of_event_[word * kPlaneWordBits + bit];
-    if (place == kNoPlace) continue;
-    set_bit(events_.words(), place, (bits >> bit & 1) != 0);
-    events_.touch(place / kBitsPerWord);
+    const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
+    if (address == kUnmapped) continue;
+    set_bit(events_.words(), address, (bits >> bit & 1) != 0);
+    events_.touch(address / kBitsPerWord);
   }
 }
 
 void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexcept {
   const std::uint32_t row = point_of_slot_[slot];
-  if (row == kNoPlace) return;
+  if (row == kUnmapped) return;
   const IoPoint& point = points_[row];
-  set_number(events_.words().subspan(discrete_words_), number_place(point), value);
+  set_number(events_.words().subspan(discrete_words_), number_layout(point), value);
   for (std::uint32_t word = point.number / kRegistersPerWord; word <= point.last() / kRegistersPerWord; ++word) {
     events_.touch(discrete_words_ + word);
   }
@@ -227,10 +227,10 @@ void Images::write_status(const StatusBlock& status) noexcept {
     const auto registers = registers_of(status, word_order_);
     const auto inputs = events_.words().subspan(discrete_words_);
     for (std::uint32_t i = 0; i < kStatusRegisters; ++i) {
-      const std::uint32_t place = *status_block_ + i;
-      if (get_register(inputs, place) == registers[i]) continue;
-      set_register(inputs, place, registers[i]);
-      events_.touch(discrete_words_ + place / kRegistersPerWord);
+      const std::uint32_t address = *status_block_ + i;
+      if (get_register(inputs, address) == registers[i]) continue;
+      set_register(inputs, address, registers[i]);
+      events_.touch(discrete_words_ + address / kRegistersPerWord);
     }
   }
   events_.publish();
@@ -275,7 +275,7 @@ void Images::begin_request(std::uint32_t losses) noexcept {
   hand_over();
 }
 
-/// With what a loss awaits.
+/// Publishes the operations together with the control words.
 void Images::hand_over() noexcept {
   const auto control = operations_.words().subspan(applied_.size());
   control[kLossesSeen] = losses_seen_;

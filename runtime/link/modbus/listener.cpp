@@ -1,4 +1,4 @@
-// A listening TCP socket by HOST:PORT.
+// Opens a listening TCP socket from HOST:PORT.
 #include "symplant/link/modbus/listener.hpp"
 
 #include <netdb.h>
@@ -43,7 +43,7 @@ std::variant<Addresses, LinkError> resolve(const HostPort& address) {
                        : environment(why + ": try again, or give a numeric address");
 }
 
-/// Why a socket could not be bound at `at`, an address of the host, and what to do about it.
+/// Why a socket cannot be bound to `at`, an address of the host, and what to do.
 LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
   const std::string port = "port " + std::to_string(address.port);
   if (error == EADDRINUSE) {
@@ -51,13 +51,13 @@ LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
     const auto owner = owner_of_port(at);
     if (owner && owner->process == ::getpid()) {
       return environment(in_use + " by this program itself (process " + std::to_string(owner->process) +
-                         "): give each of its links a port of its own");
+                         "): give each of its links its own port");
     }
     if (owner) {
       return environment(in_use + " by `" + owner->program + "` (process " + std::to_string(owner->process) +
                          "): end it, or give another port");
     }
-    return environment(in_use + ": end the program that has it (`sudo ss -ltnp` names it), or give another port");
+    return environment(in_use + ": end the program that uses it (`sudo ss -ltnp` names it), or give another port");
   }
   if (error == EACCES && address.port < kFirstFreePort) {
     return environment("no permission for " + port +
@@ -66,7 +66,7 @@ LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
   }
   if (error == EADDRNOTAVAIL) {
     return usage("host `" + address.host +
-                 "` is no address of this machine: give one that is, 127.0.0.1 for clients on it only");
+                 "` is not an address of this machine: give one that is, 127.0.0.1 for clients on it only");
   }
   return environment("cannot listen on `" + format_host_port(address) + "`: " + std::generic_category().message(error));
 }
@@ -80,18 +80,18 @@ std::uint16_t port_of(int socket) {
   return ntohs(reinterpret_cast<const sockaddr_in*>(&storage)->sin_port);
 }
 
-/// Nothing, with errno set, where the address cannot be had.
+/// Nothing, with errno set, if the address is not available.
 Descriptor listen_at(const addrinfo& address) {
   Descriptor socket(::socket(address.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket) return {};
-  const int on = 1;  // connections of an earlier run that still wait for their end do not keep the port
+  const int on = 1;  // connections of an earlier run that still close do not block the port
   ::setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   if (::bind(socket.get(), address.ai_addr, address.ai_addrlen) != 0) return {};
   if (::listen(socket.get(), SOMAXCONN) != 0) return {};
   return socket;
 }
 
-/// Most masters know IPv4 alone; `localhost` gives the other one first on many systems.
+/// IPv4 first: most masters know only IPv4, and `localhost` resolves to IPv6 first on many systems.
 std::vector<const addrinfo*> ipv4_first(const addrinfo* list) {
   std::vector<const addrinfo*> all;
   for (const addrinfo* one = list; one != nullptr; one = one->ai_next) all.push_back(one);
@@ -99,8 +99,8 @@ std::vector<const addrinfo*> ipv4_first(const addrinfo* list) {
   return all;
 }
 
-/// Whether the machine does not have the address. Only then is the next one tried: where a port is in use at one
-/// address and free at another, masters would ask whoever has it at the first.
+/// Whether the machine does not have the address. Only then the next one is tried: if a port is in use at one address
+/// and free at another, masters would reach the program at the first.
 bool is_absent(int error) { return error == EADDRNOTAVAIL || error == EAFNOSUPPORT; }
 
 }  // namespace
@@ -116,12 +116,12 @@ std::variant<HostPort, LinkError> parse_host_port(std::string_view text) {
   const char* end = digits.data() + digits.size();
   const auto [stop, fault] = std::from_chars(digits.data(), end, result.port);
   if (digits.empty() || fault != std::errc() || stop != end) {
-    return usage(shown + " ends in no port: give a number from 0 to 65535, 0 for any that is free");
+    return usage(shown + " does not end in a port: give a number from 0 to 65535, 0 for any free port");
   }
   const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
   if (bracketed) host = host.substr(1, host.size() - 2);
   if (host.find_first_of("[]/@?# ") != std::string_view::npos || (!bracketed && host.find(':') != host.npos)) {
-    return usage(shown + " is no HOST:PORT: an IPv6 address stands in brackets, such as [::1]:5020");
+    return usage(shown + " is not HOST:PORT: put an IPv6 address in brackets, such as [::1]:5020");
   }
   result.host = host.empty() ? kLoopback : host;
   return result;

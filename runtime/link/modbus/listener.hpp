@@ -1,4 +1,4 @@
-// A listening TCP socket by HOST:PORT.
+// Opens a listening TCP socket from HOST:PORT.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 namespace symplant::link::modbus {
 
 struct HostPort {
-  std::string host;  ///< a name or address, an IPv6 address without its brackets
+  std::string host;  ///< a name or an address; an IPv6 address without brackets
   std::uint16_t port = 0;
 };
 
-/// Splits HOST:PORT, [IPv6]:PORT or :PORT; without a host it is the loopback address. Faults are of kind usage.
+/// Splits HOST:PORT, [IPv6]:PORT or :PORT (the loopback address). Errors are of kind usage.
 std::variant<HostPort, LinkError> parse_host_port(std::string_view text);
 
-/// HOST:PORT as it stands in a URL.
+/// HOST:PORT as in a URL.
 std::string format_host_port(const HostPort& address);
 
 struct Listener {
@@ -27,8 +27,8 @@ struct Listener {
   HostPort bound;     ///< with the real port
 };
 
-/// Binds to the first of the host's addresses that this machine has, those of IPv4 before others, and listens. An
-/// unknown host is a fault of kind usage, a port that cannot be had at that address one of kind environment.
+/// Binds to the first of the host's addresses that this machine has, IPv4 before IPv6, and listens. An unknown host is
+/// an error of kind usage, a port that is not available at that address an error of kind environment.
 std::variant<Listener, LinkError> listen_on(const HostPort& address);
 
 }  // namespace symplant::link::modbus

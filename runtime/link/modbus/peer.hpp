@@ -5,11 +5,11 @@
 
 namespace symplant::link::modbus {
 
-/// Sends without delay, and finds a peer that vanished: after 10 s without a word it is asked three times in 15 s, and
-/// what it does not acknowledge for 25 s ends the connection.
+/// Sets the socket options: send without delay, detect a peer that vanished. After 10 s of silence it is probed three
+/// times in 15 s; data that it does not acknowledge within 25 s ends the connection.
 void prepare_peer(int socket) noexcept;
 
-/// Its numeric address, one of IPv4 also where it came in by IPv6; empty where it is gone.
+/// The numeric address of the peer, an IPv4 address also if it is mapped to IPv6; empty if the peer is gone.
 std::string peer_address(int socket);
 
 }  // namespace symplant::link::modbus

@@ -1,4 +1,4 @@
-// Who listens on a port of this machine.
+// The process that listens on a port of this machine.
 #include "symplant/link/modbus/port_owner.hpp"
 
 #include <arpa/inet.h>
@@ -27,58 +27,58 @@ constexpr std::string_view kListening = "0A";  ///< the state as /proc/net/tcp w
 
 constexpr std::string_view kAll4 = "0000000000000000FFFF000000000000";
 constexpr std::string_view kAll6 = "00000000000000000000000000000000";
-constexpr std::string_view kMapped =
-    kAll4.substr(0, 24);  ///< how an address of IPv4 begins that is written as one of IPv6
+constexpr std::string_view kMapped = kAll4.substr(0, 24);  ///< prefix of an IPv4 address mapped to IPv6
 
-/// A place to listen on, as /proc/net/tcp6 writes it; an IPv4 address is mapped.
-struct Place {
+/// An address and port to listen on, as in /proc/net/tcp6; an IPv4 address is mapped.
+struct Endpoint {
   std::string address;
   std::uint16_t port = 0;
 };
 
-Place place_of(const sockaddr& address) {
+Endpoint endpoint_of(const sockaddr& address) {
   std::array<std::uint32_t, 4> words{};
-  Place place;
+  Endpoint endpoint;
   const bool six = address.sa_family == AF_INET6;
   if (six) {
     const auto& v6 = reinterpret_cast<const sockaddr_in6&>(address);
     std::memcpy(words.data(), &v6.sin6_addr, sizeof words);
-    place.port = ntohs(v6.sin6_port);
+    endpoint.port = ntohs(v6.sin6_port);
   } else {
     const auto& v4 = reinterpret_cast<const sockaddr_in&>(address);
     words = {0, 0, htonl(0xFFFF), v4.sin_addr.s_addr};
-    place.port = ntohs(v4.sin_port);
+    endpoint.port = ntohs(v4.sin_port);
   }
   for (const std::uint32_t word : words) {
     std::array<char, 9> hex{};
-    std::snprintf(hex.data(), hex.size(), "%08X", static_cast<unsigned>(word));  // in the machine's order, as there
-    place.address += hex.data();
+    std::snprintf(hex.data(), hex.size(), "%08X",
+                  static_cast<unsigned>(word));  // in the machine's byte order, as in /proc
+    endpoint.address += hex.data();
   }
-  return place;
+  return endpoint;
 }
 
-/// The first column of a line that names a place, "0100007F:05DE"; port 0 where it is none.
-Place place_of(std::string_view column) {
-  Place place;
+/// Parses the column of a local address, "0100007F:05DE"; port 0 if it is not an address.
+Endpoint endpoint_of(std::string_view column) {
+  Endpoint endpoint;
   const std::size_t colon = column.find(':');
-  if (colon == column.npos) return place;
-  std::from_chars(column.data() + colon + 1, column.data() + column.size(), place.port, 16);
-  place.address = column.substr(0, colon);
-  if (place.address.size() == 8) place.address.insert(0, kMapped);
-  return place;
+  if (colon == column.npos) return endpoint;
+  std::from_chars(column.data() + colon + 1, column.data() + column.size(), endpoint.port, 16);
+  endpoint.address = column.substr(0, colon);
+  if (endpoint.address.size() == 8) endpoint.address.insert(0, kMapped);
+  return endpoint;
 }
 
 bool covers(std::string_view all, std::string_view address) {
   return all == kAll6 || (all == kAll4 && address.substr(0, kMapped.size()) == kMapped);
 }
 
-/// Both cannot be listened on at once.
-bool collide(const Place& a, const Place& b) {
+/// Whether two sockets cannot listen on both.
+bool collide(const Endpoint& a, const Endpoint& b) {
   return a.port == b.port && (a.address == b.address || covers(a.address, b.address) || covers(b.address, a.address));
 }
 
-/// `socket:[INODE]` of every socket that listens where `wanted` would.
-std::vector<std::string> listeners(const char* table, const Place& wanted) {
+/// `socket:[INODE]` of every socket that listens and collides with `wanted`.
+std::vector<std::string> listeners(const char* table, const Endpoint& wanted) {
   std::ifstream stream(table);
   std::vector<std::string> found;
   std::string line;
@@ -87,7 +87,7 @@ std::vector<std::string> listeners(const char* table, const Place& wanted) {
     std::istringstream fields(line);
     std::string row, local, remote, state, queues, timer, retransmits, user, timeout, inode;
     fields >> row >> local >> remote >> state >> queues >> timer >> retransmits >> user >> timeout >> inode;
-    if (state == kListening && collide(place_of(local), wanted)) found.push_back("socket:[" + inode + "]");
+    if (state == kListening && collide(endpoint_of(local), wanted)) found.push_back("socket:[" + inode + "]");
   }
   return found;
 }
@@ -117,7 +117,7 @@ std::string program_of(const fs::path& process) {
 }  // namespace
 
 std::optional<PortOwner> owner_of_port(const sockaddr& address) {
-  const Place wanted = place_of(address);
+  const Endpoint wanted = endpoint_of(address);
   std::vector<std::string> sockets = listeners("/proc/net/tcp", wanted);
   for (std::string& socket : listeners("/proc/net/tcp6", wanted)) sockets.push_back(std::move(socket));
   if (sockets.empty()) return std::nullopt;

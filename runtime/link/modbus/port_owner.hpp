@@ -1,4 +1,4 @@
-// Who listens on a port of this machine.
+// The process that listens on a port of this machine.
 #pragma once
 
 #include <sys/socket.h>
@@ -10,12 +10,12 @@
 namespace symplant::link::modbus {
 
 struct PortOwner {
-  std::string program;  ///< in printable ASCII, cut by the system after 15 bytes
+  std::string program;  ///< in printable ASCII; the system cuts it after 15 bytes
   pid_t process = 0;
 };
 
-/// The process that listens where a socket of this address (IPv4 or IPv6, with its port) would: on the port, and on the
-/// same address or on all. By /proc; nothing where it cannot be read, as of other users' processes.
+/// The process whose listening socket collides with this address (IPv4 or IPv6, with its port): one on the same port,
+/// and on the same address or on all. Reads /proc; nothing if that is not readable, as for processes of other users.
 std::optional<PortOwner> owner_of_port(const sockaddr& address);
 
 }  // namespace symplant::link::modbus

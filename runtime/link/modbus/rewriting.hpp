@@ -1,22 +1,22 @@
-// What a PLC has written, and whether after a loss of its link it has written all of it again.
+// Tracks what a PLC has written, and whether it has written all of it again after a loss of its link.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "symplant/link/modbus/place_set.hpp"
+#include "symplant/link/modbus/address_set.hpp"
 
 namespace symplant::link::modbus {
 
-/// Of coils and holding registers. Used by the server's thread. Costs a step for each 64 places written; a loss costs
-/// one for each 64 places that there are.
+/// For coils and holding registers. Used by the server's thread. A write costs one step for each 64 addresses written,
+/// a loss one for each 64 addresses of the tables.
 class Rewriting {
  public:
   Rewriting(std::uint32_t coils, std::uint32_t holding_registers)
       : tables_{Written(coils), Written(holding_registers)} {}
 
-  /// A loss: all that was written until now is awaited, of the places that something stands on.
-  void begin(const PlaceSet& mapped_coils, const PlaceSet& mapped_registers) noexcept {
+  /// A loss: from now on all mapped addresses that were written before are awaited.
+  void begin(const AddressSet& mapped_coils, const AddressSet& mapped_registers) noexcept {
     tables_[0].awaited.assign_common(tables_[0].ever, mapped_coils);
     tables_[1].awaited.assign_common(tables_[1].ever, mapped_registers);
     awaited_ = tables_[0].awaited.size() + tables_[1].awaited.size();
@@ -32,8 +32,8 @@ class Rewriting {
  private:
   struct Written {
     explicit Written(std::uint32_t size) : ever(size), awaited(size) {}
-    PlaceSet ever;
-    PlaceSet awaited;
+    AddressSet ever;
+    AddressSet awaited;
   };
 
   std::array<Written, 2> tables_;

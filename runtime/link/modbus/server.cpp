@@ -19,11 +19,11 @@ namespace symplant::link::modbus {
 
 namespace {
 
-/// How long no client is accepted after the system had no descriptor or memory for one.
+/// No client is accepted for this long after the system had no descriptor or memory for one.
 constexpr int kPauseMilliseconds = 100;
-/// Who asked within it gives no descriptor away to a new client.
+/// A client with a request within this time is not closed to get a descriptor for a new one.
 constexpr tables::Time kQuiet = 10 * tables::kSecond;
-/// How many clients are accepted before those that are there have their turn.
+/// Number of clients accepted before the existing ones are served again.
 constexpr int kAcceptsATurn = 64;
 
 tables::Time steady_now() {
@@ -31,7 +31,7 @@ tables::Time steady_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since).count();
 }
 
-/// A connected socket that takes what it can; a peer that is gone raises no signal.
+/// A connected socket that takes what it can without waiting; a peer that is gone raises no signal.
 class SocketSink final : public Sink {
  public:
   explicit SocketSink(int fd) noexcept : fd_(fd) {}
@@ -63,7 +63,7 @@ void watch(int epoll, int operation, int fd, std::uint32_t events) {
   }
 }
 
-/// Runs `start` with every signal blocked, which the thread it starts inherits: signals are the host's.
+/// Runs `start` with every signal blocked; the thread that it starts inherits this, so that the host gets all signals.
 template <class Start>
 std::thread without_signals(Start start) {
   sigset_t all;
@@ -86,11 +86,11 @@ struct Server::Client {
   Descriptor socket;
   Connection connection;
   std::uint64_t last_use = 0;
-  tables::Time last_request = 0;  ///< or when it was accepted
-  tables::Time frame_begun = 0;   ///< when the frame began that is not whole yet; 0: there is none
+  tables::Time last_request = 0;  ///< or the time when it was accepted
+  tables::Time frame_begun = 0;   ///< begin of the frame that is still incomplete; 0: no such frame
   std::uint32_t watched = EPOLLIN;
   bool kept = false;
-  bool ended = false;  ///< it sends no more, but still gets its answers
+  bool ended = false;  ///< sends no more, but still gets its answers
 };
 
 Server::Server(Descriptor listener, Responder& responder, ServerOptions options)
@@ -108,7 +108,7 @@ Server::Server(Descriptor listener, Responder& responder, ServerOptions options)
 
 Server::~Server() {
   const std::uint64_t one = 1;
-  // A fresh eventfd takes a one: there is nothing to wait for or to repeat.
+  // A write of 1 to a new eventfd never blocks and never fails, so it needs no retry.
   [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
   thread_.join();
 }
@@ -127,7 +127,7 @@ void Server::serve() {
       const auto client = clients_.find(event.data.fd);
       if (client != clients_.end()) serve_client(*client->second, event.events);
     }
-    // Last, so that no event above can be taken for a client that got a closed one's descriptor.
+    // Last, so that no event above is mistaken for one of a new client with the descriptor of a closed one.
     for (int i = 0; i < count; ++i) {
       if (events[static_cast<std::size_t>(i)].data.fd == listener_.get()) accept_clients();
     }
@@ -156,7 +156,7 @@ void Server::accept_clients() {
       case AfterAccept::serve:
         return;
       case AfterAccept::give_way:
-        // Once only until it has helped: what we close need not be what is short.
+        // Only once until an accept succeeds: closing a client may not free what is short.
         if (!gave_way_ && make_room(kQuiet)) {
           gave_way_ = true;
           continue;
@@ -165,7 +165,7 @@ void Server::accept_clients() {
       case AfterAccept::pause:
         break;
     }
-    listen(false);  // as it stays readable
+    listen(false);  // the listener stays readable
     return;
   }
 }
@@ -209,7 +209,7 @@ void Server::note_progress(Client& client, std::uint64_t requests_before) noexce
     client.last_use = ++uses_;
     client.last_request = now_;
   }
-  // What waits behind answers that the peer does not take is no frame that it fails to end.
+  // A request that waits until the peer takes its answers does not count as an incomplete frame.
   const bool partial = client.connection.holds_part_of_frame() && !client.connection.has_answers_to_send();
   if (!partial) {
     client.frame_begun = 0;
@@ -219,7 +219,7 @@ void Server::note_progress(Client& client, std::uint64_t requests_before) noexce
 }
 
 bool Server::read_from(Client& client) {
-  // One read a turn, so that a busy client does not keep the others waiting.
+  // One read per turn, so that a busy client does not delay the others.
   const auto room = client.connection.room();
   if (room.empty()) return true;
   const ssize_t count = ::recv(client.socket.get(), room.data(), room.size(), 0);

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::string_view kScheme = "modbus-tcp-server";
 
-/// Answers requests from the images and counts them. Lives in the server's thread; the counts may be read by any.
+/// Answers requests from the images and counts them. Used by the server's thread; any thread may read the counts.
 class ImageResponder final : public Responder {
  public:
-  /// With a watchdog in the map a change of its register is the only sign of life.
+  /// If the map has a watchdog, only a change of its register is a sign of life.
   ImageResponder(Images& images, const Identity& identity, const IoMap& map) noexcept
       : images_(images),
         identity_(identity),
@@ -28,11 +28,12 @@ class ImageResponder final : public Responder {
         state_register_(map.status_block ? *map.status_block + kStateField : kNowhere) {}
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
-    const bool left = left_.load(std::memory_order_acquire);  // before the image is taken, which then has the end
+    const bool left =
+        left_.load(std::memory_order_acquire);  // read before the image, which then has the stopping state
     images_.begin_request(losses_.load(std::memory_order_relaxed));
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
     const std::uint32_t gaps = images_.written(answer);
-    // After written(), so that the cycle which hears of it finds what it wrote.
+    // After written(), so that a cycle that sees the count also sees the data.
     if (watched_ ? images_.changed_watchdog(answer) : touches_map(answer)) {
       heard_.fetch_add(1, std::memory_order_release);
     }
@@ -48,12 +49,12 @@ class ImageResponder final : public Responder {
     add(exceptions_, 1);
   }
 
-  /// Any thread: counts the signs of life, requests that touched the map or changed the watchdog.
+  /// Number of signs of life: requests that touched the map or changed the watchdog. Any thread.
   std::uint64_t heard() const noexcept { return heard_.load(std::memory_order_acquire); }
-  /// Any thread: how often the link was lost until now.
+  /// Sets the number of losses so far. Any thread.
   void lost(std::uint32_t losses) noexcept { losses_.store(losses, std::memory_order_relaxed); }
 
-  /// Any thread, once: the image now has that the plant stops.
+  /// The image now has the stopping state. Any thread, once.
   void left() noexcept { left_.store(true, std::memory_order_release); }
 
   LinkStatus status() const noexcept {
@@ -91,8 +92,8 @@ class ImageResponder final : public Responder {
   Count heard_{0};
   std::atomic<std::uint32_t> losses_{0};
   std::atomic<bool> left_{false};
-  std::atomic<bool> state_read_{false};  ///< of the status block, while the plant ran
-  std::atomic<bool> end_read_{false};    ///< likewise, behind left()
+  std::atomic<bool> state_read_{false};  ///< the state in the status block, while the plant ran
+  std::atomic<bool> end_read_{false};    ///< the state in the status block, after left()
 };
 
 class ServerLink final : public Link {
@@ -156,13 +157,13 @@ class ServerLink final : public Link {
             .keep = {settings.keep.begin(), settings.keep.end()}};
   }
 
-  /// The images with the plant's events, before the server's thread begins to answer from them.
+  /// Fills the images with the plant's events before the server's thread answers from them.
   static Images& filled(Images& images, const plant::Plant* plant, std::uint64_t map_hash) {
     if (plant != nullptr) images.write_events(*plant, {.map_hash = map_hash});
     return images;
   }
 
-  /// Takes what was written, and whether the PLC was heard since the last call.
+  /// Takes the written image. Returns whether there was a sign of life since the last call.
   bool is_heard() noexcept {
     const std::uint64_t now = responder_.heard();
     images_.take_operations();
@@ -172,18 +173,18 @@ class ServerLink final : public Link {
   HostPort bound_;
   bool freezes_;
   LinkHealth health_;
-  std::uint64_t heard_ = 0;  ///< signs of life that were counted
+  std::uint64_t heard_ = 0;  ///< signs of life at the last call of is_heard()
   StatusBlock status_;
   Images images_;
   ImageResponder responder_;
-  Server server_;  // last: its thread ends before what it uses
+  Server server_;  // last member: its thread ends before what it uses is destroyed
 };
 
-/// Of `//HOST:PORT`.
+/// Parses `//HOST:PORT`.
 std::variant<HostPort, LinkError> address_of(std::string_view rest) {
   if (rest.substr(0, 2) == "//") return parse_host_port(rest.substr(2));
-  return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` behind `" + std::string(kScheme) +
-                                               ":` is no address: give //HOST:PORT"};
+  return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` after `" + std::string(kScheme) +
+                                               ":` is not an address: give //HOST:PORT"};
 }
 
 }  // namespace

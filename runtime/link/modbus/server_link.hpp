@@ -8,10 +8,10 @@
 
 namespace symplant::link::modbus {
 
-/// Why `rest`, the link's URL behind its scheme, is not `//HOST:PORT`; empty where it is.
+/// Why `rest`, the link's URL after its scheme, is not `//HOST:PORT`; empty if it is.
 std::string address_fault(std::string_view rest);
 
-/// Makes and starts the server on it. Tables must outlive it. A map with a fault is a usage error.
+/// Creates the server and starts it at that address. Tables must outlive it. An invalid map is a usage error.
 LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
                             const plant::Plant* plant);
 

@@ -6,12 +6,12 @@
 namespace symplant::link::modbus {
 namespace {
 
-/// Writes a number of several registers.
+/// Writes a number that takes several registers.
 void put(std::span<std::uint16_t> registers, std::uint64_t value, WordOrder order) noexcept {
   const std::size_t count = registers.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t place = order == WordOrder::low_first ? i : count - 1 - i;
-    registers[place] = static_cast<std::uint16_t>(value >> (16 * i));
+    const std::size_t index = order == WordOrder::low_first ? i : count - 1 - i;
+    registers[index] = static_cast<std::uint16_t>(value >> (16 * i));
   }
 }
 

@@ -1,4 +1,4 @@
-// The twelve input registers that tell a PLC programmer how the plant stands (docs/links.md).
+// The status block: twelve input registers with the state of the plant (docs/links.md).
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace symplant::link::modbus {
 
-inline constexpr std::uint16_t kStatusLayout = 1;  ///< register 0: changes when the layout does
+inline constexpr std::uint16_t kStatusLayout = 1;  ///< register 0: changes with the layout
 
-inline constexpr std::uint32_t kStateField = 2;  ///< the register of PlantState, counted from the block's first
+inline constexpr std::uint32_t kStateField = 2;  ///< index of the register of PlantState in the block
 
 enum class PlantState : std::uint16_t { waiting = 0, run = 1, link_lost = 2, frozen = 3, stopping = 4 };
 
@@ -24,11 +24,10 @@ struct StatusBlock {
   std::uint64_t map_hash = 0;
 };
 
-/// State of the plant as one link tells it: a run that ends comes first, then a plant that stands still, then the
-/// link's own state.
+/// The state of the plant for one link: stopping has priority, then frozen, then the state of the link.
 PlantState plant_state(exec::LinkState link, bool frozen, bool stopping) noexcept;
 
-/// The registers in their order. Counters are cut to their registers' bits, so that they begin again at 0.
+/// The registers in order. Counters are cut to the bits of their registers, so that they wrap around.
 std::array<std::uint16_t, kStatusRegisters> registers_of(const StatusBlock& block, WordOrder order) noexcept;
 
 }  // namespace symplant::link::modbus

@@ -1,4 +1,4 @@
-// A program of a user's own around a generated plant: commands the ram down and watches it arrive.
+// A user program around a generated plant: commands the ram down and waits until it arrives.
 #include <cstdint>
 #include <cstdio>
 #include <memory>

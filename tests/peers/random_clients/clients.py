@@ -1,4 +1,4 @@
-"""Three foreign Modbus clients behind one face: do(call, argument...) gives values read, what a write's answer echoes, or Refused."""
+"""Three third-party Modbus clients with one interface: do(call, argument...) returns values, the echo, or Refused."""
 import json
 import re
 import subprocess
@@ -52,7 +52,7 @@ class Pymodbus:
 
 
 class ModbusSerial:
-    """npm's modbus-serial, in a process of its own that serves calls."""
+    """npm's modbus-serial, in a separate process that serves calls."""
 
     name = "modbus-serial"
     METHODS = {"read_coils": "readCoils", "read_discrete_inputs": "readDiscreteInputs",
@@ -88,7 +88,7 @@ class ModbusSerial:
 
 
 class Mbpoll:
-    """mbpoll, by libmodbus: a process a call, of 125 places at most."""
+    """mbpoll, with libmodbus: one process per call, at most 125 addresses."""
 
     name = "mbpoll"
     TABLES = {"read_coils": "0", "write_coil": "0", "write_coils": "0", "read_discrete_inputs": "1",

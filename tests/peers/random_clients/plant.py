@@ -1,15 +1,15 @@
-"""A plant whose answers are known: its files, and a model of its four tables that follows every write.
+"""A plant with known answers: its files, and a model of its four tables that follows every write.
 
-Devices of two events each follow their operation at once; what is left of the inputs changes when the scenario sets it, one
-set of values a trigger. All else of coils and holding registers is read back as it was written, symbol or gap.
+Devices of two events each follow their operation at once; the other inputs change when the scenario sets them, one
+set of values per trigger. All other coils and holding registers read back as written, symbol or gap.
 """
 import json
 import struct
 
 COILS = INPUTS = 4096
 HOLDING = 512
-INPUT_REGISTERS = 500  # that the map has; behind it may stand what the link adds
-KEPT = range(2000, 2128)  # the coils that are written by trigger, barrier and end alone
+INPUT_REGISTERS = 500  # in the map; registers of the link may follow
+KEPT = range(2000, 2128)  # the coils that only trigger, barrier and end write
 BARRIER, END, FIRST_TRIGGER = 2000, 2001, 2008
 STAMP = 499  # the input register that counts the triggers
 TRIGGERS = KEPT.stop - FIRST_TRIGGER
@@ -27,12 +27,12 @@ def registers_of(value, layout, order):
 
 
 class KnownPlant:
-    """The plant of a seed, with its tables as they must be now."""
+    """The plant of a seed, with the current expected tables."""
 
     def __init__(self, dice):
         self.coils, self.inputs = [0] * COILS, [0] * INPUTS
         self.holding, self.input_registers = [0] * HOLDING, [0] * INPUT_REGISTERS
-        self.unsettled = set()  # inputs that may still stand as they were
+        self.unsettled = set()  # inputs that may still have their old values
         self.triggered = 0
         self.rows = []
         places = dice.sample([place for place in range(INPUTS - 1)], 2 * FOLLOWERS + 2 + FREE_INPUTS)
@@ -135,7 +135,7 @@ class KnownPlant:
         self.holding[first:first + len(words)] = words
 
     def next_trigger(self):
-        """The coil of the next trigger, after which the inputs stand as this says; none where all were used."""
+        """The coil of the next trigger, which sets the inputs to these values; None if all are used."""
         if self.triggered == TRIGGERS:
             return None
         coil = FIRST_TRIGGER + self.triggered

@@ -1,4 +1,4 @@
-// What random files hold and what happens in their runs, counted.
+// Counts what random files hold and what happens in their runs.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Seen : std::size_t {
   behaviours,
   lower_case,
   second_lists,
-  // In scenarios, as they were played.
+  // In scenarios, as played.
   at,
   at_past,
   plus,
@@ -46,7 +46,7 @@ enum class Seen : std::size_t {
   until_cut,
   runs_good,
   runs_failed,
-  /// The first of tables::FindingKind, in its order.
+  /// The counters of tables::FindingKind begin here, in its order.
   first_finding,
   number_of = first_finding + tables::kFindingKinds,
 };

@@ -1,4 +1,4 @@
-// A case on the reference.
+// Runs a case on the reference.
 #include "property/files/expected.hpp"
 
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace {
 
 using When = Step::When;
 
-bool is_case(const model::PlantModel& plant) { return plant.description_faults.empty() && plant.driven_twice.empty(); }
+bool is_case(const model::Evidence& evidence) { return evidence.faults.empty() && evidence.driven_twice.empty(); }
 
 std::string header_of(const model::PlantModel& plant, std::uint64_t seed) {
   const lower::EngineTables tables = lower::lower(plant);
@@ -53,7 +53,7 @@ void count_verdict(const Step& step, const reference::Verdict& verdict, tables::
   }
 }
 
-/// Plays all steps; false where it is no case.
+/// Plays all steps; false if the case is invalid.
 class CountingRun {
  public:
   CountingRun(const FileCase& it, const model::PlantModel& plant, reference::Plant& reference, Counts& counts)
@@ -98,8 +98,9 @@ class CountingRun {
 }  // namespace
 
 std::optional<Outcome> expected(const FileCase& it, Counts& counts) {
-  const model::PlantModel plant = build(it.plant);
-  if (!is_case(plant)) return std::nullopt;
+  const model::Derived derived = build(it.plant);
+  const model::PlantModel& plant = derived.plant;
+  if (!is_case(derived.evidence)) return std::nullopt;
   reference::Plant reference(plant);
   reference.reset(it.seed);
   const auto verdicts = CountingRun(it, plant, reference, counts).play();
@@ -135,7 +136,7 @@ Files files_of(const FileCase& it, Counts& counts) {
   files.lists.push_back(list_text(plant, 0, first_end));
   if (plant.two_lists()) files.lists.push_back(list_text(plant, first_end, plant.rows.size()));
   files.plant = plant_json(plant, it.style, counts);
-  files.scenario = scenario_json(it.steps, build(plant), it.style, counts);
+  files.scenario = scenario_json(it.steps, build(plant).plant, it.style, counts);
   files.seed = it.seed;
   files.until = it.until;
   return files;

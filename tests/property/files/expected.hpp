@@ -1,4 +1,4 @@
-// What the reference says that a run of the tool must write.
+// The output that a run of the tool must write, according to the reference.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@ namespace symplant::property::files {
 
 struct Outcome {
   int code = 0;
-  std::string header;                 ///< of the trace; empty: not looked at
-  std::vector<std::string> trace;     ///< lines behind the header
-  std::vector<std::string> findings;  ///< how each line begins
+  std::string header;                 ///< of the trace; empty: not compared
+  std::vector<std::string> trace;     ///< lines after the header
+  std::vector<std::string> findings;  ///< the beginning of each line
   std::vector<std::string>
       verdicts;  ///< "step 3 held", "requirement: r1 failed": steps that expect or wait, then requirements
 };
 
-/// Nothing where the case is none: a faulty plant, a step that names what is not there, too many instants.
+/// Nothing if the case is invalid: a faulty plant, a step with unknown names, too many instants.
 std::optional<Outcome> expected(const FileCase& it, Counts& counts);
 
-/// The files of a case, which must be one.
+/// The files of a valid case.
 Files files_of(const FileCase& it, Counts& counts);
 
 }  // namespace symplant::property::files

@@ -1,4 +1,4 @@
-// A plant, a scenario and how both are to be written down as files: plain values, so that parts can be taken away.
+// A plant, a scenario and how both are written as files: plain values, so that parts can be removed.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using Setting = std::pair<std::string, std::uint64_t>;
 struct Step {
   enum class When : std::uint8_t { at, plus, wait };
   When when = When::plus;
-  std::optional<tables::Time> time;  ///< of `at` and `plus`: always there; of `wait`: its `within`
+  std::optional<tables::Time> time;  ///< of `at` and `plus`: always set; of `wait`: its `within`
   std::string wait;                  ///< a condition
   std::vector<Setting> set;
   std::vector<std::pair<std::string, std::string>> states;  ///< device and state
@@ -31,7 +31,7 @@ struct Step {
 /// How the files are written. The same for the same seed.
 struct Style {
   std::uint64_t seed = 0;
-  bool patterns = true;   ///< keys of devices are spread over patterns; else each stands under its device's name
+  bool patterns = true;   ///< keys of devices are spread over patterns; else each is under the device's name
   bool decorated = true;  ///< comments, any order of keys, any case of names, any unit of durations
 };
 
@@ -43,7 +43,7 @@ struct FileCase {
   std::optional<tables::Time> until;
 };
 
-/// What a run of the tool is given.
+/// The input files of a run of the tool.
 struct Files {
   std::vector<std::string> lists;  ///< one or two
   std::string plant;

@@ -1,4 +1,4 @@
-// What random files held, and how often what happened in their runs.
+// Counts what random files held, and what happened in their runs.
 #pragma once
 
 #include <ostream>
@@ -9,7 +9,7 @@ namespace symplant::property::files {
 
 struct FilesTally {
   long plants = 0;
-  long left_aside = 0;  ///< cases that were none: too many instants
+  long left_aside = 0;  ///< invalid cases: too many instants
   long by_program = 0;
   long steps = 0;
   long trace_lines = 0;
@@ -18,7 +18,7 @@ struct FilesTally {
 
   void add(const FileCase& it, const Outcome& outcome);
   void print(std::ostream& out, double seconds) const;
-  /// Whether something happened less often than `minimum`; says what.
+  /// Whether something happened less often than `minimum`; prints it.
   bool missed(std::ostream& out, long minimum) const;
 };
 

@@ -1,4 +1,4 @@
-// Folders of files, and what is to come of them.
+// Runs folders of files and compares the results with the stored ones.
 #include "property/files/fixture.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// JSON as different people write it: what it says is always the same.
+// Prints JSON in different styles; its meaning is always the same.
 #include "property/files/json_printer.hpp"
 
 #include <cstdio>
@@ -65,7 +65,7 @@ class Printer {
     for (const char c : it) {
       char escaped[8];
       std::snprintf(escaped, sizeof escaped, "\\u%04X", static_cast<unsigned>(static_cast<unsigned char>(c)));
-      text += escaped;  // plans are ASCII
+      text += escaped;  // plant descriptions are ASCII
     }
     text += '"';
   }

@@ -1,4 +1,4 @@
-// JSON as different people write it.
+// Prints JSON in different styles.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace symplant::property::files {
 
-/// The value as text. Where it is decorated members stand in any order, with comments, blanks and escapes between.
+/// The value as text. If decorated, members are in any order, with comments, blanks and escapes between them.
 /// `comments` counts them.
 std::string print_json(const nlohmann::json& value, bool decorated, Dice dice, long& comments);
 

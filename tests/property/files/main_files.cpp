@@ -1,4 +1,4 @@
-// Random plants as files: what `symplant run` makes of them must be what the reference says.
+// Random plants as files: the output of `symplant run` must match the reference.
 #include "property/files/program_files.hpp"
 
 int main(int argc, char** argv) {

@@ -5,7 +5,7 @@
 function(symplant_files_mutant NAME FOLDER INCLUDE FROM TO)
   symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/${FOLDER} ${INCLUDE} "${FROM}" "${TO}")
   get_filename_component(floor ${FOLDER} NAME)
-  set_target_properties(symplant_${floor} PROPERTIES UNITY_BUILD OFF) # one object is to be replaced, not all of them
+  set_target_properties(symplant_${floor} PROPERTIES UNITY_BUILD OFF) # one object is replaced, not all
   add_executable(property_files_mutant_${NAME} main_files.cpp ${source})
   target_include_directories(property_files_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_files_mutant_${NAME} PRIVATE symplant_property_files symplant_options)

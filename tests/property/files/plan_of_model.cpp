@@ -1,4 +1,4 @@
-// A plan from a plant.
+// Makes a plan from a plant.
 #include "property/files/plan_of_model.hpp"
 
 #include <set>

@@ -1,11 +1,11 @@
-// The plan that a plant might have come from.
+// A plan that a given plant could come from.
 #pragma once
 
 #include "property/random_unit.hpp"
 
 namespace symplant::property::files {
 
-/// What conditions over the plant may name; no more is in it.
+/// Contains only what conditions over the plant may name.
 PlannedPlant plan_of(const model::PlantModel& plant);
 
 }  // namespace symplant::property::files

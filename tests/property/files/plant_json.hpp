@@ -9,11 +9,11 @@
 
 namespace symplant::property::files {
 
-/// The plant as a file can say it: inputs and outputs in the order of their names, no time beyond the last that can be
-/// written; and now and then a behaviour that the tool does not have, or a second list.
+/// The plant as a file can express it: inputs and outputs in the order of their names, no time after the last one
+/// that can be written; sometimes a behavior that the tool does not have, or a second list.
 void make_sayable(PlantText& plant, std::uint64_t seed);
 
-/// plant.json; the lists are to lie beside it under the names `kListNames`.
+/// plant.json; the lists must be in the same folder under the names `kListNames`.
 std::string plant_json(const PlantText& plant, const Style& style, Counts& counts);
 
 inline constexpr std::array<const char*, 2> kListNames = {"list.csv", "second.csv"};

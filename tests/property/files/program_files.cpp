@@ -1,4 +1,4 @@
-// Draws plants and scenarios, writes them down, runs the tool on them, compares.
+// Draws plants and scenarios, writes files, runs the tool on them, and compares.
 #include "property/files/program_files.hpp"
 
 #include <chrono>
@@ -15,7 +15,7 @@
 namespace symplant::property::files {
 namespace {
 
-/// Every how many-th plant is run by the program itself.
+/// One plant in this many runs in the program itself.
 constexpr std::uint64_t kByProgram = 25;
 
 FileCase random_case(std::uint64_t draw) {
@@ -28,7 +28,7 @@ FileCase random_case(std::uint64_t draw) {
   it.style.seed = draw;
   it.style.decorated = draw % 5 != 0;
   it.seed = draw % 3 == 0 ? 0 : draw * 0x9E37'79B9'7F4A'7C15;
-  DrawnScenario scenario = random_scenario(draw, it.seed, build(it.plant));
+  DrawnScenario scenario = random_scenario(draw, it.seed, build(it.plant).plant);
   it.steps = std::move(scenario.steps);
   it.until = scenario.until;
   return it;
@@ -76,12 +76,12 @@ class Program {
     return 0;
   }
 
-  /// What is different; empty where nothing is.
+  /// The difference; empty if there is no difference.
   std::string one(FileCase& it, std::uint64_t draw) {
     Counts counts;
     auto wanted = expected(it, counts);
     if (!wanted && it.until) {
-      // The plant goes on for too long behind the last step.
+      // The plant runs too long after the last step.
       it.until.reset();
       counts = {};
       wanted = expected(it, counts);

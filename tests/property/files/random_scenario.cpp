@@ -1,4 +1,4 @@
-// Draws scenarios step by step, playing them on the reference meanwhile, so that what they expect is not all nonsense.
+// Draws scenarios step by step and plays them on the reference, so that most of their expectations hold.
 #include "property/files/random_scenario.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ class ScenarioDrawer {
   }
 
  private:
-  /// On an address with an event of a device that the user's code moves.
+  /// On an address with an event of a device that the user's code drives.
   bool may_be_driven_by_code(std::uint32_t symbol) const {
     const auto leader = [&](std::uint32_t of) {
       return plant_.symbols[of].leader == model::kNone ? of : plant_.symbols[of].leader;
@@ -62,7 +62,7 @@ class ScenarioDrawer {
     return false;
   }
 
-  /// Plays the step; false, and nothing done, where it takes too long.
+  /// Plays the step; false, without effect, if it takes too long.
   bool play(const Step& step) {
     const auto resolved = resolver_.resolve(step);
     if (!resolved) return false;
@@ -101,11 +101,11 @@ class ScenarioDrawer {
     step.time = dice_.percent(40) ? 0 : dice_.pick(kPlus);
     const tables::Time now = reference_.now();
     const tables::Time due = reference_.next_due();
-    // The very moment at which something happens.
+    // The exact time at which something happens.
     if (dice_.percent(25) && due < now + 100 * tables::kSecond) step.time = due - now;
     if (!dice_.percent(30)) return;
     step.when = When::at;
-    // Past where a wait took long, but never before what the file itself says above.
+    // Later than the end of a long wait, but never earlier than the last time in the file.
     step.time = dice_.percent(25) ? earliest_ + *step.time : std::max(earliest_, now + *step.time);
   }
 
@@ -127,7 +127,7 @@ class ScenarioDrawer {
     if (dice_.percent(10) && !forced_.empty()) release(step);
   }
 
-  /// One operation of a unit on, its others off.
+  /// One operation of a unit on, its other operations off.
   template <class IsNew>
   void command(Step& step, IsNew&& is_new) {
     if (plant_.units.empty()) return;
@@ -160,7 +160,7 @@ class ScenarioDrawer {
     for (std::size_t i = 1 + dice_.below(2); i > 0; --i) step.release.push_back(dice_.pick(forced_));
   }
 
-  /// What is there once the step has acted; now and then something else.
+  /// The values after the step; sometimes other values.
   void expect(Step& step) {
     Step only_looked_at = step;
     const reference::World world = reference_.save();
@@ -197,7 +197,7 @@ class ScenarioDrawer {
     step.wait = some_condition();
     if (step.wait.empty()) return;
     if (dice_.percent(75)) step.time = wait_time(step);
-    // Without `fails_` nobody waits in vain.
+    // Without `fails_` every wait is met.
     const reference::World world = reference_.save();
     const reference::ScenarioPlayer before = player_;
     if (fails_ == 0 && (!play(step) || !player_.verdicts().back().held)) {
@@ -210,7 +210,7 @@ class ScenarioDrawer {
     take(std::move(step), earliest_);
   }
 
-  /// Long, short, just enough, or one nanosecond too little.
+  /// Long, short, exactly enough, or one nanosecond too short.
   tables::Time wait_time(Step step) {
     if (dice_.percent(40)) return random_time(dice_) % (100 * tables::kSecond);
     const tables::Time start = reference_.now();
@@ -259,12 +259,12 @@ class ScenarioDrawer {
   reference::ScenarioPlayer player_;
   unsigned fails_;  ///< percent of expectations that are wrong
   std::vector<std::uint32_t> operations_;
-  std::vector<std::uint32_t> inputs_;  ///< that no unit moves
+  std::vector<std::uint32_t> inputs_;  ///< that no unit drives
   std::vector<std::uint64_t> written_;
   std::vector<std::string> forced_;
   std::vector<Step> steps_;
-  std::vector<tables::Time> times_;  ///< when each step was over
-  tables::Time earliest_ = 0;        ///< of the next `at`, as far as the file alone can tell
+  std::vector<tables::Time> times_;  ///< end time of each step
+  tables::Time earliest_ = 0;        ///< of the next `at`, as far as the file determines it
   int refused_ = 0;
   bool ended_ = false;
 };

@@ -1,4 +1,4 @@
-// Scenarios that might be played on a plant, and how they come out.
+// Random scenarios for a plant, and their results.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace symplant::property::files {
 
-/// More instants than this are too many for one run.
+/// The highest number of instants of one run.
 inline constexpr long kMostInstants = 3000;
 
 struct DrawnScenario {
@@ -17,7 +17,7 @@ struct DrawnScenario {
   std::optional<tables::Time> until;
 };
 
-/// Steps for a run under `seed`: most expect what is there, some do not; a wait may be met at its last instant.
+/// Steps for a run with `seed`: most expect the actual values, some do not; a wait may be met at its last instant.
 DrawnScenario random_scenario(std::uint64_t draw, std::uint64_t seed, const model::PlantModel& plant);
 
 }  // namespace symplant::property::files

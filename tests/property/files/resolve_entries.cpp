@@ -53,7 +53,7 @@ Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const st
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto said = entries[i].keys.find(key);
     if (said == entries[i].keys.end() || !fits(device.path, entries[i].name)) continue;
-    // Clashes count also where a third entry beats both: nobody should rely on that.
+    // A clash also counts if a third entry beats both: users should not rely on that.
     for (std::size_t j = 0; j < i; ++j) {
       const auto other = entries[j].keys.find(key);
       if (other == entries[j].keys.end() || entries[i].exact() || entries[j].exact()) continue;

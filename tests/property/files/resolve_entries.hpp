@@ -1,4 +1,4 @@
-// Which of the entries of `devices` a device has which key from: a second resolver, as plain as can be.
+// Decides which entry of `devices` gives a device each key: a second resolver, as simple as possible.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace symplant::property::files {
 
-/// An entry of `devices`: a name or a pattern, and what it says.
+/// An entry of `devices`: a name or a pattern, and its keys.
 struct Entry {
   std::string name;
   Keys keys;
@@ -18,32 +18,32 @@ struct Entry {
   bool exact() const { return name.find_first_of("*?") == name.npos; }
 };
 
-/// A device and what it should come to.
+/// A device and its wanted description.
 struct Wish {
   std::string path;
   std::set<std::string> tasks;  ///< of all its symbols and added states, in upper case
   Keys keys;
 };
 
-/// What a device has of one key.
+/// How a device gets one key.
 struct Resolved {
-  std::optional<std::size_t> entry;  ///< that the key came from, if any
-  bool clash = false;                ///< two equally specific patterns say different things
-  long beaten = 0;                   ///< entries that say the key in vain
-  long agreeing = 0;                 ///< further ones, equally specific, that say the same
+  std::optional<std::size_t> entry;  ///< the source of the key, if any
+  bool clash = false;                ///< two equally specific patterns have different values
+  long beaten = 0;                   ///< entries with the key that have no effect
+  long agreeing = 0;                 ///< further entries, equally specific, with the same value
   std::set<std::size_t> best;        ///< the entry, and patterns as specific as it
-  nlohmann::json value;              ///< without what the device lacks; null where nothing is said
+  nlohmann::json value;              ///< without the parts that the device lacks; null if no part is left
   long left_out = 0;                 ///< parts that the device lacks
 };
 
 Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const std::string& key);
 
-/// Takes what the device lacks out of a key's value; where nothing is left of it, it is null. Gives how many parts.
+/// Removes the parts that the device lacks from a key's value; null if no part is left. Returns their number.
 long leave_out(nlohmann::json& value, const Wish& device, const std::string& key);
 
-/// The value that says nothing, of a key that has one; else null.
+/// The neutral value of a key, if there is one; else null.
 nlohmann::json neutral(const std::string& key);
-/// Whether both mean the same; null means nothing said.
+/// Whether both mean the same; null is equal to the neutral value.
 bool same_meaning(const std::string& key, const nlohmann::json& a, const nlohmann::json& b);
 
 }  // namespace symplant::property::files

@@ -1,4 +1,4 @@
-// Names of a scenario's steps, looked up as plainly as can be.
+// Looks up the names of a scenario's steps, as simply as possible.
 #include "property/files/resolved_steps.hpp"
 
 #include <string_view>
@@ -35,7 +35,7 @@ class PlainNames final : public condition::Names {
     }
     return std::nullopt;
   }
-  // Nobody reads messages here.
+  // Messages are not used here.
   std::string nearest_device(std::string_view, std::string_view) const override { return {}; }
   std::string nearest_state(std::uint32_t, std::string_view) const override { return {}; }
   std::string nearest_symbol(std::string_view) const override { return {}; }

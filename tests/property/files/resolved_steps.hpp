@@ -1,4 +1,4 @@
-// A scenario's steps, their names looked up in the plant.
+// A scenario's steps with their names looked up in the plant.
 #pragma once
 
 #include <deque>
@@ -13,15 +13,15 @@
 
 namespace symplant::property::files {
 
-/// Looks up names. What it gives points into it.
+/// Looks up names. Its results point into it.
 class StepResolver {
  public:
   /// `plant` must outlive it.
   explicit StepResolver(const model::PlantModel& plant) : plant_(plant) {}
 
-  /// Nothing where the plant lacks what the step names.
+  /// Nothing if the plant lacks a name of the step.
   std::optional<reference::ScenarioStep> resolve(const Step& step);
-  /// Null where it is no condition over the plant.
+  /// Null if it is not a condition over the plant.
   const condition::Tree* condition(const std::string& text);
 
  private:

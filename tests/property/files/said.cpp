@@ -104,7 +104,7 @@ json Sayer::transition(const description::GivenTransition& given) {
   return said;
 }
 
-// Members of an object are taken by name, so all names of one object change their case together.
+// Members of an object are found by name, so all names of one object change their case together.
 json Sayer::switched(const std::vector<std::pair<std::string, bool>>& events) {
   json said = json::object();
   const bool changed = decorated_ && dice.percent(8);

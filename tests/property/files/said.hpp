@@ -11,10 +11,10 @@
 
 namespace symplant::property::files {
 
-/// By key: what an entry of `devices` says.
+/// By key: the values of an entry of `devices`.
 using Keys = std::map<std::string, nlohmann::json>;
 
-/// Says things in one of the ways that mean the same.
+/// Writes things in one of several forms with the same meaning.
 class Sayer {
  public:
   Sayer(const Style& style, std::string_view of, Counts& counts);
@@ -22,10 +22,10 @@ class Sayer {
   std::string time(tables::Time time);
   nlohmann::json duration(const description::Duration& duration);
   std::string name(const std::string& name);
-  /// All that is not as it is without a word. `units`: the paths of all devices.
+  /// All values that differ from the default. `units`: the paths of all devices.
   Keys keys(const description::DeviceDescription& device, const std::vector<std::string>& units);
   nlohmann::json requirement(const description::GivenRequirement& requirement);
-  /// As it is; counts what it uses.
+  /// In the given form; counts what it uses.
   std::string condition(const std::string& text);
 
   Dice dice;
@@ -40,9 +40,9 @@ class Sayer {
   Counts& counts_;
 };
 
-/// A pattern that fits the path.
+/// A pattern that matches the path.
 std::string random_pattern(Dice& dice, const std::string& path);
-/// `*` and `?`, without regard to the case of ASCII letters: a second one, as plain as can be.
+/// `*` and `?`, ignoring the case of ASCII letters: a second implementation, as simple as possible.
 bool fits(const std::string& text, const std::string& pattern);
 /// The characters that are neither `*` nor `?`.
 std::size_t literals(const std::string& pattern);

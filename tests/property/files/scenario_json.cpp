@@ -50,7 +50,7 @@ class ScenarioWriter {
     if (type == tables::DataType::real || type == tables::DataType::lreal) return real(std::bit_cast<double>(value));
     const bool is_signed = type >= tables::DataType::sint && type <= tables::DataType::lint;
     const json number = is_signed ? json(static_cast<std::int64_t>(value)) : json(value);
-    if (sayer_.dice.percent(5)) return number.dump();  // what a trace writes of large ones
+    if (sayer_.dice.percent(5)) return number.dump();  // as a trace writes large ones
     return number;
   }
 

@@ -1,4 +1,4 @@
-// Delta debugging of scenarios; of plants as tests/property does it.
+// Delta debugging of scenarios; plants shrink as in tests/property.
 #include "property/files/shrink_files.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace symplant::property::files {
 namespace {
 
-constexpr int kMostRuns = 1500;  ///< of the tool on one plant
+constexpr int kMostRuns = 1500;  ///< runs of the tool on one plant
 
 class Shrinker {
  public:

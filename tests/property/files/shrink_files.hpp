@@ -1,4 +1,4 @@
-// A case whose files show a disagreement, made as small as it goes.
+// Makes a case whose files show a difference as small as possible.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace symplant::property::files {
 
-/// Takes away steps and what they do, then what makes the files long, then parts of the plant, as long as `disagrees`
-/// says that the case still shows what is wanted.
+/// Removes steps and their actions, then what makes the files long, then parts of the plant, as long as `disagrees`
+/// confirms that the case still shows the difference.
 FileCase shrink(FileCase it, const std::function<bool(const FileCase&)>& disagrees);
 
 }  // namespace symplant::property::files

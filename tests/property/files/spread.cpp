@@ -1,4 +1,4 @@
-// Spreads keys at random, then mends what does not resolve to what was wanted.
+// Spreads keys at random, then fixes what does not resolve to the wanted result.
 #include "property/files/spread.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class Spreader {
   }
 
  private:
-  /// An entry of the pattern, perhaps a new one.
+  /// The entry of the pattern, perhaps a new one.
   Entry& entry_of(const std::string& pattern) {
     for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
       if (same(entries_[i].name, pattern)) return entries_[i];
@@ -66,7 +66,7 @@ class Spreader {
       return true;
     }
     if (there->second == value) return true;
-    // Two devices that have nothing in common may share an array: each leaves out what it lacks.
+    // Two devices with nothing in common may share an array: each ignores what it lacks.
     if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(40)) return false;
     const json before = there->second;
     if (value.is_array()) {
@@ -81,7 +81,7 @@ class Spreader {
     return true;
   }
 
-  /// Something else that the same device could be told.
+  /// Another value that the same device could have.
   json another(const std::string& key, json value) {
     if (value.is_array() && value.size() > 1 && dice_.percent(50)) {
       std::reverse(value.begin(), value.end());
@@ -99,7 +99,7 @@ class Spreader {
     return value;
   }
 
-  /// Entries that say something in vain, or the same once more.
+  /// Entries without effect, or with the same value again.
   void decoys() {
     for (std::size_t i = 0; i < wishes_.size(); ++i) {
       for (const auto& [key, value] : wishes_[i].keys) {
@@ -147,12 +147,12 @@ class Spreader {
     return true;
   }
 
-  /// What every device that has the key from this pattern lacks is an error.
+  /// A part that every device with the key from this pattern lacks is an error.
   bool drop_idle(std::size_t pattern, const std::string& key) {
     const auto said = entries_[pattern].keys.find(key);
     if (said == entries_[pattern].keys.end()) return false;
-    std::vector<const Wish*> takers;       // who has the key from it, or from another that says the same
-    std::vector<const Wish*> sure_takers;  // who has it from no other
+    std::vector<const Wish*> takers;       // devices with the key from it, or from an entry with the same value
+    std::vector<const Wish*> sure_takers;  // devices with it from no other entry
     for (const Wish& wish : wishes_) {
       const Resolved found = resolve(entries_, wish, key);
       if (!found.best.contains(pattern)) continue;
@@ -217,7 +217,7 @@ class Spreader {
   Sayer sayer_;
   Dice& dice_;
   Counts& counts_;
-  std::vector<Entry> entries_;  ///< a device each, in the order of wishes_, then patterns
+  std::vector<Entry> entries_;  ///< one for each device, in the order of wishes_, then patterns
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What devices should come to, spread over exact names and patterns that resolve to just that.
+// Spreads the wanted description of devices over exact names and patterns that resolve to it.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace symplant::property::files {
 
-/// Entries of `devices`. `wishes`: all devices of the plant, also those of which nothing is said.
+/// Entries of `devices`. `wishes`: all devices of the plant, including those without keys.
 std::vector<Entry> spread(const std::vector<Wish>& wishes, const Style& style, Counts& counts);
 
 }  // namespace symplant::property::files

@@ -1,4 +1,4 @@
-// The tool on a case's files, in this process or in one of its own.
+// The tool on the files of a case, in this process or in a separate one.
 #include "property/files/tool_run.hpp"
 
 #include <sys/wait.h>
@@ -37,7 +37,7 @@ int run_apart(const std::string& tool, const std::vector<std::string>& arguments
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// "step 3 held", "requirement: r1 failed": of a step not what it expects.
+/// "step 3 held", "requirement: r1 failed": for a step, without its expectation.
 std::vector<std::string> verdicts_of(const std::string& junit) {
   std::vector<std::string> verdicts;
   for (std::size_t at = junit.find("<testcase"); at != junit.npos;) {
@@ -52,7 +52,7 @@ std::vector<std::string> verdicts_of(const std::string& junit) {
   return verdicts;
 }
 
-/// Each line as far as both are fixed.
+/// Each line, as far as both define it.
 std::string line_difference(const char* of, const std::vector<std::string>& wanted, const std::vector<std::string>& got,
                             bool whole) {
   for (std::size_t i = 0; i < wanted.size() || i < got.size(); ++i) {

@@ -1,4 +1,4 @@
-// The tool on a case's files.
+// The tool on the files of a case.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace symplant::property::files {
 
-/// A folder for the files of one run after the other; gone with this value.
+/// A folder for the files of one run after the other; removed with this value.
 class Workshop {
  public:
   Workshop();
@@ -16,7 +16,7 @@ class Workshop {
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// `symplant run` in this process, or the program `tool` where it is not empty. What it said is in said().
+  /// `symplant run` in this process, or the program `tool` if not empty. Its output is in said().
   Outcome run(const Files& files, const std::string& tool);
   const std::string& said() const { return said_; }
 
@@ -28,12 +28,12 @@ class Workshop {
   std::string said_;
 };
 
-/// Whole, as bytes; empty where there is none.
+/// The whole file as bytes; empty if it does not exist.
 std::string read_file(const std::string& path);
 void write_file(const std::string& path, const std::string& content);
 std::vector<std::string> lines_of(const std::string& text);
 
-/// The first thing in which a run is not as wanted; empty where there is none. Begins with a word that says of what.
+/// The first difference from the wanted run; empty without a difference. The first word names the file or output.
 std::string difference(const Outcome& wanted, const Outcome& got);
 
 }  // namespace symplant::property::files

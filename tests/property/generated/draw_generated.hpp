@@ -1,4 +1,4 @@
-// Which plants are drawn to be generated: small ones, without the user's code.
+// Draws the plants for code generation: small ones, without user code.
 #pragma once
 
 #include <cstddef>

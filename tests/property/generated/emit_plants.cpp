@@ -1,4 +1,4 @@
-// Draws random plants and writes their generated code, a folder each, and a table of them all: emit_plants FOLDER
+// Draws random plants and writes their generated code, a folder each, and a table of them: emit_plants FOLDER
 // COUNT.
 #include <cstdint>
 #include <cstdlib>

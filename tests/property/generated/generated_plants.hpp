@@ -1,4 +1,4 @@
-// The generated plants of this test, by the seed that each was drawn with.
+// The generated plants of this test, by their seed.
 #pragma once
 
 #include <cstdint>

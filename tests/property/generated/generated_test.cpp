@@ -1,4 +1,4 @@
-// Generated code of random plants is the plant that their tables make at run time: the same hash, the same traces.
+// Generated code of a random plant equals the plant of its run-time tables: the same hash, the same traces.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -15,8 +15,8 @@
 namespace symplant::property {
 namespace {
 
-/// Brings a plant to a time, or through many instants on the way: plants whose instants follow each other by
-/// nanoseconds would take forever.
+/// Advances a plant to a time, or through many instants: plants whose instants follow each other within
+/// nanoseconds would run forever.
 void bring_to(EnginePlant& it, tables::Time target) {
   for (int i = 0; i < 300; ++i) {
     const tables::Time due = it.plant().next_due();
@@ -49,7 +49,7 @@ bool same(const std::vector<reference::InstantRecord>& a, const std::vector<refe
   });
 }
 
-TEST_CASE("generated code of random plants has the hash of the tables made at run time") {
+TEST_CASE("Generated code of random plants has the hash of the tables made at run time") {
   CHECK(generated_plants().size() == 50);
   for (const GeneratedPlant& generated : generated_plants()) {
     INFO("seed " << generated.seed);
@@ -59,7 +59,7 @@ TEST_CASE("generated code of random plants has the hash of the tables made at ru
   }
 }
 
-TEST_CASE("generated code of random plants does what the tables made at run time do") {
+TEST_CASE("Generated code of random plants does what the tables made at run time do") {
   std::size_t changes = 0;
   for (const GeneratedPlant& generated : generated_plants()) {
     INFO("seed " << generated.seed);
@@ -73,7 +73,7 @@ TEST_CASE("generated code of random plants does what the tables made at run time
   CHECK(changes > 5000);
 }
 
-TEST_CASE("generated code of random plants does what the reference does") {
+TEST_CASE("Generated code of random plants does what the reference does") {
   for (const GeneratedPlant& generated : generated_plants()) {
     INFO("seed " << generated.seed);
     const DrawnPlant drawn = draw_generated(generated.seed);

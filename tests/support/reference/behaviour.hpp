@@ -1,4 +1,4 @@
-// A user's own code for units of the reference: the same members as engine::Behaviour and engine::BehaviourView, so
+// User code for units of the reference: the same members as engine::Behaviour and engine::BehaviourView, so
 // that one templated test behaviour serves both.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace symplant::reference {
 
 struct Round;
 
-/// A unit as its behaviour sees it. Members as in engine::BehaviourView.
+/// A unit as its behavior sees it. Members as in engine::BehaviourView.
 class View {
  public:
   View(Round& round, std::uint32_t unit) : round_(round), unit_(unit) {}
@@ -44,7 +44,7 @@ class View {
 /// Null: the model's own rule.
 struct Behaviour {
   std::uint32_t memory_size = 0;                                              ///< a multiple of 8
-  tables::Time (*takes)(View&, std::uint16_t transition) noexcept = nullptr;  ///< 0xFFFF: a spring's own way
+  tables::Time (*takes)(View&, std::uint16_t transition) noexcept = nullptr;  ///< 0xFFFF: spring return
   tables::Time (*after)(View&, std::uint16_t transition) noexcept = nullptr;
   std::uint8_t (*wanted)(View&) noexcept = nullptr;  ///< tables::kNoState: none
   void (*entered)(View&, std::uint8_t state) noexcept = nullptr;

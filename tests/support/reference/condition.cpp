@@ -1,4 +1,4 @@
-// Conditions, walked as trees.
+// Evaluates conditions by walking their trees.
 #include <bit>
 
 #include "support/reference/round.hpp"

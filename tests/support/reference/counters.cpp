@@ -1,4 +1,4 @@
-// The names under which the counts are printed.
+// The names of the counters as printed.
 #include "support/reference/counters.hpp"
 
 namespace symplant::reference {

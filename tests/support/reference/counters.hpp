@@ -1,5 +1,5 @@
-// How often a run of the reference took each path of docs/model.md, so that a test of random plants can say what it
-// saw.
+// Counts how often a run of the reference takes each path of docs/model.md, so that a test of random plants can report
+// it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace symplant::reference {
 
-/// Every step, cell, event and finding that the model's page tells of. The order is that of `kCountedNames`.
+/// Every step, cell, event and finding in docs/model.md, in the order of `kCountedNames`.
 enum class Counted : std::size_t {
   settle,
   automatic_fired,
@@ -18,7 +18,7 @@ enum class Counted : std::size_t {
   spring_left_for_rest,
   wanted_transition,
   fired_takes_zero,
-  // The table of a move under way: commanded moves of enabled units, once a round.
+  // The table of moving units: commanded moves of enabled units, once per round.
   latched_forth,
   latched_both,
   latched_back,
@@ -38,8 +38,8 @@ enum class Counted : std::size_t {
   spring_neither_from_elsewhere,
   automatic_move_goes_on,
   turned_round,
-  stood_still,  ///< began to
-  went_on,      ///< after standing still
+  stood_still,  ///< stopped while moving
+  went_on,      ///< continued after stopping
   disarmed_automatic,
   disarmed_once,
   rearmed,

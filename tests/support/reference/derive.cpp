@@ -1,4 +1,4 @@
-// Which symbols make a unit, how they stand together, and what the description says of it.
+// Which symbols make a unit, how they are related, and what the description defines for it.
 #include <algorithm>
 
 #include "support/reference/rules.hpp"
@@ -155,8 +155,8 @@ std::vector<std::uint32_t> Rules::together(std::uint32_t symbol) const {
   return all;
 }
 
-// A unit moves an event where it moves at all and switches the event on coming into, or leaving, a state that it is in
-// at the start or can come into. Code may switch any event of its unit.
+// A unit drives an event if it can move and switches the event on entering or leaving a state that it is in
+// at the start or can reach. User code may switch any event of its unit.
 bool Rules::moved(std::uint32_t symbol) const {
   const std::uint32_t first = leader(symbol);
   const std::uint32_t owner = model->symbols[first].unit;

@@ -64,7 +64,7 @@ std::vector<StateRules> tasks(const Rules& rules, const UnitRules& unit) {
   return found;
 }
 
-/// Inference 2: the place of Y in S, kNone where it is no single solenoid.
+/// Inference 2: the index of Y in S, kNone if the unit is not a single solenoid.
 std::uint32_t single_solenoid_rest(const UnitRules& unit) {
   if (unit.states.size() != 2) return kNone;
   for (std::uint32_t x = 0; x < 2; ++x) {
@@ -78,7 +78,7 @@ std::uint32_t single_solenoid_rest(const UnitRules& unit) {
   return kNone;
 }
 
-/// The state whose event alone has Initial TRUE; kNone where none or several have.
+/// The only state whose event has Initial TRUE; kNone if there is none or more than one.
 std::uint32_t initial_by_column(const Rules& rules, const UnitRules& unit) {
   std::uint32_t found = kNone;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {

@@ -1,4 +1,4 @@
-// The table of transitions: the given ones, the derived ones, the inferred ones.
+// The table of transitions: given, derived and inferred ones.
 #include "support/reference/rules.hpp"
 
 namespace symplant::reference {
@@ -88,7 +88,7 @@ void add_derived(UnitRules& unit, const std::vector<Transition>& given) {
   }
 }
 
-/// Inference 3: the state from which a numbered one is reached by itself; kNone where none or several would be it.
+/// Inference 3: the state from which an automatic transition leads to a numbered one; kNone if it is not unique.
 std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
   std::string lower;    // the highest number below
   std::string highest;  // of all

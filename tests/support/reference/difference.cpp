@@ -49,7 +49,7 @@ std::string states_text(const model::Unit& unit) {
   return out.str();
 }
 
-/// "what: here ..., in the model ..."; empty where both are equal.
+/// "what: here ..., in the model ..."; empty if both are equal.
 std::string unequal(const std::string& what, const std::string& here, const std::string& there) {
   return here == there ? "" : what + ": reference `" + here + "`, model `" + there + "`";
 }

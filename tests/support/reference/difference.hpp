@@ -1,4 +1,4 @@
-// Where the model's derivation and the reference's differ.
+// Where the derivations of the model and of the reference differ.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace symplant::reference {
 
-/// The first difference in words; empty where there is none.
+/// The first difference as text; empty if there is none.
 std::string difference(const Rules& rules);
 
 }  // namespace symplant::reference

@@ -1,4 +1,4 @@
-// How long a transition waits and travels: fixed, drawn, or asked of a behaviour (docs/model.md, "Random times").
+// How long a transition waits and travels: fixed, drawn, or asked of a behavior (docs/model.md, "Random times").
 #include <algorithm>
 
 #include "support/reference/round.hpp"
@@ -10,7 +10,7 @@ namespace {
 __extension__ using Wide = __int128;
 __extension__ using UnsignedWide = unsigned __int128;
 
-/// Steele, Lea and Flood's generator.
+/// The generator of Steele, Lea and Flood.
 struct SplitMix64 {
   std::uint64_t state;
 
@@ -41,11 +41,11 @@ Time normal(SplitMix64 random, Time mean, Time sigma) {
   const Wide product = sigma * (sum - 6 * one);
   Wide off = product / one;
   if (product % one < 0) --off;  // floor
-  // A time beyond what a Time tells never comes.
+  // A time that exceeds the range of Time never comes.
   return static_cast<Time>(std::clamp<Wide>(mean + off, 0, tables::kNever));
 }
 
-/// Without code: fixed, or drawn.
+/// Without user code: fixed, or drawn.
 Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, const description::Duration& duration) {
   if (duration.kind == description::Duration::Kind::fixed) return duration.a;
   const std::uint32_t k = round.next.units[unit].transitions[transition].draws++;

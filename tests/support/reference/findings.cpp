@@ -21,7 +21,7 @@ struct Finder {
   }
 };
 
-/// Raised when they begin to be true; a frozen unit raises none.
+/// Raised when they become true; a frozen unit raises none.
 void find_of_units(Finder& finder) {
   for (std::uint32_t i = 0; i < finder.world.units.size(); ++i) {
     const UnitRules& rules = finder.rules.units[i];
@@ -57,7 +57,7 @@ bool no_effect(const UnitRules& rules, const UnitWorld& unit, std::uint32_t oper
   return true;
 }
 
-/// An operation that has risen in this instant and served nothing in it. True where there is something to say.
+/// An operation that rose in this instant and served nothing in it. True if there is a finding.
 bool find_of_risen(Finder& finder, std::uint32_t index, std::uint32_t operation) {
   const UnitRules& rules = finder.rules.units[index];
   const UnitWorld& unit = finder.world.units[index];
@@ -104,7 +104,7 @@ void find_of_event(Finder& finder, std::uint32_t i) {
   SymbolWorld& symbol = finder.world.symbols[i];
   const bool on = effective(symbol) != 0;
   const bool was_on = symbol.shown != 0;
-  // A unit that is frozen raises none, nor do its events.
+  // A frozen unit raises no findings, nor do its events.
   if (finder.notes.event_changed[i] && on == was_on && !of_frozen_unit(finder, i)) {
     finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short);
   }
@@ -171,7 +171,7 @@ std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const
   }
   find_of_loops(finder);
   for (std::uint32_t i = 0; i < world.monitors.size(); ++i) find_of_requirement(finder, i);
-  // By the page's table, then by unit, symbol or requirement. Loops stand already as they must.
+  // In the order of the table in docs/model.md, then by unit, symbol or requirement. Loops are in order already.
   std::stable_sort(finder.found.begin(), finder.found.end(), [](const tables::Finding& a, const tables::Finding& b) {
     if (a.kind != b.kind) return a.kind < b.kind;
     return a.kind != FindingKind::instantaneous_loop && a.of < b.of;

@@ -1,4 +1,4 @@
-// What the plant finds at the end of an instant.
+// The findings of the plant at the end of an instant.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace symplant::reference {
 
-/// Brings the memory of findings and monitors up to date with the end of an instant; the findings, in their order.
-/// SymbolWorld::shown must still be that of the instant before.
+/// Updates the memory of findings and monitors to the end of an instant; returns the findings in their order.
+/// SymbolWorld::shown must still be that of the previous instant.
 std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
                                          Counters& counters);
 

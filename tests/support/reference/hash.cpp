@@ -21,7 +21,7 @@ std::uint8_t force_of(const SymbolWorld& symbol) {
   return symbol.forced_value != 0 ? 2 : 1;
 }
 
-/// An operation's as last written, sampled or not.
+/// Of an operation: as last written, sampled or not.
 std::uint64_t level_of(const Rules& rules, const World& world, std::uint32_t symbol) {
   return rules.is_operation(symbol) ? world.symbols[symbol].written : world.symbols[symbol].value;
 }

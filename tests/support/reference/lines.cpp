@@ -23,7 +23,7 @@ std::string real_text(tables::DataType type, double number) {
   return type == tables::DataType::real ? shortest(static_cast<float>(number)) : shortest(number);
 }
 
-/// What a double cannot hold exactly is a string.
+/// A value that a double cannot hold exactly is a string.
 std::string whole_text(bool is_signed, std::uint64_t value) {
   constexpr std::uint64_t kExact = std::uint64_t{1} << 53;
   const bool negative = is_signed && static_cast<std::int64_t>(value) < 0;

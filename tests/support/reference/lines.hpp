@@ -1,4 +1,4 @@
-// What a run writes down, line by line, as docs/plant-description.md tells it.
+// The output of a run, line by line, as docs/plant-description.md defines it.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace symplant::reference {
 
-/// As the page's table has it: `lost command`.
+/// As the table in docs/model.md names it: `lost command`.
 std::string_view finding_name(tables::FindingKind kind);
 
-/// The lines of a trace behind its header.
+/// The lines of a trace after its header.
 std::vector<std::string> trace_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants);
 
-/// Of each finding's line the part that the page fixes: `{"t":5,"finding":"lost command","of":"L_P_D_O_UP"`. A loop's
-/// units stand in one line.
+/// The defined part of each finding's line: `{"t":5,"finding":"lost command","of":"L_P_D_O_UP"`. The units of a loop
+/// are in one line.
 std::vector<std::string> finding_lines(const model::PlantModel& model, const std::vector<InstantRecord>& instants);
 
 }  // namespace symplant::reference

@@ -1,4 +1,4 @@
-// A move under way: the table of four actuations (docs/model.md, "A move under way").
+// A moving unit: the table of four actuations (docs/model.md, "A move under way").
 #include <algorithm>
 
 #include "support/reference/round.hpp"
@@ -11,7 +11,7 @@ __extension__ using Wide = __int128;
 struct Command {
   bool forth = false;
   bool back = false;
-  std::uint16_t back_by = kNoTransition;  ///< the first transition that counts as back
+  std::uint16_t back_by = kNoTransition;  ///< the first transition that counts as a return
 };
 
 bool is_on_of(const UnitRules& unit, std::uint32_t operation, std::uint8_t from, std::uint8_t to) {
@@ -45,7 +45,7 @@ Command command_of(Round& round, std::uint32_t unit) {
   return command;
 }
 
-/// Back by a transition, or, kNoTransition, without a command.
+/// Returns by a transition, or, with kNoTransition, without a command.
 bool turn_round(Round& round, std::uint32_t unit, std::uint16_t transition) {
   ++round.counters[Counted::turned_round];
   UnitWorld& world = round.next.units[unit];

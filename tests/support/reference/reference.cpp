@@ -1,4 +1,4 @@
-// The plant: its start, what acts on it from outside, its instants in time.
+// The plant: its start, its external inputs, its instants in time.
 #include "support/reference/reference.hpp"
 
 #include <algorithm>
@@ -31,13 +31,13 @@ UnitWorld first_world(const UnitRules& rules) {
   return unit;
 }
 
-/// Where a symbol stands before any unit has entered its initial state.
+/// The value of a symbol before any unit has entered its initial state.
 std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
   const model::Symbol& symbol = rules.model->symbols[index];
   if (!rules.is_bool(index)) return symbol.initial;
   if (rules.is_operation(index)) return 0;
   if (symbol.unit != model::kNone) {
-    // Where the event of a state of the unit stands on the address, the state says.
+    // If the event of a unit's state is at the address, the state decides.
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
       if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) return 0;
@@ -56,7 +56,7 @@ World first_world(const Rules& rules) {
     world.symbols.push_back(symbol);
   }
   world.monitors.resize(rules.model->requirements.size());
-  // l_enter of the initial states; the users' code is not told, its memory is zeros after a reset.
+  // l_enter of the initial states; user code is not called, its memory is zero after a reset.
   for (const UnitRules& unit : rules.units) {
     if (!rules.fault.empty()) break;
     for (const auto& [event, on] : unit.states[unit.initial].enter) {
@@ -66,8 +66,8 @@ World first_world(const Rules& rules) {
   return world;
 }
 
-/// Time goes by: not for units that are disabled or frozen, and not for a move that stands still. What then comes due
-/// is still to be run.
+/// Advances time: not for disabled or frozen units, and not for a stopped move. The instant that becomes due
+/// is still to run.
 void pass(World& world, Time time) {
   const Time gone = time - world.time;
   world.time = time;
@@ -111,7 +111,7 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   if (!record.changes.empty() || !record.findings.empty()) instants.push_back(std::move(record));
 }
 
-/// The world as the last instant left it, as far as conditions and operations are concerned.
+/// The world as the last instant left it, for conditions and operations.
 World as_shown(World world) {
   for (SymbolWorld& symbol : world.symbols) {
     symbol.value = symbol.shown;
@@ -177,7 +177,7 @@ void Plant::release(std::uint32_t symbol) {
 
 bool Plant::is_forced(std::uint32_t symbol) const { return world_.symbols[symbol].forced; }
 
-// A person's move is a leaving and an entering like any other: the user's code is told of both. It sees conditions and
+// A manual move is a leaving and an entering like any other: user code is called for both. It sees conditions and
 // operations as the last instant left them.
 void Plant::set_state(std::uint32_t index, std::uint8_t state) {
   const World old = as_shown(world_);

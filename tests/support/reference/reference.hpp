@@ -1,8 +1,8 @@
-// The naive reference: a second plant, written from docs/model.md alone, as plain as can be. The engine must equal it.
+// The naive reference: a second plant, written from docs/model.md alone, as simple as possible. The engine must match it.
 //
-// It shares nothing with engine and generator but PlantModel, and of that the symbols, the user's description and the
-// conditions' trees: states, transitions, actuation and all else it derives by itself (difference_from_model() tells
-// where the model says otherwise). Every round copies the whole world; every unit is looked at in every round.
+// It shares with engine and generator only PlantModel, and of that only the symbols, the description and the
+// condition trees. It derives states, transitions, actuation and all else itself (difference_from_model() reports
+// where the model differs). Every round copies the whole world and steps every unit.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ namespace symplant::reference {
 
 struct Rules;
 
-/// The net effect of an instant on the effective side (after forces), operations and events alike.
+/// The net effect of an instant on effective values (after forces), operations and events.
 struct InstantRecord {
   Time time = 0;
-  /// Symbol and value, in list order: what differs from the end of the instant before. At the first instant after a
+  /// Symbol and value, in list order: what differs from the end of the previous instant. At the first instant after a
   /// reset: bits that are on, and numbers that differ from their initial values.
   std::vector<std::pair<std::uint32_t, std::uint64_t>> changes;
   std::vector<tables::Finding> findings;  ///< in their order
@@ -39,24 +39,24 @@ struct UnitView {
   bool stopped_midway;
   bool disabled;
   bool frozen;
-  Time remaining;  ///< 0 where it is settled
+  Time remaining;  ///< 0 if settled
 
   friend bool operator==(const UnitView&, const UnitView&) = default;
 };
 
-/// Units, symbols, states and requirements count as in the model; members mean what those of plant::Plant mean. BOOL
+/// Units, symbols, states and requirements are numbered as in the model; members mean the same as in plant::Plant. BOOL
 /// values are 0 or 1, numbers are two's complement or the bits of a double.
 class Plant {
  public:
-  /// `model` must outlive the plant. `behaviours`: by DeviceDescription::behaviour; units whose name is not there
+  /// `model` must outlive the plant. `behaviours`: by DeviceDescription::behaviour; units with an unknown name
   /// follow the model's rules. The plant is reset.
   explicit Plant(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours = {});
   ~Plant();
   Plant(const Plant&) = delete;
   Plant& operator=(const Plant&) = delete;
 
-  /// The first difference between what the reference derived from names and description and what the model says, in
-  /// words; empty where there is none. A plant with a difference must not be run.
+  /// The first difference between what the reference derived from names and description and the model, as
+  /// text; empty if there is none. Do not run a plant with a difference.
   std::string difference_from_model() const;
 
   void reset(std::uint64_t seed = 0, Time cycle = 0);
@@ -74,14 +74,14 @@ class Plant {
   Time now() const;
   Time next_due() const;
 
-  /// Every instant since reset() or clear_instants() that changed anything or raised a finding. No part of the world.
+  /// Every instant since reset() or clear_instants() that changed a value or raised a finding. Not part of the world.
   const std::vector<InstantRecord>& instants() const;
   void clear_instants();
 
   std::uint64_t value(std::uint32_t symbol) const;  ///< effective; an operation's as last sampled
   UnitView unit(std::uint32_t unit) const;
   bool disarmed(std::uint32_t symbol) const;  ///< an operation that is on and not armed
-  std::uint64_t state_hash() const;           ///< docs/engine.md tells its fields
+  std::uint64_t state_hash() const;           ///< docs/engine.md lists its fields
 
   const World& save() const;
   void restore(const World& world);

@@ -10,16 +10,16 @@
 
 namespace symplant::reference {
 
-/// What one unit's step saw of its operations.
+/// What one unit's step found about its operations.
 struct Look {
-  bool conflicting = false;  ///< several states wanted, or a move that has both
-  bool neither = false;      ///< a commanded move that has neither forth nor back
+  bool conflicting = false;  ///< several states wanted, or a move with both directions
+  bool neither = false;      ///< a commanded move with neither direction
 };
 
-/// What the findings of an instant want to know of its rounds. No part of the world.
+/// What the findings of an instant need from its rounds. Not part of the world.
 struct InstantNotes {
   std::vector<std::vector<int>> steps;    ///< a unit: the rounds, counted since the last freeze, in which it stepped
-  std::vector<std::vector<bool>> served;  ///< a unit: its operations by which a transition fired or turned a move round
+  std::vector<std::vector<bool>> served;  ///< a unit: its operations that fired a transition or reversed a move
   std::vector<bool> enabled;              ///< units
   std::vector<bool> event_changed;        ///< symbols: a round changed its effective level
   std::vector<Look> looks;                ///< units, in the last round
@@ -46,7 +46,7 @@ bool operation_on(const Round& round, std::uint32_t unit, std::uint32_t operatio
 /// The transition's `when` holds in the snapshot, or it has none.
 bool when_holds(const Round& round, std::uint32_t unit, const Transition& transition);
 
-/// Draws or reads a transition's time; `way` may be kNoTransition: a way without a command from `from` to `to`.
+/// Draws or reads a transition's time; `way` may be kNoTransition: from `from` to `to` without a command.
 Time takes_of(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint8_t from, std::uint8_t to);
 Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition);
 /// Whether a transition remembers that its cause holds.
@@ -55,25 +55,25 @@ bool remembers(const UnitRules& unit, const Transition& transition);
 /// The first output of SplitMix64 started at draw `k` of stream `n` of a unit.
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k);
 
-/// Switches an event, and all that stands on its address.
+/// Switches an event and all symbols at its address.
 void write_event(const Rules& rules, World& world, std::uint32_t symbol, std::uint64_t value);
 void leave(Round& round, std::uint32_t unit, std::uint8_t state);
 void enter(Round& round, std::uint32_t unit, std::uint8_t state);
 void end_holds(UnitWorld& unit);
 
-/// The unit's step. True where it made one.
+/// The unit's step. True if it made one.
 bool step(Round& round, std::uint32_t unit);
-/// Step 2 of the page: a move under way, time remaining.
+/// Step 2 of docs/model.md: a moving unit, time remaining.
 bool step_moving(Round& round, std::uint32_t unit);
-/// The behaviour's wanted state, or tables::kNoState.
+/// The behavior's wanted state, or tables::kNoState.
 std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit);
 /// The unit's first transition in that direction that is not automatic, or kNoTransition.
 std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to);
 void serve(Round& round, std::uint32_t unit, std::uint32_t operation);
 
-/// Works out who is disabled. True where anybody was disabled or enabled.
+/// Determines which units are disabled. True if any unit became disabled or enabled.
 bool work_out_disabled(const Rules& rules, World& world, Counters& counters, InstantNotes& notes);
-/// All rounds of an instant, from the working-out of who is disabled on.
+/// All rounds of an instant, starting with the disables.
 void run_rounds(const Rules& rules, World& world, Counters& counters, InstantNotes& notes);
 
 }  // namespace symplant::reference

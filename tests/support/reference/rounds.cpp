@@ -1,4 +1,4 @@
-// The rounds of one instant: who is disabled, everybody's step, loops (docs/model.md, "One instant").
+// The rounds of one instant: disables, the step of every unit, loops (docs/model.md, "One instant").
 #include "support/reference/round.hpp"
 
 namespace symplant::reference {
@@ -30,8 +30,8 @@ void note_events(const Rules& rules, const World& old, const World& next, Counte
   }
 }
 
-/// What lies beyond all time never comes, and what is left of it is not counted down. Times that stand still are not
-/// looked at.
+/// A time beyond the range never comes, and its remaining time does not count down. Stopped times are not
+/// checked.
 void never_comes(World& world) {
   const auto beyond = [&](Time left) { return left >= tables::kNever - world.time; };
   for (UnitWorld& unit : world.units) {
@@ -44,7 +44,7 @@ void never_comes(World& world) {
   }
 }
 
-/// True where anything happened that asks for a further round.
+/// True if something happened that requires another round.
 bool run_round(const Rules& rules, World& world, int number, Counters& counters, InstantNotes& notes) {
   const World old = world;
   Round round{rules, old, world, counters, notes};
@@ -58,12 +58,12 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
   }
   never_comes(world);
   if (work_out_disabled(rules, world, counters, notes)) again = true;
-  never_comes(world);  // of units that were enabled now
+  never_comes(world);  // for units that became enabled
   note_events(rules, old, world, counters, notes);
   return again;
 }
 
-/// Freezes the units that stepped often in the second half of the rounds. False where there are none.
+/// Freezes the units that stepped often in the second half of the rounds. False if there are none.
 bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
   std::vector<std::uint32_t> loop;
   for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {

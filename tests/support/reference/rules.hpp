@@ -1,4 +1,4 @@
-// What the reference derives from a plant's names and description: everything about its behaviour that never changes.
+// What the reference derives from a plant's names and description: the constant part of its behavior.
 #pragma once
 
 #include <array>
@@ -16,25 +16,25 @@ namespace symplant::reference {
 
 inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
-/// A transition of a unit's table. What is neither automatic nor has an `on` is a spring's own way.
+/// A transition of a unit's table. One that is neither automatic nor has an `on` is a spring return.
 struct Transition {
   std::uint8_t from = 0;
   std::uint8_t to = 0;
-  std::uint32_t on = kNone;  ///< a place in UnitRules::operations
+  std::uint32_t on = kNone;  ///< index in UnitRules::operations
   bool automatic = false;
   bool once = false;
   description::Duration after;
   description::Duration takes;
-  std::uint32_t when = kNone;  ///< a place in UnitRules::conditions
+  std::uint32_t when = kNone;  ///< index in UnitRules::conditions
 
   bool commanded() const { return on != kNone; }
 };
 
 struct StateRules {
   std::string name;
-  std::uint32_t operation = kNone;                    ///< a place in UnitRules::operations
-  std::uint32_t event = kNone;                        ///< a place in UnitRules::events
-  std::vector<std::pair<std::uint32_t, bool>> enter;  ///< events to switch, in this order, its own first
+  std::uint32_t operation = kNone;                    ///< index in UnitRules::operations
+  std::uint32_t event = kNone;                        ///< index in UnitRules::events
+  std::vector<std::pair<std::uint32_t, bool>> enter;  ///< events to switch, in this order, starting with its own
   std::vector<std::pair<std::uint32_t, bool>> leave;
   std::vector<std::uint32_t> disables;  ///< units
 };
@@ -45,7 +45,7 @@ struct UnitRules {
   const Behaviour* behaviour = nullptr;
   std::vector<std::uint32_t> operations;  ///< symbols
   std::vector<std::uint32_t> events;      ///< symbols
-  std::vector<std::uint32_t> values;      ///< symbols: numeric ones of the device
+  std::vector<std::uint32_t> values;      ///< numeric symbols of the device
   std::vector<StateRules> states;
   std::vector<Transition> transitions;
   std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when`, then of the inputs
@@ -56,7 +56,7 @@ struct UnitRules {
   tables::Time travel = tables::kSecond;
 
   bool spring() const { return actuation == tables::Actuation::spring; }
-  /// The operation is named like the state, or commands a way to it.
+  /// The operation has the state's name, or commands a transition to it.
   bool leads_to(std::uint32_t operation, std::uint8_t state) const;
   bool event_is_a_state(std::uint32_t event) const;
 };
@@ -65,30 +65,30 @@ struct Rules {
   const model::PlantModel* model = nullptr;
   std::map<std::string, Behaviour> behaviours;
   std::vector<UnitRules> units;
-  std::string fault;  ///< what the description names and the reference does not find; empty where nothing
+  std::string fault;  ///< names in the description that the reference does not find; empty if none
 
   std::uint32_t leader(std::uint32_t symbol) const;
-  /// All symbols of one address that are kept equal, itself included.
+  /// All symbols of one address that are kept equal, including itself.
   std::vector<std::uint32_t> together(std::uint32_t symbol) const;
   bool is_bool(std::uint32_t symbol) const { return model->symbols[symbol].type == tables::DataType::boolean; }
   bool is_operation(std::uint32_t symbol) const {
     return model->symbols[symbol].direction == tables::Direction::operation;
   }
-  /// An event that its unit switches, or one that follows such a one.
+  /// An event that its unit switches, or one that follows such an event.
   bool moved(std::uint32_t symbol) const;
 };
 
 Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours);
 
-/// The parts of derive(), a unit each.
+/// The parts of derive(), one unit per call.
 void derive_states(Rules& rules, UnitRules& unit);
 void derive_actuation_and_initial(Rules& rules, UnitRules& unit);
 void derive_transitions(Rules& rules, UnitRules& unit);
 
-/// Names compare without regard to the case of ASCII letters.
+/// Names are compared ignoring the case of ASCII letters.
 bool same_name(std::string_view a, std::string_view b);
 std::string upper(std::string_view name);
-/// The decimal digits at a name's end without leading zeros ("0" where they are all zeros); empty where it has none.
+/// The decimal digits at a name's end without leading zeros ("0" if all are zeros); empty if there are no digits.
 std::string sequence_number(std::string_view name);
 bool lower_number(const std::string& a, const std::string& b);
 

@@ -16,7 +16,7 @@ Time plus(Time time, Time further) { return further > tables::kNever - 1 - time 
 
 bool equal(tables::DataType type, std::uint64_t a, std::uint64_t b) {
   if (type != tables::DataType::real && type != tables::DataType::lreal) return a == b;
-  // 0 and -0 are one number; who expects none (`nan`) is right where none is there.
+  // 0 and -0 are one number; an expected `nan` matches `nan`.
   const auto x = std::bit_cast<double>(a);
   const auto y = std::bit_cast<double>(b);
   return x == y || (std::isnan(x) && std::isnan(y));
@@ -24,13 +24,13 @@ bool equal(tables::DataType type, std::uint64_t a, std::uint64_t b) {
 
 }  // namespace
 
-/// What is due now, with what was done now.
+/// Everything due now, with the actions done now.
 void ScenarioPlayer::instant() {
   --left_;
   plant_->advance_to(plant_->now());
 }
 
-/// Every instant before the time; the one at it is still to run, so that steps act before its rounds.
+/// Every instant before the time; the one at the time is still to run, so that steps act before its rounds.
 bool ScenarioPlayer::go_to(Time time) {
   const Time target = until_ ? std::min(time, *until_) : time;
   if (target > plant_->now()) {

@@ -1,4 +1,4 @@
-// A scenario on the naive reference, as docs/plant-description.md tells it: step by step, instant by instant.
+// A scenario on the naive reference, as docs/plant-description.md defines it: step by step, instant by instant.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace symplant::reference {
 
-/// What of a scenario's steps came to what.
+/// The result of a step of a scenario.
 struct Verdict {
   std::size_t step;
   bool held;
   bool reached;  ///< false: `until` came first
-  Time time;     ///< when it was looked at, met or given up
+  Time time;     ///< when it was checked, met or given up
 };
 
-/// Symbols, units and states count as in the model.
+/// Symbols, units and states are numbered as in the model.
 struct ScenarioStep {
   enum class When : std::uint8_t { at, plus, wait };
   When when = When::plus;
@@ -35,10 +35,10 @@ struct ScenarioStep {
   const condition::Tree* expect_condition = nullptr;
 };
 
-/// Plays the steps it is given, one after the other, on a plant that has just been reset.
+/// Plays the given steps, one after the other, on a plant that has just been reset.
 class ScenarioPlayer {
  public:
-  /// Both must outlive the player. It gives up after `most_instants`: see exhausted().
+  /// Both must outlive the player. It stops after `most_instants`: see exhausted().
   ScenarioPlayer(const model::PlantModel& model, Plant& plant, std::optional<Time> until, long most_instants)
       : model_(&model), plant_(&plant), until_(until), left_(most_instants) {}
 
@@ -46,7 +46,7 @@ class ScenarioPlayer {
   /// After the last step.
   void end();
 
-  /// The plant has more instants than one would wait for. What it shows means nothing then.
+  /// The plant has more instants than allowed. Its results are then undefined.
   bool exhausted() const { return left_ <= 0; }
   /// `until` has come; no further step acts.
   bool cut() const { return cut_; }

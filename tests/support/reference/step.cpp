@@ -1,4 +1,4 @@
-// One unit's step: settling, firing, leaving for rest (docs/model.md, "One instant"); moves under way have their own
+// One unit's step: settling, firing, leaving for rest (docs/model.md, "One instant"); moving units have a separate
 // file.
 #include <set>
 
@@ -9,13 +9,13 @@ namespace {
 
 bool behaves(const UnitRules& unit) { return unit.behaviour != nullptr; }
 
-/// The ways from where the unit is settled whose cause has held for their `after`, in the order of the table.
+/// The transitions from the settled state whose cause has held for their `after`, in the order of the table.
 std::vector<std::uint16_t> ready_transitions(Round& round, std::uint32_t unit) {
   const UnitRules& rules = round.of(unit);
   std::vector<std::uint16_t> ready;
   for (std::uint16_t i = 0; i < rules.transitions.size(); ++i) {
     const Transition& route = rules.transitions[i];
-    // A spring's own way is never ready by itself.
+    // A spring return is never ready by itself.
     if (route.from != round.old.units[unit].state || (!route.automatic && !route.commanded())) continue;
     const bool cause = (route.automatic || operation_on(round, unit, route.on)) && when_holds(round, unit, route);
     TransitionWorld& world = round.next.units[unit].transitions[i];
@@ -49,7 +49,7 @@ void disarm_leading_to(Round& round, std::uint32_t unit, std::uint8_t state) {
   }
 }
 
-/// Off from where the unit is settled. `way`: kNoTransition for a way without a command.
+/// Leaves the settled state. `way`: kNoTransition without a command.
 void depart(Round& round, std::uint32_t unit, std::uint16_t route, std::uint8_t to, Time takes) {
   UnitWorld& world = round.next.units[unit];
   const std::uint8_t from = world.state;
@@ -75,7 +75,7 @@ void depart_without_command(Round& round, std::uint32_t unit, std::uint8_t to) {
   depart(round, unit, kNoTransition, to, takes_of(round, unit, kNoTransition, from, to));
 }
 
-// The user's code is asked how long it takes before anything else.
+// The user code's time is requested first.
 void fire(Round& round, std::uint32_t unit, std::uint16_t number) {
   const UnitRules& rules = round.of(unit);
   const Transition& route = rules.transitions[number];
@@ -91,7 +91,7 @@ void fire(Round& round, std::uint32_t unit, std::uint16_t number) {
   depart(round, unit, number, route.to, takes);
 }
 
-/// What is wanted: the targets of the ready commanded transitions, the unit's own state, a behaviour's.
+/// The wanted states: the targets of the ready commanded transitions, the unit's own state, a behavior's.
 std::set<std::uint8_t> wanted_states(Round& round, std::uint32_t unit, const std::vector<std::uint16_t>& ready) {
   const UnitRules& rules = round.of(unit);
   const std::uint8_t own = round.old.units[unit].state;
@@ -109,7 +109,7 @@ std::set<std::uint8_t> wanted_states(Round& round, std::uint32_t unit, const std
   return wanted;
 }
 
-/// Step 3 of the page.
+/// Step 3 of docs/model.md.
 bool step_settled(Round& round, std::uint32_t unit) {
   const UnitRules& rules = round.of(unit);
   const std::uint8_t own = round.old.units[unit].state;
@@ -175,13 +175,13 @@ std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit) {
   if (!behaves(rules) || rules.behaviour->wanted == nullptr) return tables::kNoState;
   View view(round, unit);
   const std::uint8_t wanted = rules.behaviour->wanted(view);
-  // What is no state of the unit counts as none.
+  // An unknown state counts as no state.
   return wanted < rules.states.size() ? wanted : tables::kNoState;
 }
 
 void serve(Round& round, std::uint32_t unit, std::uint32_t operation) { round.notes.served[unit][operation] = true; }
 
-// An event that follows one that another unit moves is left to that unit.
+// An event that follows an event of another unit is left to that unit.
 void write_event(const Rules& rules, World& world, std::uint32_t symbol, std::uint64_t value) {
   const std::uint32_t first = rules.leader(symbol);
   const bool own = rules.model->symbols[first].unit == rules.model->symbols[symbol].unit;

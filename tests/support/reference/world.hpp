@@ -1,4 +1,4 @@
-// All that changes in the reference's plant: plain values, copied whole in every round.
+// All that changes in the reference's plant: simple values, copied whole in every round.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ namespace symplant::reference {
 
 using tables::Time;
 
-inline constexpr std::uint16_t kNoTransition = 0xFFFF;  ///< under way: settled, or a way without a command
+inline constexpr std::uint16_t kNoTransition = 0xFFFF;  ///< of a move: settled, or without a command
 
 struct TransitionWorld {
-  bool holds = false;  ///< its cause holds and it remembers that
+  bool holds = false;  ///< its cause holds, and this is remembered
   Time left = 0;       ///< of its `after`
   std::uint32_t draws = 0;
 };
@@ -23,28 +23,28 @@ struct OperationWorld {
   bool armed = true;
   bool served = false;       ///< since its rise
   bool had_finding = false;  ///< when it rose
-  bool reached = false;  ///< at the end of an instant since its rise its unit was in, or moving to, a state it leads to
+  bool reached = false;  ///< since its rise its unit was, at the end of an instant, in or moving to a state it leads to
 };
 
 struct UnitWorld {
   std::uint8_t state = 0;   ///< settled in, or moving from
-  std::uint8_t target = 0;  ///< moving to; `state` where it is settled
+  std::uint8_t target = 0;  ///< moving to; equal to `state` if settled
   bool moving = false;
-  bool stopped_midway = false;  ///< moving, but standing still
+  bool stopped_midway = false;  ///< moving, but stopped
   bool disabled = false;
   bool frozen = false;
-  bool automatic = false;  ///< the move under way is an automatic one
+  bool automatic = false;  ///< the current move is automatic
   std::uint16_t moving_now = kNoTransition;
   Time remaining = 0;
   Time whole = 0;
-  std::uint8_t shown_settled = 0xFF;  ///< at the end of the last instant: the state settled in, 0xFF where in none
+  std::uint8_t shown_settled = 0xFF;  ///< at the end of the last instant: the settled state, 0xFF if none
   bool shown_moving = false;
   std::vector<TransitionWorld> transitions;
   std::vector<OperationWorld> operations;
   bool conflicting = false;  ///< the findings that were true at the end of the last instant
   bool stopped = false;
   std::uint32_t own_draws = 0;
-  Time until_woken = -1;              ///< -1: not at all
+  Time until_woken = -1;              ///< -1: never
   std::vector<std::uint64_t> memory;  ///< of its behaviour
 };
 
@@ -54,7 +54,7 @@ struct SymbolWorld {
   bool forced = false;
   std::uint64_t forced_value = 0;
   std::uint64_t shown = 0;  ///< the effective value at the end of the last instant
-  Time rose = 0;            ///< the instant at whose end it was last seen to have risen
+  Time rose = 0;            ///< the instant at whose end its last rise was seen
 };
 
 struct MonitorWorld {
@@ -67,9 +67,9 @@ struct World {
   Time time = 0;
   std::uint64_t seed = 0;
   Time cycle = 0;
-  bool instant_pending = true;   ///< the first instant, or one with what was done from outside, is still to run here
-  bool link_well = true;         ///< what behaviours see as their link's quality
-  bool written_pending = false;  ///< something was written that no instant has sampled yet
+  bool instant_pending = true;   ///< the first instant, or one with external actions, is still to run here
+  bool link_well = true;         ///< the link quality that behaviors see
+  bool written_pending = false;  ///< a written value has not been sampled yet
   std::vector<UnitWorld> units;
   std::vector<SymbolWorld> symbols;
   std::vector<MonitorWorld> monitors;

@@ -17,7 +17,7 @@ std::optional<Address> oct(std::string_view text) { return parse_melsec(text, Ra
 
 }  // namespace
 
-TEST_CASE("IEC bits are a number, or a byte and a bit") {
+TEST_CASE("An IEC bit is a number, or a byte and a bit") {
   CHECK(parse_iec("%IX1") == bit(Area::input, 1));
   CHECK(parse_iec("%I1") == bit(Area::input, 1));
   CHECK(parse_iec("%QX0002") == bit(Area::output, 2));
@@ -39,7 +39,7 @@ TEST_CASE("%M is memory") {
   CHECK(parse_iec("%MX0.500") != parse_iec("%MX0.501"));
 }
 
-TEST_CASE("A bit of a word is a bit that no link numbers, and not the bit of a byte") {
+TEST_CASE("A bit of a word has no link number, and differs from the bit of a byte") {
   const auto word_bit = parse_iec("%IW5.12");
   REQUIRE(word_bit.has_value());
   CHECK(word_bit->size == Size::bit);
@@ -48,10 +48,10 @@ TEST_CASE("A bit of a word is a bit that no link numbers, and not the bit of a b
   CHECK(*word_bit == *parse_iec("%IW5.12"));
   CHECK_FALSE(*word_bit == *parse_iec("%IX5.12"));
   CHECK_FALSE(*word_bit == *parse_iec("%IW5.13"));
-  CHECK(parse_iec("%MW0.500")->size == Size::word);  // in memory it is area and number
+  CHECK(parse_iec("%MW0.500")->size == Size::word);  // in memory: area and number
 }
 
-TEST_CASE("An address with more parts than a link can number is not plain, and still tells itself apart") {
+TEST_CASE("An address with too many parts for a link is not plain, but stays distinct") {
   for (const char* text : {"%IX1.2.3", "%IX3.12", "%IW5.3", "%IX0.0.0", "%QX1.8"}) {
     INFO(text);
     const auto address = parse_iec(text);
@@ -64,7 +64,7 @@ TEST_CASE("An address with more parts than a link can number is not plain, and s
   CHECK(parse_iec("%IX1.2.3") != parse_iec("%QX1.2.3"));
 }
 
-TEST_CASE("What is no IEC address is none") {
+TEST_CASE("An invalid IEC address is rejected") {
   for (const char* text : {"", "%", "%I", "%IX", "%IX.", "%IX1.", "%IX.1", "%IX1..2", "%IXA", "%ZX1", "IX1", "%IX-1",
                            "%IX 1", "%I*", "X1", "%IX1 x", "%IX1.2.3.4.5.6.7.8.9"}) {
     INFO(text);
@@ -72,7 +72,7 @@ TEST_CASE("What is no IEC address is none") {
   }
 }
 
-TEST_CASE("Numbers as far as 64 bits are read, and no farther") {
+TEST_CASE("Numbers up to 64 bits are read, larger ones are rejected") {
   CHECK(parse_iec("%IX18446744073709551615") == bit(Area::input, 18446744073709551615U));
   CHECK_FALSE(parse_iec("%IX18446744073709551616"));
   REQUIRE(parse_iec("%IX18446744073709551615.1"));
@@ -91,7 +91,7 @@ TEST_CASE("X and Y count in the radix of the list") {
   CHECK(hex("DY1F") == bit(Area::output, 31));
 }
 
-TEST_CASE("A digit beyond the radix makes it no address") {
+TEST_CASE("A digit outside the radix makes the address invalid") {
   CHECK_FALSE(oct("X8"));
   CHECK_FALSE(oct("X19"));
   CHECK_FALSE(oct("Y1F"));
@@ -104,7 +104,7 @@ TEST_CASE("Equal addresses are equal in any notation") {
   CHECK(oct("Y10") == parse_iec("%QX8"));
 }
 
-TEST_CASE("Internal devices are memory, each another") {
+TEST_CASE("Internal devices are memory, each with a separate area") {
   std::set<std::uint64_t> numbers;
   const auto texts = {"M500",     "L1",      "F1",      "V1",      "S1",   "B1F", "SB1F",    "SM400",
                       "D10",      "D10.5",   "D10.F",   "W0.F",    "W1F",  "R5",  "ZR81499", "SD1",
@@ -123,7 +123,7 @@ TEST_CASE("Internal devices are memory, each another") {
   CHECK(hex("d010") == hex("D10"));
 }
 
-TEST_CASE("What is no device is none") {
+TEST_CASE("An unknown device is rejected") {
   for (const char* text :
        {"",     "X",   "Y",   "K4X0", "K1M0",   "XYZ1",       "BOOL", "D",     "D10.", "D10.1F", "M1.1", "X1.5",
         "%IX1", "X-1", "X 1", "MA",   "U6\\D1", "J1\\J1\\B0", "\\G1", "U\\G1", "H1F",  "E3.14",  "1X"}) {

@@ -1,4 +1,4 @@
-// What the tests of the tool share: lists of each kind of fault, in memory.
+// Shared parts of the tests of the tool: lists with each kind of fault, in memory.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace symplant::test {
 
 inline std::string excell() { return read_bytes(std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/excell.csv"); }
 
-/// clean.csv, note.csv, warning.csv, error.csv: the worst that `check` finds in each; and lists that cannot be read.
+/// clean.csv, note.csv, warning.csv, error.csv: named by the most severe finding in each; and unreadable lists.
 inline MemoryFileSystem lists() {
   MemoryFileSystem files;
   files.files["excell.csv"] = excell();

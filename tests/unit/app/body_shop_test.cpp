@@ -1,4 +1,4 @@
-// The body-shop line moves: every device of it that can move at all completes a motion, out and back.
+// Every device of the body-shop line that can move completes a motion, out and back.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -23,7 +23,7 @@ app::Compiled body_shop() {
 
 std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-/// Commands each device out of the state it stands in, and counts the motions that arrive.
+/// Commands each device out of its current state, and counts the motions that arrive.
 class Drive final : public engine::Observer {
  public:
   explicit Drive(const app::Compiled& line)
@@ -41,7 +41,7 @@ class Drive final : public engine::Observer {
     }
   }
 
-  /// A contact that opens, as it would by hand: from its one state into the one beside it.
+  /// Opens a contact, as by hand: from its current state to the other one.
   void open(const std::string& device) {
     const auto unit = std::find_if(model_.units.begin(), model_.units.end(),
                                    [&](const model::Unit& candidate) { return candidate.path == device; });
@@ -50,7 +50,7 @@ class Drive final : public engine::Observer {
     plant_.set_state(static_cast<std::uint32_t>(unit - model_.units.begin()), 0);
   }
 
-  /// Gives each device the first command that leads away from where it stands, takes all others back, and waits a
+  /// Gives each device the first command that leads away from its current state, clears all others, and waits a
   /// minute.
   void command_all() {
     for (std::uint32_t u = 0; u < model_.units.size(); ++u) {
@@ -67,7 +67,7 @@ class Drive final : public engine::Observer {
     plant_.advance_to(plant_.now() + 60 * tables::kSecond, this);
   }
 
-  /// Those that can move and have completed fewer motions, a name a line.
+  /// The devices that can move and have completed fewer motions, one per line.
   std::string behind(int motions) const {
     std::string names;
     for (std::uint32_t u = 0; u < model_.units.size(); ++u) {
@@ -86,7 +86,7 @@ class Drive final : public engine::Observer {
 
 }  // namespace
 
-TEST_CASE("Every device of the body-shop line that can move completes a motion, and another one") {
+TEST_CASE("Every device of the body-shop line that can move completes two motions") {
   const app::Compiled line = body_shop();
   const auto can_move =
       std::count_if(line.plant.units.begin(), line.plant.units.end(), [](const model::Unit& u) { return u.moves(); });

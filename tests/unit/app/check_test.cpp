@@ -1,4 +1,4 @@
-// symplant check: exit codes, severities, outputs.
+// Tests of symplant check: exit codes, severities, outputs.
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
@@ -8,7 +8,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("check: the exit code is 1 where a finding reaches --fail-on, else 0") {
+TEST_CASE("check: The exit code is 1 if a finding reaches --fail-on, else 0") {
   struct Case {
     const char* list;
     int note;
@@ -25,7 +25,7 @@ TEST_CASE("check: the exit code is 1 where a finding reaches --fail-on, else 0")
   }
 }
 
-TEST_CASE("check: a file that cannot be read is 2, whatever --fail-on says, and is named") {
+TEST_CASE("check: An unreadable file gives exit code 2 with its name, for every --fail-on") {
   for (const std::string& list : kUnreadable) {
     for (const char* fail_on : {"note", "error"}) {
       INFO(list);
@@ -37,7 +37,40 @@ TEST_CASE("check: a file that cannot be read is 2, whatever --fail-on says, and 
   }
 }
 
-TEST_CASE("check: each PLANT is a plant of its own, and the highest code counts") {
+TEST_CASE("A list without I/O or without a device is an error for every command") {
+  MemoryFileSystem files;
+  files.files["no_io.csv"] = list_text({{"Start"}, {"Stop"}, {"Pi", "", "REAL", "3.1", "", "VAR_GLOBAL_CONSTANT"}});
+  files.files["no_device.csv"] =
+      list_text({{"Start", "X1"}, {"Lamp", "Y1"}, {"L_P_TANK_I_LEVEL", "", "INT", "0", "%IW9"}});
+  const auto says = [](const std::string& text, const std::string& list) {
+    return list == "no_io.csv" ? contains(text, "none of 3 rows is I/O: 2 have no address and no direction")
+                               : contains(text, "none of 3 I/O symbols is in a device: 2 names have another number");
+  };
+  for (const std::string list : {"no_io.csv", "no_device.csv"}) {
+    INFO(list);
+    const ToolRun check = run_tool({"check", list}, files);
+    CHECK(check.code == 1);
+    CHECK(says(check.out, list));
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"model", list},
+                                                    {"run", list, "--until", "1s"},
+                                                    {"generate", list, "-o", "out"},
+                                                    {"map", list}}) {
+      const ToolRun run = run_tool(command, files);
+      INFO(command[0]);
+      CHECK(run.code == 2);
+      CHECK(run.out.empty());
+      CHECK(says(run.err, list));
+    }
+  }
+  // Signals without devices may be intended; a list without signals is an error.
+  files.files["plant.json"] =
+      R"({"symplant": 1, "symbols": ["no_device.csv"], "check": {"severity": {"no-device": "note"}}})";
+  CHECK(run_tool({"model", "plant.json"}, files).code == 0);
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["no_io.csv"], "check": {"severity": {"no-io": "note"}}})";
+  CHECK(run_tool({"model", "plant.json"}, files).code == 2);
+}
+
+TEST_CASE("check: Each PLANT is a separate plant, and the highest exit code counts") {
   CHECK(run_lists({"check", "clean.csv", "excell.csv"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "error.csv", "clean.csv"}).code == 1);
   const ToolRun run = run_lists({"check", "error.csv", "missing.csv", "clean.csv"});
@@ -46,7 +79,7 @@ TEST_CASE("check: each PLANT is a plant of its own, and the highest code counts"
   CHECK(contains(run.out, "clean.csv: 8 of 8 I/O names follow"));
 }
 
-TEST_CASE("check: JSON holds every finding of all plants, and parses") {
+TEST_CASE("check: The JSON contains every finding of all plants, and parses") {
   const ToolRun run = run_lists({"check", "--format", "json", "warning.csv", "error.csv", "missing.csv"});
   CHECK(run.code == 2);
   const auto json = nlohmann::json::parse(run.out);
@@ -55,7 +88,7 @@ TEST_CASE("check: JSON holds every finding of all plants, and parses") {
   CHECK(json.at("counts").at("error") == 2);
 }
 
-TEST_CASE("check: a list in a code page is read where it is named, on the command line or in plant.json") {
+TEST_CASE("check: A list in a code page is read if the command line or plant.json names the encoding") {
   MemoryFileSystem files;
   const std::string row = "VAR_GLOBAL,\xB6\xF3_P_D_I_\xC0\xFC\xC1\xF8,X1,,BOOL,FALSE\n";
   files.files["korean.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n" + row;
@@ -63,9 +96,9 @@ TEST_CASE("check: a list in a code page is read where it is named, on the comman
   files.files["named.json"] = R"({"symplant": 1, "symbols": [{"file": "korean.csv", "encoding": "windows-949"}]})";
   const ToolRun refused = run_tool({"check", "korean.csv"}, files);
   CHECK(refused.code == 2);
-  CHECK(contains(refused.out, "korean.csv:2:12: error: the bytes B6 F3 are no UTF-8 here"));
-  CHECK(contains(refused.out, "`--encoding cp949` would read `라_P_D_I_전진`"));
-  CHECK(contains(run_tool({"check", "plant.json"}, files).out, "`\"encoding\": \"cp949\"` would read `라_P_D_I_전진`"));
+  CHECK(contains(refused.out, "korean.csv:2:12: error: the bytes B6 F3 are not valid UTF-8 here"));
+  CHECK(contains(refused.out, "`--encoding cp949` (`라_P_D_I_전진`)"));
+  CHECK(contains(run_tool({"check", "plant.json"}, files).out, "`\"encoding\": \"cp949\"` (`라_P_D_I_전진`)"));
   CHECK(run_tool({"check", "--encoding", "EUC-KR", "korean.csv"}, files).code == 0);
   const ToolRun read = run_tool({"check", "named.json"}, files);
   CHECK(read.code == 0);
@@ -73,10 +106,10 @@ TEST_CASE("check: a list in a code page is read where it is named, on the comman
   CHECK(contains(read.out, "1 of 1 I/O names"));
   const ToolRun unknown = run_tool({"check", "--encoding", "cp94", "korean.csv"}, files);
   CHECK(unknown.code == 2);
-  CHECK(contains(unknown.err, "`cp94` is no encoding"));
+  CHECK(contains(unknown.err, "unknown encoding `cp94`"));
 }
 
-TEST_CASE("check: lists in several encodings: each message names the way out, and that is one") {
+TEST_CASE("check: With lists in several encodings, each message suggests a fix that works") {
   const std::string header = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial,Comment\n";
   const std::string row = "VAR_GLOBAL,L_P_D_O_A,Y1,,BOOL,FALSE,\n";
   MemoryFileSystem files;
@@ -85,17 +118,16 @@ TEST_CASE("check: lists in several encodings: each message names the way out, an
   files.files["west.csv"] = header + "VAR_GLOBAL,L_P_D_I_A,X1,,BOOL,FALSE,\xFC\n";
   files.files["plant.json"] = R"({"symplant": 1, "symbols": ["wide.csv", "west.csv"]})";
   CHECK(contains(run_tool({"check", "plant.json"}, files).out,
-                 "west.csv:2:37: error: the byte FC is no UTF-8 here, so the file is in another code page; give the "
-                 "encoding that the list was saved in, such as `\"encoding\": \"cp1252\"` (Western Europe), or save it "
-                 "as UTF-8 [SP102"));
-  CHECK(contains(run_tool({"check", "west.csv"}, files).out, "such as `--encoding cp1252` (Western Europe), or "));
+                 "west.csv:2:37: error: the byte FC is not valid UTF-8 here, so the file is in another encoding; "
+                 "choose the encoding that reads this word correctly: `\"encoding\": \"cp1252\"` (`ü`), "));
+  CHECK(contains(run_tool({"check", "west.csv"}, files).out, "correctly: `--encoding cp1252` (`ü`), "));
   CHECK(contains(run_tool({"check", "--encoding", "cp1252", "plant.json"}, files).out,
-                 "say `\"encoding\": \"cp1252\"` beside each of those in the `symbols` of a plant.json [SP102"));
+                 "write `\"encoding\": \"cp1252\"` for each of them in the `symbols` of a plant.json [SP102"));
   files.files["plant.json"] = R"({"symplant": 1, "symbols": ["wide.csv", {"file": "west.csv", "encoding": "cp1252"}]})";
   CHECK(run_tool({"check", "plant.json"}, files).code == 0);
 }
 
-TEST_CASE("check: SARIF is one run for all plants and ends as the command does") {
+TEST_CASE("check: SARIF is one run for all plants, with the exit code of the command") {
   const ToolRun run = run_lists({"check", "--format", "sarif", "warning.csv", "error.csv", "missing.csv"});
   CHECK(run.code == 2);
   const auto log = nlohmann::json::parse(run.out);
@@ -106,7 +138,7 @@ TEST_CASE("check: SARIF is one run for all plants and ends as the command does")
   CHECK(sarif["results"][0]["level"] == "error");
 }
 
-TEST_CASE("check: JUnit has a suite a plant, and a test for every rule that is told") {
+TEST_CASE("check: JUnit has a suite for each plant, and a test for every reported rule") {
   const ToolRun run = run_lists({"check", "--format", "junit", "--select", "SP302,SP401", "clean.csv", "error.csv"});
   CHECK(run.code == 1);
   CHECK(contains(run.out, "<testsuite name=\"clean.csv\""));
@@ -115,13 +147,13 @@ TEST_CASE("check: JUnit has a suite a plant, and a test for every rule that is t
   CHECK(contains(run.out, "<testcase classname=\"error.csv.SP302 symbol-declared-differently\" name=\"L_P_D_I_A\""));
 }
 
-TEST_CASE("check: what --select and --ignore leave out does not fail, and is counted") {
+TEST_CASE("check: Findings hidden by --select and --ignore do not fail, and are counted") {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--ignore", "SP302"}, {"--select", "SP2,SP5"}, {"--select=sp4", "--select=SP2"}}) {
     INFO(options[1 % options.size()]);
     std::vector<std::string> arguments{"check"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    arguments.emplace_back("error.csv");  // a word behind them is a plant
+    arguments.emplace_back("error.csv");  // a word after them is a plant
     const ToolRun run = run_lists(arguments);
     CHECK(run.code == 0);
     CHECK_FALSE(contains(run.out, "SP302"));
@@ -134,9 +166,9 @@ TEST_CASE("check: what --select and --ignore leave out does not fail, and is cou
   CHECK(json.at("counts").at("left_out") == 1);
 }
 
-TEST_CASE("check: what follows from a finding that is left out is told by itself, and does not fail for it") {
+TEST_CASE("check: Consequences of a hidden finding are reported separately, and the hidden finding does not fail") {
   std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
-  rows[3].type = "BOL";  // so that B2 has an operation alone
+  rows[3].type = "BOL";  // so that B2 has only an operation
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(rows);
   const auto reported = [&](std::vector<std::string> options) {
@@ -157,14 +189,25 @@ TEST_CASE("check: what follows from a finding that is left out is told by itself
   CHECK_FALSE(contains(cause, "operation-without-event"));
 }
 
-TEST_CASE("check: a rule that is none, or one that cannot be ignored, is bad usage, told with what to do") {
-  const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "nobody-moved"});
+TEST_CASE("check: An unknown rule, or one that cannot be ignored, is a usage error with a hint") {
+  const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "event-not-drven"});
   CHECK(unknown.code == 2);
   CHECK(unknown.out.empty());
-  CHECK(contains(unknown.err, "the nearest is `nobody-moves`"));
+  CHECK(contains(unknown.err, "the nearest is `event-not-driven`"));
   const ToolRun binding = run_lists({"check", "clean.csv", "--ignore", "SP4,SP304"});
   CHECK(binding.code == 2);
-  CHECK(contains(binding.err, "`event-moved-twice` cannot be ignored"));
+  CHECK(contains(binding.err, "`event-driven-twice` cannot be ignored"));
+}
+
+TEST_CASE("check and explain: A former slug works, with one warning") {
+  const ToolRun run = run_lists({"check", "clean.csv", "--select", "nobody-moves", "--ignore", "nobody-moves,SP5"});
+  CHECK(run.code == 0);
+  CHECK(run.err == "warning: `nobody-moves` is now `event-not-driven`\n");
+  const ToolRun page = run_tool({"explain", "nobody-moves"});
+  CHECK(page.code == 0);
+  CHECK(page.out == run_tool({"explain", "SP404"}).out);
+  CHECK(page.err == "warning: `nobody-moves` is now `event-not-driven`\n");
+  CHECK(run_tool({"explain", "event-not-driven"}).err.empty());
 }
 
 TEST_CASE("check: --output writes a file, and nothing to standard output") {
@@ -176,7 +219,7 @@ TEST_CASE("check: --output writes a file, and nothing to standard output") {
   CHECK_FALSE(contains(files.files["result.txt"], "\x1B"));
 }
 
-TEST_CASE("check: an output that cannot be written is 3") {
+TEST_CASE("check: An unwritable output gives exit code 3") {
   MemoryFileSystem files = lists();
   files.faults["result.txt"] = "no space left";
   const ToolRun run = run_tool({"check", "warning.csv", "--output", "result.txt"}, files);
@@ -184,14 +227,14 @@ TEST_CASE("check: an output that cannot be written is 3") {
   CHECK(contains(run.err, "result.txt"));
 }
 
-TEST_CASE("check on disk: a folder, a missing file, a file without permission") {
+TEST_CASE("check: A folder, a missing file and a file without permission give exit code 2") {
   base::DiskFileSystem files;
   const TemporaryFolder folder;
   CHECK(run_tool({"check", folder.path()}, files).code == 2);
   CHECK(run_tool({"check", folder / "missing.csv"}, files).code == 2);
   const std::string secret = folder.write("secret.csv", excell());
   std::filesystem::permissions(secret, std::filesystem::perms::none);
-  if (!std::ifstream(secret).good()) CHECK(run_tool({"check", secret}, files).code == 2);  // root may read all
+  if (!std::ifstream(secret).good()) CHECK(run_tool({"check", secret}, files).code == 2);  // root may read every file
   CHECK(run_tool({"check", folder.write("good.csv", excell())}, files).code == 0);
 }
 

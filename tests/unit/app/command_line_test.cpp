@@ -1,4 +1,4 @@
-// The command line: help, versions, usage faults, completion.
+// The command line: help, versions, usage errors, completion.
 #include "app_support.hpp"
 #include "check/catalogue.hpp"
 
@@ -18,7 +18,7 @@ TEST_CASE("Every command has help with examples") {
   }
 }
 
-TEST_CASE("The tool's own help names every command, and its version is told") {
+TEST_CASE("The help lists every command, and --version prints the version") {
   const ToolRun help = run_lists({"--help"});
   CHECK(help.code == 0);
   for (const std::string& command : kCommands) CHECK(contains(help.out, command));
@@ -27,7 +27,7 @@ TEST_CASE("The tool's own help names every command, and its version is told") {
   CHECK(contains(version.out, "symplant "));
 }
 
-TEST_CASE("What is no command line is 2, with a message") {
+TEST_CASE("An invalid command line gives exit code 2 and a message") {
   const std::vector<std::vector<std::string>> lines{
       {},
       {"dance"},
@@ -71,7 +71,7 @@ TEST_CASE("What is no command line is 2, with a message") {
   }
 }
 
-TEST_CASE("Whole numbers are taken whole: no sign, no rest, none that is too large") {
+TEST_CASE("Whole numbers must match completely: no sign, no rest, not too large") {
   for (const char* wrong : {"-5", "-1", "+1", "1.5", "1e3", "5x", "0x10", " 1", "", "18446744073709551616"}) {
     for (const std::string option : {"--seed", "--rt-check"}) {
       INFO(option << " `" << wrong << "`");
@@ -81,32 +81,32 @@ TEST_CASE("Whole numbers are taken whole: no sign, no rest, none that is too lar
       CHECK(contains(run.err, option + ": "));
     }
   }
-  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "0"}).err, "`0` is no whole number from 1 to "));
-  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "-5"}).err, "`-5` is no whole number from 1 to "));
+  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "0"}).err, "`0` is not a whole number from 1 to "));
+  CHECK(contains(run_lists({"run", "clean.csv", "--rt-check", "-5"}).err, "`-5` is not a whole number from 1 to "));
   CHECK(run_lists({"run", "clean.csv", "--seed", "18446744073709551615", "--until", "1s"}).code == 0);
 }
 
-TEST_CASE("Where an error keeps anything from being made, the last line counts what was found") {
+TEST_CASE("If an error prevents all output, the last line counts the findings") {
   for (const std::string command : {"map", "model", "init", "run"}) {
     INFO(command);
     const ToolRun run = run_lists({command, "error.csv"});
     CHECK(run.code == 2);
     CHECK(run.out.empty());
-    CHECK(contains(run.err, "\nerror.csv: 1 error; nothing is made of it while there are errors\n"));
+    CHECK(contains(run.err, "\nerror.csv: 1 error; fix the errors first\n"));
     CHECK_FALSE(contains(run_lists({command, "warning.csv"}).err, "nothing is made"));
   }
   MemoryFileSystem files = lists();
   CHECK(contains(run_tool({"generate", "error.csv", "-o", "made"}, files).err, "error.csv: 1 error; nothing is made"));
 }
 
-TEST_CASE("Options without effect are told as they were given") {
+TEST_CASE("Options without effect are reported as given") {
   const ToolRun run =
       run_lists({"run", "clean.csv", "--until", "1s", "--late", "catch-up", "--cycle", "10ms", "--on-loss", "hold"});
   CHECK(run.code == 0);
   CHECK(contains(run.err, "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: "));
 }
 
-TEST_CASE("A limit of files that no header fits in is refused") {
+TEST_CASE("A file size limit smaller than the header is rejected") {
   for (const char* small : {"1", "100", "1023"}) {
     const ToolRun run =
         run_lists({"run", "clean.csv", "--until", "1s", "--trace", "/dev/null", "--trace-limit", small});
@@ -116,7 +116,7 @@ TEST_CASE("A limit of files that no header fits in is refused") {
   CHECK(run_lists({"run", "clean.csv", "--until", "1s", "--trace", "/dev/null", "--trace-limit", "1k"}).code == 0);
 }
 
-TEST_CASE("Encodings are named in any case") {
+TEST_CASE("Encoding names ignore case") {
   CHECK(run_lists({"check", "clean.csv", "--encoding", "UTF-8"}).code == 0);
   CHECK(run_lists({"check", "clean.csv", "--encoding", "utf-8"}).code == 0);
 }
@@ -130,7 +130,7 @@ TEST_CASE("explain shows the page of every rule, by id and by slug") {
   }
 }
 
-TEST_CASE("Completion knows every command and option") {
+TEST_CASE("Completion offers every command and option") {
   for (const char* shell : {"bash", "zsh"}) {
     const ToolRun run = run_lists({"completion", shell});
     CHECK(run.code == 0);

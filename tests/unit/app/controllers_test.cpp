@@ -1,4 +1,4 @@
-// A plant of two PLCs through every command.
+// A plant of two PLCs with every command.
 #include <nlohmann/json.hpp>
 
 #include "unit/app/app_support.hpp"
@@ -26,20 +26,20 @@ ToolRun run_two(const std::vector<std::string>& arguments, const std::string& pl
   return run_tool(arguments, files);
 }
 
-TEST_CASE("check: equal addresses of two controllers are no finding, and the result says how many lists there are") {
+TEST_CASE("check: Equal addresses of two controllers are no finding, and the result counts the lists") {
   const ToolRun run = run_two({"check", "plant.json", "--fail-on", "warning"});
   CHECK(run.code == 0);
   CHECK(contains(run.out, "plant.json: 8 of 8 I/O names of 2 lists follow"));
 }
 
-TEST_CASE("check: the same lists of one controller clash") {
+TEST_CASE("check: The same lists on one controller clash") {
   const ToolRun run = run_two({"check", "plant.json"}, R"({"symplant": 1, "symbols": ["press.csv", "robot.csv"]})");
   CHECK(run.code == 1);
   CHECK(contains(run.out, "robot.csv:"));
-  CHECK(contains(run.out, "event-moved-twice"));
+  CHECK(contains(run.out, "event-driven-twice"));
 }
 
-TEST_CASE("map: a table for each controller, its rows named by list and line") {
+TEST_CASE("map: Each controller has a table, its rows named by list and line") {
   const ToolRun run = run_two({"map", "plant.json"});
   CHECK(run.code == 0);
   const std::size_t second = run.out.find("\ncontroller ROBOT\n");
@@ -51,21 +51,21 @@ TEST_CASE("map: a table for each controller, its rows named by list and line") {
   CHECK(contains(run.out.substr(second), "coil 1"));
 }
 
-TEST_CASE("model --format json tells lists, controllers, and where each symbol stands") {
+TEST_CASE("model: The JSON has lists, controllers, and the location of each symbol") {
   const auto model = nlohmann::json::parse(run_two({"model", "plant.json", "--format", "json"}).out);
   CHECK(model.at("lists").at(1) == nlohmann::json{{"file", "robot.csv"}, {"controller", "ROBOT"}});
   CHECK(model.at("symbols").at(3).at("list") == 0);
   CHECK(model.at("symbols").at(4).at("list") == 1);
 }
 
-TEST_CASE("run: the plant's own links are closed in virtual time, and told so") {
+TEST_CASE("run: The plant's own links are closed in virtual time, with a message") {
   const ToolRun run = run_two({"run", "plant.json", "--clock", "virtual", "--until", "1s"});
   CHECK(run.code == 0);
   CHECK(contains(run.out, "I/O symbols from press.csv, robot.csv"));
   CHECK(contains(run.out, "links of the plant are not opened in virtual time"));
 }
 
-TEST_CASE("run: a link says which controller it is of, and is told so with its port") {
+TEST_CASE("run: A link names its controller, and is reported with its port") {
   const ToolRun run =
       run_two({"run", "plant.json", "--until", "10ms", "--link", "robot=modbus-tcp-server://127.0.0.1:0"});
   CHECK(run.code == 0);
@@ -78,19 +78,19 @@ TEST_CASE("run: a link says which controller it is of, and is told so with its p
   CHECK(contains(unknown.err, "there is no controller `ROBOTER`, the nearest is `ROBOT`"));
 }
 
-TEST_CASE("generate: main holds the links of the description") {
+TEST_CASE("generate: The main program has the links of the description") {
   MemoryFileSystem files = two();
   CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);
   CHECK(contains(files.files["out/main_gen.cpp"], R"({"PRESS", "modbus-tcp-server://127.0.0.1:1"},)"));
   CHECK(contains(files.files["out/tables_gen.cpp"], "{4, 1},  // robot.csv of ROBOT"));
 }
 
-TEST_CASE("a link of the description whose controller is not there is told at its place") {
+TEST_CASE("A link of the description with an unknown controller is reported at its location") {
   const ToolRun run = run_two({"check", "plant.json"},
                               R"({"symplant": 1, "symbols": [{"file": "press.csv", "controller": "PRESS"}],
   "links": [{"url": "loop:", "controller": "PRES"}]})");
   CHECK(run.code == 1);
-  CHECK(contains(run.out, "plant.json:2:44: error: there is no controller `PRES`, the nearest is `PRESS`"));
+  CHECK(contains(run.out, "plant.json:2:44: error: controller `PRES` not found; did you mean `PRESS`?"));
 }
 
 }  // namespace

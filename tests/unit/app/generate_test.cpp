@@ -1,4 +1,4 @@
-// symplant generate: what is written, and when nothing is.
+// Tests of symplant generate: what it writes, and when it writes nothing.
 #include "app/depfile.hpp"
 #include "app_support.hpp"
 #include "base/file_system.hpp"
@@ -10,7 +10,7 @@ namespace {
 const std::vector<std::string> kFiles{"CMakeLists.txt", "behaviours_gen.cpp", "devices_gen.hpp", "main_gen.cpp",
                                       "plant_gen.hpp",  "tables_gen.cpp",     "types_gen.hpp"};
 
-TEST_CASE("generate: seven files, and no other") {
+TEST_CASE("generate: Seven files are written, and no other") {
   MemoryFileSystem files = lists();
   const std::size_t before = files.files.size();
   CHECK(run_tool({"generate", "excell.csv", "-o", "out"}, files).code == 0);
@@ -18,7 +18,7 @@ TEST_CASE("generate: seven files, and no other") {
   CHECK(files.files.size() == before + kFiles.size());
 }
 
-TEST_CASE("generate: files that have not changed are not written again") {
+TEST_CASE("generate: Unchanged files are not written again") {
   MemoryFileSystem files = lists();
   run_tool({"generate", "excell.csv", "-o", "out"}, files);
   files.written.clear();
@@ -29,7 +29,7 @@ TEST_CASE("generate: files that have not changed are not written again") {
   CHECK(files.written == std::vector<std::string>{"out/types_gen.hpp"});
 }
 
-TEST_CASE("generate: warnings change nothing, an error or an unreadable list is 2 and writes nothing") {
+TEST_CASE("generate: A warning has no effect, an error or unreadable list gives exit code 2 and writes nothing") {
   CHECK(run_lists({"generate", "warning.csv", "-o", "out"}).code == 0);
   std::vector<std::string> bad = kUnreadable;
   bad.push_back("error.csv");
@@ -43,7 +43,7 @@ TEST_CASE("generate: warnings change nothing, an error or an unreadable list is 
   }
 }
 
-TEST_CASE("generate: a place that cannot be written is 3, and no depfile is there then") {
+TEST_CASE("generate: An unwritable folder gives exit code 3 without a depfile") {
   MemoryFileSystem files = lists();
   files.faults["out/tables_gen.cpp"] = "read-only file system";
   const ToolRun run = run_tool({"generate", "excell.csv", "-o", "out", "--depfile", "out/plant.d"}, files);
@@ -58,7 +58,7 @@ TEST_CASE("generate: a place that cannot be written is 3, and no depfile is ther
   CHECK(run_tool({"generate", list, "-o", folder / "file"}, disk).code == 3);
 }
 
-TEST_CASE("generate: the depfile comes last and names what the files were made from") {
+TEST_CASE("generate: The depfile is written last and lists the input files") {
   MemoryFileSystem files = lists();
   files.files["a b.csv"] = excell();
   CHECK(run_tool({"generate", "a b.csv", "-o", "out", "--depfile", "plant.d"}, files).code == 0);
@@ -70,7 +70,7 @@ TEST_CASE("Depfiles escape blanks, hashes, dollars and backslashes") {
   CHECK(app::depfile("a b", {"c#d", "e$f"}) == "a\\ b: \\\n  c\\#d \\\n  e$$f\n");
 }
 
-TEST_CASE("generate --check: 1 where a file is missing or differs, 0 where none does, nothing written") {
+TEST_CASE("generate --check: The exit code is 1 if a file is missing or differs, else 0; nothing is written") {
   MemoryFileSystem files = lists();
   const std::size_t before = files.files.size();
   const ToolRun missing = run_tool({"generate", "excell.csv", "-o", "out", "--check"}, files);
@@ -87,7 +87,7 @@ TEST_CASE("generate --check: 1 where a file is missing or differs, 0 where none 
   CHECK(files.written.empty());
 }
 
-TEST_CASE("generate --templates: a template of the user's takes the place of the tool's, and is in the depfile") {
+TEST_CASE("generate --templates: A user template replaces that of the tool, and is in the depfile") {
   base::DiskFileSystem files;
   const TemporaryFolder folder;
   const std::string list = folder.write("excell.csv", excell());
@@ -101,7 +101,7 @@ TEST_CASE("generate --templates: a template of the user's takes the place of the
   CHECK(contains(read_bytes(folder / "plant.d"), "main_gen.cpp.mustache"));
 }
 
-TEST_CASE("generate --templates: an unknown key is 2, names file and line, and nothing is written") {
+TEST_CASE("generate --templates: An unknown key gives exit code 2 with file and line, and nothing is written") {
   base::DiskFileSystem files;
   const TemporaryFolder folder;
   const std::string list = folder.write("excell.csv", excell());
@@ -114,7 +114,7 @@ TEST_CASE("generate --templates: an unknown key is 2, names file and line, and n
   CHECK(run_tool({"generate", list, "-o", folder / "out", "--templates", folder / "none"}, files).code == 2);
 }
 
-/// A cylinder that is described, with a behaviour or without.
+/// A described cylinder, with or without a behavior.
 MemoryFileSystem described(const std::string& device) {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(bits({"L_P_CYL1_O_ADV", "L_P_CYL1_I_ADV", "L_P_CYL1_I_RET"}));
@@ -123,7 +123,7 @@ MemoryFileSystem described(const std::string& device) {
 }
 const std::string kBehaving = R"("type": "Cylinder", "behaviour": "SlowCylinder", "inputs": {"air": "L_P_CYL1.RET"})";
 
-TEST_CASE("generate --behaviours: the user's file is written once, and never over what is there") {
+TEST_CASE("generate --behaviours: The user file is written once, and never overwritten") {
   MemoryFileSystem files = described(kBehaving);
   const ToolRun first = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files);
   CHECK(first.err == "");
@@ -143,7 +143,7 @@ TEST_CASE("generate --behaviours: the user's file is written once, and never ove
 }
 
 TEST_CASE(
-    "generate --behaviours: what cannot be written is 3, what cannot be a class is 2, and no plant is written then") {
+    "generate --behaviours: An unwritable file gives 3, an invalid class gives 2, both without a plant") {
   MemoryFileSystem files = described(kBehaving);
   files.faults["mine/SlowCylinder_behavior.hpp"] = "no permission";
   CHECK(run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files).code == 3);
@@ -151,11 +151,11 @@ TEST_CASE(
   MemoryFileSystem bad = described(R"("behaviour": "class")");
   const ToolRun run = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, bad);
   CHECK(run.code == 2);
-  CHECK(contains(run.err, "`class` is no name of a C++ class, write `class_`, say"));
+  CHECK(contains(run.err, "`class` is not a valid C++ class name; write `class_`, for example"));
   CHECK(bad.written.empty());
 }
 
-TEST_CASE("generate --check: says which file of a behaviour is missing, where the folder is given") {
+TEST_CASE("generate --check: The missing file of a behavior is reported if the folder is given") {
   MemoryFileSystem files = described(kBehaving);
   run_tool({"generate", "plant.json", "-o", "out"}, files);
   CHECK(run_tool({"generate", "plant.json", "-o", "out", "--check"}, files).code == 0);
@@ -165,18 +165,18 @@ TEST_CASE("generate --check: says which file of a behaviour is missing, where th
   CHECK(files.files.count("mine/SlowCylinder_behavior.hpp") == 0);
 }
 
-TEST_CASE("generate --behaviours: without a behaviour nothing is written to the folder, which is said") {
+TEST_CASE("generate --behaviours: Without a behavior nothing is written to the folder, with a message") {
   MemoryFileSystem files = described(R"("initial": "RET")");
   const ToolRun run = run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files);
   CHECK(run.code == 0);
   CHECK(contains(run.err, "note: no device has a `behaviour`"));
 }
 
-TEST_CASE("run: a behaviour is absent where nothing is compiled, and said to be") {
+TEST_CASE("run: A behavior is absent if nothing is compiled, with a message") {
   MemoryFileSystem files = described(kBehaving);
   const ToolRun run = run_tool({"run", "plant.json", "--until", "1s"}, files);
   CHECK(run.code == 0);
-  CHECK(contains(run.out, "behaviour `SlowCylinder` of 1 device absent: the model's own rules serve it\n"));
+  CHECK(contains(run.out, "behavior `SlowCylinder` of 1 device has no code: the model's own rules apply to it\n"));
 }
 
 }  // namespace

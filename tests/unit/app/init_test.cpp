@@ -1,4 +1,4 @@
-// symplant init: a description to begin with.
+// Tests of symplant init: a description to start from.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -23,7 +23,7 @@ std::string uncommented(const std::string& line) {
   return text.erase(text.find("// "), 3);
 }
 
-/// All lines as they stand but those that `wanted` says, which lose their `//`.
+/// All lines unchanged, except those that `wanted` selects, which lose their `//`.
 template <class Wanted>
 std::string without_comments(const std::vector<std::string>& lines, Wanted&& wanted) {
   std::string text;
@@ -35,7 +35,7 @@ std::string without_comments(const std::vector<std::string>& lines, Wanted&& wan
 
 nlohmann::json json_of(const std::string& text) { return nlohmann::json::parse(text, nullptr, true, true); }
 
-/// Every kind of device: a robot, cylinders, a lamp, buttons, a sequence, one of six states, and symbols of no device.
+/// Every kind of device: a robot, cylinders, a lamp, buttons, a sequence, one of six states; and symbols of no device.
 std::string every_shape() {
   std::vector<std::string> names{"L_S1_RBT_O_HOME1", "L_S1_RBT_I_HOME1", "L_S1_RBT_O_WORK2", "L_S1_RBT_I_WORK2",
                                  "L_S1_LMP_O_GREEN", "L_S1_PB_I_ON",     "L_S1_DR_I_OPEN",   "L_S1_DR_I_SHUT",
@@ -55,19 +55,19 @@ ToolRun begin(MemoryFileSystem& files, const std::string& list, const std::strin
   return run_tool({"init", list, "-o", output}, files);
 }
 
-TEST_CASE("init: the skeleton of the paper's cell is what it should be") {
+TEST_CASE("init: The skeleton of the paper's cell is as expected") {
   check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/init/excell.json",
                run_lists({"init", "excell.csv"}).out);
 }
 
-TEST_CASE("init: the skeleton of every shape of device is what it should be") {
+TEST_CASE("init: The skeleton of every shape of device is as expected") {
   MemoryFileSystem files;
   files.files["every.csv"] = every_shape();
   check_golden(std::string(SYMPLANT_SOURCE_DIR) + "/tests/golden/init/every.json",
                run_tool({"init", "every.csv"}, files).out);
 }
 
-TEST_CASE("init: it is JSON as it stands, and with every key uncommented, alone or together") {
+TEST_CASE("init: The skeleton is JSON, unchanged and with every key uncommented, alone or together") {
   for (const std::string& list : {excell(), every_shape()}) {
     MemoryFileSystem files;
     files.files["list.csv"] = list;
@@ -85,7 +85,7 @@ TEST_CASE("init: it is JSON as it stands, and with every key uncommented, alone 
   }
 }
 
-/// What `symplant check` says of a description beside its list, and the plant that it comes to.
+/// The report of `symplant check` on a description and its list, and the resulting plant.
 struct Tried {
   int code;
   std::string out;
@@ -100,7 +100,7 @@ Tried tried(const std::string& list, const std::string& description) {
   return {check.code, check.out, model.code == 0 ? json_of(model.out).at("model_hash").get<std::string>() : ""};
 }
 
-TEST_CASE("init: as it stands it is the plant of the bare list, and each key uncommented is valid, alone or together") {
+TEST_CASE("init: The unchanged skeleton is the plant of the bare list, and each uncommented key is valid") {
   for (const std::string& list : {excell(), every_shape()}) {
     MemoryFileSystem files;
     files.files["list.csv"] = list;
@@ -115,7 +115,7 @@ TEST_CASE("init: as it stands it is the plant of the bare list, and each key unc
     INFO(all.out);
     CHECK(all.code == 0);
     CHECK_FALSE(all.model_hash.empty());
-    CHECK_FALSE(contains(all.out, "[SP6"));  // faults of the description's own
+    CHECK_FALSE(contains(all.out, "[SP6"));  // faults of the description
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!is_key(lines[i])) continue;
       const Tried one = tried(list, without_comments(lines, [&](std::size_t line) { return line == i; }));
@@ -127,7 +127,7 @@ TEST_CASE("init: as it stands it is the plant of the bare list, and each key unc
   }
 }
 
-TEST_CASE("init: a plant description is none to begin from") {
+TEST_CASE("init: A plant description is rejected as input") {
   MemoryFileSystem files = lists();
   REQUIRE(begin(files, "excell.csv", "plant.json").code == 0);
   const ToolRun run = begin(files, "plant.json", "other.json");
@@ -135,11 +135,11 @@ TEST_CASE("init: a plant description is none to begin from") {
   CHECK(contains(run.err, "is a plant description already"));
 }
 
-TEST_CASE("init: on a body-shop line each kind of device is one entry, called as a person would call it") {
+TEST_CASE("init: On a body-shop line each kind of device is one entry with a natural name") {
   MemoryFileSystem files;
   files.files["list.csv"] = read_bytes(std::string(SYMPLANT_SOURCE_DIR) + "/examples/body-shop/body-shop.csv");
   const std::string text = run_tool({"init", "list.csv"}, files).out;
-  CHECK_FALSE(contains(text, "no pattern in common"));
+  CHECK_FALSE(contains(text, "without a common pattern"));
   std::string keys;
   const auto description = json_of(text);
   for (const auto& [key, value] : description.at("devices").items()) keys += key + "\n";
@@ -151,7 +151,7 @@ TEST_CASE("init: on a body-shop line each kind of device is one entry, called as
         "BODY_MOVE*_CONVEYOR1\nBODY_MOVE*_DRIVE?\nBODY_MOVE*_SHUTTLE1\nBODY_SEAL*_PUMP1\nBODY_SIDE*_TABLE1\n");
 }
 
-TEST_CASE("init: three thousand devices of few shapes are a short file") {
+TEST_CASE("init: Three thousand devices of few shapes give a short file") {
   std::vector<std::string> names;
   for (int i = 0; i < 1000; ++i) {
     const std::string cylinder = "L" + std::to_string(i % 7) + "_S" + std::to_string(i) + "_CYL";
@@ -167,7 +167,7 @@ TEST_CASE("init: three thousand devices of few shapes are a short file") {
   CHECK(devices.contains("L1_S*_PB"));
 }
 
-TEST_CASE("init: the list is named as seen from the description") {
+TEST_CASE("init: The path of the list is relative to the description") {
   MemoryFileSystem files;
   files.files["lists/list.csv"] = excell();
   const auto list_in = [&](const std::string& output) {
@@ -179,7 +179,7 @@ TEST_CASE("init: the list is named as seen from the description") {
   CHECK(list_in("plants/a/plant.json") == "../../lists/list.csv");
 }
 
-TEST_CASE("init: what the list was read with is said in the description") {
+TEST_CASE("init: The options of the list are in the description") {
   MemoryFileSystem files = lists();
   const ToolRun run =
       run_tool({"init", "excell.csv", "--xy", "octal", "--encoding", "utf-8", "--input-format", "gx-iec"}, files);
@@ -187,7 +187,7 @@ TEST_CASE("init: what the list was read with is said in the description") {
         nlohmann::json{{"file", "excell.csv"}, {"format", "gx-iec"}, {"encoding", "utf-8"}, {"xy", "octal"}});
 }
 
-TEST_CASE("init: what is there is not overwritten, unless it is wanted") {
+TEST_CASE("init: An existing file is not overwritten without --force") {
   MemoryFileSystem files = lists();
   files.files["plant.json"] = "my work";
   const ToolRun run = begin(files, "excell.csv", "plant.json");
@@ -198,7 +198,7 @@ TEST_CASE("init: what is there is not overwritten, unless it is wanted") {
   CHECK(json_of(files.files["plant.json"]).at("symplant") == 1);
 }
 
-TEST_CASE("init: a list with errors gives none, and says them") {
+TEST_CASE("init: A list with errors gives no description, and its errors are reported") {
   MemoryFileSystem files = lists();
   const ToolRun run = begin(files, "error.csv", "plant.json");
   CHECK(run.code == 2);

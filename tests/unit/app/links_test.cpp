@@ -1,4 +1,4 @@
-// `links` of plant.json through the whole tool: what map shows, what run does, what generate writes.
+// `links` of plant.json through the whole tool: output of map, run and generate.
 #include "unit/app/app_support.hpp"
 
 namespace symplant::test {
@@ -24,10 +24,10 @@ std::string map_of(const std::string& link, const std::vector<std::string>& more
   return run_tool(words, files).out;
 }
 
-TEST_CASE("map shows registers from first to last, their word order, and what it all comes to") {
+TEST_CASE("map: Registers are shown from first to last, with word order and totals") {
   const std::string out = map_of(R"("map": [{"symbol": "SPEED", "number": 7, "word-order": "high-first"}])");
   CHECK(contains(out, "holding registers 7-8  40008-40009  high word first  the PLC, moves nothing"));
-  CHECK(contains(out, "input registers 8-11   30009-30012  low word first   nobody"));
+  CHECK(contains(out, "input registers 8-11   30009-30012  low word first   -"));
   CHECK(contains(out, "word order: low word first\n"));
   CHECK(contains(out, "status block: input registers 100-111\n  100  layout: version of this layout: 1\n"));
   CHECK(contains(out, "  108-111  map hash: digest of this map\n"));
@@ -36,18 +36,18 @@ TEST_CASE("map shows registers from first to last, their word order, and what it
   CHECK_FALSE(contains(out, "on loss"));
 }
 
-TEST_CASE("map shows sizes, watchdog and policies as the description has them") {
+TEST_CASE("map: Sizes, watchdog and policies are those of the description") {
   const std::string out = map_of(R"("status": 20, "watchdog": {"register": 3, "within": "2s"}, "on-loss": "zero",
     "plant-on-loss": "freeze", "resync": "5s", "size": {"coils": 40},
     "map": [{"symbol": "SPEED", "on-loss": "hold"}])");
-  CHECK(contains(out, "coils: 40 places\n"));
-  CHECK(contains(out, "input registers: 32 places\n"));
+  CHECK(contains(out, "coils: size 40\n"));
+  CHECK(contains(out, "input registers: size 32\n"));
   CHECK(contains(out, "status block: input registers 20-31\n"));
   CHECK(contains(out, "watchdog: holding register 3\n"));
   CHECK(contains(
       out,
-      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go to zero, the plant stands still\n"));
-  CHECK(contains(out, "back again: writes are collected for 5 s at most\n"));
+      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go to zero, the plant freezes\n"));
+  CHECK(contains(out, "on return: writes are collected for 5 s at most\n"));
   CHECK(contains(out, "on loss"));
   CHECK(contains(map_of(R"("status": "off")"), "status block: off\n"));
   CHECK(contains(map_of(R"("size": {"input-registers": 32})"),
@@ -55,47 +55,47 @@ TEST_CASE("map shows sizes, watchdog and policies as the description has them") 
   CHECK(contains(map_of(R"("on-loss": "zero")"), "operations go to zero, "));
 }
 
-TEST_CASE("map --link: the map of that link's controller, or why there is none") {
+TEST_CASE("map --link: The map of that link's controller is shown, or the reason why there is none") {
   CHECK(map_of(R"("status": 20)", {"--link", "modbus-tcp-server://:1502"}) == map_of(R"("status": 20)"));
   MemoryFileSystem files = plant(R"("status": 20)");
   const ToolRun loop = run_tool({"map", "plant.json", "--link", "loop:"}, files);
   CHECK(loop.code == 2);
-  CHECK(contains(loop.err, "`loop:` carries symbols by name, it has no map of numbers"));
+  CHECK(contains(loop.err, "`loop:` carries symbols by name, it has no map of addresses"));
   const ToolRun other = run_tool({"map", "plant.json", "--link", "modbus:"}, files);
   CHECK(other.code == 2);
-  CHECK(contains(other.err, "`modbus:` names no link that has a map: give `modbus-tcp-server://HOST:PORT`"));
+  CHECK(contains(other.err, "`modbus:` is not a link with a map: give `modbus-tcp-server://HOST:PORT`"));
   const ToolRun unknown = run_tool({"map", "plant.json", "--link", "PLC9=modbus-tcp-server://:1502"}, files);
   CHECK(unknown.code == 2);
   CHECK(contains(unknown.err, "there is no controller `PLC9`"));
 }
 
-TEST_CASE("a plant whose symbols meet on a link is no plant for any command") {
+TEST_CASE("Every command rejects a plant whose symbols overlap on a link") {
   MemoryFileSystem files = plant(R"("map": [{"symbol": "LEVEL", "number": 98}], "status": 101)");
   for (const char* command : {"map", "run", "model"}) {
     const ToolRun run = run_tool({command, "plant.json"}, files);
     CHECK(run.code == 2);
     CHECK(contains(run.err,
-                   "the status block begins on input register 101 and meets `LEVEL` on input registers 98 to 101"));
+                   "the status block from input register 101 on overlaps `LEVEL` on input registers 98 to 101"));
   }
   CHECK(run_tool({"check", "plant.json"}, files).code == 1);
 }
 
 TEST_CASE(
-    "run: the settings reach the link, whichever URL the command line gives it, and --on-loss comes before them") {
+    "run: Settings apply to a link for every URL of the command line, and --on-loss overrides them") {
   MemoryFileSystem files = plant(R"("plant-on-loss": "freeze", "loss-after": "2s", "on-loss": "zero")");
   const std::vector<std::string> words{"run",     "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0",
                                        "--until", "20ms"};
-  CHECK(contains(run_tool(words, files).out, "after 2 s of silence: operations go to zero, the plant stands still"));
+  CHECK(contains(run_tool(words, files).out, "after 2 s of silence: operations go to zero, the plant freezes"));
   std::vector<std::string> held = words;
   held.insert(held.end(), {"--on-loss", "hold"});
-  CHECK(contains(run_tool(held, files).out, "after 2 s of silence: operations hold, the plant stands still"));
+  CHECK(contains(run_tool(held, files).out, "after 2 s of silence: operations hold, the plant freezes"));
   held.back() = "keep";
   const ToolRun wrong = run_tool(held, files);
   CHECK(wrong.code == 2);
-  CHECK(contains(wrong.err, "`keep` says nothing of operations: write hold or zero"));
+  CHECK(contains(wrong.err, "`keep` is not a policy: write hold or zero"));
 }
 
-TEST_CASE("run: the line of a link counts the operations that go to zero as map does") {
+TEST_CASE("run: The line of a link counts the operations that go to zero as map does") {
   for (const auto& [link, symbols, words] :
        {std::array{"zero", "hold", "hold, the"}, {"hold", "zero", "go to zero, the"}}) {
     const std::string text =
@@ -112,7 +112,7 @@ TEST_CASE("run: the line of a link counts the operations that go to zero as map 
       "operations hold, 1 of 2 go to zero, the plant runs on"));
 }
 
-TEST_CASE("check: a URL that no link can have, and a port that two links have, is told at its place") {
+TEST_CASE("check: An invalid URL, and a port of two links, are reported at their location") {
   const auto reported = [](const std::string& links) {
     MemoryFileSystem files = plant("");
     files.files["m.csv"] = "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\nVAR_GLOBAL,A_B_C_I_D,X1,,BOOL,FALSE\n";
@@ -125,19 +125,19 @@ TEST_CASE("check: a URL that no link can have, and a port that two links have, i
   };
   const auto url = [&](const std::string& text) { return reported(R"({"controller": "A", "url": ")" + text + "\"}"); };
   CHECK(contains(url("modbus-tcp-server://127.0.0.1:99999"),
-                 "plant.json:3:28: error: `127.0.0.1:99999` ends in no port"));
+                 "plant.json:3:28: error: `127.0.0.1:99999` does not end in a port"));
   CHECK(contains(url("modbus-tcp-server://127.0.0.1"), "has no port: give HOST:PORT"));
-  CHECK(contains(url("modbus-tcp-server:127.0.0.1:1"), "is no address: give //HOST:PORT"));
-  CHECK(contains(url("foo://x"), "`foo://x` names no link: give one of `loop:`, `modbus-tcp-server://HOST:PORT`"));
-  CHECK(contains(url("loop:x"), "`loop:` takes nothing behind the colon"));
+  CHECK(contains(url("modbus-tcp-server:127.0.0.1:1"), "is not an address: give //HOST:PORT"));
+  CHECK(contains(url("foo://x"), "`foo://x` is not a link: give one of `loop:`, `modbus-tcp-server://HOST:PORT`"));
+  CHECK(contains(url("loop:x"), "`loop:` takes nothing after the colon"));
   CHECK_FALSE(contains(url("modbus-tcp-server://some.host:1502"), "error"));
   const std::string one = R"({"controller": "A", "url": "modbus-tcp-server://:1502"},)";
   CHECK(contains(reported(one + "\n" + R"({"controller": "B", "url": "modbus-tcp-server://:1502"})"),
-                 "plant.json:4:28: error: another link has this port already: give each a port of its own"));
+                 "plant.json:4:28: error: another link already has this port: give each link a different port"));
   CHECK_FALSE(contains(reported(one + R"({"controller": "B", "url": "modbus-tcp-server://:1503"})"), "error"));
 }
 
-TEST_CASE("check: a symbol of 8 bits that has a register of its own is not told to have none") {
+TEST_CASE("check: A symbol of 8 bits with a given register is not reported as without one") {
   const auto reported = [](const std::string& link) {
     MemoryFileSystem files = plant(link);
     files.files["l.csv"] += "VAR_GLOBAL,MODE,,%IB3,BYTE,7\n";
@@ -148,7 +148,7 @@ TEST_CASE("check: a symbol of 8 bits that has a register of its own is not told 
   CHECK_FALSE(contains(reported(R"("map": [{"symbol": "MODE", "number": 2}])"), "SP312"));
 }
 
-TEST_CASE("run: a time of silence that the cycle cannot keep is warned of, by the key that counts") {
+TEST_CASE("run: A timeout shorter than the cycle allows gives a warning with the key that sets it") {
   const auto warned = [](const std::string& members, const std::string& cycle) {
     MemoryFileSystem files = plant(members);
     return run_tool(
@@ -164,7 +164,7 @@ TEST_CASE("run: a time of silence that the cycle cannot keep is warned of, by th
   CHECK_FALSE(contains(warned(watchdog + "\"1s\"}", "2ms"), "two cycles"));
 }
 
-TEST_CASE("generate: the settings of the links stand in the tables") {
+TEST_CASE("generate: The settings of the links are in the tables") {
   MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "number": 7}], "status": "off", "keep": ["::1"])");
   CHECK(run_tool({"generate", "plant.json", "-o", "out"}, files).code == 0);
   const std::string& tables = files.files["out/tables_gen.cpp"];

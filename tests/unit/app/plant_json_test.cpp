@@ -1,4 +1,4 @@
-// plant.json through the whole tool: files, places, exit codes.
+// plant.json through the whole tool: files, locations, exit codes.
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
@@ -26,7 +26,7 @@ std::string cell_with(const std::string& members) {
   return "{\n  \"symplant\": 1,\n  \"symbols\": [\"symbols.csv\"],\n  " + members + "\n}\n";
 }
 
-/// "rule line:column message", a line each.
+/// "rule line:column message", one per line.
 std::string findings(const std::string& plant) {
   const ToolRun run = run_cell({"check", "--format", "json"}, plant);
   const json report = json::parse(run.out);
@@ -39,7 +39,7 @@ std::string findings(const std::string& plant) {
   return text;
 }
 
-TEST_CASE("Every command takes a plant.json, its lists beside it") {
+TEST_CASE("Every command accepts a plant.json with its lists") {
   const std::string plant = cell_with(R"("name": "press", "devices": {"EXLINE_MB_AGV": {"actuation": "held"}})");
   for (const char* command : {"check", "model", "map"}) {
     const ToolRun run = run_cell({command}, plant);
@@ -54,11 +54,11 @@ TEST_CASE("Every command takes a plant.json, its lists beside it") {
   CHECK(files.files["out.d"].find("cell/plant.json \\\n  cell/symbols.csv") != std::string::npos);
 }
 
-TEST_CASE("Without a name the plant is called as its file") {
+TEST_CASE("Without a name the plant has the name of its file") {
   CHECK(json::parse(run_cell({"model", "--format", "json"}, cell_with("\"links\": []")).out).at("plant") == "plant");
 }
 
-TEST_CASE("A plant.json is known by its content, too, and read in UTF-16 as well as UTF-8") {
+TEST_CASE("A plant.json is recognized by its content too, in UTF-16 and UTF-8") {
   MemoryFileSystem files = lists();
   const std::string plant = R"({"symplant": 1, "symbols": ["excell.csv"]})";
   std::string wide = "\xFF\xFE";
@@ -73,7 +73,7 @@ TEST_CASE("A plant.json is known by its content, too, and read in UTF-16 as well
   }
 }
 
-TEST_CASE("What is said of one list is said of it alone; options fill what is not said") {
+TEST_CASE("Options of one list apply to that list only; command line options fill the gaps") {
   MemoryFileSystem files = lists();
   files.files["p.json"] = R"({"symplant": 1, "symbols": [{"file": "excell.csv", "xy": "octal"}]})";
   CHECK(contains(run_tool({"check", "--verbose", "p.json"}, files).err, "count in"));
@@ -83,7 +83,7 @@ TEST_CASE("What is said of one list is said of it alone; options fill what is no
   CHECK(run_tool({"check", "r.json", "--input-format", "tape"}, files).code == 0);
 }
 
-TEST_CASE("Faults of form make check end with 2, other faults of the description with 1") {
+TEST_CASE("check ends with 2 for faults of form, with 1 for other faults of the description") {
   CHECK(run_cell({"check"}, "{").code == 2);
   CHECK(run_cell({"check"}, cell_with("\"device\": {}")).code == 2);
   CHECK(run_cell({"check"}, cell_with(R"("devices": {"EXLINE_MB_AGW": {}})")).code == 1);
@@ -95,54 +95,54 @@ TEST_CASE("Faults of form make check end with 2, other faults of the description
   }
 }
 
-TEST_CASE("A list that cannot be read is told, and so are the faults of form") {
+TEST_CASE("An unreadable list is reported together with faults of form") {
   MemoryFileSystem files = cell(R"({"symplant": 1, "symbols": ["missing.csv", "empty.csv"], "nam": "x"})");
   files.files["cell/empty.csv"] = "";
   const ToolRun run = run_tool({"check", "cell/plant.json"}, files);
   CHECK(run.code == 2);
   CHECK(contains(run.out, "cell/missing.csv"));
   CHECK(contains(run.out, "[SP103 empty-file]"));
-  CHECK(contains(run.out, "the key `nam` is unknown here, the nearest is `name`"));
+  CHECK(contains(run.out, "the key `nam` is unknown here; did you mean `name`?"));
 }
 
-TEST_CASE("Faults stand at their line and column, in conditions at the name at fault") {
+TEST_CASE("Faults have line and column, in conditions those of the faulty name") {
   CHECK(findings(cell_with(R"("devices": {
     "EXLINE_MB_AGV": { "initial": "P9", "transitions": [ { "from": "P1", "to": "P2",
       "when": "EXLINE_MB_MC.RUN2 and not EXLINE_MB_MD.IDLE1" } ] } })")) ==
-        "SP602 5:35 there is no state `P9` of `EXLINE_MB_AGV`, the nearest is `P1`\n"
-        "SP606 6:42 there is no device `EXLINE_MB_MD`, the nearest is `EXLINE_MB_MC`\n");
+        "SP602 5:35 state `P9` of `EXLINE_MB_AGV` not found; did you mean `P1`?\n"
+        "SP606 6:42 device `EXLINE_MB_MD` not found; did you mean `EXLINE_MB_MC`?\n");
 }
 
-TEST_CASE("A column counts characters, and escapes in a condition are counted as they stand") {
+TEST_CASE("A column counts characters, and escapes in a condition as written") {
   CHECK(findings(cell_with(
             "\"requirements\": [ { \"name\": \"\u00e4\u00f6\", \"never\": \"'EXLINE\\u005fMB_MC'.RUN2 and X\" } ]")) ==
-        "SP606 4:76 there is no symbol `X`\n");
+        "SP606 4:76 symbol `X` not found\n");
 }
 
-TEST_CASE("Faults of form and of names are told in one run, but nothing that only follows") {
-  // AGV's `state` is unknown, so that its DOCK is missing is not told; MC's fault is.
+TEST_CASE("Faults of form and of names are reported in one run, without their consequences") {
+  // AGV's `state` is unknown, so its missing DOCK is not reported; MC's fault is.
   CHECK(findings(cell_with(R"("devices": {
     "EXLINE_MB_AGV": { "state": ["DOCK"], "initial": "DOCK" },
     "EXLINE_MB_MC": { "initial": "RUN1" } })")) ==
-        "SP601 5:24 the key `state` is unknown here, the nearest is `states`\n"
-        "SP602 6:34 there is no state `RUN1` of `EXLINE_MB_MC`, the nearest is `RUN2`\n");
+        "SP601 5:24 the key `state` is unknown here; did you mean `states`?\n"
+        "SP602 6:34 state `RUN1` of `EXLINE_MB_MC` not found; did you mean `RUN2`?\n");
 }
 
-TEST_CASE("A key twice is told with both places, and nothing is made") {
+TEST_CASE("A duplicate key is reported with both locations, and nothing is made") {
   const ToolRun run = run_cell({"check"}, cell_with(R"("name": "a",
   "name": "b")"));
   CHECK(run.code == 2);
-  CHECK(contains(run.out, "cell/plant.json:5:3: error: the key `name` stands here for the second time"));
+  CHECK(contains(run.out, "cell/plant.json:5:3: error: the key `name` is repeated"));
   CHECK(contains(run.out, "cell/plant.json:4:3: note:"));
 }
 
-TEST_CASE("With --verbose it tells the plant's name and which pattern speaks of how many devices") {
+TEST_CASE("--verbose reports the plant's name and how many devices each pattern matches") {
   const ToolRun run = run_cell({"check", "--verbose"}, cell_with(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
   CHECK(contains(run.err, "decided: the plant is called plant\n"));
-  CHECK(contains(run.err, "decided: `EXLINE_*` speaks of 2 devices\n"));
+  CHECK(contains(run.err, "decided: `EXLINE_*` matches 2 devices\n"));
 }
 
-TEST_CASE("No output may take the place of a plant's own files") {
+TEST_CASE("No output may replace an input file of the plant") {
   MemoryFileSystem files = cell(cell_with("\"name\": \"x\""));
   const std::string folder = std::string(SYMPLANT_SOURCE_DIR) + "/examples/excell/excell.csv";
   files.files["cell/plant.json"] = "{\"symplant\": 1, \"symbols\": [\"" + folder + "\"]}";
@@ -151,17 +151,17 @@ TEST_CASE("No output may take the place of a plant's own files") {
   CHECK(run_tool({"check", "cell/plant.json", "--output", folder}, files).code == 2);
 }
 
-TEST_CASE("schema prints the schema of plant.json, and says what it does not know") {
+TEST_CASE("schema prints the schema of plant.json, and reports an unknown name") {
   const ToolRun run = run_tool({"schema", "plant"});
   CHECK(run.code == 0);
   CHECK(run.out == description::plant_schema());
   CHECK(json::parse(run.out).at("$schema") == "http://json-schema.org/draft-07/schema#");
   CHECK(run_tool({"schema", "naming"}).code == 2);
-  CHECK(contains(run_tool({"schema", "naming"}).err, "not yet known"));
-  CHECK(contains(run_tool({"schema", "palnt"}).err, "`palnt` is no format"));
+  CHECK(contains(run_tool({"schema", "naming"}).err, "not supported by this version of symplant yet"));
+  CHECK(contains(run_tool({"schema", "palnt"}).err, "`palnt` is not a format"));
 }
 
-TEST_CASE("Hostile files end with 2 and words") {
+TEST_CASE("Hostile files end with 2 and a message") {
   const std::string deep = std::string(100'000, '[');
   const std::string name(20'000, 'N');
   const std::vector<std::string> hostile{
@@ -193,14 +193,14 @@ TEST_CASE("Hostile files end with 2 and words") {
   CHECK(run.code == 1);
 }
 
-TEST_CASE("What a damaged file should be is said of a plant.json, not of a list") {
+TEST_CASE("The expected content is reported for a damaged plant.json, not for a list") {
   CHECK(contains(run_cell({"check"}, "").out, "is empty; a plant description begins as `{ \"symplant\": 1"));
   const ToolRun run = run_cell({"check"}, "{ \"symplant\": 1, \"name\": \"\xE4\" }");
   CHECK(contains(run.out, "save it as UTF-8 [SP102"));
   CHECK_FALSE(contains(run.out, "list"));
 }
 
-TEST_CASE("Every key of the schema is read, and every key that is read stands in it") {
+TEST_CASE("Every key of the schema is read, and every key that is read is in the schema") {
   const json schema = json::parse(description::plant_schema());
   const json& device = schema.at("definitions").at("device").at("properties");
   CHECK(device.size() == description::kDeviceKeys);

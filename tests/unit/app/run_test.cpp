@@ -1,4 +1,4 @@
-// symplant run: what it says first, how it ends, its exit codes.
+// Tests of symplant run: its first lines, its end, its exit codes.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -13,7 +13,7 @@
 namespace symplant::test {
 namespace {
 
-/// A port of this machine that somebody listens on.
+/// A port of this machine with a listener.
 class TakenPort {
  public:
   TakenPort() : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
@@ -40,7 +40,7 @@ class TakenPort {
   unsigned port_ = 0;
 };
 
-TEST_CASE("run begins by saying what it read, what can move and what nobody moves") {
+TEST_CASE("run: The first lines report the input, what can move and what no device drives") {
   MemoryFileSystem files = lists();
   files.files["list.csv"] = list_text({{"L_P_D_O_A1", "Y1"},
                                        {"L_P_D_I_A1", "X1"},
@@ -53,34 +53,34 @@ TEST_CASE("run begins by saying what it read, what can move and what nobody move
   CHECK(contains(run.out, "5 I/O symbols from list.csv (1 operation, 4 events)"));
   CHECK(contains(run.out, "internal: 1 rows (1 memory addresses)"));
   CHECK(contains(run.out, "can move: 1 of 2 devices, by 1 of 1 operation"));
-  CHECK(contains(run.out, "nobody moves: 2 of 4 events: START, L_P_E_I_ON"));
+  CHECK(contains(run.out, "not driven: 2 of 4 events: START, L_P_E_I_ON"));
   CHECK(contains(run.out, "in no device: 1 "));
 }
 
-TEST_CASE("run in virtual time ends where nothing is due, and says so") {
+TEST_CASE("run: Virtual time ends when nothing is due, with a message") {
   const ToolRun run = run_lists({"run", "excell.csv"});
   CHECK(run.code == 0);
   CHECK(contains(run.out, "ended at 0 s: nothing more is due"));
 }
 
-TEST_CASE("run --until ends then") {
+TEST_CASE("run --until: The run ends at that time") {
   CHECK(contains(run_lists({"run", "excell.csv", "--until", "2500ms"}).out, "ended at 2.5 s"));
 }
 
-TEST_CASE("run: a plant that never rests ends after an hour of its time, with a note") {
+TEST_CASE("run: A plant that never rests ends after an hour of plant time, with a note") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(bits({"L_P_D_O_A1", "L_P_D_I_B2", "L_P_D_I_C3", "L_P_D_I_A1*"}));
-  // B2 and C3 follow by themselves; A1 has an operation, so that C3 is the end.
+  // B2 and C3 follow automatically; A1 has an operation, so C3 is the end.
   CHECK(contains(run_tool({"run", "list.csv"}, files).out, "ended at 2 s: nothing more is due"));
 }
 
-TEST_CASE("run: errors and unreadable lists are 2, a warning is 0") {
+TEST_CASE("run: Errors and unreadable lists give exit code 2, a warning 0") {
   CHECK(run_lists({"run", "warning.csv"}).code == 0);
   CHECK(run_lists({"run", "error.csv"}).code == 2);
   for (const std::string& list : kUnreadable) CHECK(run_lists({"run", list}).code == 2);
 }
 
-TEST_CASE("run: virtual time with a link to a PLC is refused, with loop: it is not") {
+TEST_CASE("run: Virtual time with a link to a PLC is rejected, with loop: it is accepted") {
   const ToolRun refused = run_lists({"run", "excell.csv", "--clock", "virtual", "--link", TakenPort().url()});
   CHECK(refused.code == 2);
   CHECK(contains(refused.err, "virtual"));
@@ -88,14 +88,14 @@ TEST_CASE("run: virtual time with a link to a PLC is refused, with loop: it is n
   CHECK(run_lists({"run", "excell.csv", "--link", "loop:"}).code == 0);
 }
 
-TEST_CASE("run: a port in use is 3, and said") {
+TEST_CASE("run: A port in use gives exit code 3 and a message") {
   const TakenPort taken;
   const ToolRun run = run_lists({"run", "excell.csv", "--link", taken.url()});
   CHECK(run.code == 3);
   CHECK(contains(run.err, "in use"));
 }
 
-TEST_CASE("run --trace: a header, then a line a change") {
+TEST_CASE("run --trace: A header comes first, then a line for each change") {
   const TemporaryFolder folder;
   CHECK(run_lists({"run", "excell.csv", "--until", "1s", "--trace", folder / "trace.jsonl", "--seed", "7"}).code == 0);
   const std::string text = read_bytes(folder / "trace.jsonl");
@@ -106,7 +106,7 @@ TEST_CASE("run --trace: a header, then a line a change") {
   CHECK(std::count(text.begin(), text.end(), '\n') == 3);
 }
 
-TEST_CASE("run: a trace that cannot be written is 3") {
+TEST_CASE("run: An unwritable trace gives exit code 3") {
   const TemporaryFolder folder;
   const ToolRun run = run_lists({"run", "excell.csv", "--trace", folder / "none/trace.jsonl"});
   CHECK(run.code == 3);

@@ -1,4 +1,4 @@
-// symplant model and symplant map.
+// Tests of symplant model and symplant map.
 #include <nlohmann/json.hpp>
 
 #include "app_support.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST_CASE("model --format json holds I, O, S and the five functions") {
+TEST_CASE("model --format json: The output has I, O, S and the five functions") {
   const ToolRun run = run_lists({"model", "excell.csv", "--format", "json"});
   CHECK(run.code == 0);
   const json model = json::parse(run.out);
@@ -37,7 +37,7 @@ TEST_CASE("model --format json holds I, O, S and the five functions") {
   CHECK(model.at("symbols").size() == 8);
 }
 
-TEST_CASE("model: a table with the eight elements, a part of the devices by pattern") {
+TEST_CASE("model: A table shows the eight elements, for all devices or those of a pattern") {
   const ToolRun run = run_lists({"model", "excell.csv", "--device", "*_mc"});
   CHECK(run.code == 0);
   CHECK(contains(run.out, "EXLINE_MB_MC: latched, starts in IDLE1"));
@@ -49,7 +49,7 @@ TEST_CASE("model: a table with the eight elements, a part of the devices by patt
   }
 }
 
-TEST_CASE("model: every format gives a file, another one is a slip") {
+TEST_CASE("model: Every format gives a file, an unknown format is a usage error") {
   for (const char* format : {"table", "json", "html", "dot", "svg", "mermaid", "scxml"}) {
     MemoryFileSystem files = lists();
     INFO(format);
@@ -61,13 +61,13 @@ TEST_CASE("model: every format gives a file, another one is a slip") {
   CHECK(run_lists({"model", "excell.csv", "--format", "pdf"}).code == 2);
 }
 
-TEST_CASE("model --format svg --verbose says how the picture was laid out") {
+TEST_CASE("model --format svg --verbose: The layout of the picture is reported") {
   const ToolRun run = run_lists({"model", "excell.csv", "--format", "svg", "--verbose"});
   CHECK(contains(run.err, "decided: the picture is laid out by symplant itself\n"));
   CHECK_FALSE(contains(run_lists({"model", "excell.csv", "--format", "svg"}).err, "laid out"));
 }
 
-TEST_CASE("model and map: an error or an unreadable list is 2, a warning changes nothing") {
+TEST_CASE("model and map: An error or an unreadable list gives exit code 2, a warning has no effect") {
   for (const char* command : {"model", "map"}) {
     CHECK(run_lists({command, "warning.csv"}).code == 0);
     CHECK(run_lists({command, "error.csv"}).code == 2);
@@ -81,7 +81,7 @@ TEST_CASE("model and map: an error or an unreadable list is 2, a warning changes
   }
 }
 
-TEST_CASE("model -o writes a file; where it cannot, 3") {
+TEST_CASE("model -o: A file is written; an unwritable file gives exit code 3") {
   MemoryFileSystem files = lists();
   CHECK(run_tool({"model", "excell.csv", "--format", "json", "-o", "model.json"}, files).out.empty());
   CHECK(json::parse(files.files["model.json"]).at("plant") == "excell");
@@ -89,7 +89,7 @@ TEST_CASE("model -o writes a file; where it cannot, 3") {
   CHECK(run_tool({"model", "excell.csv", "-o", "there/model.json"}, files).code == 3);
 }
 
-/// The row of a symbol, runs of blanks as one.
+/// The row of a symbol, with runs of blanks as one blank.
 std::string row_of(const std::string& table, const std::string& symbol) {
   const std::size_t at = table.find(" " + symbol + " ");
   REQUIRE(at != std::string::npos);
@@ -101,7 +101,7 @@ std::string row_of(const std::string& table, const std::string& symbol) {
   return row;
 }
 
-TEST_CASE("map: a row a symbol with list row, addresses, place, Modicon number and who moves it") {
+TEST_CASE("map: Each symbol has a row with list row, addresses, register, Modicon number and driver") {
   const ToolRun run = run_lists({"map", "excell.csv"});
   CHECK(run.code == 0);
   CHECK(row_of(run.out, "EXLINE_MB_AGV_I_P1") ==
@@ -110,12 +110,13 @@ TEST_CASE("map: a row a symbol with list row, addresses, place, Modicon number a
         "9 EXLINE_MB_MC_O_RUN2 Y0004 %QX0004 coil 4 00005 the PLC, moves EXLINE_MB_MC");
 }
 
-TEST_CASE("map: a coil's Modicon number has six digits where the others of its table's place have") {
+TEST_CASE("map: A coil's Modicon number has six digits if those of its table do") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text({{"A", "", "BOOL", "", "%QX9998"},
                                        {"B", "", "BOOL", "", "%QX9999"},
                                        {"C", "", "BOOL", "", "%IX10000"},
-                                       {"D", "", "DINT", "", "%QD4999"}});
+                                       {"D", "", "DINT", "", "%QD4999"},
+                                       {"L_P_LAMP_O_ON", "", "BOOL", "", "%QX1"}});
   const ToolRun run = run_tool({"map", "list.csv"}, files);
   CHECK(contains(row_of(run.out, "A"), "coil 9998 09999"));
   CHECK(contains(row_of(run.out, "B"), "coil 9999 010000"));
@@ -123,7 +124,7 @@ TEST_CASE("map: a coil's Modicon number has six digits where the others of its t
   CHECK(contains(row_of(run.out, "D"), "holding registers 9998-9999 49999-410000"));
 }
 
-TEST_CASE("map: who moves nothing and what nobody moves is said") {
+TEST_CASE("map: Operations without effect, and events that no device drives, are shown") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text({{"START", "X1"},
                                        {"LAMP", "Y1"},
@@ -133,15 +134,15 @@ TEST_CASE("map: who moves nothing and what nobody moves is said") {
                                        {"WIDE", "", "DINT", "0", "%ID7"}});
   const ToolRun run = run_tool({"map", "list.csv"}, files);
   CHECK(run.code == 0);
-  CHECK(contains(row_of(run.out, "START"), "discrete input 1 10002 nobody"));
+  CHECK(contains(row_of(run.out, "START"), "discrete input 1 10002 -"));
   CHECK(contains(row_of(run.out, "LAMP"), "the PLC, moves nothing"));
-  CHECK(contains(row_of(run.out, "L_P_D_I_ON"), "nobody"));
+  CHECK(contains(row_of(run.out, "L_P_D_I_ON"), "discrete input 2 10003 -"));
   CHECK(contains(row_of(run.out, "SPEED"), "holding register 5 40006"));
-  CHECK(contains(row_of(run.out, "L_P_E_I_A"), "- - nobody"));
-  CHECK(contains(row_of(run.out, "WIDE"), "input registers 14-15 30015-30016 low word first nobody"));
+  CHECK(contains(row_of(run.out, "L_P_E_I_A"), "- - -"));
+  CHECK(contains(row_of(run.out, "WIDE"), "input registers 14-15 30015-30016 low word first -"));
 }
 
-TEST_CASE("map stands in columns whatever the script of the names") {
+TEST_CASE("map: Columns are aligned for names of every script") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text({{"공정_A_B_I_P1", "X1"}, {"LINE_A_B_I_P1", "X2"}});
   const std::string out = run_tool({"map", "list.csv"}, files).out;
@@ -150,7 +151,7 @@ TEST_CASE("map stands in columns whatever the script of the names") {
   CHECK(korean == latin + 2);  // two letters of three bytes, two columns each
 }
 
-TEST_CASE("model and map never send control characters of a list to the terminal") {
+TEST_CASE("model and map: Control characters of a list never reach the terminal") {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text({{"A\x1B[31m\x07", "X1"}, {"B\xE2\x80\xAE", "X2"}, {"L_P_D_I_A", "\x1B[0m"}});
   for (const char* command : {"map", "model", "check"}) {

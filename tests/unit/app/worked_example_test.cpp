@@ -1,4 +1,4 @@
-// The worked example of the model's page, on tables made at run time.
+// The worked example of docs/model.md, on tables made at run time.
 #include "support/worked_example.hpp"
 
 #include "app_support.hpp"
@@ -10,7 +10,7 @@
 namespace symplant::test {
 namespace {
 
-/// What the example's table says, as lines of a trace.
+/// The table of the example, as lines of a trace.
 std::string expected_lines() {
   std::string expected;
   for (const ExampleRow& row : worked_example()) {
@@ -27,7 +27,7 @@ std::string expected_lines() {
   return expected;
 }
 
-TEST_CASE("The paper's cell runs as the worked example has it, every change and every state") {
+TEST_CASE("The paper's cell runs as in the worked example, every change and every state") {
   const CompiledText text = compile_text(excell(), "excell.csv");
   REQUIRE(text.compiled);
   const tables::PlantTables tables = text.tables().tables();
@@ -44,7 +44,7 @@ TEST_CASE("The paper's cell runs as the worked example has it, every change and 
   CHECK(trace.substr(lines) == expected_lines());
 }
 
-TEST_CASE("The scenario of the worked example leaves its very trace, byte by byte") {
+TEST_CASE("The scenario of the worked example writes the expected trace, byte by byte") {
   const TemporaryFolder folder;
   MemoryFileSystem files;
   files.files["excell.csv"] = excell();
@@ -58,7 +58,7 @@ TEST_CASE("The scenario of the worked example leaves its very trace, byte by byt
   CHECK(trace.substr(trace.find('\n') + 1) == expected_lines());
 }
 
-TEST_CASE("The worked example runs alike after a reset") {
+TEST_CASE("The worked example runs the same after a reset") {
   const CompiledText text = compile_text(excell(), "excell.csv");
   REQUIRE(text.compiled);
   const tables::PlantTables tables = text.tables().tables();

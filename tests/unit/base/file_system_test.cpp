@@ -1,4 +1,4 @@
-// Reading files and replacing them whole.
+// Reads files and replaces them as a whole.
 #include "base/file_system.hpp"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ using symplant::base::DiskFileSystem;
 
 namespace {
 
-/// A folder of its own for one test.
+/// A separate folder for each test.
 class Folder {
  public:
   Folder() {
@@ -42,7 +42,7 @@ class Folder {
 
 }  // namespace
 
-TEST_CASE("What was written is read back, NUL bytes and all") {
+TEST_CASE("Written content is read back, including NUL bytes") {
   const Folder folder;
   DiskFileSystem disk;
   const std::string content("a\0b\n", 4);
@@ -54,7 +54,7 @@ TEST_CASE("What was written is read back, NUL bytes and all") {
   CHECK(*back == content);
 }
 
-TEST_CASE("Unchanged content leaves the file and its time alone") {
+TEST_CASE("Unchanged content keeps the file and its time") {
   const Folder folder;
   DiskFileSystem disk;
   REQUIRE(disk.write(folder / "f", "same"));
@@ -70,7 +70,7 @@ TEST_CASE("Unchanged content leaves the file and its time alone") {
   CHECK(fs::last_write_time(folder / "f") != old);
 }
 
-TEST_CASE("Replacing a file leaves nothing beside it and keeps its permissions") {
+TEST_CASE("Replacing a file leaves no temporary file and keeps its permissions") {
   const Folder folder;
   DiskFileSystem disk;
   REQUIRE(disk.write(folder / "f", "one"));
@@ -80,7 +80,7 @@ TEST_CASE("Replacing a file leaves nothing beside it and keeps its permissions")
   CHECK(fs::status(folder / "f").permissions() == fs::perms(0750));
 }
 
-TEST_CASE("A text written part by part is compared on the way, and only a difference is written") {
+TEST_CASE("A text written in parts is compared meanwhile, and only a difference is written") {
   const Folder folder;
   DiskFileSystem disk;
   const auto made_of = [](std::vector<std::string> parts) {
@@ -88,7 +88,7 @@ TEST_CASE("A text written part by part is compared on the way, and only a differ
       for (const std::string& part : parts) sink.put(part);
     };
   };
-  const std::string large(200'000, 'x');  // beyond one read
+  const std::string large(200'000, 'x');  // more than one read
   const std::string path = folder / "deep/f";
   const auto changes = [&](const std::vector<std::string>& parts) {
     std::string whole;
@@ -106,14 +106,14 @@ TEST_CASE("A text written part by part is compared on the way, and only a differ
   CHECK_FALSE(changes({"on", "e" + large, "", "three"}));
   CHECK(changes({"one", large, "thre"}));            // shorter
   CHECK(changes({"one", large, "thre", "e", "r"}));  // longer
-  CHECK(changes({"one", large + "!", "three"}));     // another from the middle on
+  CHECK(changes({"one", large + "!", "three"}));     // differs from the middle on
   CHECK(changes({"two"}));
   CHECK_FALSE(disk.holds(folder / "nothing", made_of({})));
   CHECK(*disk.write_made(folder / "empty", made_of({})));
   CHECK_FALSE(*disk.write_made(folder / "empty", made_of({""})));
 }
 
-TEST_CASE("A text that cannot be written whole leaves the file as it was, and nothing beside it") {
+TEST_CASE("A text that cannot be written completely leaves the file unchanged, and no temporary file") {
   const Folder folder;
   DiskFileSystem disk;
   REQUIRE(disk.write(folder / "f", "one"));
@@ -126,7 +126,7 @@ TEST_CASE("A text that cannot be written whole leaves the file as it was, and no
   CHECK(folder.size() == 1);
 }
 
-TEST_CASE("A link stays a link, and what it points to is replaced") {
+TEST_CASE("A symbolic link stays, and its target is replaced") {
   const Folder folder;
   DiskFileSystem disk;
   REQUIRE(disk.write(folder / "f", "one"));
@@ -136,8 +136,8 @@ TEST_CASE("A link stays a link, and what it points to is replaced") {
   CHECK(*disk.read(folder / "f") == "two");
 }
 
-TEST_CASE("What is no plain file is written to and not replaced") {
-  // A pipe of the test's own: were it replaced, no harm would be done, as it would with one of the machine's devices.
+TEST_CASE("A file that is not regular is written to and not replaced") {
+  // A pipe of the test: replacing it does no harm, unlike replacing one of the machine's devices.
   const Folder folder;
   const std::string pipe = folder / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
@@ -152,7 +152,7 @@ TEST_CASE("What is no plain file is written to and not replaced") {
   ::close(reader);
 }
 
-TEST_CASE("A missing file, a directory and a file in place of a folder are errors that name them") {
+TEST_CASE("A missing file, a directory and a file used as a folder are errors with their names") {
   const Folder folder;
   DiskFileSystem disk;
   const auto missing = disk.read(folder / "none");
@@ -168,13 +168,13 @@ TEST_CASE("A missing file, a directory and a file in place of a folder are error
   CHECK_THAT(below.error().message, Catch::Matchers::StartsWith("cannot write `" + (folder / "f/g") + "`: "));
 }
 
-TEST_CASE("Without permission nothing is read, written or left behind") {
+TEST_CASE("Without permission nothing is read, written or left over") {
   const Folder folder;
   DiskFileSystem disk;
   REQUIRE(disk.write(folder / "sub/f", "old"));
   fs::permissions(folder / "sub/f", fs::perms::none);
   fs::permissions(folder / "sub", fs::perms(0500));
-  // The superuser may do everything; then there is nothing to see here.
+  // The superuser may do everything; then there is nothing to test.
   if (::geteuid() != 0) {
     const auto unread = disk.read(folder / "sub/f");
     REQUIRE_FALSE(unread);
@@ -186,7 +186,7 @@ TEST_CASE("Without permission nothing is read, written or left behind") {
   CHECK(std::distance(fs::directory_iterator(folder / "sub"), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("What is the user's is written once, and left alone from then on, whatever it is") {
+TEST_CASE("A user file is written once and never changed again, whatever it is") {
   const Folder folder;
   DiskFileSystem disk;
   CHECK(*disk.write_new(folder / "new/mine", "first"));
@@ -202,7 +202,7 @@ TEST_CASE("What is the user's is written once, and left alone from then on, what
              Catch::Matchers::StartsWith("cannot write `" + (folder / "new/mine/below") + "`: "));
 }
 
-TEST_CASE("The file system of tests behaves likewise") {
+TEST_CASE("The file system for tests behaves the same") {
   symplant::test::MemoryFileSystem memory;
   CHECK_FALSE(memory.read("a"));
   CHECK(*memory.write("a", "x"));

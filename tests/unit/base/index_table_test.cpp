@@ -1,4 +1,4 @@
-// Places by the hash of keys that stand elsewhere.
+// Finds indexes by the hash of keys that are stored elsewhere.
 #include "base/index_table.hpp"
 
 #include <map>
@@ -12,7 +12,7 @@
 using namespace symplant::base;
 using namespace symplant::text;
 
-TEST_CASE("A table of places finds what a map finds, whatever the hashes") {
+TEST_CASE("An index table finds what a map finds, for any hashes") {
   std::mt19937 random(1);
   for (const std::uint64_t mask : {~std::uint64_t{0}, std::uint64_t{0xFF}, std::uint64_t{0}}) {
     std::vector<std::string> keys;
@@ -29,14 +29,14 @@ TEST_CASE("A table of places finds what a map finds, whatever the hashes") {
       keys.push_back(key);
       REQUIRE(table.find_or_add(hash, next, is_at) == indexes.try_emplace(key, next).first->second);
       if (random() % 8 != 0) continue;
-      indexes[key] = next;  // the key stands there, too
+      indexes[key] = next;  // the key is there, too
       table.move(hash, next, is_at);
     }
     CHECK(table.size() == indexes.size());
   }
 }
 
-TEST_CASE("Texts that differ in the case of letters alone have one hash") {
+TEST_CASE("Texts that differ only in case have one hash") {
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     std::string text;

@@ -1,4 +1,4 @@
-// Other programs, run for real: those that every POSIX system has.
+// Runs other programs: those that every POSIX system has.
 #include "base/process.hpp"
 
 #include "support/catch.hpp"
@@ -14,27 +14,27 @@ base::Result<std::string, base::ProcessError> run(const ProcessCall& call) {
   return runner.run(call);
 }
 
-TEST_CASE("A program gets its input and gives its output, however large") {
+TEST_CASE("A program receives its input and returns its output, of any size") {
   const std::string input(3'000'000, 'x');
   const auto output = run({"cat", {}, input});
   REQUIRE(output);
   CHECK(*output == input);
 }
 
-TEST_CASE("No shell sees an argument") {
+TEST_CASE("No shell interprets an argument") {
   const auto output = run({"printf", {"%s", "$(id) `id` ; 'a' \"b\" *"}});
   REQUIRE(output);
   CHECK(*output == "$(id) `id` ; 'a' \"b\" *");
 }
 
-TEST_CASE("A program that reads nothing of its input does no harm") {
+TEST_CASE("A program that does not read its input does no harm") {
   const std::string input(3'000'000, 'x');
   const auto output = run({"true", {}, input});
   REQUIRE(output);
   CHECK(output->empty());
 }
 
-TEST_CASE("A program that is not there, fails, is too slow or writes too much is told as such") {
+TEST_CASE("A program that is missing, fails, is too slow or writes too much is reported as such") {
   CHECK(run({"symplant-no-such-program", {}}).error().kind == Kind::absent);
   const auto failed = run({"false", {}});
   CHECK(failed.error().kind == Kind::failed);

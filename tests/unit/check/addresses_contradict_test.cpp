@@ -1,4 +1,4 @@
-// The two addresses of a row, held against each other.
+// Compares the two addresses of a row.
 #include <fmt/format.h>
 
 #include "support/catch.hpp"
@@ -17,16 +17,16 @@ std::vector<Row> pairs(int count, int shift) {
   return rows;
 }
 
-TEST_CASE("Two notations of one place do not contradict each other") {
+TEST_CASE("Two notations of one address do not contradict each other") {
   CHECK(analyse_rows(pairs(20, 0)).count("addresses-contradict") == 0);
-  // Sizes that differ, and parts beyond a link's number, cannot be compared.
+  // Different sizes, and parts beyond a link's number, cannot be compared.
   CHECK(analyse_rows({{"L_P_A_I_V", "X10", "WORD", "", "%IW1"}, {"L_P_B_I_V", "X11", "BOOL", "", "%IX1.2.3"}})
             .count("addresses-contradict") == 0);
-  // Memory is no I/O, wherever it lies.
+  // Memory is not I/O, wherever it is.
   CHECK(analyse_rows({{"L_P_A_I_V", "M10", "BOOL", "", "%MX0.11"}}).count("addresses-contradict") == 0);
 }
 
-TEST_CASE("A row that contradicts itself is told, and its IEC address counts") {
+TEST_CASE("A contradicting row is reported, and its IEC address counts") {
   std::vector<Row> rows = pairs(20, 0);
   rows[3].iec = "%QX99";
   const Analysed list = analyse_rows(rows);
@@ -34,13 +34,13 @@ TEST_CASE("A row that contradicts itself is told, and its IEC address counts") {
   CHECK(list.model().symbols[3].address->number == 99);
 }
 
-TEST_CASE("Columns that do not belong together are told once") {
+TEST_CASE("Unrelated columns are reported once") {
   const Analysed list = analyse_rows(pairs(20, 1));
   CHECK(list.count("addresses-contradict") == 1);
   CHECK(analyse_rows(pairs(8, 1)).count("addresses-contradict") == 8);
 }
 
-TEST_CASE("A constant and a row that is no I/O by both addresses are not looked at") {
+TEST_CASE("A constant, and a row without an I/O address, are not checked") {
   std::vector<Row> rows = pairs(4, 1);
   for (Row& row : rows) row.klass = "VAR_GLOBAL_CONSTANT";
   rows.push_back({"L_P_A_I_V", "D10", "WORD", "", "%MW0.12"});
@@ -48,7 +48,7 @@ TEST_CASE("A constant and a row that is no I/O by both addresses are not looked 
   CHECK(analyse_rows(rows).count("addresses-contradict") == 0);
 }
 
-TEST_CASE("A row that is taken for memory by one of its addresses is told") {
+TEST_CASE("A row that one of its addresses makes memory is reported") {
   const Analysed list = analyse_rows({{"L_P_B_I_ON", "X0", "BOOL", "", "%MX0"}});
   CHECK(list.count("addresses-contradict") == 1);
   CHECK(list.model().symbols.empty());

@@ -1,4 +1,4 @@
-// The catalogue: ids and slugs that never change, pages for every rule, and the published page.
+// The catalogue: stable ids and slugs, pages for every rule, and the published page.
 #include "check/catalogue.hpp"
 
 #include <set>
@@ -12,11 +12,12 @@
 #include "support/golden.hpp"
 #include "support/memory_file_system.hpp"
 #include "support/tool.hpp"
+#include "text/ascii.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("Rules stand by id, each id and slug once") {
+TEST_CASE("Rules are sorted by id, each id and slug once") {
   std::set<std::string_view> slugs;
   std::string_view before;
   for (const diag::RuleInfo* rule : check::catalogue()) {
@@ -30,7 +31,7 @@ TEST_CASE("Rules stand by id, each id and slug once") {
         check::kRules.size() + read::rules().size() + description::rules().size() + of_lower);
 }
 
-TEST_CASE("Every rule has a summary without a full stop and a page that says what to do") {
+TEST_CASE("Every rule has a summary without a full stop and a page with the fix") {
   for (const diag::RuleInfo* rule : check::catalogue()) {
     INFO(rule->id);
     CHECK_FALSE(rule->summary.empty());
@@ -42,11 +43,11 @@ TEST_CASE("Every rule has a summary without a full stop and a page that says wha
     if (rule->info.severity == diag::Severity::note) continue;
     INFO(rule->info.id);
     CHECK(rule->info.page.find("**What the model loses.**") != std::string_view::npos);
-    CHECK(rule->info.page.find("**How to mend it.**") != std::string_view::npos);
+    CHECK(rule->info.page.find("**How to fix it.**") != std::string_view::npos);
   }
 }
 
-TEST_CASE("A rule is found by id and by slug, whatever the case") {
+TEST_CASE("A rule is found by id and by slug in any case") {
   for (const diag::RuleInfo* rule : check::catalogue()) {
     CHECK(check::find_rule(rule->id) == rule);
     CHECK(check::find_rule(rule->slug) == rule);
@@ -56,7 +57,20 @@ TEST_CASE("A rule is found by id and by slug, whatever the case") {
   CHECK(check::find_rule("") == nullptr);
 }
 
-TEST_CASE("docs/rules.md is what the tool says") {
+TEST_CASE("A former slug finds the current rule, and no current slug is a former one") {
+  for (const auto& [former, now] : {std::pair{"nobody-moves", "event-not-driven"},
+                                    {"event-moved-twice", "event-driven-twice"},
+                                    {"places-overlap", "symbols-overlap"}}) {
+    INFO(former);
+    REQUIRE(check::find_rule(former) != nullptr);
+    CHECK(check::find_rule(former)->slug == now);
+    CHECK(check::slug_now(text::to_upper(former)) == now);
+    CHECK(check::slug_now(now).empty());
+  }
+  for (const diag::RuleInfo* rule : check::catalogue()) CHECK(check::slug_now(rule->slug).empty());
+}
+
+TEST_CASE("docs/rules.md equals the output of the tool") {
   const ToolRun run = run_tool({"rules"});
   CHECK(run.code == 0);
   CHECK(run.err.empty());

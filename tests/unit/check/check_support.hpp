@@ -1,4 +1,4 @@
-// What the tests of rules about descriptions share: short ways to write one, and findings as text.
+// Shared parts of the tests of description rules: short forms to write one, and findings as text.
 #pragma once
 
 #include <string>
@@ -45,9 +45,9 @@ inline description::Description describing(std::vector<description::DeviceDescri
   return description;
 }
 
-/// The findings of a rule: "pointer: message", a line each, related places behind them in brackets.
+/// The findings of a rule: "pointer: message", one per line, followed by related locations in brackets.
 inline std::string reported(const Analysed& analysed, std::string_view slug) {
-  CHECK(analysed.model().description_faults.empty());
+  CHECK(analysed.evidence().faults.empty());
   std::string text;
   for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
     if (finding.rule->slug != slug) continue;

@@ -1,4 +1,4 @@
-// What rules about lists say of plants that are described.
+// The list rules on plants with a description.
 #include "check_support.hpp"
 
 namespace symplant::test {
@@ -10,7 +10,7 @@ std::string inference_2(const description::DeviceDescription& d) {
   return reported(analyse_described(bits(kCylinder), describing({d})), "inferred-single-solenoid");
 }
 
-TEST_CASE("Inference 2 tells only what the description left open") {
+TEST_CASE("Inference 2 reports only what the description leaves open") {
   description::DeviceDescription d = device();
   CHECK(inference_2(d) ==
         ": `L_P_D` has an operation for `ADV` alone: it was taken as a single solenoid that returns to `RET` "
@@ -29,7 +29,7 @@ TEST_CASE("Inference 2 tells only what the description left open") {
         "(inference 2)");
 }
 
-TEST_CASE("Inference 1 speaks of a spring only where it is one") {
+TEST_CASE("Inference 1 reports a spring only if the device is one") {
   const auto subject = [](const description::DeviceDescription& d) {
     return reported(analyse_described(bits({"L_P_D_O_RUN", "L_P_D_I_RUN"}), describing({d})), "inferred-rest-state");
   };
@@ -45,10 +45,10 @@ TEST_CASE("Inference 1 speaks of a spring only where it is one") {
 }
 
 std::string undriven(const std::vector<std::string>& names, const description::DeviceDescription& d) {
-  return reported(analyse_described(bits(names), describing({d})), "nobody-moves");
+  return reported(analyse_described(bits(names), describing({d})), "event-not-driven");
 }
 
-TEST_CASE("Nobody moves what no automatic transition, output or behaviour does") {
+TEST_CASE("An event is not driven without an automatic transition, output or behavior") {
   const std::vector<std::string> names{"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_I_P3"};
   description::DeviceDescription d = device();
   CHECK(undriven(names, d) ==
@@ -65,7 +65,7 @@ TEST_CASE("Nobody moves what no automatic transition, output or behaviour does")
   CHECK(undriven(names, d) == "");
 }
 
-TEST_CASE("An event that nobody moves stands as the description has it start") {
+TEST_CASE("An event that no device drives starts as the description says") {
   description::DeviceDescription d = device();
   d.initial = "ON";
   CHECK_THAT(
@@ -74,7 +74,7 @@ TEST_CASE("An event that nobody moves stands as the description has it start") {
                         "description says [: follows from this (inferred-rest-state): "));
 }
 
-TEST_CASE("An operation without an event is none where the state reports otherwise, or is never entered") {
+TEST_CASE("An operation has no missing event if another event reports the state, or the state is never entered") {
   const std::vector<std::string> names{"L_P_D_O_P1",   "L_P_D_I_P1", "L_P_D_O_P2",
                                        "L_P_D_I_BUSY", "L_P_D_O_P3", "L_P_D_I_P3"};
   description::DeviceDescription d = device();
@@ -92,7 +92,7 @@ TEST_CASE("An operation without an event is none where the state reports otherwi
   CHECK(count() == 0);
 }
 
-TEST_CASE("With a description, its `initial` mends a start by the order of rows") {
+TEST_CASE("The description's `initial` fixes a start by the order of rows") {
   const auto text = [](std::vector<description::DeviceDescription> devices) {
     return reported(analyse_described(bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET", "L_P_D_I_RET"}),
                                       describing(std::move(devices))),
@@ -105,7 +105,7 @@ TEST_CASE("With a description, its `initial` mends a start by the order of rows"
         "/devices/L_P_D: `L_P_D` starts in `ADV`, only because its row comes first: say `initial` in plant.json");
 }
 
-TEST_CASE("Of several events that start TRUE only states' are counted") {
+TEST_CASE("Of several events with Initial TRUE only those of states are counted") {
   std::vector<std::string> names{"L_P_D_O_P1", "L_P_D_I_P1*", "L_P_D_O_P2", "L_P_D_I_P2*", "L_P_D_I_READY*"};
   description::DeviceDescription d = device();
   d.outputs = {{"P1", {{"READY", true}}, {}}};
@@ -116,7 +116,7 @@ TEST_CASE("Of several events that start TRUE only states' are counted") {
   CHECK(list.count("initial-ambiguous") == 1);
 }
 
-TEST_CASE("A sequence that is ambiguous is none where the description leads to the state") {
+TEST_CASE("A sequence is not ambiguous if the description leads to the state") {
   const std::vector<std::string> names{"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B1", "L_P_D_I_B1",
                                        "L_P_D_I_C2", "L_P_D_O_D2", "L_P_D_I_D2"};
   description::DeviceDescription d = device();

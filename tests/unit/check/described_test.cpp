@@ -1,4 +1,4 @@
-// What is told of descriptions: states, loops, circles, conditions, requirements.
+// Findings on descriptions: states, loops, circles, conditions, requirements.
 #include "check_support.hpp"
 
 namespace symplant::test {
@@ -6,7 +6,7 @@ namespace {
 
 // Unreachable states.
 
-TEST_CASE("A state is reached by a chain of commanded and automatic transitions, and a spring's way") {
+TEST_CASE("Commanded and automatic transitions and a spring return reach a state") {
   description::DeviceDescription d = device();
   d.states = {"MID", "END"};
   d.only = true;
@@ -21,7 +21,7 @@ TEST_CASE("A state is reached by a chain of commanded and automatic transitions,
   CHECK(reported(analyse_described(two_devices(), describing({s})), "unreachable-state") == "");
 }
 
-TEST_CASE("A state without a way to it is told where the description adds it, or at `only`") {
+TEST_CASE("An unreachable state is reported where the description adds it, or at `only`") {
   description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
@@ -49,7 +49,7 @@ TEST_CASE("Two devices that wait for each other reach neither state") {
   CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
 }
 
-TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so may one with the user's code") {
+TEST_CASE("A device that the plant does not drive, or with user code, may be in any state") {
   description::DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "L_P_B.ON")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
@@ -60,7 +60,7 @@ TEST_CASE("A device that nothing in the plant moves may stand anywhere, and so m
   CHECK(analyse_described(two_devices(), describing({d, e})).fired(diag::Severity::warning) == "");
 }
 
-TEST_CASE("What stands behind an automatic transition without condition and time is never taken") {
+TEST_CASE("What follows an automatic transition without condition and time is never taken") {
   description::DeviceDescription d = device();
   d.states = {"MID"};
   d.only = true;
@@ -73,7 +73,7 @@ TEST_CASE("What stands behind an automatic transition without condition and time
   CHECK(analyse_described(two_devices(), describing({d})).count("unreachable-state") == 0);
 }
 
-TEST_CASE("A symbol that is missing in the list is told as that, and not once more") {
+TEST_CASE("A missing symbol is reported as such, and only once") {
   std::vector<Row> rows = two_devices();
   rows.push_back({"L_P_D_I_P3", "", "BOOL", "FALSE", "%IX90"});
   rows.push_back({"L_P_E_I_HOT", "", "BOOL", "FALSE", "%IX91"});
@@ -83,7 +83,7 @@ TEST_CASE("A symbol that is missing in the list is told as that, and not once mo
 
 // States that cannot be left.
 
-TEST_CASE("A state that is commanded away and has no way out is told") {
+TEST_CASE("A state that commands leave but that has no transition out is reported") {
   description::DeviceDescription d = device();
   d.only = true;
   d.transitions = {transition("P1", "P2")};
@@ -94,7 +94,7 @@ TEST_CASE("A state that is commanded away and has no way out is told") {
   CHECK(analyse_described(two_devices(), describing({d})).count("state-never-left") == 0);
 }
 
-TEST_CASE("A state that no operation commands away may be the last") {
+TEST_CASE("A state that no operation leaves may be the last") {
   description::DeviceDescription d = device();
   d.only = true;
   d.actuation = tables::Actuation::latched;
@@ -104,7 +104,7 @@ TEST_CASE("A state that no operation commands away may be the last") {
 
 // Zero-time loops.
 
-TEST_CASE("A circle of automatic transitions is told once, whatever leads into it") {
+TEST_CASE("A circle of automatic transitions is reported once, whatever leads into it") {
   description::DeviceDescription d = device();
   d.states = {"A", "B"};
   d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
@@ -114,7 +114,7 @@ TEST_CASE("A circle of automatic transitions is told once, whatever leads into i
         "and this one leads on]");
 }
 
-TEST_CASE("A time or a condition in the circle, or code of the user's, makes it none") {
+TEST_CASE("A time, a condition or user code in the circle prevents the finding") {
   description::DeviceDescription d = device();
   d.transitions = {by_itself("P1", "P2"), by_itself("P2", "P1")};
   const auto count = [&] { return analyse_described(two_devices(), describing({d})).count("zero-time-loop"); };
@@ -148,7 +148,7 @@ description::DeviceDescription disabling(const std::string& path, std::vector<st
   return d;
 }
 
-TEST_CASE("A circle of disables is told once, with its members") {
+TEST_CASE("A circle of disables is reported once, with its members") {
   const auto described = describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"}),
                                      disabling("L_P_R2", {"L_P_R0"}), disabling("L_P_R3", {"L_P_R0"})});
   CHECK(reported(analyse_described(ring(4), described), "cycle-of-disables") ==
@@ -158,7 +158,7 @@ TEST_CASE("A circle of disables is told once, with its members") {
         "[/devices/L_P_R2/disables/P2: `L_P_R2` disables `L_P_R0` here]");
 }
 
-TEST_CASE("Two circles apart are two findings, two that share a device are one") {
+TEST_CASE("Two separate circles are two findings, two that share a device are one") {
   CHECK(analyse_described(ring(4), describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R0"}),
                                                disabling("L_P_R2", {"L_P_R3"}), disabling("L_P_R3", {"L_P_R2"})}))
             .count("cycle-of-disables") == 2);
@@ -173,7 +173,7 @@ TEST_CASE("Two circles apart are two findings, two that share a device are one")
 
 // Conditions.
 
-TEST_CASE("A condition that stands in several transitions of a device is told once") {
+TEST_CASE("A condition in several transitions of a device is reported once") {
   description::DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "L_P_E.A1 and L_P_E.A2"), transition("P2", "P1", "L_P_E.A1 and L_P_E.A2")};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "condition-never-holds") ==
@@ -181,7 +181,7 @@ TEST_CASE("A condition that stands in several transitions of a device is told on
         "taken: correct it");
 }
 
-TEST_CASE("Inputs of a behaviour are looked at, too") {
+TEST_CASE("Inputs of a behavior are checked, too") {
   description::DeviceDescription d = device();
   d.behaviour = "MyOwn";
   d.inputs = {{"fast", "L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6"}, {"part", "L_P_E.A1"}};
@@ -190,7 +190,7 @@ TEST_CASE("Inputs of a behaviour are looked at, too") {
         "always on: correct it or leave it out");
 }
 
-TEST_CASE("A description with faults is not looked at further") {
+TEST_CASE("A description with faults is not checked further") {
   description::DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "L_P_E.A1 and L_P_E.A2"), transition("P1", "P9")};
   CHECK(analyse_described(two_devices(), describing({d})).fired(diag::Severity::warning) == "");
@@ -205,7 +205,7 @@ std::string of_requirement(description::GivenRequirement given,
   return reported(analyse_described(two_devices(), std::move(description)), "requirement-decided");
 }
 
-TEST_CASE("A requirement that cannot be violated, or always is, is told") {
+TEST_CASE("A requirement that cannot be violated, or always is, is reported") {
   CHECK(of_requirement({"r", "L_P_D.P1 and L_P_D.P2", "", "", 0}) ==
         "/requirements/0/never: requirement `r`: `L_P_D.P1 and L_P_D.P2` can never hold: it cannot be violated, and "
         "tests nothing");
@@ -215,7 +215,7 @@ TEST_CASE("A requirement that cannot be violated, or always is, is told") {
   CHECK(of_requirement({"r", "L_P_D.P1 and L_P_E.A1", "", "", 0}) == "");
 }
 
-TEST_CASE("A requirement that names a state that nothing leads to is told") {
+TEST_CASE("A requirement with an unreachable state is reported") {
   description::DeviceDescription d = device();
   d.states = {"FAULT"};
   CHECK(of_requirement({"r", "", "L_P_D.FAULT", "L_P_E.A1", 0}, {d}) ==

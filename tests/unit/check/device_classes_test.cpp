@@ -1,4 +1,4 @@
-// Devices whose names differ in digits alone, and what they expect of each other.
+// Devices whose names differ only in digits, and the symbols expected from their siblings.
 #include "check/spelling/device_classes.hpp"
 
 #include "support/catch.hpp"
@@ -25,7 +25,7 @@ Analysed four_clamps() {
   })));
 }
 
-TEST_CASE("Devices of a class differ in digits alone, whatever their case, process and line") {
+TEST_CASE("Devices of a class differ only in digits, in any case, process and line") {
   CHECK(check::class_name("Clamp12") == "CLAMP#");
   CHECK(check::class_name("S1CLAMP02B") == "S#CLAMP#B");
   const Analysed analysed = four_clamps();
@@ -39,7 +39,7 @@ TEST_CASE("Devices of a class differ in digits alone, whatever their case, proce
   CHECK(classes.find(0, Direction::operation, "HELD") == model::kNone);
 }
 
-TEST_CASE("Numeric symbols count, and so do devices that have only such") {
+TEST_CASE("Numeric symbols count, and so do devices that have only those") {
   std::vector<Row> rows = bits({"L_A_ROBOT1_O_JOB", "L_A_ROBOT1_I_JOB", "L_A_ROBOT2_O_JOB"});
   rows.push_back({"L_A_robot1_O_PROG", "", "WORD", "", "%QW1"});
   rows.push_back({"L_A_GAUGE_I_GAP", "", "INT", "", "%IW1"});
@@ -54,7 +54,7 @@ TEST_CASE("Numeric symbols count, and so do devices that have only such") {
   CHECK(classes.count(classes.find(0, Direction::operation, "PROG")) == 1);
 }
 
-TEST_CASE("What three quarters of the others have is expected, and what a quarter has at most is not") {
+TEST_CASE("A symbol of three quarters of the others is expected, a symbol of at most a quarter is not") {
   const Analysed analysed = four_clamps();
   const DeviceClasses classes(analysed.model());
   CHECK(classes.expects(3, Direction::event, "ADV", false) == Expected::yes);

@@ -1,4 +1,4 @@
-// Words that differ by a slip of the hand.
+// Words that differ by a typing error.
 #include "check/spelling/near_words.hpp"
 
 #include "support/catch.hpp"
@@ -10,7 +10,7 @@ using check::differ_by_ending;
 using check::differ_by_slip;
 using check::NearWords;
 
-TEST_CASE("One letter more, less or another, or two neighbours exchanged, is a slip") {
+TEST_CASE("One letter more, less or other, or two neighbors exchanged, is a slip") {
   CHECK(differ_by_slip(U"CLAMP#", U"CLMP#"));
   CHECK(differ_by_slip(U"CLMP#", U"CLAMP#"));
   CHECK(differ_by_slip(U"CLAMP", U"CLAMPS"));
@@ -22,7 +22,7 @@ TEST_CASE("One letter more, less or another, or two neighbours exchanged, is a s
   CHECK_FALSE(differ_by_slip(U"CLAMP", U"LCAPM"));
 }
 
-TEST_CASE("Digits are no slip, and single letters are no proof of one") {
+TEST_CASE("Digits are not a slip, and single letters do not prove one") {
   CHECK_FALSE(differ_by_slip(U"CLAMP1", U"CLAMP2"));
   CHECK_FALSE(differ_by_slip(U"CLAMP#", U"CLAMP"));
   CHECK_FALSE(differ_by_slip(U"CLAMP#A", U"CLAMPA#"));
@@ -32,13 +32,13 @@ TEST_CASE("Digits are no slip, and single letters are no proof of one") {
   CHECK(differ_by_slip(U"클램프전진", U"클램트전진"));
 }
 
-TEST_CASE("A word with an ending is no slip but another word") {
+TEST_CASE("A word with an ending is another word, not a slip") {
   CHECK(differ_by_ending(U"CLOSED", U"CLOSE"));
   CHECK(differ_by_ending(U"CLAMP", U"CLAMPED"));
   CHECK_FALSE(differ_by_ending(U"CLOSE", U"CLOSER"));
 }
 
-TEST_CASE("A word is asked for the commoner ones near it, the commonest first") {
+TEST_CASE("A word gives its more common near words, the most common first") {
   const std::vector<NearWords::Word> words{{U"RTE", 1}, {U"RET", 200}, {U"RATE", 300}, {U"ADV", 200}, {U"RTED", 1}};
   const NearWords near(words);
   CHECK(near.commoner_near(0) == std::vector<std::uint32_t>{2, 1});
@@ -47,7 +47,7 @@ TEST_CASE("A word is asked for the commoner ones near it, the commonest first") 
   CHECK(near.commoner_near(3).empty());
 }
 
-TEST_CASE("Every near pair is found but where more than the best three share a file") {
+TEST_CASE("Every near pair is found unless more than the best three share a bucket") {
   std::vector<NearWords::Word> words;
   for (char32_t a = U'A'; a <= U'E'; ++a) {
     for (char32_t b = U'A'; b <= U'E'; ++b) words.push_back({std::u32string{U'X', a, b, U'X'}, words.size() + 1});
@@ -62,7 +62,7 @@ TEST_CASE("Every near pair is found but where more than the best three share a f
     CHECK(found.size() <= all);
     CHECK((all == 0 || !found.empty()));
     if (all != 0) {
-      // The commonest of all near ones is always among them.
+      // The most common of all near words is always among them.
       std::uint32_t best = location;
       for (std::uint32_t other = location + 1; other < words.size(); ++other) {
         if (differ_by_slip(words[location].text, words[other].text)) best = other;

@@ -1,11 +1,11 @@
-// Sequences, devices named alike, and words that look like one: what is told, and what is meant to be.
+// Sequences, devices with similar names, and forms of one word: what is reported and what is accepted.
 #include "check/spelling/bent_words.hpp"
 #include "check_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-/// A device whose tasks have an operation and an event each.
+/// A device whose tasks each have an operation and an event.
 std::vector<Row> device_with(const std::vector<std::string>& tasks) {
   std::vector<std::string> names;
   for (const std::string& task : tasks) {
@@ -17,7 +17,7 @@ std::vector<Row> device_with(const std::vector<std::string>& tasks) {
 
 std::size_t subject(const std::vector<Row>& rows, std::string_view slug) { return analyse_rows(rows).count(slug); }
 
-TEST_CASE("A gap is a number or a few that are missing among even steps") {
+TEST_CASE("A gap is one or a few missing numbers among regular steps") {
   CHECK(subject(device_with({"P1", "P2", "P4"}), "sequence-gap") == 1);
   CHECK(subject(device_with({"P1", "P3", "P4"}), "sequence-gap") == 1);
   CHECK(subject(device_with({"P1", "P2", "P3", "P6"}), "sequence-gap") == 1);
@@ -31,7 +31,7 @@ TEST_CASE("A gap is a number or a few that are missing among even steps") {
   CHECK(subject(device_with({"P1", "P2", "P99999999999999999999999999"}), "sequence-gap") == 0);
 }
 
-TEST_CASE("A number repeats where one pair has it; more pairs count sensors") {
+TEST_CASE("A number repeats if one pair has it; more pairs count sensors") {
   CHECK(subject(device_with({"HOME1", "JOB2", "DONE2"}), "sequence-repeated") == 1);
   CHECK(subject(device_with({"HOME1", "JOB1", "DONE2"}), "sequence-repeated") == 1);
   CHECK(subject(device_with({"HOME1", "JOB2", "DONE3"}), "sequence-repeated") == 0);
@@ -40,7 +40,7 @@ TEST_CASE("A number repeats where one pair has it; more pairs count sensors") {
   CHECK(subject(device_with({"ADV1", "RET1"}), "sequence-repeated") == 0);
 }
 
-/// `whole` clamps of two tasks, then `single` with the coil OPEN alone.
+/// `whole` clamps of two tasks, then `single` clamps with only the coil OPEN.
 std::vector<Row> clamps(int whole, int single) {
   std::vector<std::string> names;
   for (int i = 1; i <= whole + single; ++i) {
@@ -53,7 +53,7 @@ std::vector<Row> clamps(int whole, int single) {
   return bits(names);
 }
 
-TEST_CASE("A device that lacks a symbol is told where three others and three quarters have it, and it is not meant") {
+TEST_CASE("A missing symbol is reported if three other devices and three quarters of them have it") {
   CHECK(subject(clamps(3, 1), "shape-lacks-symbol") == 1);
   CHECK(subject(clamps(2, 1), "shape-lacks-symbol") == 0);
   CHECK(subject(clamps(14, 2), "shape-lacks-symbol") == 2);
@@ -61,7 +61,7 @@ TEST_CASE("A device that lacks a symbol is told where three others and three qua
   CHECK(subject(clamps(5, 0), "shape-lacks-symbol") == 0);
 }
 
-TEST_CASE("The finding names the symbol that is missing, and stands at the other one of its task") {
+TEST_CASE("The finding names the missing symbol, and is at the other symbol of its task") {
   const Analysed list = analyse_rows(clamps(4, 1));
   REQUIRE(list.fired() == "shape-lacks-symbol");
   const diag::Diagnostic& finding = list.diagnostics.all()[0];
@@ -71,7 +71,7 @@ TEST_CASE("The finding names the symbol that is missing, and stands at the other
         std::string_view::npos);
 }
 
-TEST_CASE("A number that the others have is missing as a bit is, also where devices have numbers only") {
+TEST_CASE("A missing number is reported like a missing bit, also for devices with numbers only") {
   std::vector<std::string> names;
   for (const std::string i : {"1", "2", "3", "4", "5"}) {
     for (const char* part : {"_O_RUN", "_I_RUN", "_O_STOP", "_I_STOP*"}) names.push_back("L_P_DRIVE" + i + part);
@@ -92,7 +92,7 @@ TEST_CASE("A number that the others have is missing as a bit is, also where devi
   CHECK(list.diagnostics.all()[1].about == std::vector<std::string>{"L_P_TANK4", "L_P_TANK4_I_HEAT"});
 }
 
-TEST_CASE("A device too large for its bits is not told to lack them beside its numbers") {
+TEST_CASE("A device with too many bits is not reported to lack them if it has numbers") {
   std::vector<std::string> names;
   for (int i = 1; i <= 5; ++i) names.push_back("L_P_WELDER" + std::to_string(i) + "_I_ON");
   for (int i = 101; i <= 180; ++i) names.push_back("L_P_WELDER3_I_ON" + std::to_string(i));
@@ -104,7 +104,7 @@ TEST_CASE("A device too large for its bits is not told to lack them beside its n
   CHECK(list.count("shape-lacks-symbol") == 0);
 }
 
-TEST_CASE("Forms of one word are alike, other words and other numbers are not") {
+TEST_CASE("Forms of one word match, other words and other numbers do not") {
   for (const auto& [a, b] : {std::pair{"CLAMP", "CLAMPED"},
                              {"CLOSE", "CLOSED"},
                              {"CLOSE", "CLOSING"},
@@ -129,7 +129,7 @@ TEST_CASE("Forms of one word are alike, other words and other numbers are not") 
   }
 }
 
-TEST_CASE("Two forms of one word are told of a device with further tasks, too") {
+TEST_CASE("Two forms of one word are reported for a device with further tasks, too") {
   const auto reported = [](const std::vector<std::string>& names) {
     return analyse_rows(bits(names)).fired(diag::Severity::warning);
   };

@@ -1,11 +1,11 @@
-// One root cause, one finding: a sound list with a single slip in it.
+// One root cause gives one finding: a valid list with a single slip.
 #include "support/catch.hpp"
 #include "support/compile.hpp"
 
 namespace symplant::test {
 namespace {
 
-/// Two stations with a robot of two jobs and a valve each; nothing to find but notes.
+/// Two stations with a robot of two jobs and a valve each; only notes to find.
 std::vector<Row> sound() {
   return bits({"L_S1_RBT_I_HOME1", "L_S1_RBT_I_WORK2", "L_S1_RBT_O_HOME1", "L_S1_RBT_O_WORK2", "L_S1_VLV_I_SHUT1",
                "L_S1_VLV_I_OPEN2", "L_S1_VLV_O_SHUT1", "L_S1_VLV_O_OPEN2"});
@@ -25,9 +25,9 @@ std::string with_more(Row more) {
 
 Row event(const std::string& name) { return {name, "", "BOOL", "FALSE", "%IX50"}; }
 
-TEST_CASE("A sound list has no finding at all") { CHECK(analyse_rows(sound()).fired() == ""); }
+TEST_CASE("A valid list has no finding") { CHECK(analyse_rows(sound()).fired() == ""); }
 
-TEST_CASE("One more row with a slip in its name is one finding") {
+TEST_CASE("An extra row with a slip in its name gives one finding") {
   CHECK(with_more(event("START")) == "wrong-number-of-levels");
   CHECK(with_more(event("L_S1_RBT_FAST_I_WORK3")) == "wrong-number-of-levels");
   CHECK(with_more(event("L__RBT_I_WORK3")) == "empty-level");
@@ -35,14 +35,14 @@ TEST_CASE("One more row with a slip in its name is one finding") {
   CHECK(with_more(event("L_S1_RBT-I_WORK3")) == "illegal-character");
 }
 
-TEST_CASE("A row copied and not changed is one finding") {
+TEST_CASE("A copied and unchanged row gives one finding") {
   CHECK(with_more(sound()[0]) == "duplicate-symbol");
   Row elsewhere = sound()[0];
   elsewhere.iec = "%IX99";
   CHECK(with_more(elsewhere) == "symbol-declared-differently");
 }
 
-TEST_CASE("One wrong cell beside the name is one finding") {
+TEST_CASE("One wrong cell next to the name gives one finding") {
   Row row = sound()[0];
   row.iec = "I-O-1";
   CHECK(with(0, row) == "address-not-understood");
@@ -50,30 +50,30 @@ TEST_CASE("One wrong cell beside the name is one finding") {
   row.initial = "YES";
   CHECK(with(0, row) == "initial-not-understood");
   row = sound()[0];
-  row.iec = sound()[4].iec;  // another device's
-  CHECK(with(0, row) == "event-moved-twice");
+  row.iec = sound()[4].iec;  // the address of another device
+  CHECK(with(0, row) == "event-driven-twice");
   row = sound()[2];
   row.iec = sound()[6].iec;
   CHECK(with(2, row) == "address-used-twice");
 }
 
-TEST_CASE("One address on the wrong side is one finding") {
-  // The operation's name stands on an input; the event of its task is there already.
+TEST_CASE("One address on the wrong side gives one finding") {
+  // The operation's name is on an input; the event of its task exists already.
   Row row = sound()[3];
   row.iec = "%IX77";
   CHECK(with(3, row) == "task-claimed-twice");
-  // The event's name stands on an output.
+  // The event's name is on an output.
   row = sound()[1];
   row.iec = "%QX77";
   CHECK(with(1, row) == "task-claimed-twice");
-  // The one that is wrong stands before the one that is right.
+  // The wrong row precedes the right one.
   std::vector<Row> rows = sound();
   std::swap(rows[0], rows[2]);
   rows[0].iec = "%IX77";
   CHECK(analyse_rows(rows).fired(diag::Severity::warning) == "task-claimed-twice");
 }
 
-TEST_CASE("One row that is missing is one finding at most") {
+TEST_CASE("One missing row gives one finding at most") {
   for (std::size_t i = 0; i < sound().size(); ++i) {
     std::vector<Row> rows = sound();
     rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
@@ -83,7 +83,7 @@ TEST_CASE("One row that is missing is one finding at most") {
   }
 }
 
-TEST_CASE("One task that is misspelt is one warning") {
+TEST_CASE("One misspelled task gives one warning") {
   for (std::size_t i = 0; i < sound().size(); ++i) {
     std::vector<Row> rows = sound();
     rows[i].name += "X";

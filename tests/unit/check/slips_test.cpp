@@ -1,4 +1,4 @@
-// Names that differ by a slip from those that are meant.
+// Names that differ by a slip from the intended ones.
 #include "check/spelling/slips.hpp"
 
 #include "support/catch.hpp"
@@ -38,7 +38,7 @@ TEST_CASE("A symbol that another device lacks belongs to it") {
   CHECK(slips[0].symbols == std::vector<std::uint32_t>{9});
 }
 
-TEST_CASE("A task that no sibling has is the one that its device lacks") {
+TEST_CASE("A task that no sibling has is the missing one of its device") {
   std::vector<std::string> names = clamps(5);
   names[6] = "L_ST2_CLAMP1_I_AVD";
   const auto slips = slips_of(names);
@@ -47,7 +47,7 @@ TEST_CASE("A task that no sibling has is the one that its device lacks") {
   CHECK(slips[0].meant == "ADV");
 }
 
-TEST_CASE("A word of two letters is told where a device lacks just this symbol, and not for being rare") {
+TEST_CASE("A word of two letters is reported if a device lacks this symbol, not because it is rare") {
   std::vector<std::string> names = clamps(9);
   for (std::string& name : names) name.replace(name.find("CLAMP"), 5, "PIN");
   names[9].replace(names[9].find("PIN"), 3, "PN");
@@ -58,13 +58,13 @@ TEST_CASE("A word of two letters is told where a device lacks just this symbol, 
   CHECK(slips_of(whole).empty());
 }
 
-TEST_CASE("Without siblings the other direction speaks for a slip") {
+TEST_CASE("Without siblings the other direction confirms a slip") {
   const auto slips = slips_of({"L_P_TABLE_O_WORK", "L_P_TABLE_I_WORK", "L_P_TABLE_O_LOAD", "L_P_TABEL_I_LOAD"});
   REQUIRE(slips.size() == 1);
   CHECK(slips[0].written == "TABEL");
 }
 
-TEST_CASE("A device misspelt throughout is told by its rare word, once") {
+TEST_CASE("A device misspelled in all rows is reported once, by its rare word") {
   std::vector<std::string> names = clamps(9);
   for (std::size_t i = 8; i < 12; ++i) names[i].replace(names[i].find("CLAMP"), 5, "CLMP");
   const auto slips = slips_of(names);
@@ -74,7 +74,7 @@ TEST_CASE("A device misspelt throughout is told by its rare word, once") {
   CHECK(slips[0].others == 8);
 }
 
-TEST_CASE("A line and a process are told by their rare words") {
+TEST_CASE("A line and a process are reported by their rare words") {
   std::vector<std::string> names = clamps(9);
   for (std::string& name : names) name.replace(0, 4, "BODY_CELL");
   names.push_back("BDOY_CELL1_LAMP_O_ON");
@@ -87,7 +87,7 @@ TEST_CASE("A line and a process are told by their rare words") {
   CHECK(slips[1].meant == "CELL1");
 }
 
-TEST_CASE("Two lines, two words of one unit, and near words of devices unlike are no slips") {
+TEST_CASE("Two lines, two words of one unit, and near words of different devices are no slips") {
   CHECK(slips_of(clamps(9)).empty());
   std::vector<std::string> lines = clamps(3);
   for (const std::string& name : clamps(3)) lines.push_back("LINEA" + name.substr(1));
@@ -101,7 +101,7 @@ TEST_CASE("Two lines, two words of one unit, and near words of devices unlike ar
   CHECK(slips_of(names).empty());
 }
 
-TEST_CASE("Devices that differ in a letter, each complete, are no slips") {
+TEST_CASE("Complete devices that differ in a letter are no slips") {
   CHECK(slips_of({"L_P_VALVEA_O_OPEN", "L_P_VALVEA_I_OPEN", "L_P_VALVEB_O_OPEN", "L_P_VALVEB_I_OPEN"}).empty());
 }
 

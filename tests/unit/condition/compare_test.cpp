@@ -1,4 +1,4 @@
-// A folded comparison says of every value what the comparison as written says.
+// A folded comparison gives the same result as the written one for every value.
 #include "symplant/condition/compare.hpp"
 
 #include <bit>
@@ -39,7 +39,7 @@ std::string folded(DataType type, Comparison comparison, std::string_view number
   return comparison_text(found.comparison) + std::to_string(static_cast<std::int64_t>(found.operand));
 }
 
-TEST_CASE("A fraction is compared with as the integer beside it") {
+TEST_CASE("A fraction is compared with as the next integer") {
   CHECK(folded(DataType::int_, Comparison::less, "3.5") == "<=3");
   CHECK(folded(DataType::int_, Comparison::less_equal, "3.5") == "<=3");
   CHECK(folded(DataType::int_, Comparison::greater, "3.5") == ">3");
@@ -48,7 +48,7 @@ TEST_CASE("A fraction is compared with as the integer beside it") {
   CHECK(folded(DataType::int_, Comparison::equal, "30e-1") == "=3");
 }
 
-TEST_CASE("What no value of the type meets, or every one, is a constant") {
+TEST_CASE("A comparison that no value or every value meets is a constant") {
   CHECK(folded(DataType::int_, Comparison::less, "32768") == "always");
   CHECK(folded(DataType::int_, Comparison::less_equal, "32767") == "always");
   CHECK(folded(DataType::int_, Comparison::less, "32767") == "<32767");
@@ -63,7 +63,7 @@ TEST_CASE("What no value of the type meets, or every one, is a constant") {
   CHECK(folded(DataType::lint, Comparison::greater, "-1e30") == "always");
 }
 
-TEST_CASE("Of every value of 8 bits a folded comparison says what the exact one says") {
+TEST_CASE("A folded comparison equals the exact one for every value of 8 bits") {
   for (const DataType type : {DataType::sint, DataType::usint, DataType::byte}) {
     const int least = type == DataType::sint ? -128 : 0;
     for (int quarters = -600; quarters <= 1200; ++quarters) {
@@ -86,7 +86,7 @@ TEST_CASE("Of every value of 8 bits a folded comparison says what the exact one 
   }
 }
 
-TEST_CASE("Reals are compared as doubles, and a number that a double cannot hold is none") {
+TEST_CASE("Reals are compared as doubles, and a number that a double cannot hold is invalid") {
   const auto result = condition::fold(DataType::real, Comparison::less, *condition::Number::read("0.1"));
   const auto& found = std::get<condition::FoldedComparison>(*result);
   CHECK(found.number == tables::NumberKind::real);

@@ -41,7 +41,7 @@ inline std::string text_of(const condition::Expression& expression) {
   return text + ")";
 }
 
-/// Of a text that is a condition; else the fault as "offset+length message".
+/// The tree of a valid condition; else the fault as "offset+length message".
 inline std::string parsed(std::string_view text) {
   const auto result = condition::parse(text);
   if (const auto* fault = std::get_if<condition::Fault>(&result)) {

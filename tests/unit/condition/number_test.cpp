@@ -15,7 +15,7 @@ std::string floor(std::string_view text) {
   return (whole.negative ? "-" : "") + (whole.huge ? "huge" : std::to_string(whole.magnitude));
 }
 
-TEST_CASE("A number keeps its digits, however many") {
+TEST_CASE("A number keeps all its digits") {
   CHECK(read("12") == "12e0");
   CHECK(read("+0012.3400") == "1234e-2");
   CHECK(read("-0.000") == "e0");
@@ -27,7 +27,7 @@ TEST_CASE("A number keeps its digits, however many") {
   CHECK(read("2#1010_1010") == "17e1");
 }
 
-TEST_CASE("What is no number") {
+TEST_CASE("An invalid number is rejected") {
   for (const char* text : {"",     "-",     "1.",  ".5",    "1e",    "1e+",   "0x1F",
                            "1__0", "_1",    "1_",  "16#",   "16#_1", "16#1_", "16#10000000000000000",
                            "16#G", "16#-1", "--1", "1.5.2", "inf",   "nan",   "1 2",
@@ -37,7 +37,7 @@ TEST_CASE("What is no number") {
   }
 }
 
-TEST_CASE("The floor of a number is exact up to 64 bits, and huge beyond") {
+TEST_CASE("The floor of a number is exact up to 64 bits, and huge above") {
   CHECK(floor("3.5") == "3");
   CHECK(floor("-3.5") == "-4");
   CHECK(floor("-0.5") == "-1");
@@ -52,7 +52,7 @@ TEST_CASE("The floor of a number is exact up to 64 bits, and huge beyond") {
   CHECK(floor("0e99999999999999999999") == "0");
 }
 
-TEST_CASE("The nearest double, where there is one") {
+TEST_CASE("A number gives the nearest double, if there is one") {
   CHECK(condition::Number::read("0.1")->real() == 0.1);
   CHECK(condition::Number::read("-2.5e3")->real() == -2500.0);
   CHECK(condition::Number::read("0")->real() == 0.0);

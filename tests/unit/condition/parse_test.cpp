@@ -1,10 +1,10 @@
-// From text to an expression by names: the grammar, and every way in which a text is none.
+// From text to an expression by names: the grammar, and every kind of invalid text.
 #include "condition_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("A name alone, with a state, with a facet and a state") {
+TEST_CASE("A condition is a name, with a state, or with a facet and a state") {
   CHECK(parsed("L_P_D_O_A") == "L_P_D_O_A");
   CHECK(parsed("L_P_D.A") == "L_P_D.A");
   CHECK(parsed("L_P_D.CLAMP.A") == "L_P_D.CLAMP.A");
@@ -19,20 +19,20 @@ TEST_CASE("`not` binds before `and`, `and` before `or`") {
   CHECK(parsed("not x < 3") == "(not x<3e0)");
 }
 
-TEST_CASE("`not` twice is not at all") {
+TEST_CASE("A double `not` cancels") {
   CHECK(parsed("not not a") == "a");
   CHECK(parsed("not not not a") == "(not a)");
   CHECK(parsed("not (not a)") == "(not (not a))");
 }
 
-TEST_CASE("Words count whatever their case; a name of theirs stands in quotes or behind a dot") {
+TEST_CASE("Keywords ignore case; a name that equals one is in quotes or after a dot") {
   CHECK(parsed("NOT a And b OR c") == "(or (and (not a) b) c)");
   CHECK(parsed("'not' and 'AND'") == "(and not AND)");
   CHECK(parsed("D.OR or D.not") == "(or D.OR D.not)");
   CHECK(parsed("android and notes") == "(and android notes)");
 }
 
-TEST_CASE("Every comparison, with numbers of every notation") {
+TEST_CASE("Every comparison is parsed, with numbers in every notation") {
   CHECK(parsed("x < 3") == "x<3e0");
   CHECK(parsed("x<=-3.5") == "x<=-35e-1");
   CHECK(parsed("x = 1_000") == "x=1e3");
@@ -40,19 +40,19 @@ TEST_CASE("Every comparison, with numbers of every notation") {
   CHECK(parsed("x > 2.5e-3 or y < 1") == "(or x>25e-4 y<1e0)");
 }
 
-TEST_CASE("Names are of letters, digits and underscores of any script") {
+TEST_CASE("Names have letters, digits and underscores of any script") {
   CHECK(parsed("3D_P_Ä.日本1") == "3D_P_Ä.日本1");
   CHECK(parsed("1.2") == "1.2");
-  CHECK(parsed("ÄÖ　and　x") == "(and ÄÖ x)");  // parted by ideographic blanks
+  CHECK(parsed("ÄÖ　and　x") == "(and ÄÖ x)");  // separated by ideographic blanks
 }
 
-TEST_CASE("What is no identifier stands in quotes, a quote doubled") {
+TEST_CASE("A name that is not an identifier is in quotes, with quotes doubled") {
   CHECK(parsed("'S441-2 V1'.OPEN") == "S441-2 V1.OPEN");
   CHECK(parsed("D.'it''s (open'") == "D.it's (open");
   CHECK(parsed("''''") == "'");
 }
 
-TEST_CASE("Every name has its place, with its quotes, in bytes") {
+TEST_CASE("Every name has its location, quotes included, in bytes") {
   const auto result = condition::parse("not 'Ä b'.OPEN and xy < 12");
   const auto& both = std::get<condition::Expression>(result);
   const condition::Expression& state = both.children.at(0).children.at(0);
@@ -66,30 +66,30 @@ TEST_CASE("Every name has its place, with its quotes, in bytes") {
   CHECK(comparison.number_index.length == 2);
 }
 
-TEST_CASE("A text that is no condition says what is there and what was expected") {
+TEST_CASE("An invalid condition reports what was found and what was expected") {
   const std::pair<const char*, const char*> cases[] = {
-      {"", "0+0 the condition ends where a name, `not` or `(` is expected"},
-      {"   ", "3+0 the condition ends where a name, `not` or `(` is expected"},
-      {"a b", "2+1 `b` stands where `and`, `or` or the end is expected"},
-      {"a and", "5+0 the condition ends where a name, `not` or `(` is expected"},
-      {"a and or b", "6+2 `or` stands where a name, `not` or `(` is expected"},
-      {"or", "0+2 `or` stands where a name, `not` or `(` is expected"},
-      {"not", "3+0 the condition ends where a name or `(` is expected"},
-      {"(a or b", "7+0 the condition ends where `and`, `or` or `)` is expected"},
-      {"a)", "1+1 `)` stands where `and`, `or` or the end is expected"},
-      {"()", "1+1 `)` stands where a name, `not` or `(` is expected"},
-      {"D.", "2+0 the condition ends where a name is expected"},
-      {"D..A", "2+1 `.` stands where a name is expected"},
-      {"A.B.C.D", "5+1 `.` stands where `and`, `or` or the end is expected"},
-      {"x < y", "4+1 `y` stands where a number is expected"},
-      {"x == 3", "3+1 `=` stands where a number is expected"},
-      {"x < 3x", "4+2 `3x` stands where a number is expected"},
-      {"3 < x", "4+1 `x` stands where a number is expected"},
-      {"S441-2.A", "4+1 `-` stands where `and`, `or` or the end is expected"},
-      {"a ∧ b", "2+3 `∧` stands where `and`, `or` or the end is expected"},
-      {"a and 'b", "6+1 `'` opens a name that no `'` closes"},
-      {"''", "0+2 `''` stands where a name, `not` or `(` is expected"},
-      {"a \xFF", "0+3 the condition is no UTF-8"},
+      {"", "0+0 expected a name, `not` or `(`, but the condition ends"},
+      {"   ", "3+0 expected a name, `not` or `(`, but the condition ends"},
+      {"a b", "2+1 expected `and`, `or` or the end, but found `b`"},
+      {"a and", "5+0 expected a name, `not` or `(`, but the condition ends"},
+      {"a and or b", "6+2 expected a name, `not` or `(`, but found `or`"},
+      {"or", "0+2 expected a name, `not` or `(`, but found `or`"},
+      {"not", "3+0 expected a name or `(`, but the condition ends"},
+      {"(a or b", "7+0 expected `and`, `or` or `)`, but the condition ends"},
+      {"a)", "1+1 expected `and`, `or` or the end, but found `)`"},
+      {"()", "1+1 expected a name, `not` or `(`, but found `)`"},
+      {"D.", "2+0 expected a name, but the condition ends"},
+      {"D..A", "2+1 expected a name, but found `.`"},
+      {"A.B.C.D", "5+1 expected `and`, `or` or the end, but found `.`"},
+      {"x < y", "4+1 expected a number, but found `y`"},
+      {"x == 3", "3+1 expected a number, but found `=`"},
+      {"x < 3x", "4+2 expected a number, but found `3x`"},
+      {"3 < x", "4+1 expected a number, but found `x`"},
+      {"S441-2.A", "4+1 expected `and`, `or` or the end, but found `-`"},
+      {"a ∧ b", "2+3 expected `and`, `or` or the end, but found `∧`"},
+      {"a and 'b", "6+1 this quote is not closed; add a `'` after the name"},
+      {"''", "0+2 expected a name, `not` or `(`, but found `''`"},
+      {"a \xFF", "0+3 the condition is not valid UTF-8"},
   };
   for (const auto& [text, fault] : cases) {
     INFO(text);
@@ -97,13 +97,13 @@ TEST_CASE("A text that is no condition says what is there and what was expected"
   }
 }
 
-TEST_CASE("Parentheses may nest 256 deep and no deeper, quotes hide theirs") {
+TEST_CASE("Parentheses nest up to 256 deep, and those in quotes do not count") {
   const std::string open(256, '(');
   const std::string close(256, ')');
   CHECK(parsed(open + "a" + close) == "a");
-  CHECK(parsed("(" + open + "a" + close + ")") == "256+1 more than 256 parentheses within each other");
+  CHECK(parsed("(" + open + "a" + close + ")") == "256+1 more than 256 nested parentheses");
   CHECK(parsed("'" + open + open + "'") == open + open);
-  CHECK(parsed("x or " + std::string(300, '(')) == "261+1 more than 256 parentheses within each other");
+  CHECK(parsed("x or " + std::string(300, '(')) == "261+1 more than 256 nested parentheses");
   std::string side_by_side = "(a)";
   for (int i = 0; i < 1000; ++i) side_by_side += " and (a)";
   CHECK(condition::parse(side_by_side).index() == 0);

@@ -1,4 +1,4 @@
-// From names to a tree over a plant, and what does not fit it.
+// From names to a tree over a plant, and names that do not fit it.
 #include <map>
 #include <vector>
 
@@ -90,13 +90,13 @@ std::string resolved(std::string_view text) {
   return text_of(std::get<Tree>(result));
 }
 
-TEST_CASE("Names become what they name") {
+TEST_CASE("Names resolve to what they name") {
   CHECK(resolved("AGV.P2 and not START or LEVEL >= 5") == "(or (and unit0@1 (not bit7)) slot8>=5)");
   CHECK(resolved("DOOR.LOCK.SHUT") == "unit2@0");
   CHECK(resolved("SPEED < 1.0") == "slot9<4607182418800017408");
 }
 
-TEST_CASE("`moving` is whether a unit moves, unless it has a state of that name") {
+TEST_CASE("`moving` is true while a unit moves, unless the unit has a state of that name") {
   CHECK(resolved("AGV.moving") == "unit0~");
   CHECK(resolved("AGV.MOVING") == "unit0~");
   CHECK(resolved("DOOR.moving") == "unit1@1");
@@ -108,26 +108,25 @@ TEST_CASE("A comparison that is always or never true is a constant") {
   CHECK(resolved("LEVEL = 2.5 or START") == "(or never bit7)");
 }
 
-TEST_CASE("What does not fit the plant says so at its place, with the nearest name that does") {
-  CHECK(resolved("AGW.P1") == "0+3 there is no device `AGW`, the nearest is `AGV`");
-  CHECK(resolved("AGV.P9") == "4+2 there is no state `P9` of `AGV`, the nearest is `P1`");
-  CHECK(resolved("START and STRAT") == "10+5 there is no symbol `STRAT`, the nearest is `START`");
-  CHECK(resolved("XYZZY") == "0+5 there is no symbol `XYZZY`");
-  CHECK(resolved("DOOR.LOK.SHUT") == "5+3 there is no facet `LOK` of `DOOR`, the nearest is `DOOR`");
+TEST_CASE("An unknown name is reported at its location, with the nearest known name") {
+  CHECK(resolved("AGW.P1") == "0+3 device `AGW` not found; did you mean `AGV`?");
+  CHECK(resolved("AGV.P9") == "4+2 state `P9` of `AGV` not found; did you mean `P1`?");
+  CHECK(resolved("START and STRAT") == "10+5 symbol `STRAT` not found; did you mean `START`?");
+  CHECK(resolved("XYZZY") == "0+5 symbol `XYZZY` not found");
+  CHECK(resolved("DOOR.LOK.SHUT") == "5+3 facet `LOK` of `DOOR` not found; did you mean `DOOR`?");
   CHECK(resolved("AGV.BUSY") == "4+4 `BUSY` is only an event");
 }
 
-TEST_CASE("A device stands with a state, a symbol alone") {
-  CHECK(resolved("AGV") == "0+3 `AGV` is a device, name a state of it as in `AGV.STATE`");
-  CHECK(resolved("START.ON") == "0+5 `START` is a symbol and has no states, name it alone");
+TEST_CASE("A device needs a state, a symbol does not") {
+  CHECK(resolved("AGV") == "0+3 `AGV` is a device; name one of its states, as in `AGV.STATE`");
+  CHECK(resolved("START.ON") == "0+5 `START` is a symbol and has no states; use its name only");
 }
 
-TEST_CASE("A BOOL symbol stands alone, a numeric one with a comparison") {
-  CHECK(resolved("START > 0") == "0+5 `START` is of type BOOL and compared with a number, let it stand alone");
-  CHECK(resolved("not LEVEL") ==
-        "4+5 `LEVEL` is of type INT and stands without a comparison, compare it as in `LEVEL > 0`");
-  CHECK(resolved("AGV.P1 < 3") == "0+6 a state is compared with a number, only numeric symbols can be");
-  CHECK(resolved("SPEED > 1e999") == "8+5 the number is beyond what REAL holds");
+TEST_CASE("A BOOL symbol has no comparison, a numeric one needs one") {
+  CHECK(resolved("START > 0") == "0+5 `START` is of type BOOL and compared with a number; remove the comparison");
+  CHECK(resolved("not LEVEL") == "4+5 `LEVEL` is of type INT and has no comparison; compare it, as in `LEVEL > 0`");
+  CHECK(resolved("AGV.P1 < 3") == "0+6 a state is compared with a number; only numeric symbols can be compared");
+  CHECK(resolved("SPEED > 1e999") == "8+5 the number is out of range for REAL");
 }
 
 }  // namespace

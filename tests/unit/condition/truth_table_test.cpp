@@ -1,4 +1,4 @@
-// Truth tables say what a walk of the tree says.
+// Truth tables give the same result as a walk of the tree.
 #include "symplant/condition/truth_table.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Tree node(Tree::Kind kind, std::vector<Tree> children) {
   return tree;
 }
 
-/// The truth of a tree where atom i is bit i of `bits`.
+/// The truth of a tree in which atom i is bit i of `bits`.
 bool walked(const Tree& tree, std::uint64_t bits) {
   const auto child = [&](const Tree& t) { return walked(t, bits); };
   switch (tree.kind) {
@@ -66,7 +66,7 @@ bool looked_up(const std::vector<TruthTable>& tables, std::uint64_t bits) {
   return truth.back();
 }
 
-/// No table has more than six inputs or one twice, inner ones stand before their one reader, and bits beyond are 0.
+/// No table has more than six inputs or the same input twice, inner ones precede their one reader, unused bits are 0.
 void check_shape(const std::vector<TruthTable>& tables) {
   std::vector<int> readers(tables.size());
   for (std::size_t t = 0; t < tables.size(); ++t) {
@@ -135,7 +135,7 @@ TEST_CASE("A constant is a table without inputs") {
   CHECK(condition::truth_tables(constant(true))[0].inputs.empty());
 }
 
-TEST_CASE("What the truth does not depend on is watched by nobody") {
+TEST_CASE("An atom without influence on the truth is not watched") {
   const Tree tree = node(Tree::Kind::any, {atom(1), node(Tree::Kind::negation, {atom(1)}), atom(2)});
   const auto tables = condition::truth_tables(tree);
   CHECK(tables.size() == 1);

@@ -1,4 +1,4 @@
-// plant.json: what is read from it, and what is refused.
+// plant.json: what is read from it, and what is rejected.
 #include "description/plant_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ PlantFileReading read(const std::string& members) {
       "{\"symplant\": 1, \"symbols\": [\"a.csv\"]" + (members.empty() ? "" : ", " + members) + "}", "stem");
 }
 
-/// All that is at fault: "pointer: message", a line each.
+/// All faults: "pointer: message", one per line.
 std::string shape(const PlantFileReading& reading) {
   std::string text;
   for (const json::Placed& fault : reading.syntax) text += "syntax: " + fault.message + "\n";
@@ -28,7 +28,7 @@ std::string shape(const PlantFileReading& reading) {
 
 std::string shape(const std::string& members) { return shape(read(members)); }
 
-/// What is wrong with a whole text.
+/// The faults of a whole text.
 std::string refused(const std::string& text) {
   const PlantFileReading reading = description::read_plant_file(text, "stem");
   CHECK_FALSE(reading.file);
@@ -60,7 +60,7 @@ std::string takes_fault(const std::string& value) {
   return fault.substr(where.size());
 }
 
-TEST_CASE("Two keys make a plant: its version and its lists; its name is the file's") {
+TEST_CASE("Two keys make a plant: version and lists; its name is that of the file") {
   const description::PlantFile file = sound("");
   CHECK(file.name == "stem");
   REQUIRE(file.symbols.size() == 1);
@@ -74,7 +74,7 @@ TEST_CASE("Two keys make a plant: its version and its lists; its name is the fil
   CHECK(sound(R"("name": "cell", "$schema": "./plant.schema.json")").name == "cell");
 }
 
-TEST_CASE("A list may be an object that says how it is to be read") {
+TEST_CASE("A list may be an object with read options") {
   const PlantFileReading reading = description::read_plant_file(
       R"({"symplant": 1, "symbols": ["a.csv", {"file": "b.csv", "format": "gx-iec", "encoding": "utf-16le",
           "controller": "PLC1", "xy": "octal"}], "links": [{"url": "loop:", "controller": "plc1"}, {"url": "loop:"}]})",
@@ -137,12 +137,12 @@ TEST_CASE("A device's keys are read") {
   CHECK(d.inputs == std::vector<std::pair<std::string, std::string>>{{"part", "L_P_E.P1"}});
 }
 
-TEST_CASE("Requirements and what check is told are read") {
+TEST_CASE("Requirements and the settings of check are read") {
   const description::Description description = sound(R"(
     "requirements": [{"name": "n", "never": "A"}, {"name": "w", "after": "A", "expect": "B", "within": "500ms"}],
     "check": {"ignore": [{"rule": "SP402", "symbols": "*_SPARE*", "why": "spare", "until": "2027-06-30"},
                          {"rule": "no-address", "why": "later"}],
-              "severity": {"nobody-moves": "error"}})")
+              "severity": {"event-not-driven": "error"}})")
                                                    .description;
   REQUIRE(description.requirements.size() == 2);
   CHECK(description.requirements[0].never == "A");
@@ -153,10 +153,10 @@ TEST_CASE("Requirements and what check is told are read") {
   CHECK(description.check.ignore[0].symbols == "*_SPARE*");
   CHECK(description.check.ignore[0].until == "2027-06-30");
   CHECK(description.check.ignore[1].symbols == "");
-  CHECK(description.check.severity == std::vector<std::pair<std::string, std::string>>{{"nobody-moves", "error"}});
+  CHECK(description.check.severity == std::vector<std::pair<std::string, std::string>>{{"event-not-driven", "error"}});
 }
 
-TEST_CASE("A duration is exact, or drawn between two, or round a mean") {
+TEST_CASE("A duration is exact, uniform between two values, or normal around a mean") {
   CHECK(takes("\"2s\"") == Duration::fixed(2 * tables::kSecond));
   CHECK(takes("\"0.000000001 s\"") == Duration::fixed(1));
   CHECK(takes("\"1.5h\"") == Duration::fixed(5400 * tables::kSecond));
@@ -166,93 +166,96 @@ TEST_CASE("A duration is exact, or drawn between two, or round a mean") {
   CHECK(takes(R"({"mean": "2s", "sigma": "0s"})") == Duration{Duration::Kind::normal, 2 * tables::kSecond, 0});
 }
 
-TEST_CASE("What is no duration is told apart from what is too fine and what is too long") {
-  const std::string none = "` is no duration, write a number and ns, us, ms, s, min or h, such as `500ms`";
+TEST_CASE("An invalid, a too fine and a too long duration have different messages") {
+  const std::string none = "` is not a duration; write a number and ns, us, ms, s, min or h, such as `500ms`";
   CHECK(takes_fault("\"2 sec\"") == ": `2 sec" + none);
   CHECK(takes_fault("\"-2s\"") == ": `-2s" + none);
   CHECK(takes_fault("\"1e3s\"") == ": `1e3s" + none);
   CHECK(takes_fault("\"2\"") == ": `2" + none);
   CHECK(takes_fault("\".5s\"") == ": `.5s" + none);
-  CHECK(takes_fault("\"0.1ns\"") == ": `0.1ns` has a part below 1 ns, give it fewer decimals");
-  CHECK(takes_fault("\"1.0000000001 s\"") == ": `1.0000000001 s` has a part below 1 ns, give it fewer decimals");
-  CHECK(takes_fault("\"3000000h\"") == ": `3000000h` is longer than the 292 years that a plant lives, write less");
+  CHECK(takes_fault("\"0.1ns\"") == ": `0.1ns` has a part below 1 ns; give it fewer decimals");
+  CHECK(takes_fault("\"1.0000000001 s\"") == ": `1.0000000001 s` has a part below 1 ns; give it fewer decimals");
+  CHECK(takes_fault("\"3000000h\"") ==
+        ": `3000000h` is longer than the maximum of 292 years; write a shorter duration");
   CHECK(takes_fault("2") ==
-        ": the number `2` stands here, wanted is a duration such as `500ms`, or an object with `min` "
-        "and `max`, or one with `mean` and `sigma`");
-  CHECK(takes_fault(R"({"min": "2s", "max": "1s"})") == "/max: `1s` is less than `min`, exchange the two");
+        ": expected a duration such as `500ms`, or an object with `min` and `max`, or one with `mean` "
+        "and `sigma`, but found the number `2`");
+  CHECK(takes_fault(R"({"min": "2s", "max": "1s"})") == "/max: `1s` is less than `min`; exchange the two");
   CHECK(takes_fault(R"({"min": "2s", "mean": "1s"})").find("is unknown here") != std::string::npos);
   CHECK(takes_fault(R"({"min": "2s"})").find("`max` is missing here") != std::string::npos);
   CHECK(takes_fault(R"({"mean": "2s", "sigma": "x"})") == "/sigma: `x" + none);
 }
 
-TEST_CASE("Another version of the format is told apart from nonsense") {
+TEST_CASE("Another version of the format and nonsense have different messages") {
   CHECK(refused(R"({"symplant": 2, "symbols": {"new": "shape"}})") ==
-        "/symplant: this is version 2 of the format, this symplant reads version 1; take a newer symplant");
-  CHECK(refused(R"({"symplant": 0})") == "/symplant: there is no version 0 of the format, write 1");
+        "/symplant: this is version 2 of the format, but this symplant reads version 1; use a newer symplant");
+  CHECK(refused(R"({"symplant": 0})") == "/symplant: unknown format version 0; write 1");
   CHECK(shape(description::read_plant_file(R"({"symplant": "1", "symbols": ["a"]})", "s")) ==
-        "/symplant: the text `1` stands here, wanted is the version of the format, 1");
+        "/symplant: expected the version of the format, 1, but found the text `1`");
   CHECK(shape(description::read_plant_file(R"({"symplant": 1.5, "symbols": ["a"]})", "s")) ==
-        "/symplant: the number `1.5` stands here, wanted is the version of the format, 1");
+        "/symplant: expected the version of the format, 1, but found the number `1.5`");
   CHECK(shape(description::read_plant_file(R"({"symbols": ["a"]})", "s")) ==
-        ": the key `symplant` is missing here, it holds the version of the format, 1");
+        ": the key `symplant` is missing here; it holds the version of the format, 1");
 }
 
-TEST_CASE("Another kind of JSON is called what it looks like") {
+TEST_CASE("Another kind of JSON is reported as what it looks like") {
   CHECK(refused("[1]") ==
-        ": a plant description is an object, with `\"symplant\": 1` and `symbols` in it; this is none");
+        ": this is not an object; a plant description is an object with `\"symplant\": 1` and `symbols`");
   CHECK(refused("{}") ==
-        ": this is some JSON, but no plant description: that has `\"symplant\": 1` and `symbols` in it");
+        ": this is JSON, but not a plant description, which has `\"symplant\": 1` and `symbols`");
   CHECK(refused(R"({"name": "x", "version": "1.0.0", "dependencies": {}})") ==
-        "/dependencies: this looks like the package.json of a JavaScript package, no plant");
+        "/dependencies: this looks like the package.json of a JavaScript package, not a plant description");
   CHECK(refused(R"({"symplant-scenario": 1, "steps": []})") ==
-        "/symplant-scenario: this is a scenario, give it to `symplant run PLANT --scenario`");
-  CHECK(refused(std::string(description::plant_schema())) == "/$id: this looks like a JSON Schema, no plant");
+        "/symplant-scenario: this is a scenario; give it to `symplant run PLANT --scenario`");
+  CHECK(refused(std::string(description::plant_schema())) == "/$id: this looks like a JSON Schema, not a plant "
+                                                             "description");
 }
 
-TEST_CASE("Unknown keys are refused with the nearest one, what comes later with words of its own") {
-  CHECK(shape(R"("device": {})") == "/device: the key `device` is unknown here, the nearest is `devices`");
+TEST_CASE("Unknown keys are rejected with the nearest one, planned keys with a separate message") {
+  CHECK(shape(R"("device": {})") == "/device: the key `device` is unknown here; did you mean `devices`?");
   CHECK(shape(R"("devices": {"D": {"transition": []}})") ==
-        "/devices/D/transition: the key `transition` is unknown here, the nearest is `transitions`");
+        "/devices/D/transition: the key `transition` is unknown here; did you mean `transitions`?");
   CHECK(shape(R"("naming": {"rule": 1})") ==
-        "/naming: `naming` is not yet known to this version of symplant, leave it out");
+        "/naming: `naming` is not supported by this version of symplant; remove it");
   CHECK(shape(R"("links": [{"url": "loop:", "wordorder": "low-first"}])") ==
-        "/links/0/wordorder: the key `wordorder` is unknown here, the nearest is `word-order`");
+        "/links/0/wordorder: the key `wordorder` is unknown here; did you mean `word-order`?");
 }
 
-TEST_CASE("All faults of the form are told in one run") {
+TEST_CASE("All faults of form are reported in one run") {
   CHECK(shape(R"("defaults": {"travel": 2}, "devices": {"D": {"only": 1, "actuation": "hold"}}, "name": "")") ==
-        "/defaults/travel: the number `2` stands here, wanted is a duration such as `500ms`\n"
-        "/devices/D/actuation: the text `hold` stands here, wanted is one of `latched`, `bistable`, `held`, `spring`; "
-        "the nearest is `held`\n"
-        "/devices/D/only: the number `1` stands here, wanted is true or false\n"
-        "/name: an empty text stands here, wanted is the plant's name");
+        "/defaults/travel: expected a duration such as `500ms`, but found the number `2`\n"
+        "/devices/D/actuation: expected one of `latched`, `bistable`, `held`, `spring`, but found the text "
+        "`hold`; did you mean `held`?\n"
+        "/devices/D/only: expected true or false, but found the number `1`\n"
+        "/name: expected the plant's name, but found an empty text");
 }
 
-TEST_CASE("Lists, controllers and classes that cannot be are refused") {
+TEST_CASE("Invalid lists, controllers and classes are rejected") {
   const auto list = [](const std::string& members) {
     return shape(description::read_plant_file(R"({"symplant": 1, "symbols": [{"file": "a", )" + members + "}]}", "s"));
   };
   CHECK(list(R"("format": "gxiec")") ==
-        "/symbols/0/format: `gxiec` is no known format of a list, choose among `gx-iec`; the nearest is `gx-iec`");
+        "/symbols/0/format: unknown list format `gxiec`; choose one of `gx-iec`; did you mean `gx-iec`?");
   CHECK(list(R"("encoding": "cp948")")
-            .starts_with("/symbols/0/encoding: `cp948` is no encoding, choose among `utf-8`, `utf-16le`, `utf-16be`, "
+            .starts_with("/symbols/0/encoding: unknown encoding `cp948`; choose one of `utf-8`, `utf-16le`, "
+                         "`utf-16be`, "
                          "`cp932`, `cp949`, "));
-  CHECK(list(R"("encoding": "gb1803")").ends_with("`cp866`; the nearest is `gb18030`"));
+  CHECK(list(R"("encoding": "gb1803")").ends_with("`cp866`; did you mean `gb18030`?"));
   CHECK(list(R"("encoding": "Shift_JIS")").empty());
-  CHECK(list(R"("controller": "A=B")").starts_with("/symbols/0/controller: `A=B` is no name for a controller"));
+  CHECK(list(R"("controller": "A=B")").starts_with("/symbols/0/controller: `A=B` is not a valid controller name"));
   CHECK(
-      list(R"("xy": "dec")").starts_with("/symbols/0/xy: the text `dec` stands here, wanted is one of `hex`, `octal`"));
+      list(R"("xy": "dec")").starts_with("/symbols/0/xy: expected one of `hex`, `octal`, but found the text `dec`"));
   CHECK(refused(R"({"symplant": 2})") != "");
   CHECK(shape(description::read_plant_file(R"({"symplant": 1, "symbols": []})", "s")) ==
-        "/symbols: an array of too few items stands here, wanted is an array of symbol lists");
+        "/symbols: expected an array of symbol lists, but found an array of too few items");
   CHECK(shape(R"("devices": {"D": {"behaviour": "my stopper"}})") ==
-        "/devices/D/behaviour: `my stopper` is no name of a C++ class, use letters, digits and `_`");
+        "/devices/D/behaviour: `my stopper` is not a valid C++ class name; use letters, digits and `_`");
   CHECK(shape(R"("devices": {"D": {"type": "2X"}})") ==
-        "/devices/D/type: `2X` is no name of a C++ class, use letters, digits and `_`");
+        "/devices/D/type: `2X` is not a valid C++ class name; use letters, digits and `_`");
 }
 
-TEST_CASE("Names may hold anything but control characters") {
-  const std::string control = ": a control character stands in this name, such as a line's end, leave it out";
+TEST_CASE("Names may contain anything except control characters") {
+  const std::string control = ": this name contains a control character, such as a line end; remove it";
   CHECK(shape(R"("name": "a\nb")") == "/name" + control);
   CHECK(shape(R"("devices": {"D": {"states": ["A", "B\u007f"]}})") == "/devices/D/states/1" + control);
   CHECK(shape(R"("requirements": [{"name": "\t", "never": "A"}])") == "/requirements/0/name" + control);
@@ -262,12 +265,12 @@ TEST_CASE("Names may hold anything but control characters") {
 TEST_CASE("A requirement is a `never`, or an `after` with `expect` and `within`") {
   CHECK(shape(R"("requirements": [{"name": "a", "never": "A", "within": "1s"}])") != "");
   CHECK(shape(R"("requirements": [{"name": "a", "after": "A", "expect": "B"}])") ==
-        "/requirements/0: the key `within` is missing here, it holds a duration such as `500ms`");
+        "/requirements/0: the key `within` is missing here; it holds a duration such as `500ms`");
   CHECK(shape(R"("requirements": [{"never": "A"}])") ==
-        "/requirements/0: the key `name` is missing here, it holds the requirement's name");
+        "/requirements/0: the key `name` is missing here; it holds the requirement's name");
 }
 
-TEST_CASE("An empty entry wins all the same, and of a pattern every value is kept as text") {
+TEST_CASE("An empty entry still wins, and every value of a pattern is kept as text") {
   const description::DeviceDescription d = device_of(R"("only": false, "transitions": [])");
   CHECK(d.gives(description::DeviceKey::only));
   CHECK(d.gives(description::DeviceKey::transitions));
@@ -277,7 +280,7 @@ TEST_CASE("An empty entry wins all the same, and of a pattern every value is kep
   CHECK(file.description.devices[0].texts[static_cast<std::size_t>(description::DeviceKey::rest)] == "\"A\"");
 }
 
-TEST_CASE("Values of every wrong type are refused and nothing breaks") {
+TEST_CASE("Values of every wrong type are rejected without harm") {
   const std::vector<std::string> values{"null", "true", "1",    "-1.5", "\"x\"",
                                         "\"\"", "[]",   "[[]]", "{}",   "{\"x\": {}}"};
   const std::vector<std::string> keys{"symbols", "name", "defaults", "devices", "requirements", "links", "check"};
@@ -295,7 +298,7 @@ TEST_CASE("Values of every wrong type are refused and nothing breaks") {
   }
 }
 
-TEST_CASE("A file is a plant description by its name's ending or by its first character") {
+TEST_CASE("A file is a plant description by the suffix of its name or by its first character") {
   CHECK(description::is_plant_file("a/plant.json", "Class,Identifier"));
   CHECK(description::is_plant_file("a/plant.JSONC", ""));
   CHECK(description::is_plant_file("plant", "\xEF\xBB\xBF \r\n{"));

@@ -14,7 +14,7 @@ constexpr diag::RuleInfo kJsonRule{"SP201", "wrong-number-of-levels", diag::Seve
 
 }  // namespace
 
-TEST_CASE("JSON has the rule, the place and the related places of each finding") {
+TEST_CASE("JSON has the rule, the location and the related locations of each finding") {
   const auto source = std::make_shared<const text::SourceFile>("list.csv", "\xC3\x84,X1\nA,X2\n");
   diag::Diagnostics found;
   std::vector<diag::Related> related(1);
@@ -34,14 +34,14 @@ TEST_CASE("JSON has the rule, the place and the related places of each finding")
   })"));
 }
 
-TEST_CASE("JSON of no findings is whole") {
+TEST_CASE("JSON without findings is complete") {
   CHECK(diag::render_json({}) ==
         "{\n  \"symplant-diagnostics\": 1,\n  \"findings\": [],\n  \"counts\": {\n    \"error\": 0,\n    \"warning\": "
         "0,\n"
         "    \"note\": 0\n  }\n}\n");
 }
 
-TEST_CASE("Bytes that are no UTF-8 do not break the report") {
+TEST_CASE("Invalid UTF-8 does not break the report") {
   diag::Diagnostics found;
   found.add(kJsonRule, "bad \xFF", {std::make_shared<text::SourceFile>("\xFE.csv", ""), {}});
   const json document = json::parse(diag::render_json(found.all()));

@@ -32,7 +32,7 @@ std::string junit(const std::vector<diag::Report>& reports, diag::Severity fail_
 
 }  // namespace
 
-TEST_CASE("JUnit: each finding that fails is a test of its rule, lesser ones are the output of one that passes") {
+TEST_CASE("JUnit: Each failing finding is a test of its rule, lesser ones are output of a passing test") {
   CHECK(junit(one_plant(), diag::Severity::warning) ==
         R"xml(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="symplant check" tests="6" failures="3" errors="0" skipped="1" time="0">
@@ -70,18 +70,18 @@ TEST_CASE("JUnit: each finding that fails is a test of its rule, lesser ones are
 )xml");
 }
 
-TEST_CASE("JUnit: what fails follows --fail-on") {
+TEST_CASE("JUnit: Failures follow --fail-on") {
   CHECK(contains(junit(one_plant(), diag::Severity::error), "tests=\"4\" failures=\"0\""));
   CHECK(contains(junit(one_plant(), diag::Severity::note), "tests=\"6\" failures=\"4\""));
 }
 
-TEST_CASE("JUnit: a plant that cannot be read has errors, and no test that passes") {
+TEST_CASE("JUnit: An unreadable plant has errors, and no passing test") {
   const std::string text = junit(one_plant(false), diag::Severity::error);
   CHECK(contains(text, "tests=\"5\" failures=\"0\" errors=\"4\" skipped=\"1\""));
   CHECK_FALSE(contains(text, "nothing that fails"));
 }
 
-TEST_CASE("JUnit: each plant is a suite, and the counts are added up") {
+TEST_CASE("JUnit: Each plant is a suite, and the counts are added up") {
   std::vector<diag::Report> reports = one_plant();
   reports.push_back({"line2.json", {}, true});
   const std::string text = junit(reports, diag::Severity::warning);

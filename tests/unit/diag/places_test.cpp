@@ -1,4 +1,4 @@
-// Places that are known as JSON pointers, until the file's text is searched for all of them.
+// Locations known as JSON pointers, until the text of the file is searched for all of them.
 #include "diag/diagnostic.hpp"
 #include "support/catch.hpp"
 
@@ -9,7 +9,7 @@ constexpr diag::RuleInfo kSomeRule{"SP999", "some-rule", diag::Severity::warning
 
 diag::Location at(std::string pointer) { return {nullptr, {}, std::move(pointer)}; }
 
-TEST_CASE("Pointers of all places are listed once, sorted, and each place gets its span") {
+TEST_CASE("Pointers of all locations are listed once, sorted, and each location gets its span") {
   const auto list = std::make_shared<const text::SourceFile>("symbols.csv", "A\n");
   const auto file = std::make_shared<const text::SourceFile>("plant.json", "{ \"a\": 1, \"b\": 2 }");
   diag::Diagnostics found;
@@ -27,11 +27,11 @@ TEST_CASE("Pointers of all places are listed once, sorted, and each place gets i
   CHECK(all[0].related[0].location.span.begin == 2);
   CHECK(all[1].location.span.end == 13);
   CHECK(all[2].location.source == list);
-  CHECK(all[3].location.source == list);  // not found: what stands for it stays
+  CHECK(all[3].location.source == list);  // not found: its substitute stays
   CHECK(found.pointers() == std::vector<std::string>{"/c"});
 }
 
-TEST_CASE("A finding has its rule's severity unless it is given another, and counts by it") {
+TEST_CASE("A finding has its rule's severity unless another is set, and counts by it") {
   diag::Diagnostics found;
   found.add(kSomeRule, "as it is", {});
   found.add({&kSomeRule, diag::Severity::error, "raised", {}, {}, {}});

@@ -22,7 +22,7 @@ std::shared_ptr<const text::SourceFile> list(std::string text, std::string path 
   return std::make_shared<const text::SourceFile>(std::move(path), std::move(text));
 }
 
-/// The first place of a word in a list.
+/// The first location of a word in a list.
 diag::Location at(const std::shared_ptr<const text::SourceFile>& source, std::string_view word) {
   const std::size_t begin = source->text().find(word);
   return {source, {begin, begin + word.size()}};
@@ -70,7 +70,7 @@ std::vector<diag::Report> about_rows(const std::vector<std::string>& rows) {
 
 }  // namespace
 
-TEST_CASE("SARIF has rule, level, place and related places of each finding, columns in characters") {
+TEST_CASE("SARIF has rule, level, location and related locations of each finding, with columns in characters") {
   const auto source = list("\xC3\x84\xC3\x96,X1\nAB,X2\n");
   diag::Diagnostics findings;
   findings.add(kSarifNames, {"AB"}, "say `AB`", at(source, "AB"), {{at(source, "X1"), "first"}});
@@ -90,7 +90,7 @@ TEST_CASE("SARIF has rule, level, place and related places of each finding, colu
   CHECK(run["invocations"][0] == json::parse(R"({"executionSuccessful": true, "exitCode": 1})"));
 }
 
-TEST_CASE("SARIF describes the rules that have results, by their manual pages") {
+TEST_CASE("SARIF describes the rules that have results, with their manual pages") {
   diag::Diagnostics findings;
   findings.add(kSarifRest, "given", {});
   findings.add(kSarifNames, "named", {});
@@ -106,7 +106,7 @@ TEST_CASE("SARIF describes the rules that have results, by their manual pages") 
   }
 }
 
-TEST_CASE("SARIF tells errors first, and what plant.json ignores last, with its reason") {
+TEST_CASE("SARIF lists errors first, and findings ignored by plant.json last, with their reason") {
   const auto source = list("A\n");
   diag::Diagnostics findings;
   findings.add(kSarifRest, {"A"}, "note", at(source, "A"));
@@ -121,7 +121,7 @@ TEST_CASE("SARIF tells errors first, and what plant.json ignores last, with its 
         json::parse(R"([{"kind": "external", "status": "accepted", "justification": "wired next year"}])"));
 }
 
-TEST_CASE("SARIF gives a finding without a place its plant's first line, since build servers want one") {
+TEST_CASE("SARIF gives a finding without a location its plant's first line, which build servers need") {
   diag::Diagnostics findings;
   findings.add(kSarifTwice, "nowhere", {});
   findings.add(kSarifTwice, "empty", {list("", "/home/ci/sub/empty.csv"), {}});
@@ -135,15 +135,15 @@ TEST_CASE("SARIF gives a finding without a place its plant's first line, since b
   CHECK(run["invocations"][0]["executionSuccessful"] == false);
 }
 
-TEST_CASE("Fingerprints stay when rows move, are shuffled, or others come between") {
+TEST_CASE("Fingerprints stay the same when rows move, are shuffled, or are inserted") {
   const auto before = fingerprints(about_rows({"A", "B", "C", "A"}));
   CHECK(fingerprints(about_rows({"C", "A", "A", "B"})) == before);
   const auto more = fingerprints(about_rows({"NEW", "B", "A", "C", "A"}));
   CHECK(std::includes(more.begin(), more.end(), before.begin(), before.end()));
-  CHECK(fingerprints(about_rows({"a", "B", "C", "a"})) == before);  // names compare without regard to case
+  CHECK(fingerprints(about_rows({"a", "B", "C", "a"})) == before);  // names are compared ignoring case
 }
 
-TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and alike ones by their number") {
+TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and equal ones by their number") {
   const auto source = list("A,B\n");
   const auto other = list("A,B\n", "other.csv");
   diag::Diagnostics findings;
@@ -162,7 +162,7 @@ TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and
   CHECK(std::unique(all.begin(), all.end()) == all.end());
 }
 
-TEST_CASE("The fingerprint of a finding about no symbol does not count numbers in its words") {
+TEST_CASE("The fingerprint of a finding without a symbol ignores numbers in its text") {
   const auto one = [](const std::string& words) {
     diag::Diagnostics findings;
     findings.add(kSarifNames, words, at(list("A\n"), "A"));
@@ -172,7 +172,7 @@ TEST_CASE("The fingerprint of a finding about no symbol does not count numbers i
   CHECK(one("row 12 of `X1`") != one("row 12 of `X2`"));
 }
 
-TEST_CASE("Several plants make one run, each result says whose it is") {
+TEST_CASE("Several plants make one run, each result names its plant") {
   std::vector<diag::Report> reports = about_rows({"A"});
   diag::Diagnostics findings;
   findings.add(kSarifTwice, {"B"}, "x", {});
@@ -182,7 +182,7 @@ TEST_CASE("Several plants make one run, each result says whose it is") {
   CHECK(run["results"][1]["properties"]["plant"] == "plant.json");
 }
 
-TEST_CASE("What goes beyond the most results of a run is counted, the weightiest stay") {
+TEST_CASE("Results above the limit of a run are counted, the most severe stay") {
   diag::Diagnostics findings;
   for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kSarifRest, {std::to_string(i)}, "x", {});
   findings.add(kSarifTwice, {"A"}, "x", {});
@@ -190,10 +190,11 @@ TEST_CASE("What goes beyond the most results of a run is counted, the weightiest
   CHECK(run["results"].size() == diag::kMostSarifResults);
   CHECK(run["results"][0]["ruleId"] == "SP302");
   CHECK(run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"] ==
-        "6 findings of least weight are left out, since a run takes 25000; --select chooses, --format json lists all");
+        "6 findings of the lowest severity are left out, because a run holds at most 25000; choose with --select, or "
+        "list all with --format json");
 }
 
-TEST_CASE("A text of a user's is no link, no argument and no control character in SARIF") {
+TEST_CASE("User text in SARIF is no link, no argument and no control character") {
   CHECK(diag::sarif_text("A](1) B{0} C[0] {x}\n") == "A<U+005D>(1) B<U+007B>0} C[0] {x}<U+000A>");
   diag::Diagnostics findings;
   findings.add(kSarifNames, {"\xFF"}, "bad \xFF \xE2\x80\xAE", at(list("\xE2\x80\xAE\n"), "\xE2\x80\xAE"));
@@ -202,7 +203,7 @@ TEST_CASE("A text of a user's is no link, no argument and no control character i
   CHECK_FALSE(run["results"][0]["locations"][0]["physicalLocation"]["region"].contains("snippet"));
 }
 
-TEST_CASE("A file's URI is encoded byte by byte, and relative where it can be") {
+TEST_CASE("A file's URI is encoded byte by byte, and relative if possible") {
   CHECK(diag::file_uri("a/./b/../c.csv", "/home/ci") == "a/c.csv");
   CHECK(diag::file_uri("/home/ci/a.csv", "/home/ci") == "a.csv");
   CHECK(diag::file_uri("/home/ci/a.csv", "/home/ci/") == "a.csv");

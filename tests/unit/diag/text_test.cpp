@@ -32,7 +32,7 @@ std::string underline(const std::string& text, text::Span span) {
 
 }  // namespace
 
-TEST_CASE("A finding shows its row and underlines its place") {
+TEST_CASE("A finding shows its row and underlines its location") {
   CHECK(rendered("first\nVAR_GLOBAL,A_B,X1\n", {17, 20}) ==
         "list.csv:2:12: warning: odd [SP201 wrong-number-of-levels]\n"
         "    2 | VAR_GLOBAL,A_B,X1\n"
@@ -55,7 +55,7 @@ TEST_CASE("Related places follow as notes") {
         "      | ^\n");
 }
 
-TEST_CASE("A row is shown once for what is told of one place in succession") {
+TEST_CASE("A row is shown once for successive findings at one location") {
   const auto source = source_of("A,X1\nA,X2\n");
   Diagnostics found;
   std::vector<diag::Related> related{
@@ -74,7 +74,7 @@ TEST_CASE("A row is shown once for what is told of one place in succession") {
         "      | ^\n");
 }
 
-TEST_CASE("The underline stands right under tabs, wide, combining and escaped characters") {
+TEST_CASE("The underline matches tabs, wide, combining and escaped characters") {
   CHECK(underline("a\tb", {2, 3}) == "      |     ^");
   CHECK(underline("\xEC\x9A\xB4\xEC\xA0\x84,b", {7, 8}) == "      |      ^");
   CHECK(underline("\xEC\x9A\xB4\xEC\xA0\x84", {3, 6}) == "      |   ^~");
@@ -82,17 +82,17 @@ TEST_CASE("The underline stands right under tabs, wide, combining and escaped ch
   CHECK(underline("\x01,b", {2, 3}) == "      |          ^");
 }
 
-TEST_CASE("A place without extent and one at the end of the row get one mark") {
+TEST_CASE("An empty location and one at the end of the row get one mark") {
   CHECK(underline("abc", {1, 1}) == "      |  ^");
   CHECK(underline("abc\n", {3, 3}) == "      |    ^");
 }
 
-TEST_CASE("A place over several rows is underlined to the end of its first") {
+TEST_CASE("A location over several rows is underlined to the end of its first row") {
   CHECK(underline("ab\ncd", {1, 5}) == "      |  ^");
   CHECK(underline("abcd\nef", {1, 7}) == "      |  ^~~");
 }
 
-TEST_CASE("A long row is cut to a window around the place") {
+TEST_CASE("A long row is cut to a window around the location") {
   const std::string text = std::string(500, 'x') + "HERE" + std::string(500, 'y');
   const std::string all = rendered(text, {500, 504});
   CHECK(all.substr(all.find('\n') + 1) == "    1 | \xE2\x80\xA6" + std::string(40, 'x') + "HERE" +
@@ -100,17 +100,17 @@ TEST_CASE("A long row is cut to a window around the place") {
                                               "^~~~\n");
 }
 
-TEST_CASE("A long row is shown from its beginning where the place is near it") {
+TEST_CASE("A long row is shown from its beginning if the location is near it") {
   const std::string all = rendered("HERE" + std::string(1000, 'y'), {0, 4});
   CHECK(all.substr(all.find('\n') + 1) == "    1 | HERE" + std::string(116, 'y') + "\xE2\x80\xA6\n      | ^~~~\n");
 }
 
-TEST_CASE("A place longer than the window is underlined as far as it is shown") {
+TEST_CASE("A location longer than the window is underlined to the end of the window") {
   const std::string line = underline(std::string(100000, 'x'), {0, 100000});
   CHECK(line == "      | ^" + std::string(119, '~'));
 }
 
-TEST_CASE("A finding in an empty text has no line, one without a source no file") {
+TEST_CASE("A finding in an empty text shows no line, one without a source no file") {
   Diagnostics found;
   found.add(kError, "empty", {source_of(""), {}});
   found.add(kError, "cannot", {});
@@ -119,13 +119,13 @@ TEST_CASE("A finding in an empty text has no line, one without a source no file"
         "error: cannot [SP101 cannot-read-file]\n");
 }
 
-TEST_CASE("User text in messages and paths cannot steer the terminal") {
+TEST_CASE("User text in messages and paths cannot control the terminal") {
   Diagnostics found;
   found.add(kError, "name `\x1b[2J`", {std::make_shared<text::SourceFile>("a\nb.csv", ""), {}});
   CHECK(render_text(found.all()) == "a<U+000A>b.csv: error: name `<U+001B>[2J` [SP101 cannot-read-file]\n");
 }
 
-TEST_CASE("Colour is put in only where it is asked for") {
+TEST_CASE("Color is used only if requested") {
   Diagnostics found;
   found.add(kRule, "odd", {source_of("abc"), {0, 1}});
   CHECK(render_text(found.all()).find('\x1b') == std::string::npos);
@@ -135,7 +135,7 @@ TEST_CASE("Colour is put in only where it is asked for") {
         "    1 | abc\n      | \x1b[1;32m^\x1b[0m\n");
 }
 
-TEST_CASE("After so many findings of one rule the rest are counted") {
+TEST_CASE("After a number of findings of one rule the rest are counted") {
   const auto source = source_of("abc");
   Diagnostics found;
   for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
@@ -151,14 +151,14 @@ TEST_CASE("After so many findings of one rule the rest are counted") {
   CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
 }
 
-TEST_CASE("Of notes fewer are shown before the rest are counted") {
-  constexpr diag::RuleInfo kNote{"SP404", "nobody-moves", diag::Severity::note, "", ""};
+TEST_CASE("Fewer notes than other findings are shown before the rest are counted") {
+  constexpr diag::RuleInfo kNote{"SP404", "event-not-driven", diag::Severity::note, "", ""};
   const auto source = source_of("abc");
   Diagnostics found;
   for (int i = 0; i < 5; ++i) found.add(kNote, "still", {source, {0, 1}});
   for (int i = 0; i < 5; ++i) found.add(kRule, "odd", {source, {0, 1}});
   const std::string text = render_text(found.all());
-  CHECK_THAT(text, Catch::Matchers::EndsWith("... and 2 more of SP404 nobody-moves; --format json lists all\n"));
+  CHECK_THAT(text, Catch::Matchers::EndsWith("... and 2 more of SP404 event-not-driven; --format json lists all\n"));
   CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Text made safe to show.
+// Makes text safe to show.
 #include "diag/visible_text.hpp"
 
 #include "support/catch.hpp"
@@ -16,14 +16,14 @@ TEST_CASE("Control, bidi and invisible characters are made visible") {
   CHECK(visible(std::string("\0", 1)) == "<U+0000>");
 }
 
-TEST_CASE("Ordinary text of any script is left as it is") {
+TEST_CASE("Ordinary text of any script does not change") {
   const std::string text = "\xC3\x84 \xEC\x9A\xB4\xEC\xA0\x84 \xE6\xBC\xA2";
   CHECK(visible(text) == text);
 }
 
-TEST_CASE("What is no UTF-8 shows as a replacement character") { CHECK(visible("a\xFF") == "a\xEF\xBF\xBD"); }
+TEST_CASE("Invalid UTF-8 is shown as a replacement character") { CHECK(visible("a\xFF") == "a\xEF\xBF\xBD"); }
 
-TEST_CASE("East Asian characters take two columns and combining marks none") {
+TEST_CASE("East Asian characters take two columns and combining marks take zero") {
   CHECK(display_width(U'a') == 1);
   CHECK(display_width(0xC4) == 1);
   CHECK(display_width(0xC6B4) == 2);

@@ -1,5 +1,5 @@
-// A plant with the user's own code, generated and compiled: it is the plant that was lowered, does what the code says,
-// and goes on from a saved state as it went on before.
+// A plant with user code, generated and compiled: it equals the lowered plant, does what the code says,
+// and continues from a saved state as before.
 #include <bit>
 #include <string>
 #include <tuple>
@@ -22,7 +22,7 @@ constexpr tables::Time kMs = tables::kMillisecond;
 
 const tables::SymbolRow& row(Symbol symbol) { return ::dosing::tables().symbols[static_cast<std::size_t>(symbol)]; }
 
-/// A plant, and what its symbols do.
+/// A plant, and the values of its symbols.
 class Watched {
  public:
   explicit Watched(plant::Plant& plant) : plant_(plant), recorder_(plant.tables(), 1 << 12) { recorder_.attach(plant); }
@@ -47,7 +47,7 @@ class Watched {
   trace::Recorder recorder_;
 };
 
-/// Scale 1 is filled with 2.5 kg and emptied, again and again, scale 2 beside it.
+/// Scale 1 is filled with 2.5 kg and emptied repeatedly, scale 2 at the same time.
 void work(Watched& plant, tables::Time from, tables::Time until) {
   for (tables::Time now = from; now < until; now += 500 * kMs) {
     const bool fill = (now / (3000 * kMs)) % 2 == 0;
@@ -62,7 +62,7 @@ void work(Watched& plant, tables::Time from, tables::Time until) {
   }
 }
 
-TEST_CASE("a scale shows the weight on the way, stops near its target and counts its batches") {
+TEST_CASE("A scale shows the weight while it fills, stops near its target and counts its batches") {
   const auto owned = ::dosing::make_plant();
   Watched plant(*owned);
   plant.to(0);
@@ -86,11 +86,11 @@ TEST_CASE("a scale shows the weight on the way, stops near its target and counts
   plant.to(3000 * kMs);
   plant.to(4499 * kMs);
   CHECK(plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT) == full);
-  plant.to(4500 * kMs);  // what the description says, by model_takes
+  plant.to(4500 * kMs);  // as in the description, by model_takes
   CHECK(plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT) == 0);
 }
 
-TEST_CASE("a condition among its inputs lets a scale fill five times as fast") {
+TEST_CASE("A condition in its inputs lets a scale fill five times as fast") {
   const auto owned = ::dosing::make_plant();
   Watched plant(*owned);
   plant.set(Symbol::kL1_DOSE_HOPPER_O_OPEN, true);
@@ -103,7 +103,7 @@ TEST_CASE("a condition among its inputs lets a scale fill five times as fast") {
   CHECK(plant.event(Symbol::kL1_DOSE_SCALE1_I_FULL2));
 }
 
-TEST_CASE("a generated plant with behaviours is the plant that was lowered, and does the same with the same code") {
+TEST_CASE("A generated plant with behaviors equals the lowered plant, and does the same with the same code") {
   const CompiledText text = dosing();
   REQUIRE(text.compiled);
   const tables::PlantTables lowered = text.tables().tables();
@@ -121,7 +121,7 @@ TEST_CASE("a generated plant with behaviours is the plant that was lowered, and 
   CHECK(c.trace != b.trace);
 }
 
-TEST_CASE("save, run, restore and run again give the same trace and state, behaviours and their memory included") {
+TEST_CASE("Save, run, restore and run again give the same trace and state, including behaviors and their memory") {
   const auto owned = ::dosing::make_plant();
   Watched plant(*owned);
   work(plant, 0, 7300 * kMs);
@@ -150,12 +150,12 @@ TEST_CASE("save, run, restore and run again give the same trace and state, behav
   CHECK(other->state_hash() == end);
 }
 
-TEST_CASE("a behaviour's memory is part of the state's digest") {
+TEST_CASE("A behavior's memory is part of the state's digest") {
   const auto a = ::dosing::make_plant();
   const auto b = ::dosing::make_plant();
   for (auto* plant : {a.get(), b.get()}) plant->advance_to(0);
   CHECK(a->state_hash() == b->state_hash());
-  // Set full by hand and emptied again: all is as it was but for what the scale remembers.
+  // Filled by hand and emptied again: everything is as before except what the scale remembers.
   for (const auto state : {Scale::State::kFULL2, Scale::State::kEMPTY1}) {
     b->set_state(static_cast<std::uint32_t>(::dosing::Device::kL1_DOSE_SCALE2), static_cast<std::uint8_t>(state));
   }

@@ -1,4 +1,4 @@
-# Generates plants whose file name is taken by C, C++ or CMake, holding devices of names that are taken, and compiles
+# Generates plants whose file name is used by C, C++ or CMake, with devices of such names, and compiles
 # every file of them.
 set(devices
     NULL EOF errno I linux unix class int operator Plant Device Symbol Operation Event State kI kO kS kEnter kLeave
@@ -10,7 +10,7 @@ set(devices
 set(list "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n")
 set(number 0)
 foreach(device IN LISTS devices)
-  # A task of each device is a taken name, too, so that no two share a type.
+  # A task of each device is such a name, too, so that no two share a type.
   foreach(task "O_${device}" "I_${device}" "O_default1" "I_default1")
     math(EXPR number "${number} + 1")
     string(SUBSTRING ${task} 0 1 direction)
@@ -58,7 +58,7 @@ foreach(
   set(folder "${FOLDER}/${plant}")
   if(plant STREQUAL line1)
     file(WRITE "${folder}/${plant}.csv" "${list}")
-  else() # all devices once are enough
+  else() # each device once is enough
     file(WRITE "${folder}/${plant}.csv" "${short_list}")
   endif()
   execute_process(COMMAND ${TOOL} generate "${folder}/${plant}.csv" -o "${folder}/out" RESULT_VARIABLE code

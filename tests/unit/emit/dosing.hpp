@@ -1,4 +1,4 @@
-// The plant of examples/scale as a description in code: two scales with a behaviour, a hopper.
+// The plant of examples/scale as a description in code: two scales with a behavior, a hopper.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ inline description::Description dosing_description() {
 inline CompiledText dosing() {
   const std::string list = read_bytes(kSource + "/examples/scale/dosing.csv");
   Analysed analysed = analyse_lists({{"dosing.csv", list}}, dosing_description());
-  analysed.plant->name = "dosing";
+  analysed.derived->plant.name = "dosing";
   return lower_analysed(std::move(analysed));
 }
 

@@ -1,4 +1,4 @@
-// What the tests of emission share.
+// Shared parts of the tests of code generation.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace symplant::test {
 
 inline const std::string kSource = SYMPLANT_SOURCE_DIR;
 
-/// What emission came to, its files as texts.
+/// The result of code generation, its files as texts.
 struct Emitted {
   struct File {
     std::string name;

@@ -1,4 +1,4 @@
-// The plant as C++ files: the same bytes each time, and what the paper's words promise.
+// The plant as C++ files: the same bytes each time, and the elements of the paper.
 #include "emit_support.hpp"
 
 namespace symplant::test {
@@ -6,7 +6,7 @@ namespace {
 
 std::string excell() { return read_bytes(kSource + "/examples/excell/excell.csv"); }
 
-TEST_CASE("The paper's cell is written as the goldens have it") {
+TEST_CASE("The generated files of the paper's cell equal the goldens") {
   for (const Emitted::File& file : emit_list(excell(), "excell.csv").files) {
     check_golden(kSource + "/tests/golden/emit/excell/" + file.name, file.content);
   }
@@ -19,21 +19,21 @@ TEST_CASE("Equal lists give equal bytes") {
   for (std::size_t i = 0; i < a.files.size(); ++i) CHECK(a.files[i].content == b.files[i].content);
 }
 
-TEST_CASE("Where the list lies is not in the files") {
+TEST_CASE("The path of the list is not in the files") {
   const Emitted here = emit_list(excell(), "excell.csv");
   const Emitted there = emit_list(excell(), "/some/where/else/excell.csv");
   for (std::size_t i = 0; i < here.files.size(); ++i) CHECK(here.files[i].content == there.files[i].content);
 }
 
-TEST_CASE("Every file says that it is the user's own and is written anew") {
+TEST_CASE("Every file has a notice of ownership and a note to regenerate it") {
   for (const Emitted::File& file : emit_list(excell(), "excell.csv").files) {
     INFO(file.name);
-    CHECK(contains(file.content, "Do not edit: it is written anew."));
-    CHECK(contains(file.content, "This code is yours: the licence of symplant does not extend to what it generates."));
+    CHECK(contains(file.content, "Do not edit: regenerate it."));
+    CHECK(contains(file.content, "This code is yours: the license of symplant does not extend to what it generates."));
   }
 }
 
-TEST_CASE("A class has the eight elements by the paper's names, each signal citing list and row") {
+TEST_CASE("A class has the eight elements by the paper's names, each signal with its list and row") {
   const std::string types = file_of(emit_list(excell(), "excell.csv"), "types_gen.hpp");
   for (const char* part : {"enum class State", "kI{", "kO{", "kS{", "d_ext(", "d_int(", "l_enter(", "l_leave(",
                            "l_disable(", "excell.csv:4", "static_assert(symplant::tables::kTablesVersion == "}) {
@@ -42,7 +42,7 @@ TEST_CASE("A class has the eight elements by the paper's names, each signal citi
   }
 }
 
-TEST_CASE("Many devices of one type make one class, with the first twenty named") {
+TEST_CASE("Many devices of one type make one class that names the first twenty") {
   std::vector<std::string> names;
   for (int i = 0; i < 30; ++i) {
     const std::string path = "L_P_RBT" + std::to_string(i);
@@ -54,7 +54,7 @@ TEST_CASE("Many devices of one type make one class, with the first twenty named"
   CHECK(contains(types, "/// L_P_RBT19\n/// and 10 more\n"));
 }
 
-TEST_CASE("A plant of numbers alone, or of unmodelled symbols alone, is written, too") {
+TEST_CASE("A plant of numbers only, or of unmodelled symbols only, is generated, too") {
   CHECK(emit_list(list_text({{"LEVEL", "", "INT", "-5", "%IW1"}}), "numbers.csv").errors.empty());
   CHECK(emit_list(list_text({{"START", "X1"}}), "one.csv").errors.empty());
 }

@@ -1,4 +1,4 @@
-// A plant in which every table has rows, with names that would do harm in code.
+// A plant that fills every table, with names that could break code.
 #pragma once
 
 #include "unit/lower/altered_model.hpp"
@@ -22,7 +22,7 @@ inline void add_units(model::PlantModel& plant, const description::DeviceDescrip
   agv.travel = 3 * tables::kSecond;
 
   model::Unit& machine = plant.units[1];  // MC: IDLE1, RUN2, BUSY3
-  machine.states.pop_back();              // BUSY3 is an event alone
+  machine.states.pop_back();              // BUSY3 is only an event
   machine.initial = 0;
   machine.transitions = {
       {0, 1, 1, {}, Duration::fixed(tables::kSecond), model::Origin::given, false, false, 0},
@@ -71,8 +71,8 @@ inline std::unique_ptr<const Everything> everything() {
                                               {"LEVEL", "", "INT", "-5", "%IW1"},
                                               {"SPEED", "", "REAL", "0", "%QD2"}}),
                                    {}, std::string(kEverythingName) + ".csv");
-  REQUIRE(analysed.plant);
-  made->plant = std::move(*analysed.plant);
+  REQUIRE(analysed.derived);
+  made->plant = std::move(analysed.derived->plant);
   add_units(made->plant, made->described);
   made->plant.requirements = {
       {"never both\\\n\"}; //", tables::RequirementRow::Kind::never, settled(0, 1) && settled(1, 1), {}, 0},

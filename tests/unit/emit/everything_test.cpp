@@ -1,4 +1,4 @@
-// The golden in which every table has rows, compiled: it is the plant that was lowered.
+// The golden with rows in every table, compiled: it equals the lowered plant.
 #include "everything.hpp"
 
 #include "everything/plant_gen.hpp"
@@ -9,7 +9,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("Generated tables have the hash of the lowered ones, whatever they hold") {
+TEST_CASE("Generated tables have the hash of the lowered ones, for any content") {
   const auto made = everything();
   const lower::EngineTables lowered = lower::lower(made->plant);
   CHECK(tables::model_hash(::everything::tables()) == tables::model_hash(lowered.tables()));
@@ -41,7 +41,7 @@ TEST_CASE("Every table of the golden has rows") {
   }
 }
 
-TEST_CASE("A class tells whom a device disables, and which events its states switch") {
+TEST_CASE("A class states which devices it disables, and which events its states switch") {
   using ::everything::AGV;
   using ::everything::MC;
   const auto disabled = MC::l_disable(1, MC::State::kRUN2);

@@ -1,4 +1,4 @@
-// A user's text gets into generated code through an encoder only.
+// User text reaches generated code only through an encoder.
 #include <algorithm>
 
 #include "emit/encode.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 std::string hostile() { return read_bytes(kSource + "/tests/unit/emit/hostile.csv"); }
 
-TEST_CASE("Generated files are printable ASCII, whatever a list holds") {
+TEST_CASE("Generated files are printable ASCII for any list") {
   for (const Emitted::File& file : emit_list(hostile(), "h\xC3\xA4\"*/\\\xE2\x80\xAE{{plant}}.csv").files) {
     INFO(file.name);
     const bool printable = std::all_of(file.content.begin(), file.content.end(),
@@ -31,7 +31,7 @@ TEST_CASE("No line ends in a backslash or a trigraph of one") {
   }
 }
 
-TEST_CASE("There are as many rows of symbols as symbols: no comment swallows one") {
+TEST_CASE("Every symbol has a row: no comment swallows one") {
   const CompiledText text = compile_text(hostile(), "hostile.csv");
   REQUIRE(text.compiled);
   const std::string tables = file_of(emit_list(hostile(), "hostile.csv"), "tables_gen.cpp");
@@ -41,7 +41,7 @@ TEST_CASE("There are as many rows of symbols as symbols: no comment swallows one
   CHECK(static_cast<std::size_t>(std::count(rows.begin(), rows.end(), '\n')) == text.plant().symbols.size());
 }
 
-TEST_CASE("Comments hold printable ASCII without a backslash") {
+TEST_CASE("Comments contain only printable ASCII without a backslash") {
   CHECK(emit::comment_text("a\\b") == "a<U+005C>b");
   CHECK(emit::comment_text("\r\n\t") == "<U+000D><U+000A><U+0009>");
   CHECK(emit::comment_text("\xE2\x80\xAE") == "<U+202E>");
@@ -58,7 +58,7 @@ TEST_CASE("String literals escape what would end or change them") {
   CHECK(emit::string_literal(std::string_view("\0001", 2)) == "\"\\0001\"");
 }
 
-TEST_CASE("A plant's name becomes a namespace that nobody else has") {
+TEST_CASE("A plant's name becomes a unique namespace") {
   CHECK(emit::namespace_of("excell") == "excell");
   CHECK(emit::namespace_of("press line-2.v1") == "press_line_2_v1");
   CHECK(emit::namespace_of("EBUSY") == "EBUSY_");

@@ -12,7 +12,7 @@ namespace {
 
 Emitted emit_model(const model::PlantModel& plant) { return emitted(plant, lower::lower(plant)); }
 
-TEST_CASE("Rows that are handed on are those that would be kept, whatever stands where they are parted") {
+TEST_CASE("Rows passed on in chunks equal the stored rows, wherever the chunks end") {
   class Parts final : public base::TextSink {
    public:
     void put(std::string_view part) override {
@@ -35,13 +35,13 @@ TEST_CASE("Rows that are handed on are those that would be kept, whatever stands
   CHECK((parts.text == kept.take()));
 }
 
-TEST_CASE("A plant in which every table has rows is written as the goldens have it, which a test compiles") {
+TEST_CASE("The generated files of a plant with rows in every table equal the compiled goldens") {
   for (const Emitted::File& file : emit_model(everything()->plant).files) {
     check_golden(kSource + "/tests/golden/emit/everything/" + file.name, file.content);
   }
 }
 
-TEST_CASE("A plant with behaviours is written as the goldens have it, which a test compiles with its user's classes") {
+TEST_CASE("The generated files of a plant with behaviors equal the goldens, compiled with the user classes") {
   const CompiledText text = dosing();
   REQUIRE(text.compiled);
   const Emitted result = emit_model(text.plant());
@@ -53,7 +53,7 @@ TEST_CASE("A plant with behaviours is written as the goldens have it, which a te
   check_golden(kSource + "/tests/golden/emit/dosing/own/" + result.own_files[0].name, result.own_files[0].content);
 }
 
-TEST_CASE("Tables without rows are left out") {
+TEST_CASE("Tables without rows are omitted") {
   const std::string tables =
       file_of(emit_list(list_text(bits({"L_P_D_O_A1", "L_P_D_I_A1"})), "a.csv"), "tables_gen.cpp");
   for (const char* table : {"kRandomTimes", "kInitialValues", "kSharedAddresses", "kDisables", "kConditions", "Watch",
@@ -63,7 +63,7 @@ TEST_CASE("Tables without rows are left out") {
   }
 }
 
-TEST_CASE("Rows cite what they are, conditions as a description writes them") {
+TEST_CASE("Rows have comments about their content, conditions as in a description") {
   const std::string tables = file_of(emit_model(everything()->plant), "tables_gen.cpp");
   for (const char* row : {
            "// -1: L_P_AGV, d_ext(P2, O_P1) = P1\n",
@@ -84,14 +84,14 @@ TEST_CASE("Rows cite what they are, conditions as a description writes them") {
   }
 }
 
-TEST_CASE("A class says what guards its transitions and what its states switch") {
+TEST_CASE("A class documents the conditions of its transitions and the events that its states switch") {
   const std::string types = file_of(emit_model(everything()->plant), "types_gen.hpp");
   for (const char* row : {
            ", true, symplant::tables::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
            "{0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds\n",
            ", false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds\n",
            ", symplant::tables::kSpringReturn",
-           "// the spring's own way: ADV to RET\n",
+           "// spring return: ADV to RET\n",
            "{0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on\n",
            "{0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off\n",
        }) {
@@ -100,7 +100,7 @@ TEST_CASE("A class says what guards its transitions and what its states switch")
   }
 }
 
-TEST_CASE("A class has the name that the description gives, before any device is called so") {
+TEST_CASE("A class has the name from the description, before any device gets that name") {
   model::PlantModel plant = model_of({"L_P_STOP_O_A1", "L_P_STOP_I_A1", "L_P_D_O_B1", "L_P_D_I_B1", "L_P_E_I_ON"});
   description::DeviceDescription described;
   described.type = "STOP";

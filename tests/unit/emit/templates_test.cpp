@@ -1,4 +1,4 @@
-// The templates: a contract of keys, and faults that are told.
+// The templates: a contract of keys, and reported faults.
 #include <set>
 
 #include "emit/keys.hpp"
@@ -18,7 +18,7 @@ std::string key_table() {
   return text;
 }
 
-TEST_CASE("templates/README.md is the contract: its table is made of the keys") {
+TEST_CASE("templates/README.md is the contract: its table lists the keys") {
   const std::string path = kSource + "/templates/README.md";
   const std::string begin_mark = "<!-- keys -->\n";
   const std::string end_mark = "<!-- end of keys -->";
@@ -52,7 +52,7 @@ TEST_CASE("Every key of one template is used in it") {
   }
 }
 
-/// What an own template for main_gen.cpp gives, or its error.
+/// The output of a custom template for main_gen.cpp, or its error.
 std::string with_template(const std::string& text) {
   const CompiledText compiled = compile_rows(bits({"L_P_D_O_A1", "L_P_D_I_A1"}));
   const TemporaryFolder folder;
@@ -72,21 +72,21 @@ TEST_CASE("A template may use keys, comments and braces") {
         "symbols 1 symbols.csv symbols {}");
 }
 
-TEST_CASE("A key that is unknown, of another template, or misspelt is told with file and line") {
-  CHECK(with_template("a\nb\n{{planet}}").find(":3: `planet` is no key of this template") == 0);
-  CHECK(with_template("{{symbol_rows}}").find(":1: `symbol_rows` is no key") == 0);
+TEST_CASE("A key that is unknown, of another template, or misspelled is reported with file and line") {
+  CHECK(with_template("a\nb\n{{planet}}").find(":3: `planet` is not a key of this template") == 0);
+  CHECK(with_template("{{symbol_rows}}").find(":1: `symbol_rows` is not a key") == 0);
   CHECK(with_template("{{Plant}}").find(":1: `Plant`") == 0);
   CHECK(with_template("{{}}").find(":1: ") == 0);
-  CHECK(with_template("a\n\x01 b").find(":2: the control character U+0001 stands here") == 0);
+  CHECK(with_template("a\n\x01 b").find(":2: the control character U+0001 is not allowed here") == 0);
   CHECK(with_template("\n{{#planets}}{{/planets}}").find(":2: `planets`") == 0);
   CHECK(with_template("\n\n{{> part}}").find(":3: ") == 0);
 }
 
-TEST_CASE("A tag that is not closed is told with its line") { CHECK(with_template("\n\n{{plant").find(":3: ") == 0); }
+TEST_CASE("An unclosed tag is reported with its line") { CHECK(with_template("\n\n{{plant").find(":3: ") == 0); }
 
-TEST_CASE("A list that is not closed, or closed without being open, is told with its line") {
+TEST_CASE("A list that is not closed, or closed without being open, is reported with its line") {
   CHECK(with_template("\n{{#plant}}").find(":2: `plant` is opened and not closed") == 0);
-  CHECK(with_template("\n\n{{/plant}}").find(":3: `{{/plant}}` closes what is not open") == 0);
+  CHECK(with_template("\n\n{{/plant}}").find(":3: `{{/plant}}` closes a list that is not open") == 0);
   CHECK(with_template("{{#plant}}\n{{#list}}\n{{/plant}}{{/list}}").find(":3: ") == 0);
 }
 

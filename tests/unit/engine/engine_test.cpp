@@ -9,13 +9,13 @@ using tables::kMillisecond;
 using tables::kNoOperation;
 using tables::kSecond;
 
-/// Two states, an operation each, a second's travel.
+/// Two states with an operation each, 1 s of travel.
 HandUnit double_solenoid() { return {2, {0, 1}, {{1, 0, 0, 0, kSecond}, {0, 1, 1, 0, kSecond}}}; }
 
-/// IDLE, RUN with an operation, and back by itself after a second.
+/// IDLE, RUN with an operation, and automatically back after 1 s.
 HandUnit machine() { return {2, {1}, {{0, 1, 0, 0, kSecond}, {1, 0, kNoOperation, kSecond, 0}}}; }
 
-TEST_CASE("at the start a unit is settled in its initial state and its event is on") {
+TEST_CASE("A unit starts settled in its initial state with its event on") {
   HandUnit second = double_solenoid();
   second.initial = 1;
   HandPlant plant({double_solenoid(), second});
@@ -28,7 +28,7 @@ TEST_CASE("at the start a unit is settled in its initial state and its event is 
   CHECK(plant.unit(1).state == 1);
 }
 
-TEST_CASE("a commanded move leaves at once, travels its time and arrives") {
+TEST_CASE("A commanded move leaves at once, travels its time and arrives") {
   HandPlant plant({double_solenoid()});
   plant.to(0);
   plant.set(0, 1, true);
@@ -47,7 +47,7 @@ TEST_CASE("a commanded move leaves at once, travels its time and arrives") {
   CHECK_FALSE(plant.unit(0).moving);
 }
 
-TEST_CASE("a latched move goes on when its command goes off, and whatever else is commanded") {
+TEST_CASE("A latched move continues when its command goes off, and with any other command") {
   HandPlant plant({double_solenoid()});
   plant.to(0);
   plant.set(0, 1, true);
@@ -57,13 +57,13 @@ TEST_CASE("a latched move goes on when its command goes off, and whatever else i
   plant.to(2);
   CHECK(plant.unit(0).target == 1);
   plant.to(1 + kSecond);
-  // Levels count: the command that is on when it arrives is obeyed then, in the same instant.
+  // Levels count: the command that is on at arrival takes effect in the same instant.
   CHECK(plant.unit(0).moving);
   CHECK(plant.unit(0).target == 0);
   CHECK_FALSE(plant.event(0, 1));
 }
 
-TEST_CASE("two commands for different states leave a unit where it is") {
+TEST_CASE("Two commands for different states leave a unit in its state") {
   const HandUnit three{3,
                        {0, 1, 2},
                        {{1, 0, 0, 0, kSecond},
@@ -83,7 +83,7 @@ TEST_CASE("two commands for different states leave a unit where it is") {
   CHECK(plant.unit(0).target == 2);
 }
 
-TEST_CASE("a command for the state a unit is in holds it there against another") {
+TEST_CASE("A command for the current state holds the unit against another command") {
   HandPlant plant({double_solenoid()});
   plant.to(0);
   plant.set(0, 0, true);
@@ -95,7 +95,7 @@ TEST_CASE("a command for the state a unit is in holds it there against another")
   CHECK(plant.unit(0).moving);
 }
 
-TEST_CASE("one operation may toggle a unit: it is no wish to stay where it is the way out") {
+TEST_CASE("One operation can toggle a unit: it does not hold the unit in the state that it leaves") {
   const HandUnit toggle{2, {tables::kNoState}, {{0, 1, 0, 0, kSecond}, {1, 0, 0, 0, kSecond}}};
   HandPlant plant({toggle});
   plant.to(0);
@@ -103,10 +103,10 @@ TEST_CASE("one operation may toggle a unit: it is no wish to stay where it is th
   plant.to(1);
   CHECK(plant.unit(0).target == 1);
   plant.to(1 + kSecond);
-  CHECK(plant.unit(0).target == 0);  // still on: back again
+  CHECK(plant.unit(0).target == 0);  // still on: moves back
 }
 
-TEST_CASE("an automatic transition leaves when its state has lasted, and the old command does not start it again") {
+TEST_CASE("An automatic transition leaves when its state has lasted, and the old command does not restart it") {
   HandPlant plant({machine()});
   plant.to(0);
   plant.set(0, 0, true);
@@ -119,7 +119,7 @@ TEST_CASE("an automatic transition leaves when its state has lasted, and the old
   CHECK(plant.event(0, 0));
   CHECK(plant.plant->next_due() == tables::kNever);
   plant.to(10 * kSecond);
-  CHECK(plant.unit(0).state == 0);  // the command is on still, but disarmed
+  CHECK(plant.unit(0).state == 0);  // the command is still on, but disarmed
 
   plant.set(0, 0, false);
   plant.to(11 * kSecond);
@@ -128,7 +128,7 @@ TEST_CASE("an automatic transition leaves when its state has lasted, and the old
   CHECK(plant.unit(0).moving);  // off and on: armed again
 }
 
-TEST_CASE("a command that was off when the machine was done stays armed") {
+TEST_CASE("A command that was off when the machine finished stays armed") {
   HandPlant plant({machine()});
   plant.to(0);
   plant.set(0, 0, true);
@@ -142,7 +142,7 @@ TEST_CASE("a command that was off when the machine was done stays armed") {
   CHECK(plant.unit(0).moving);
 }
 
-TEST_CASE("a command that goes off and on between two instants is not armed by it") {
+TEST_CASE("A command that goes off and on between two instants is not armed by it") {
   HandPlant plant({machine()});
   plant.to(0);
   plant.set(0, 0, true);
@@ -154,21 +154,21 @@ TEST_CASE("a command that goes off and on between two instants is not armed by i
   CHECK_FALSE(plant.unit(0).moving);
 }
 
-TEST_CASE("of several automatic transitions that are ready at once the first of the table fires") {
+TEST_CASE("The first in the table fires if several automatic transitions are ready") {
   const HandUnit unit{3, {}, {{0, 2, kNoOperation, kSecond, 0}, {0, 1, kNoOperation, kSecond, 0}}};
   HandPlant plant({unit});
   plant.to(kSecond);
   CHECK(plant.unit(0).state == 2);
 }
 
-TEST_CASE("the earliest of several automatic transitions fires") {
+TEST_CASE("The earliest of several automatic transitions fires") {
   const HandUnit unit{3, {}, {{0, 2, kNoOperation, 2 * kSecond, 0}, {0, 1, kNoOperation, kSecond, 0}}};
   HandPlant plant({unit});
   plant.to(5 * kSecond);
   CHECK(plant.unit(0).state == 1);
 }
 
-TEST_CASE("a command interrupts the waiting for an automatic transition") {
+TEST_CASE("A command interrupts the waiting for an automatic transition") {
   const HandUnit unit{3, {2}, {{0, 2, 0, 0, kSecond}, {0, 1, kNoOperation, kSecond, 0}}};
   HandPlant plant({unit});
   plant.to(0);
@@ -178,7 +178,7 @@ TEST_CASE("a command interrupts the waiting for an automatic transition") {
   CHECK(plant.unit(0).state == 2);
 }
 
-TEST_CASE("ways that take no time are gone in one instant, round by round") {
+TEST_CASE("Transitions without travel time complete in one instant, round by round") {
   const HandUnit chain{
       4, {tables::kNoState}, {{0, 1, 0, 0, 0}, {1, 2, kNoOperation, 0, 0}, {2, 3, kNoOperation, 0, 0}}};
   HandPlant plant({chain});
@@ -191,7 +191,7 @@ TEST_CASE("ways that take no time are gone in one instant, round by round") {
   CHECK(plant.plant->now() == 1);
 }
 
-TEST_CASE("a time beyond all time is never due") {
+TEST_CASE("A time out of range is never due") {
   HandUnit unit = double_solenoid();
   unit.routes[1].takes = tables::kNever;
   HandPlant plant({unit});
@@ -202,7 +202,7 @@ TEST_CASE("a time beyond all time is never due") {
   CHECK(plant.plant->next_due() == tables::kNever);
 }
 
-TEST_CASE("advancing to the end of all time ends") {
+TEST_CASE("Advancing to the end of time ends") {
   HandPlant plant({double_solenoid(), machine()});
   plant.to(0);
   plant.set(1, 0, true);
@@ -212,7 +212,7 @@ TEST_CASE("advancing to the end of all time ends") {
   CHECK(plant.plant->now() == tables::kNever);
 }
 
-TEST_CASE("a thousand plants in one process do not know of each other") {
+TEST_CASE("A thousand plants in one process are independent") {
   std::vector<std::unique_ptr<HandPlant>> plants;
   for (int i = 0; i < 1000; ++i) plants.push_back(std::make_unique<HandPlant>(std::vector{double_solenoid()}));
   for (auto& plant : plants) plant->to(0);
@@ -225,7 +225,7 @@ TEST_CASE("a thousand plants in one process do not know of each other") {
   }
 }
 
-TEST_CASE("reset puts everything back to the start") {
+TEST_CASE("A reset restores the start") {
   HandPlant plant({double_solenoid(), machine()});
   plant.to(0);
   plant.set(0, 1, true);

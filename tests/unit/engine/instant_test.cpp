@@ -1,4 +1,4 @@
-// Instants: what belongs to one, and what an observer is told.
+// Instants: what belongs to one, and what an observer receives.
 #include <algorithm>
 
 #include "support/catch.hpp"
@@ -29,7 +29,7 @@ class Log final : public engine::Observer {
   std::vector<Seen> seen;
 };
 
-TEST_CASE("what was written belongs to the instant of the call, together with what is due then") {
+TEST_CASE("A written value belongs to the instant of the call, together with what is due then") {
   HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
@@ -37,16 +37,16 @@ TEST_CASE("what was written belongs to the instant of the call, together with wh
   plant.to(0);
   plant.set(0, 1, false);
   plant.set(0, 0, true);
-  plant.to(kSecond, &log);  // arrives in 1 and is sent back at once
+  plant.to(kSecond, &log);  // arrives in 1 and leaves at once
   REQUIRE(log.seen.size() == 1);
   CHECK(plant.unit(0).target == 0);
   CHECK(plant.unit(0).moving);
-  // Event 1 came on and went off within the instant: no net change.
+  // Event 1 turned on and off within the instant: no net change.
   CHECK(log.seen[0].events.empty());
   CHECK(log.seen[0].units == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("what is due before the call is run on the operations as they were") {
+TEST_CASE("What is due before the call runs on the old operations") {
   HandPlant plant({instant_unit(), instant_unit()});
   Log log;
   plant.to(0);
@@ -62,7 +62,7 @@ TEST_CASE("what is due before the call is run on the operations as they were") {
   CHECK(log.seen[1].operations.size() == 2);
 }
 
-TEST_CASE("the same time again runs a further instant only if something was written") {
+TEST_CASE("The same time runs another instant only if a value was written") {
   HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
@@ -75,7 +75,7 @@ TEST_CASE("the same time again runs a further instant only if something was writ
   CHECK(plant.unit(0).moving);
 }
 
-TEST_CASE("a time that lies back is taken as now") {
+TEST_CASE("A time in the past is taken as now") {
   HandPlant plant({instant_unit()});
   plant.to(5);
   plant.set(0, 1, true);
@@ -84,7 +84,7 @@ TEST_CASE("a time that lies back is taken as now") {
   CHECK(plant.unit(0).moving);
 }
 
-TEST_CASE("an operation that ends as it was is no change") {
+TEST_CASE("An operation that ends with its old value is no change") {
   HandPlant plant({instant_unit()});
   Log log;
   plant.to(0);
@@ -94,7 +94,7 @@ TEST_CASE("an operation that ends as it was is no change") {
   CHECK(log.seen.empty());
 }
 
-TEST_CASE("the first instant tells which events are on") {
+TEST_CASE("The first instant reports the events that are on") {
   HandPlant plant({instant_unit()});
   Log log;
   plant.to(0, &log);
@@ -103,7 +103,7 @@ TEST_CASE("the first instant tells which events are on") {
   CHECK(log.seen[0].events[0].bits == 1);
 }
 
-TEST_CASE("the first instant is run at 0 even when the first call is for later") {
+TEST_CASE("The first instant runs at 0 even if the first call is for later") {
   HandUnit spring{2, {1}, {{0, 1, 0, 0, kSecond}}, tables::Actuation::spring, 0, 1, kSecond};
   HandPlant plant({spring});
   Log log;
@@ -113,7 +113,7 @@ TEST_CASE("the first instant is run at 0 even when the first call is for later")
   CHECK(log.seen[1].time == kSecond);
 }
 
-TEST_CASE("a link is told each changed event word once") {
+TEST_CASE("A link receives each changed event word once") {
   HandPlant plant({instant_unit(), instant_unit()});
   plant.to(0);
   plant.plant->forget_changed_events();
@@ -127,7 +127,7 @@ TEST_CASE("a link is told each changed event word once") {
   CHECK(plant.plant->changed_events().empty());
 }
 
-TEST_CASE("next_due tells the earliest time at which something happens by itself") {
+TEST_CASE("next_due returns the earliest time of an automatic change") {
   HandPlant plant({instant_unit(), instant_unit()});
   CHECK(plant.plant->next_due() == 0);
   plant.to(0);

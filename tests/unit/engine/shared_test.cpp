@@ -1,4 +1,4 @@
-// Symbols of one address are kept equal, values stand at their start.
+// Symbols of one address have equal values, values start as initialized.
 #include <vector>
 
 #include "support/catch.hpp"
@@ -53,7 +53,7 @@ struct SharedPlant {
   }
 };
 
-TEST_CASE("writing one operation of an address writes all of them, whichever it was") {
+TEST_CASE("Writing one operation of an address writes all of them") {
   SharedPlant p;
   p.plant.advance_to(0);
   p.plant.set_operation(2, true);  // the follower
@@ -69,7 +69,7 @@ TEST_CASE("writing one operation of an address writes all of them, whichever it 
   CHECK(p.plant.operation_value(0) == 42);
 }
 
-TEST_CASE("an event's other names follow the one that a unit moves") {
+TEST_CASE("An event's other names follow the one that a unit drives") {
   SharedPlant p;
   p.plant.advance_to(0);
   CHECK_FALSE(p.plant.event(2));
@@ -80,7 +80,7 @@ TEST_CASE("an event's other names follow the one that a unit moves") {
   CHECK(p.plant.event(2));
 }
 
-TEST_CASE("what no unit moves stands at its initial value") {
+TEST_CASE("A value that no unit drives keeps its initial value") {
   SharedPlant p;
   p.plant.advance_to(0);
   CHECK(p.plant.event(3));

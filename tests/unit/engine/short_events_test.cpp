@@ -18,21 +18,21 @@ struct Record {
   engine::ShortEvents events;
 };
 
-TEST_CASE("an event that falls before a cycle has passed is short, one that lasts a cycle is not") {
+TEST_CASE("An event shorter than a cycle is short, one of a whole cycle is not") {
   Record record(2);
   record.events.rose(1, 0b11, 100);
   CHECK(record.events.fell(1, 0b01, 109, 10) == 0b01);
   CHECK(record.events.fell(1, 0b10, 110, 10) == 0);
 }
 
-TEST_CASE("events of other words, and what never rose, are not short") {
+TEST_CASE("Events of other words, and events that never rose, are not short") {
   Record record(2);
   record.events.rose(0, 0b11, 100);
   CHECK(record.events.fell(1, 0b11, 101, 10) == 0);
   CHECK(record.events.fell(0, 0b100, 101, 10) == 0);
 }
 
-TEST_CASE("several rises of one word are each remembered; of one event the last counts") {
+TEST_CASE("Several rises of one word are all remembered; of one event the last counts") {
   Record record(1);
   record.events.rose(0, 0b001, 100);
   record.events.rose(0, 0b010, 105);
@@ -42,7 +42,7 @@ TEST_CASE("several rises of one word are each remembered; of one event the last 
   CHECK(record.events.fell(0, 0b001, 116, 10) == 0b001);
 }
 
-TEST_CASE("where more rises than there is room for fall into one cycle, the oldest are forgotten") {
+TEST_CASE("The oldest rises are forgotten if too many fall into one cycle") {
   Record record(2);
   record.events.rose(0, 1, 100);
   for (int i = 0; i < 63; ++i) record.events.rose(1, 1, 101);
@@ -52,7 +52,7 @@ TEST_CASE("where more rises than there is room for fall into one cycle, the olde
   CHECK(record.events.fell(1, 1, 103, 10) == 1);
 }
 
-TEST_CASE("a plant of more than 64 words has room for a rise in each") {
+TEST_CASE("A plant of more than 64 words has room for a rise in each") {
   Record record(100);
   for (std::uint32_t word = 0; word < 100; ++word) record.events.rose(word, 1, 100);
   for (std::uint32_t word = 0; word < 100; ++word) REQUIRE(record.events.fell(word, 1, 101, 10) == 1);

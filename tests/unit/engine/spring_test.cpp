@@ -1,4 +1,4 @@
-// The engine on units with a spring: the way without a command, turning round, standing still.
+// The engine on units with a spring: spring return, reversing, stopping.
 #include "support/catch.hpp"
 #include "support/hand_plant.hpp"
 
@@ -8,12 +8,12 @@ namespace {
 using tables::kMillisecond;
 using tables::kSecond;
 
-/// RET (0, rest) and ADV (1) with an operation; a second out, the spring's way takes the default travel.
+/// RET (0, rest) and ADV (1) with an operation; 1 s out, spring return takes the default travel.
 HandUnit cylinder(tables::Time out = kSecond, tables::Time back = kSecond) {
   return {2, {1}, {{0, 1, 0, 0, out}}, tables::Actuation::spring, 0, 0, back};
 }
 
-TEST_CASE("a spring moves out under its command, stays while it is on, and returns without it") {
+TEST_CASE("A spring moves out under its command, stays while it is on, and returns without it") {
   HandPlant plant({cylinder()});
   plant.to(0);
   plant.set(0, 0, true);
@@ -30,7 +30,7 @@ TEST_CASE("a spring moves out under its command, stays while it is on, and retur
   CHECK(plant.event(0, 0));
 }
 
-TEST_CASE("a spring that starts away from its rest returns by itself") {
+TEST_CASE("A spring that starts away from its rest returns automatically") {
   HandUnit unit = cylinder();
   unit.initial = 1;
   HandPlant plant({unit});
@@ -41,7 +41,7 @@ TEST_CASE("a spring that starts away from its rest returns by itself") {
   CHECK(plant.event(0, 0));
 }
 
-TEST_CASE("a command taken back midway turns the move round, in proportion") {
+TEST_CASE("A command cleared midway reverses the move, in proportion") {
   HandPlant plant({cylinder(kSecond, 3 * kSecond)});
   plant.to(0);
   plant.set(0, 0, true);
@@ -56,22 +56,22 @@ TEST_CASE("a command taken back midway turns the move round, in proportion") {
   CHECK(plant.event(0, 0));
 }
 
-TEST_CASE("a move that was turned can be turned again") {
+TEST_CASE("A reversed move can be reversed again") {
   HandPlant plant({cylinder()});
   plant.to(0);
   plant.set(0, 0, true);
   plant.to(0);
   plant.set(0, 0, false);
-  plant.to(400 * kMillisecond);  // 0.4 of the way out, now coming back
+  plant.to(400 * kMillisecond);  // 0.4 of the distance out, now coming back
   plant.set(0, 0, true);
-  plant.to(500 * kMillisecond);  // 0.3 of the way out, now going out
+  plant.to(500 * kMillisecond);  // 0.3 of the distance out, now going out
   CHECK(plant.unit(0).target == 1);
   CHECK(plant.unit(0).remaining == 700 * kMillisecond);
   plant.to(1200 * kMillisecond);
   CHECK(plant.event(0, 1));
 }
 
-TEST_CASE("the time of a turned move is rounded down") {
+TEST_CASE("The time of a reversed move is rounded down") {
   HandPlant plant({cylinder(7, 5)});
   plant.to(0);
   plant.set(0, 0, true);
@@ -81,7 +81,7 @@ TEST_CASE("the time of a turned move is rounded down") {
   CHECK(plant.unit(0).remaining == 2);  // floor(5 * 3 / 7)
 }
 
-TEST_CASE("times of centuries turn round without overflow") {
+TEST_CASE("Times of centuries are reversed without overflow") {
   const tables::Time long_time = tables::kNever / 2;
   HandPlant plant({cylinder(long_time, long_time)});
   plant.to(0);
@@ -92,8 +92,8 @@ TEST_CASE("times of centuries turn round without overflow") {
   CHECK(plant.unit(0).remaining == long_time / 2);
 }
 
-TEST_CASE("a move turned in the instant in which it began is back in that instant") {
-  // Out and back are two operations here; the command out gives way to the one back at once.
+TEST_CASE("A move reversed in the instant of its start is back in that instant") {
+  // Out and back are two operations here; the command back replaces the command out at once.
   const HandUnit unit{2, {0, 1}, {{1, 0, 0, 0, kSecond}, {0, 1, 1, 0, kSecond}}, tables::Actuation::spring, 0,
                       0, kSecond};
   HandPlant plant({unit});
@@ -101,12 +101,12 @@ TEST_CASE("a move turned in the instant in which it began is back in that instan
   plant.set(0, 1, true);
   plant.to(1);
   plant.set(0, 1, false);
-  plant.to(1);  // a further instant of the same time
+  plant.to(1);  // another instant of the same time
   CHECK_FALSE(plant.unit(0).moving);
   CHECK(plant.event(0, 0));
 }
 
-TEST_CASE("both commands at once make a spring stand still, and its time with it") {
+TEST_CASE("Both commands together stop a spring and its time") {
   const HandUnit unit{2, {0, 1}, {{1, 0, 0, 0, kSecond}, {0, 1, 1, 0, kSecond}}, tables::Actuation::spring, 0,
                       0, kSecond};
   HandPlant plant({unit});
@@ -124,8 +124,8 @@ TEST_CASE("both commands at once make a spring stand still, and its time with it
   CHECK(plant.event(0, 1));
 }
 
-TEST_CASE("a spring away from rest goes on to its target when its command goes off on the way to rest") {
-  // Three states: a move that does not begin at rest completes without a command, then the spring returns.
+TEST_CASE("A spring away from rest continues to its target when its command goes off during its move to rest") {
+  // Three states: a move that does not start at rest completes without a command, then the spring returns.
   const HandUnit unit{3,
                       {1, 2},
                       {{0, 1, 0, 0, kSecond}, {0, 2, 1, 0, kSecond}, {1, 2, 1, 0, kSecond}, {2, 1, 0, 0, kSecond}},

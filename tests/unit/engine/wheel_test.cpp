@@ -1,4 +1,4 @@
-// The radix wheel against a sorted map.
+// Compares the radix wheel with a sorted map.
 #include "symplant/engine/wheel.hpp"
 
 #include <map>
@@ -24,7 +24,7 @@ std::set<std::uint32_t> taken(Wheel& wheel, std::vector<engine::UnitState>& unit
   return result;
 }
 
-TEST_CASE("units come out at their exact times, all of one time together") {
+TEST_CASE("Units are returned at their exact times, all of one time together") {
   // Spans from nanoseconds to centuries, so that every group of six bits has entries.
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
     std::mt19937_64 random(seed);
@@ -43,7 +43,7 @@ TEST_CASE("units come out at their exact times, all of one time together") {
     for (std::uint32_t unit = 0; unit < units.size(); ++unit) insert(unit);
     for (int step = 0; step < 20'000 && !expected.empty(); ++step) {
       REQUIRE(wheel.peek(units.data()) == expected.begin()->first);
-      if (random() % 4 == 0) {  // take one out before its time
+      if (random() % 4 == 0) {  // remove one before its time
         const auto unit = static_cast<std::uint32_t>(random() % units.size());
         if (due[unit] != kNever) {
           wheel.remove(units.data(), unit);
@@ -53,7 +53,7 @@ TEST_CASE("units come out at their exact times, all of one time together") {
         }
         continue;
       }
-      // Time goes on, sometimes to short of the next due time.
+      // Time advances, sometimes to just before the next due time.
       const Time next = expected.begin()->first;
       const Time limit = random() % 3 == 0 ? now + (next - now) / 2 : next;
       const Time found = wheel.earliest(units.data(), limit);
@@ -77,7 +77,7 @@ TEST_CASE("units come out at their exact times, all of one time together") {
   }
 }
 
-TEST_CASE("an empty wheel has nothing due") {
+TEST_CASE("An empty wheel has nothing due") {
   Wheel wheel;
   wheel.clear();
   std::vector<engine::UnitState> units(1);

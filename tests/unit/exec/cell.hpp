@@ -11,7 +11,7 @@
 
 namespace symplant::test {
 
-/// A plant with memory of its own.
+/// A plant with separate memory.
 class OwnedPlant {
  public:
   explicit OwnedPlant(const tables::PlantTables& tables)

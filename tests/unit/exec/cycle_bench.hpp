@@ -1,4 +1,4 @@
-// A plant, a link and a clock that a test of the cycle holds in its hands.
+// A plant, a link and a clock that a test of the cycle controls.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using tables::kMillisecond;
 using tables::kSecond;
 using tables::Time;
 
-/// Time passes only when somebody sleeps or says so. Its zero is not the plant's.
+/// Time passes only by sleeping or by request. Its zero is not that of the plant.
 class FakeClock final : public exec::Clock {
  public:
   Time now() noexcept override {
@@ -33,7 +33,7 @@ class FakeClock final : public exec::Clock {
 
   Time longest_sleep = 0;
   bool wakes_early = false;
-  Time costs = 0;  ///< that pass when somebody looks at it
+  Time costs = 0;  ///< that pass when the clock is read
   std::function<void()> on_sleep;
   std::function<void()> on_look;
 
@@ -41,7 +41,7 @@ class FakeClock final : public exec::Clock {
   Time now_ = 123 * kSecond + 456;
 };
 
-/// Writes down who was called when, and does what a test wants done then.
+/// Records which call came when, and runs what a test needs then.
 class FakeLink final : public exec::Exchange {
  public:
   enum class Call { read, write };

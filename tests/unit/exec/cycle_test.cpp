@@ -1,4 +1,4 @@
-// The cycle: its order, its deadlines, and what happens when real time runs late. All on a clock that the tests hold.
+// The cycle: its order, its deadlines, and its reaction to late real time. All on a clock that the tests control.
 #include "symplant/exec/cycle.hpp"
 
 #include <atomic>
@@ -16,7 +16,7 @@ using test::kMillisecond;
 using test::kSecond;
 using test::Time;
 
-TEST_CASE("a link gets the events of the first instant before the first cycle") {
+TEST_CASE("A link receives the events of the first instant before the first cycle") {
   Bench bench;
   bool at_p1 = false;
   bool idle = false;
@@ -33,7 +33,7 @@ TEST_CASE("a link gets the events of the first instant before the first cycle") 
   CHECK(idle);
 }
 
-TEST_CASE("each cycle reads operations, advances the plant, writes events") {
+TEST_CASE("Each cycle reads operations, advances the plant, writes events") {
   Bench bench;
   const auto statistics = bench.run({.until = 30 * kMillisecond});
   using Call = FakeLink::Call;
@@ -52,7 +52,7 @@ TEST_CASE("each cycle reads operations, advances the plant, writes events") {
   CHECK(statistics.cycles == 3);
 }
 
-TEST_CASE("an operation read in a cycle belongs to that cycle's instant") {
+TEST_CASE("An operation read in a cycle belongs to that cycle's instant") {
   Bench bench;
   std::vector<Time> left;
   std::vector<Time> arrived;
@@ -66,7 +66,7 @@ TEST_CASE("an operation read in a cycle belongs to that cycle's instant") {
   CHECK(arrived == std::vector<Time>{1010 * kMillisecond});
 }
 
-TEST_CASE("changed events are those since the link's last turn") {
+TEST_CASE("Changed events are those since the link's last turn") {
   Bench bench;
   bench.run({.until = 50 * kMillisecond});
   std::size_t changed = 0;
@@ -75,7 +75,7 @@ TEST_CASE("changed events are those since the link's last turn") {
   CHECK(changed == 0);
 }
 
-TEST_CASE("every link has its turn in every cycle") {
+TEST_CASE("Every link has its turn in every cycle") {
   Bench bench;
   FakeLink other;
   const std::array<exec::Exchange*, 2> links = {&bench.link, &other};
@@ -84,7 +84,7 @@ TEST_CASE("every link has its turn in every cycle") {
   CHECK(bench.link.written() == every_10_ms(0, 5));
 }
 
-TEST_CASE("a run on time counts its cycles and nothing else") {
+TEST_CASE("A run on time counts its cycles and nothing else") {
   Bench bench;
   const Time begin = bench.clock.now();
   const auto statistics = bench.run({.until = kSecond});
@@ -95,7 +95,7 @@ TEST_CASE("a run on time counts its cycles and nothing else") {
   CHECK(bench.clock.now() - begin == kSecond);
 }
 
-TEST_CASE("work that takes part of the cycle moves no deadline") {
+TEST_CASE("Work that takes part of the cycle shifts no deadline") {
   Bench bench;
   const Time begin = bench.clock.now();
   bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(9 * kMillisecond); };
@@ -105,19 +105,19 @@ TEST_CASE("work that takes part of the cycle moves no deadline") {
   CHECK(bench.clock.now() - begin == 118 * kMillisecond);  // 9 before the first, 10 cycles, 9 at the end
 }
 
-TEST_CASE("a plant that is late catches up in order, each cycle at its own time") {
+TEST_CASE("A late plant catches up in order, each cycle at its own time") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
   };
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(bench.link.written() == every_10_ms(0, 10));
-  CHECK(statistics.overruns == 3);  // the long one, and the two that ended after the next was due
+  CHECK(statistics.overruns == 3);  // the long cycle, and the two that ended after the next was due
   CHECK(statistics.lateness.max == 25 * kMillisecond);
   CHECK(statistics.slipped == 0);
 }
 
-TEST_CASE("exactly ten cycles are caught up without a slip") {
+TEST_CASE("Exactly ten cycles are caught up without a slip") {
   Bench bench;
   const Time begin = bench.clock.now();
   bench.link.on_write = [&](const plant::Plant& plant) {
@@ -129,7 +129,7 @@ TEST_CASE("exactly ten cycles are caught up without a slip") {
   CHECK(bench.clock.now() - begin == 200 * kMillisecond);
 }
 
-TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
+TEST_CASE("After more than ten cycles plant time slips, and the lost time is counted") {
   Bench bench;
   const Time begin = bench.clock.now();
   bench.link.on_write = [&](const plant::Plant& plant) {
@@ -143,7 +143,7 @@ TEST_CASE("beyond ten cycles plant time slips, and the lost time is counted") {
   CHECK(bench.clock.now() - begin == 1390 * kMillisecond);
 }
 
-TEST_CASE("without catching up every whole cycle of delay is slipped") {
+TEST_CASE("Without catching up every whole cycle of delay is slipped") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 30 * kMillisecond) bench.clock.pass(35 * kMillisecond);
@@ -153,7 +153,7 @@ TEST_CASE("without catching up every whole cycle of delay is slipped") {
   CHECK(statistics.slipped == 20 * kMillisecond);
 }
 
-TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
+TEST_CASE("A plant that is always too slow continues, and loses time steadily") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(20 * kMillisecond); };
   const auto statistics = bench.run({.until = kSecond});
@@ -163,7 +163,7 @@ TEST_CASE("a plant that is always too slow runs on, and loses time steadily") {
   CHECK(statistics.slipped < kSecond);
 }
 
-TEST_CASE("a link that freezes the plant has its turns while plant time stands still, and none is caught up") {
+TEST_CASE("A link that freezes the plant keeps its turns while plant time stops, and none is caught up") {
   Bench bench;
   int reads = 0;
   bench.link.on_read = [&](plant::Plant&) {
@@ -187,7 +187,7 @@ TEST_CASE("a link that freezes the plant has its turns while plant time stands s
   CHECK(bench.link.reported[3].frozen);
 }
 
-TEST_CASE("a link is told how many cycles were, what time it is, and at the end that it is over") {
+TEST_CASE("A link receives the number of cycles, the time, and the end of the run") {
   Bench bench;
   bench.run({.until = 30 * kMillisecond});
   std::vector<std::uint64_t> cycles;
@@ -198,13 +198,13 @@ TEST_CASE("a link is told how many cycles were, what time it is, and at the end 
   CHECK(bench.link.left == 1);
 }
 
-TEST_CASE("the last cycle ends at the end asked for, even within a cycle") {
+TEST_CASE("The last cycle ends at the requested end, even within a cycle") {
   Bench bench;
   bench.run({.until = 25 * kMillisecond});
   CHECK(bench.link.written() == std::vector<Time>{0, 10 * kMillisecond, 20 * kMillisecond, 25 * kMillisecond});
 }
 
-TEST_CASE("a stop ends the run after the cycle under way") {
+TEST_CASE("A stop ends the run after the current cycle") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant& plant) { bench.stop = plant.now() == 50 * kMillisecond; };
   const auto statistics = bench.run({});
@@ -212,7 +212,7 @@ TEST_CASE("a stop ends the run after the cycle under way") {
   CHECK(bench.link.written() == every_10_ms(0, 5));
 }
 
-TEST_CASE("a stop is seen in the middle of a long cycle") {
+TEST_CASE("A stop is seen in the middle of a long cycle") {
   Bench bench;
   bench.clock.on_sleep = [&] { bench.stop = true; };
   const auto statistics = bench.run({.cycle = 3600 * kSecond});
@@ -220,7 +220,7 @@ TEST_CASE("a stop is seen in the middle of a long cycle") {
   CHECK(bench.clock.longest_sleep <= 100 * kMillisecond);
 }
 
-TEST_CASE("a sleep that ends early starts no cycle early") {
+TEST_CASE("A sleep that ends early starts no cycle early") {
   Bench bench;
   bench.clock.wakes_early = true;
   const Time begin = bench.clock.now();
@@ -229,7 +229,7 @@ TEST_CASE("a sleep that ends early starts no cycle early") {
   CHECK(statistics.cycles == 10);
 }
 
-TEST_CASE("a plant that has run already goes on from its own time") {
+TEST_CASE("A plant that has run already continues from its own time") {
   Bench bench;
   bench.plant->advance_to(5 * kSecond);
   bench.run({.until = 5 * kSecond + 20 * kMillisecond});
@@ -237,10 +237,10 @@ TEST_CASE("a plant that has run already goes on from its own time") {
         std::vector<Time>{5 * kSecond, 5 * kSecond + 10 * kMillisecond, 5 * kSecond + 20 * kMillisecond});
 }
 
-TEST_CASE("the monotonic clock sleeps until the time asked for") {
+TEST_CASE("The monotonic clock sleeps until the requested time") {
   exec::MonotonicClock clock;
   const Time begin = clock.now();
   while (clock.now() < begin + kMillisecond) clock.sleep_until(begin + kMillisecond);
   CHECK(clock.now() >= begin + kMillisecond);
-  clock.sleep_until(begin);  // in the past: comes back at once
+  clock.sleep_until(begin);  // in the past: returns at once
 }

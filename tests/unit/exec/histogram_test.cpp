@@ -1,4 +1,4 @@
-// The histogram against sorted lists: quantiles within 1.6 %, extremes exact.
+// Compares the histogram with sorted lists: quantiles within 1.6 %, extremes exact.
 #include "symplant/exec/histogram.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using tables::Time;
 
 namespace {
 
-/// The smallest value that at least `per_thousand` of all do not exceed.
+/// The smallest value that at least `per_thousand` of all values do not exceed.
 Time quantile(std::vector<Time> values, std::size_t per_thousand) {
   std::sort(values.begin(), values.end());
   return values[(values.size() * per_thousand + 999) / 1000 - 1];
@@ -26,7 +26,7 @@ void check_close(Time found, Time exact) {
   CHECK(found - exact <= exact / 64);
 }
 
-TEST_CASE("an empty histogram is all 0") {
+TEST_CASE("An empty histogram is all 0") {
   const Durations durations = Histogram().durations();
   CHECK(durations.count == 0);
   CHECK(durations.p50 == 0);
@@ -34,7 +34,7 @@ TEST_CASE("an empty histogram is all 0") {
   CHECK(durations.max == 0);
 }
 
-TEST_CASE("one duration is every quantile, exactly, from 0 to the longest that there is") {
+TEST_CASE("One duration is every quantile, exactly, from 0 to the longest duration") {
   for (const Time time :
        {Time{0}, Time{1}, Time{63}, Time{64}, Time{65}, Time{1'000'003}, tables::kNever - 1, tables::kNever}) {
     Histogram histogram;
@@ -47,14 +47,14 @@ TEST_CASE("one duration is every quantile, exactly, from 0 to the longest that t
   }
 }
 
-TEST_CASE("what is below 0 counts as 0") {
+TEST_CASE("A negative duration counts as 0") {
   Histogram histogram;
   histogram.add(-5);
   CHECK(histogram.durations().count == 1);
   CHECK(histogram.durations().max == 0);
 }
 
-TEST_CASE("of a thousand the 999th is p99.9, of a thousand and one the 1000th") {
+TEST_CASE("The p99.9 of 1000 values is the 999th, of 1001 values the 1000th") {
   Histogram histogram;
   for (Time time = 0; time < 60; ++time) histogram.add(0);
   for (Time time = 60; time < 998; ++time) histogram.add(1);
@@ -66,7 +66,7 @@ TEST_CASE("of a thousand the 999th is p99.9, of a thousand and one the 1000th") 
   CHECK(histogram.durations().max == 4);
 }
 
-TEST_CASE("quantiles are at most a 64th above the sorted list's, never below, at every scale") {
+TEST_CASE("Quantiles exceed those of the sorted list by at most 1/64, at every scale") {
   std::mt19937_64 random(7);
   for (int scale = 1; scale < 63; scale += 3) {
     Histogram histogram;
@@ -84,13 +84,13 @@ TEST_CASE("quantiles are at most a 64th above the sorted list's, never below, at
   }
 }
 
-TEST_CASE("the meter keeps the state of each link apart") {
+TEST_CASE("The meter keeps the state of each link separately") {
   exec::CycleMeter meter;
   for (std::size_t link = 0; link < exec::CycleMeter::kMostLinks; ++link) {
     meter.note(link, link % 2 == 0 ? exec::LinkState::lost : exec::LinkState::live);
   }
   meter.note(4, exec::LinkState::waiting);
-  meter.note(exec::CycleMeter::kMostLinks, exec::LinkState::lost);  // one too many: not kept
+  meter.note(exec::CycleMeter::kMostLinks, exec::LinkState::lost);  // one link too many: not kept
   CHECK(meter.state(0) == exec::LinkState::lost);
   CHECK(meter.state(3) == exec::LinkState::live);
   CHECK(meter.state(4) == exec::LinkState::waiting);

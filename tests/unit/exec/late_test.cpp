@@ -1,4 +1,4 @@
-// How late the cycle is: overruns to the one, quantiles, the wait's last microseconds awake.
+// How late the cycle is: exact overruns, quantiles, busy waiting at the end of a sleep.
 #include <cstdlib>
 
 #include "support/catch.hpp"
@@ -7,14 +7,14 @@
 namespace symplant::test {
 namespace {
 
-/// A cycle at plant time `at` takes `work`, all others nothing.
+/// A cycle at plant time `at` takes `work`, all others take no time.
 void work_once(Bench& bench, Time at, Time work) {
   bench.link.on_write = [&bench, at, work](const plant::Plant& plant) {
     if (plant.now() == at) bench.clock.pass(work);
   };
 }
 
-TEST_CASE("a cycle of exactly a cycle's length is one overrun, a nanosecond less is none") {
+TEST_CASE("A cycle that takes exactly the cycle time is one overrun, a nanosecond less is none") {
   Bench exact;
   work_once(exact, 30 * kMillisecond, 10 * kMillisecond);
   CHECK(exact.run({.until = 100 * kMillisecond}).overruns == 1);
@@ -23,7 +23,7 @@ TEST_CASE("a cycle of exactly a cycle's length is one overrun, a nanosecond less
   CHECK(shorter.run({.until = 100 * kMillisecond}).overruns == 0);
 }
 
-TEST_CASE("a cycle three cycles long is three overruns, its own and those of the two that could not be over in time") {
+TEST_CASE("A cycle of three cycle times is three overruns: its own and those of the two that end late") {
   Bench bench;
   work_once(bench, 30 * kMillisecond, 30 * kMillisecond);
   const auto statistics = bench.run({.until = 100 * kMillisecond});
@@ -34,7 +34,7 @@ TEST_CASE("a cycle three cycles long is three overruns, its own and those of the
 }
 
 TEST_CASE(
-    "cycles that are each three cycles long are each an overrun, run at most the catch-up late, and lose the rest") {
+    "Cycles of three cycle times each overrun, run late by at most the catch-up, and lose the rest") {
   Bench bench;
   const Time begin = bench.clock.now();
   bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(30 * kMillisecond); };
@@ -43,13 +43,13 @@ TEST_CASE(
   CHECK(statistics.overruns == 100);
   const Time before = 30 * kMillisecond;  // the first write_events(), before the first deadline is set
   CHECK(bench.clock.now() - begin == before + 10 * kMillisecond + 100 * 30 * kMillisecond);
-  // By how much plant time is behind: all that slipped, and what is still to be caught up.
+  // The delay of plant time: all that slipped, and what is still to be caught up.
   const Time behind = bench.clock.now() - begin - before - kSecond;
   CHECK(statistics.slipped <= behind);
   CHECK(behind - statistics.slipped < 3 * 10 * kMillisecond + 30 * kMillisecond);
 }
 
-TEST_CASE("a process that stood still for 5 s takes its PLCs to have been silent for two cycles, not for 5 s") {
+TEST_CASE("A process stopped for 5 s counts two cycles of PLC silence, not 5 s") {
   Bench bench;
   bool stood = false;
   bench.clock.on_sleep = [&] {
@@ -65,7 +65,7 @@ TEST_CASE("a process that stood still for 5 s takes its PLCs to have been silent
   REQUIRE(stood);
 }
 
-TEST_CASE("a process that is always too slow counts the silence of its PLCs in true time, up to two cycles each") {
+TEST_CASE("A process that is always too slow counts the true silence of its PLCs, up to two cycles each") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(15 * kMillisecond); };
   bench.run({.until = kSecond, .max_catch_up = 0});
@@ -73,7 +73,7 @@ TEST_CASE("a process that is always too slow counts the silence of its PLCs in t
   CHECK(read_at[50] - read_at[40] == 150 * kMillisecond);
 }
 
-TEST_CASE("a process that stood still for 5 s runs no more than the catch-up at once, and counts what it lost") {
+TEST_CASE("A process stopped for 5 s runs at most the catch-up at once, and counts what it lost") {
   Bench bench;
   std::vector<Time> starts;
   bool stood = false;
@@ -88,11 +88,11 @@ TEST_CASE("a process that stood still for 5 s runs no more than the catch-up at 
   for (std::size_t i = 1; i < starts.size(); ++i) at_once += starts[i] == starts[i - 1] ? 1U : 0U;
   CHECK(at_once == 10);
   CHECK(statistics.slipped == 4900 * kMillisecond);
-  CHECK(statistics.overruns == 10);  // of eleven due at once the last has its own time
+  CHECK(statistics.overruns == 10);  // of eleven due at once the last is on time
   CHECK(statistics.cycles == 100);
 }
 
-TEST_CASE("the last microseconds of a wait are awake: one sleep up to them, then looks at the clock") {
+TEST_CASE("The last microseconds of a wait are busy: one sleep up to them, then reads of the clock") {
   Bench bench;
   std::vector<Time> wakes;
   bench.clock.costs = 100;
@@ -103,7 +103,7 @@ TEST_CASE("the last microseconds of a wait are awake: one sleep up to them, then
   CHECK(statistics.lateness.max < 100);
 }
 
-TEST_CASE("a stop is seen while the wait is awake") {
+TEST_CASE("A stop is seen during busy waiting") {
   Bench bench;
   bench.clock.costs = 100;
   int looks = 0;
@@ -112,7 +112,7 @@ TEST_CASE("a stop is seen while the wait is awake") {
   CHECK(looks == 1000);
 }
 
-TEST_CASE("a stop is seen in the middle of a catch-up, however long that is") {
+TEST_CASE("A stop is seen in the middle of a catch-up of any length") {
   Bench bench;
   bench.link.on_write = [&](const plant::Plant& plant) {
     if (plant.now() == 10 * kMillisecond) bench.clock.pass(3600 * kSecond);
@@ -123,24 +123,24 @@ TEST_CASE("a stop is seen in the middle of a catch-up, however long that is") {
   CHECK(statistics.slipped == 0);
 }
 
-TEST_CASE("jitter is how far one start is from the next, off the cycle either way") {
+TEST_CASE("Jitter is the difference between the distance of two starts and the cycle time") {
   Bench bench;
   work_once(bench, 30 * kMillisecond, 14 * kMillisecond);
   const auto statistics = bench.run({.until = 100 * kMillisecond});
   CHECK(statistics.jitter.count == 9);
   CHECK(statistics.jitter.p50 == 0);
-  CHECK(statistics.jitter.max == 4 * kMillisecond);  // one 4 ms late, the next in time again
+  CHECK(statistics.jitter.max == 4 * kMillisecond);  // one 4 ms late, the next on time again
   CHECK(statistics.jitter.p999 == 4 * kMillisecond);
 }
 
-TEST_CASE("a last cycle that is planned to be shorter is no jitter") {
+TEST_CASE("A shorter last cycle is no jitter") {
   Bench bench;
   const auto statistics = bench.run({.until = 41 * kMillisecond});
   CHECK(statistics.jitter.count == 4);
   CHECK(statistics.jitter.max == 0);
 }
 
-TEST_CASE("the meter of a run can be read in the middle of it") {
+TEST_CASE("The meter of a run can be read during the run") {
   Bench bench;
   bench.link.stands = exec::LinkState::lost;
   bench.link.on_write = [&](const plant::Plant& plant) {

@@ -1,4 +1,4 @@
-// What a thread is given for its cycle, and what it is told where the system gives nothing.
+// What a thread gets for its cycle, and what is reported if the system refuses.
 #include "symplant/exec/real_time.hpp"
 
 #include <sched.h>
@@ -23,14 +23,14 @@ namespace {
 
 using exec::Refusal;
 
-/// On a thread of its own, since what is set stays set.
+/// On a separate thread, since the settings persist.
 template <class Work>
 void on_a_thread(Work work) {
   std::thread thread(work);
   thread.join();
 }
 
-TEST_CASE("without being asked a cycle's thread has timers exact to a nanosecond, and nothing else") {
+TEST_CASE("By default a cycle's thread gets timers exact to a nanosecond, and nothing else") {
   std::vector<Refusal> refused;
   int slack = 0;
   int policy = -1;
@@ -44,7 +44,7 @@ TEST_CASE("without being asked a cycle's thread has timers exact to a nanosecond
   CHECK(policy == SCHED_OTHER);
 }
 
-TEST_CASE("a thread stays on the processor asked for, and others stay where they were") {
+TEST_CASE("A thread stays on the requested processor, and other threads stay where they are") {
   cpu_set_t before;
   sched_getaffinity(0, sizeof before, &before);
   int first = 0;
@@ -63,16 +63,16 @@ TEST_CASE("a thread stays on the processor asked for, and others stay where they
   CHECK(CPU_EQUAL(&before, &after));
 }
 
-TEST_CASE("a processor that is not there is refused once, with those that are") {
+TEST_CASE("An unknown processor is rejected once, with the available ones") {
   std::vector<Refusal> refused;
   on_a_thread([&] { refused = exec::set_up_real_time({.cpu = 100'000}).refused; });
   REQUIRE(refused.size() == 1);
   CHECK(refused[0].option == "cpu");
   CHECK(contains(refused[0].message, "`--cpu 100000` is refused"));
-  CHECK(contains(refused[0].message, "take one of "));
+  CHECK(contains(refused[0].message, "use one of "));
 }
 
-TEST_CASE("a priority is had, or refused once with what to do") {
+TEST_CASE("A priority is granted, or rejected once with a hint") {
   std::vector<Refusal> refused;
   int policy = -1;
   on_a_thread([&] {
@@ -88,14 +88,14 @@ TEST_CASE("a priority is had, or refused once with what to do") {
   CHECK(contains(refused[0].message, "ulimit -r 5"));
 }
 
-/// What the kernel's power management has been asked for, in us; -1 where this program may not know.
+/// The latency request to the kernel's power management, in us; -1 if this program may not read it.
 std::int32_t latency_asked_for() {
   std::int32_t latency = -1;
   std::ifstream("/dev/cpu_dma_latency", std::ios::binary).read(reinterpret_cast<char*>(&latency), sizeof latency);
   return latency;
 }
 
-TEST_CASE("processors stay awake as long as the set-up lives, or that is refused with what to do") {
+TEST_CASE("Processors stay awake while the set-up exists, or that is rejected with a hint") {
   const std::int32_t before = latency_asked_for();
   exec::RealTimeSetup setup;
   on_a_thread([&] { setup = exec::set_up_real_time({.stay_awake = true}); });
@@ -111,7 +111,7 @@ TEST_CASE("processors stay awake as long as the set-up lives, or that is refused
   CHECK(contains(setup.refused[0].message, "allow the program to write /dev/cpu_dma_latency"));
 }
 
-TEST_CASE("who may not write the kernel's device is told so in one line") {
+TEST_CASE("A missing permission for the kernel's device is reported in one line") {
   const pid_t child = fork();
   if (child == 0) {
     if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
@@ -125,7 +125,7 @@ TEST_CASE("who may not write the kernel's device is told so in one line") {
   CHECK(status == 0);
 }
 
-TEST_CASE("page faults of a thread are counted") {
+TEST_CASE("Page faults of a thread are counted") {
   std::uint64_t faults = 0;
   on_a_thread([&] {
     const exec::ThreadFaults before = exec::thread_faults();

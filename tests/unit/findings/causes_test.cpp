@@ -1,4 +1,4 @@
-// Consequences stand below their cause; nothing is lost, and what the user leaves out stays out.
+// Consequences are below their cause; no finding is lost, and hidden findings stay hidden.
 #include "findings/causes.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::size_t row_of(const std::vector<Row>& rows, const std::string& name) {
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-/// The third clamp's event OPEN is of a type that there is not.
+/// The third clamp's event OPEN has an unknown type.
 std::vector<Row> with_lost_event() {
   std::vector<Row> rows = clamps();
   rows[row_of(rows, "BODY_SIDE_CLAMP3_I_OPEN")].type = "BOL";
@@ -49,16 +49,16 @@ bool follows(const Analysed& analysed, std::string_view root, const std::string&
   return false;
 }
 
-TEST_CASE("Five clamps alike are clean") { CHECK(analyse_rows(clamps()).fired() == ""); }
+TEST_CASE("Five equal clamps are clean") { CHECK(analyse_rows(clamps()).fired() == ""); }
 
-TEST_CASE("What a lost symbol brings stands below the reason why it is lost") {
+TEST_CASE("The consequences of a lost symbol are below the reason for its loss") {
   const Analysed list = analyse_rows(with_lost_event());
   CHECK(list.fired() == "type-of-no-io");
   CHECK(follows(list, "type-of-no-io", "shape-lacks-symbol"));
   CHECK(follows(list, "type-of-no-io", "operation-without-event"));
 }
 
-TEST_CASE("A cause that is ignored explains nothing: what follows is told again") {
+TEST_CASE("An ignored cause explains nothing: its consequences are reported again") {
   description::GivenCheck check;
   check.ignore.push_back({"type-of-no-io", "", "so be it", ""});
   const Analysed list = with_settings(with_lost_event(), check);
@@ -66,7 +66,7 @@ TEST_CASE("A cause that is ignored explains nothing: what follows is told again"
   CHECK(follows(list, "shape-lacks-symbol", "operation-without-event"));
 }
 
-TEST_CASE("A consequence that is ignored is counted as ignored, and not shown below its cause") {
+TEST_CASE("An ignored consequence is counted as ignored, and not shown below its cause") {
   description::GivenCheck check;
   check.ignore.push_back({"shape-lacks-symbol", "BODY_SIDE_CLAMP3", "a clamp of another make", ""});
   const Analysed list = with_settings(with_lost_event(), check);
@@ -75,7 +75,7 @@ TEST_CASE("A consequence that is ignored is counted as ignored, and not shown be
   CHECK(list.diagnostics.ignored().size() == 1);
 }
 
-TEST_CASE("A cause is as severe as the worst that follows from it") {
+TEST_CASE("A cause is as severe as its most severe consequence") {
   description::GivenCheck check;
   check.severity.emplace_back("operation-without-event", "error");
   const Analysed list = with_settings(with_lost_event(), check);
@@ -84,10 +84,10 @@ TEST_CASE("A cause is as severe as the worst that follows from it") {
   CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
 }
 
-TEST_CASE("A device of one task that nobody moves, or that tells nothing, is one finding with its rest state") {
+TEST_CASE("A device of one task that cannot move, or reports nothing, is one finding with its rest state") {
   const Analysed button = analyse_rows(bits({"L_P_D_I_START"}));
-  CHECK(button.fired() == "nobody-moves");
-  CHECK(follows(button, "nobody-moves", "inferred-rest-state"));
+  CHECK(button.fired() == "event-not-driven");
+  CHECK(follows(button, "event-not-driven", "inferred-rest-state"));
   const Analysed lamp = analyse_rows(bits({"L_P_D_O_ON"}));
   CHECK(lamp.fired() == "unit-without-events");
   CHECK(follows(lamp, "unit-without-events", "inferred-rest-state"));
@@ -95,7 +95,7 @@ TEST_CASE("A device of one task that nobody moves, or that tells nothing, is one
   CHECK(motor.fired() == "inferred-rest-state");
 }
 
-TEST_CASE("Two symbols on one address follow from the one whose addresses contradict each other, whichever it is") {
+TEST_CASE("Two symbols on one address follow from the one with contradicting addresses, in either order") {
   for (const bool first : {true, false}) {
     std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
     for (Row& row : rows) row.address = (row.iec[1] == 'Q' ? "Y" : "X") + row.iec.substr(3);
@@ -109,15 +109,15 @@ TEST_CASE("Two symbols on one address follow from the one whose addresses contra
   }
 }
 
-TEST_CASE("Two faults of one device that have nothing to do with each other are two") {
+TEST_CASE("Two unrelated faults of one device are two findings") {
   std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_O_C3", "L_P_D_I_C3"});
-  rows[4].type = "BOL";  // I_C3 is lost, and I_B2 never was there
+  rows[4].type = "BOL";  // I_C3 is lost, and I_B2 never existed
   const Analysed list = analyse_rows(rows);
   CHECK(list.fired() == "operation-without-event type-of-no-io");
   CHECK(follows(list, "type-of-no-io", "operation-without-event"));
 }
 
-TEST_CASE("Folding loses nothing: each finding stands alone or below another") {
+TEST_CASE("Folding loses nothing: each finding is separate or below another") {
   for (std::size_t i = 0; i < clamps().size(); ++i) {
     for (const std::string name :
          {"_SIDE_CLAMP3_I_OPEN", "BODY_SIDE_CLAMP_I_CLOSE", "BODY_SIDE_CLAMP3_X_OPEN", "A-B"}) {
@@ -125,7 +125,7 @@ TEST_CASE("Folding loses nothing: each finding stands alone or below another") {
       rows[i].name = name;
       Analysed folded = analyse_rows(rows);
       diag::Diagnostics plain;
-      check::check_plant(folded.model(), plain);
+      check::check_plant(folded.model(), folded.evidence(), plain);
       std::size_t reported = 0;
       for (const diag::Diagnostic& finding : folded.diagnostics.all()) {
         ++reported;
@@ -151,7 +151,7 @@ bool guessed(const std::string& name, const std::string& meant) {
   return std::find(names.begin(), names.end(), meant) != names.end();
 }
 
-TEST_CASE("A name that breaks the rule is read with one level unknown, joined, or taken out") {
+TEST_CASE("A name that breaks the rule is read with one level unknown, joined, or removed") {
   CHECK(guesses("L_P_D__T") == std::vector<std::string>{"L_P_D_*_T"});
   CHECK(guesses("l_p_d_x_t") == std::vector<std::string>{"L_P_D_*_T"});
   CHECK(guessed("L_P_D_T", "L_P_D_*_T"));

@@ -1,4 +1,4 @@
-// --select and --ignore: which rules a run tells of.
+// --select and --ignore: the rules that a run reports.
 #include "findings/selection.hpp"
 
 #include "check/catalogue.hpp"
@@ -30,11 +30,11 @@ std::string verdict(const Words& select, const Words& ignore, std::string_view r
   return "";
 }
 
-TEST_CASE("Without words every rule is told") {
+TEST_CASE("Without words every rule is reported") {
   for (const diag::RuleInfo* rule : check::catalogue()) CHECK(verdict({}, {}, rule->id) == "told");
 }
 
-TEST_CASE("A word is an id, a slug or the beginning of an id, in any case") {
+TEST_CASE("A word is an id, a slug or the prefix of an id, in any case") {
   for (const char* word :
        {"SP402", "sp402", "event-without-operation", "Event-Without-Operation", "SP40", "SP4", "sp"}) {
     INFO(word);
@@ -45,7 +45,17 @@ TEST_CASE("A word is an id, a slug or the beginning of an id, in any case") {
   CHECK(verdict({"SP2", "SP4"}, {}, "SP402") == "told");
 }
 
-TEST_CASE("Of --select and --ignore the more exact word counts, of equal ones --ignore") {
+TEST_CASE("A former slug selects the current rule, and is returned once") {
+  CHECK(verdict({"nobody-moves"}, {}, "SP404") == "told");
+  CHECK(verdict({"nobody-moves"}, {}, "SP402") == "not selected");
+  CHECK(verdict({"SP4"}, {"Nobody-Moves"}, "SP404") == "ignored");
+  const auto selection = Selection::of(Words{"nobody-moves", "SP4"}, Words{"NOBODY-MOVES", "places-overlap"});
+  CHECK_FALSE(selection);  // an error that leaves no valid plant is not ignored by its former name, either
+  CHECK(Selection::of(Words{"nobody-moves", "SP4"}, Words{"NOBODY-MOVES"})->renamed() == Words{"nobody-moves"});
+  CHECK(Selection::of(Words{"SP404"}, Words{"event-not-driven"})->renamed().empty());
+}
+
+TEST_CASE("The more exact word of --select and --ignore counts, --ignore if they are equal") {
   CHECK(verdict({"SP4"}, {"SP402"}, "SP402") == "ignored");
   CHECK(verdict({"SP402"}, {"SP4"}, "SP402") == "told");
   CHECK(verdict({"SP402"}, {"SP4"}, "SP404") == "not selected");
@@ -54,17 +64,17 @@ TEST_CASE("Of --select and --ignore the more exact word counts, of equal ones --
   CHECK(verdict({"SP402"}, {"event-without-operation"}, "SP402") == "ignored");
 }
 
-TEST_CASE("An error that leaves no sound plant is told whatever is chosen, and cannot be ignored by its name") {
+TEST_CASE("An error that leaves no valid plant is always reported, and cannot be ignored by its name") {
   CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "told");
-  CHECK(verdict({"SP5"}, {"SP3"}, "event-moved-twice") == "told");
+  CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "told");
   CHECK(fault({}, {"SP304"}) ==
-        "`event-moved-twice` cannot be ignored: after this error there is nothing sound to go on with, mend its cause");
+        "`event-driven-twice` cannot be ignored: after this error there is nothing sound to go on with, mend its cause");
   CHECK(fault({"SP304"}, {}).empty());
   CHECK(verdict({}, {"SP302"}, "SP302") == "ignored");  // the first of two rows counts
 }
 
-TEST_CASE("A word that no rule has is refused with the nearest") {
-  CHECK(fault({"nobody-moved"}, {}) == "there is no rule `nobody-moved`, the nearest is `nobody-moves`");
+TEST_CASE("An unknown word is rejected with the nearest one") {
+  CHECK(fault({"event-not-drven"}, {}) == "there is no rule `event-not-drven`, the nearest is `event-not-driven`");
   CHECK(fault({}, {"loud"}) == "there is no rule `loud`: `symplant rules` lists all");
   for (const char* word : {"S", "SP9", "SP4x", "SP4011", "4", "*"}) {
     INFO(word);
@@ -75,14 +85,14 @@ TEST_CASE("A word that no rule has is refused with the nearest") {
         "a rule is missing beside a comma: write ids, slugs or beginnings of ids, such as SP4");
 }
 
-TEST_CASE("What is left out is counted by its option; what plant.json ignores goes with its rule") {
+TEST_CASE("Hidden findings are counted by option; those that plant.json ignores by rule") {
   description::Description description;
   description.check.ignore = {{"SP402", "", "later", ""}};
   const Analysed list =
       analyse_lists({{"symbols.csv", list_text(bits({"L_P_S_O_P1", "L_P_S_I_P1", "L_P_S_O_P2", "L_P_S_I_P2",
                                                      "L_P_S_I_HOT", "L_P_B_I_ON1", "L_P_B_I_OFF2", "START", "STOP"}))}},
                     std::move(description), "2026-11-21");
-  REQUIRE(list.fired() == "nobody-moves wrong-number-of-levels wrong-number-of-levels");
+  REQUIRE(list.fired() == "event-not-driven wrong-number-of-levels wrong-number-of-levels");
   REQUIRE(list.diagnostics.ignored().size() == 1);
 
   const auto chosen = [&](const Words& select, const Words& ignore) {

@@ -1,4 +1,4 @@
-// The section `check`: what is ignored, what counts more or less, and what is wrong with the section.
+// The section `check`: ignored findings, changed severities, and faults of the section.
 #include "findings/settings.hpp"
 
 #include "check/catalogue.hpp"
@@ -7,7 +7,7 @@
 namespace symplant::test {
 namespace {
 
-/// SPARE reports a state that it never reaches (SP402), of B and C nobody moves the events (SP404).
+/// SPARE reports a state that it never reaches (SP402), the events of B and C are not driven (SP404).
 const std::vector<std::string> kNames = {"L_P_SPARE_O_P1", "L_P_SPARE_I_P1",  "L_P_SPARE_O_P2",
                                          "L_P_SPARE_I_P2", "L_P_SPARE_I_HOT", "L_P_B_I_ON1",
                                          "L_P_B_I_OFF2",   "L_P_C_I_ON1",     "L_P_C_I_OFF2"};
@@ -20,46 +20,46 @@ Analysed with(std::vector<description::GivenCheck::Ignore> ignore,
   return analyse_lists({{"symbols.csv", list_text(bits(kNames))}}, std::move(description), today);
 }
 
-TEST_CASE("Without settings all is told") {
-  CHECK(with({}).fired() == "event-without-operation nobody-moves nobody-moves");
+TEST_CASE("Without settings every finding is reported") {
+  CHECK(with({}).fired() == "event-without-operation event-not-driven event-not-driven");
 }
 
-TEST_CASE("A finding is ignored by its rule's name or id, on a symbol or a device, and is counted with its reason") {
+TEST_CASE("A rule's name or id ignores a finding on a symbol or device, and it is counted with its reason") {
   for (const char* rule : {"event-without-operation", "SP402", "sp402"}) {
     for (const char* symbols : {"L_P_SPARE_I_HOT", "L_P_SPARE", "*_SPARE*", "l_p_spare?i_hot", ""}) {
       INFO(rule << " " << symbols);
       const Analysed list = with({{rule, symbols, "comes later", ""}});
-      CHECK(list.fired() == "nobody-moves nobody-moves");
+      CHECK(list.fired() == "event-not-driven event-not-driven");
       REQUIRE(list.diagnostics.ignored().size() == 1);
       CHECK(list.diagnostics.ignored()[0].why == "comes later");
       CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
     }
   }
-  CHECK(with({{"nobody-moves", "L_P_B", "a button", ""}}).fired() == "event-without-operation nobody-moves");
+  CHECK(with({{"event-not-driven", "L_P_B", "a button", ""}}).fired() == "event-without-operation event-not-driven");
 }
 
-TEST_CASE("An entry counts up to its day, that one included, and says so after it") {
+TEST_CASE("An entry counts through its last day, and is reported after it") {
   const auto fired = [](std::string_view today) {
     return with({{"SP402", "*", "later", "2026-11-21"}}, {}, today).fired();
   };
-  CHECK(fired("2026-11-20") == "nobody-moves nobody-moves");
-  CHECK(fired("2026-11-21") == "nobody-moves nobody-moves");
-  CHECK(fired("2026-11-22") == "ignore-is-over event-without-operation nobody-moves nobody-moves");
-  CHECK(fired("") == "nobody-moves nobody-moves");
+  CHECK(fired("2026-11-20") == "event-not-driven event-not-driven");
+  CHECK(fired("2026-11-21") == "event-not-driven event-not-driven");
+  CHECK(fired("2026-11-22") == "ignore-is-over event-without-operation event-not-driven event-not-driven");
+  CHECK(fired("") == "event-not-driven event-not-driven");
 }
 
-TEST_CASE("An entry that hides nothing is told, also where it is over") {
+TEST_CASE("An entry without effect is reported, also after its day") {
   CHECK(reported(with({{"SP402", "*_MOTOR*", "later", ""}}), "ignore-without-finding") ==
         "/check/ignore/0: nothing is found by `SP402` of `*_MOTOR*`: take this entry out");
   CHECK(with({{"SP402", "*_MOTOR*", "later", "2026-01-01"}}).count("ignore-without-finding") == 1);
-  // Of two entries that fit, the first hides; the second has nothing left.
+  // Of two entries that match, the first hides; the second has no effect.
   CHECK(reported(with({{"SP402", "*", "a", ""}, {"SP402", "*_HOT", "b", ""}}), "ignore-without-finding") ==
         "/check/ignore/1: nothing is found by `SP402` of `*_HOT`: take this entry out");
 }
 
-TEST_CASE("A rule that is none is told with the nearest, a date that is none likewise") {
-  CHECK(reported(with({{"nobody-moved", "*", "x", ""}}), "unknown-rule") ==
-        "/check/ignore/0/rule: there is no rule `nobody-moved`, the nearest is `nobody-moves`");
+TEST_CASE("An unknown rule and an invalid date are reported, the rule with the nearest one") {
+  CHECK(reported(with({{"event-not-drven", "*", "x", ""}}), "unknown-rule") ==
+        "/check/ignore/0/rule: there is no rule `event-not-drven`, the nearest is `event-not-driven`");
   CHECK(reported(with({}, {{"loud", "error"}}), "unknown-rule") ==
         "/check/severity/loud: there is no rule `loud`: `symplant rules` lists all");
   for (const char* date :
@@ -67,23 +67,33 @@ TEST_CASE("A rule that is none is told with the nearest, a date that is none lik
     INFO(date);
     CHECK(with({{"SP402", "*", "x", date}}).count("date-not-understood") == 1);
   }
-  CHECK(with({{"SP402", "*", "x", "2028-02-29"}}).fired() == "nobody-moves nobody-moves");
+  CHECK(with({{"SP402", "*", "x", "2028-02-29"}}).fired() == "event-not-driven event-not-driven");
 }
 
-TEST_CASE("A severity set reaches counts and errors") {
-  const Analysed list = with({}, {{"nobody-moves", "error"}, {"SP402", "note"}});
+TEST_CASE("A former slug works, with one warning for each") {
+  const Analysed list = with({{"nobody-moves", "L_P_B", "a button", ""}, {"Nobody-Moves", "L_P_C", "a button", ""}},
+                             {{"nobody-moves", "warning"}});
+  CHECK(list.fired() == "rule-renamed event-without-operation");
+  CHECK(list.diagnostics.ignored().size() == 2);
+  CHECK(reported(list, "rule-renamed") ==
+        "/check/severity/nobody-moves: `nobody-moves` is now `event-not-driven`: write the new name, the next version "
+        "no longer reads the old one");
+}
+
+TEST_CASE("A changed severity changes counts and errors") {
+  const Analysed list = with({}, {{"event-not-driven", "error"}, {"SP402", "note"}});
   CHECK(list.diagnostics.count(diag::Severity::error) == 2);
   CHECK(list.diagnostics.count(diag::Severity::warning) == 0);
   CHECK(list.diagnostics.count(diag::Severity::note) == 1);
   CHECK(list.diagnostics.has_errors());
 }
 
-TEST_CASE("Errors that leave no sound plant are neither lowered nor ignored") {
-  CHECK(reported(with({}, {{"event-moved-twice", "note"}}), "binding-rule") ==
-        "/check/severity/event-moved-twice: `event-moved-twice` cannot be lowered: after this error there is nothing "
+TEST_CASE("Errors that leave no valid plant are neither lowered nor ignored") {
+  CHECK(reported(with({}, {{"event-driven-twice", "note"}}), "binding-rule") ==
+        "/check/severity/event-driven-twice: `event-driven-twice` cannot be lowered: after this error there is nothing "
         "sound to go on with, mend its cause");
   CHECK(with({{"SP101", "*", "x", ""}}).count("binding-rule") == 1);
-  CHECK(with({}, {{"event-moved-twice", "error"}}).count("binding-rule") == 0);
+  CHECK(with({}, {{"event-driven-twice", "error"}}).count("binding-rule") == 0);
   CHECK_FALSE(findings::is_binding(*check::find_rule("SP302")));
 }
 

@@ -1,4 +1,4 @@
-// Whether threads that tell something at once tell it in whole pieces.
+// Threads that print at the same time print whole lines.
 #include "symplant/host/console.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@
 
 using namespace symplant;
 
-TEST_CASE("host: a message takes the place of the status line, which is drawn again below it") {
+TEST_CASE("host: A message replaces the status line, which is drawn again below it") {
   std::ostringstream all;
   host::Console console(all, all);
   console.draw("7 cycles");
@@ -21,7 +21,7 @@ TEST_CASE("host: a message takes the place of the status line, which is drawn ag
   CHECK(all.str() == "8 cycles\n");
 }
 
-TEST_CASE("host: threads that tell something at once do not tear each other's lines") {
+TEST_CASE("host: Threads that print at the same time do not mix their lines") {
   constexpr std::size_t kLines = 500;
   std::ostringstream all;
   host::Console console(all, all);
@@ -43,7 +43,7 @@ TEST_CASE("host: threads that tell something at once do not tear each other's li
   CHECK(count == 4 * kLines);
 }
 
-TEST_CASE("host: while threads run a message does not flush the output it is tied to") {
+TEST_CASE("host: While threads run a message does not flush the output it is tied to") {
   std::ostringstream out;
   std::ostringstream err;
   err.tie(&out);

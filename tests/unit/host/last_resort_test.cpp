@@ -1,4 +1,4 @@
-// A run that was told to end, beside what goes on meanwhile.
+// The forced end of a run, while files are opened and closed.
 #include "symplant/host/last_resort.hpp"
 
 #include <chrono>
@@ -12,7 +12,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("files that come and go while a run ends are no output that nobody takes, nor a race") {
+TEST_CASE("Files opened and closed while a run ends are not taken for blocked output, and cause no race") {
   using Clock = std::chrono::steady_clock;
   host::catch_signals();
   {
@@ -24,7 +24,7 @@ TEST_CASE("files that come and go while a run ends are no output that nobody tak
       std::string line;
       read += std::getline(std::ifstream("/proc/self/maps"), line) ? 1U : 0U;
     }
-    CHECK(read > 0);  // the run has not been ended by force
+    CHECK(read > 0);  // the run was not ended by force
   }
   CHECK(host::stop_requested().load());
   host::catch_signals();

@@ -1,4 +1,4 @@
-// Which links a run has.
+// Chooses the links of a run.
 #include "symplant/host/links.hpp"
 
 #include <array>
@@ -30,7 +30,7 @@ std::string chosen(const host::PlantProgram& program, const host::RunOptions& op
   return text;
 }
 
-TEST_CASE("links come from the command line, else from the plant, else from what it was built with") {
+TEST_CASE("Links come from the command line, else from the plant, else from the build default") {
   const tables::PlantTables tables = tables_of(kTwo);
   const std::array<host::DefaultLink, 2> described{{{"PLC2", "loop:"}, {"PLC1", "modbus-tcp-server://127.0.0.1:1"}}};
   host::PlantProgram program{.tables = tables};
@@ -44,7 +44,7 @@ TEST_CASE("links come from the command line, else from the plant, else from what
   CHECK(chosen(program, options) == "1=modbus-tcp-server://127.0.0.1:3");
 }
 
-TEST_CASE("a controller's settings hold whichever URL links it, and --on-loss takes the place of the links' policy") {
+TEST_CASE("A controller's settings apply to every URL that links it, and --on-loss replaces the policy of the links") {
   const tables::PlantTables tables = tables_of(kTwo);
   std::array<link::LinkSettings, 2> settings{};
   settings[1].resync = 7;
@@ -62,7 +62,7 @@ TEST_CASE("a controller's settings hold whichever URL links it, and --on-loss ta
   CHECK(links().at(1).settings.on_loss == link::OnLoss::zero);
 }
 
-TEST_CASE("a link whose controller the plant has not is told") {
+TEST_CASE("A link with an unknown controller is reported") {
   const tables::PlantTables tables = tables_of(kTwo);
   host::PlantProgram program{.tables = tables};
   host::RunOptions options;
@@ -70,7 +70,7 @@ TEST_CASE("a link whose controller the plant has not is told") {
   CHECK(chosen(program, options) == "there is no controller `PLC3`, the nearest is `PLC1`");
 }
 
-TEST_CASE("virtual time leaves out the links that the plant brings, and not those that were asked for") {
+TEST_CASE("Virtual time omits the links of the plant, but not the requested ones") {
   const tables::PlantTables tables = tables_of(kOne);
   host::PlantProgram program{.tables = tables};
   program.default_link = "modbus-tcp-server://127.0.0.1:2";
@@ -84,7 +84,7 @@ TEST_CASE("virtual time leaves out the links that the plant brings, and not thos
   CHECK_FALSE(host::has_real_link(std::get<host::LinkChoices>(host::links_of(program, options))));
 }
 
-TEST_CASE("a scenario leaves them out, too, unless real time is asked for") {
+TEST_CASE("A scenario omits them, too, unless real time is requested") {
   const tables::PlantTables tables = tables_of(kOne);
   host::PlantProgram program{.tables = tables};
   program.default_link = "modbus-tcp-server://127.0.0.1:2";
@@ -95,7 +95,7 @@ TEST_CASE("a scenario leaves them out, too, unless real time is asked for") {
   CHECK(chosen(program, options) == "0=modbus-tcp-server://127.0.0.1:2");
 }
 
-TEST_CASE("a link carries the operations of its controller alone, and the loop none") {
+TEST_CASE("A link carries only the operations of its controller, and the loop carries none") {
   const auto kind =
       tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, false);
   const std::array<tables::SymbolRow, 2> symbols{{{0, tables::kNoUnit, 1, 1, kind}, {1, tables::kNoUnit, 1, 1, kind}}};

@@ -1,4 +1,4 @@
-// Running a plant: how virtual time ends, what goes wrong and with which exit code.
+// Running a plant: the end of virtual time, errors and exit codes.
 #include "symplant/host/run.hpp"
 
 #include <sstream>
@@ -13,7 +13,7 @@
 namespace symplant::test {
 namespace {
 
-/// One unit that goes round by itself, a second a state.
+/// One unit that cycles automatically, 1 s per state.
 struct Clockwork {
   std::vector<tables::Transition> transitions{{0, 1, tables::kNoOperation, false, tables::kNoCondition, true},
                                               {1, 0, tables::kNoOperation, false, tables::kNoCondition, true}};
@@ -48,7 +48,7 @@ Outcome run(const tables::PlantTables& tables, const host::RunOptions& options) 
   return {code, out.str(), err.str()};
 }
 
-TEST_CASE("virtual time without an end goes on for an hour of plant time, and says so") {
+TEST_CASE("Virtual time without an end runs for an hour of plant time, with a message") {
   const Clockwork plant;
   const Outcome outcome = run(plant.tables, {});
   CHECK(outcome.code == host::kGood);
@@ -56,20 +56,20 @@ TEST_CASE("virtual time without an end goes on for an hour of plant time, and sa
   CHECK(contains(outcome.out, "--until"));
 }
 
-TEST_CASE("virtual time ends where it was asked to") {
+TEST_CASE("Virtual time ends at the requested time") {
   const Clockwork plant;
   host::RunOptions options;
   options.until = 2500 * tables::kMillisecond;
   CHECK(contains(run(plant.tables, options).out, "ended at 2.5 s, as asked"));
 }
 
-TEST_CASE("virtual time ends when nothing more is due") {
+TEST_CASE("Virtual time ends when nothing is due") {
   tables::PlantTables empty = bare_tables("empty", 0, 0);
   empty.list_names = {"none", 5};
   CHECK(contains(run(empty, {}).out, "nothing more is due"));
 }
 
-TEST_CASE("virtual time with a link is refused, with the loop it is not") {
+TEST_CASE("Virtual time with a link is rejected, with the loop it is accepted") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::virtual_time;
@@ -80,7 +80,7 @@ TEST_CASE("virtual time with a link is refused, with the loop it is not") {
   CHECK(run(plant.tables, options).code == host::kGood);
 }
 
-TEST_CASE("a trace that cannot be written is the environment's fault") {
+TEST_CASE("An unwritable trace is a fault of the environment") {
   const Clockwork plant;
   host::RunOptions options;
   options.trace = "/no/such/folder/trace.jsonl";
@@ -89,7 +89,7 @@ TEST_CASE("a trace that cannot be written is the environment's fault") {
   CHECK(contains(outcome.err, "/no/such/folder/trace.jsonl"));
 }
 
-TEST_CASE("real time keeps its end, and tells of its cycles") {
+TEST_CASE("Real time ends as requested, and reports its cycles") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
@@ -99,7 +99,7 @@ TEST_CASE("real time keeps its end, and tells of its cycles") {
   CHECK(contains(outcome.out, "ended at 0.05 s"));
 }
 
-TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
+TEST_CASE("A spin that is not shorter than the cycle is a usage error") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
@@ -112,7 +112,7 @@ TEST_CASE("a spin that is not shorter than the cycle is bad usage") {
   CHECK(run(plant.tables, options).code == host::kGood);
 }
 
-TEST_CASE("options of real time are said to have no effect in virtual time, each that was given") {
+TEST_CASE("Real-time options are reported as without effect in virtual time, each given one") {
   const Clockwork plant;
   host::RunOptions options;
   options.until = tables::kSecond;
@@ -129,7 +129,7 @@ TEST_CASE("options of real time are said to have no effect in virtual time, each
         "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: `--clock real` runs in real time\n");
 }
 
-TEST_CASE("a guarded run in virtual time has a cycle") {
+TEST_CASE("A guarded run in virtual time has a cycle") {
   const Clockwork plant;
   host::RunOptions options;
   options.rt_check = 3;
@@ -137,7 +137,7 @@ TEST_CASE("a guarded run in virtual time has a cycle") {
   CHECK(run(plant.tables, options).err.empty());
 }
 
-TEST_CASE("what to do on loss is said to have no effect where no link can be lost") {
+TEST_CASE("--on-loss is reported as without effect if no link can be lost") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;
@@ -149,7 +149,7 @@ TEST_CASE("what to do on loss is said to have no effect where no link can be los
   CHECK(run(plant.tables, options).err.empty());
 }
 
-TEST_CASE("a limit of files is said to have no effect where none is written") {
+TEST_CASE("A file size limit is reported as without effect if no file is written") {
   const Clockwork plant;
   host::RunOptions options;
   options.until = tables::kSecond;
@@ -159,7 +159,7 @@ TEST_CASE("a limit of files is said to have no effect where none is written") {
   CHECK(run(plant.tables, options).err.empty());
 }
 
-TEST_CASE("what to do when late is caught up to a number, ten by default, or slipped") {
+TEST_CASE("Late cycles are caught up to a number, ten by default, or slipped") {
   CHECK(host::parse_late("catch-up") == 10);
   CHECK(host::parse_late("catch-up:0") == 0);
   CHECK(host::parse_late("catch-up:25") == 25);

@@ -1,4 +1,4 @@
-// Runs with scenarios and files: exit codes, what is told, what is refused before anything is written.
+// Runs with scenarios and files: exit codes, messages, and errors before any output.
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -57,7 +57,7 @@ struct Cell {
 
 const std::string kDrive = R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"at":"2s","expect":"L_P_AGV.P2"})";
 
-TEST_CASE("a scenario whose expectations hold is 0, it is told, and the run ends with its last step") {
+TEST_CASE("A scenario whose expectations hold gives 0 and a message, and the run ends with its last step") {
   Cell cell;
   const Outcome outcome = cell.run(kDrive);
   CHECK(outcome.code == host::kGood);
@@ -66,7 +66,7 @@ TEST_CASE("a scenario whose expectations hold is 0, it is told, and the run ends
   CHECK(outcome.err == "");
 }
 
-TEST_CASE("a failed expectation is 1 and told with its place; one that is not reached likewise") {
+TEST_CASE("A failed or unreached expectation gives 1 and is reported with its location") {
   Cell cell;
   const Outcome failed = cell.run(R"({"at":"1s","expect":"L_P_AGV.P2"})");
   CHECK(failed.code == host::kFindings);
@@ -79,7 +79,7 @@ TEST_CASE("a failed expectation is 1 and told with its place; one that is not re
   CHECK(contains(cut.out, "ended at 1 s, as asked"));
 }
 
-TEST_CASE("a violated requirement is 1, a finding is so only when asked") {
+TEST_CASE("A violated requirement gives 1, a finding only on request") {
   Cell cell;
   const Outcome violated = cell.run(R"({"at":"1s","set":{"L_P_AGV_O_P1":true,"L_P_AGV_O_P2":true}},{"at":"3s"})");
   CHECK(violated.code == host::kFindings);
@@ -99,12 +99,12 @@ TEST_CASE("a violated requirement is 1, a finding is so only when asked") {
   CHECK(cell.run(kDrive).code == host::kGood);
 }
 
-TEST_CASE("a scenario with faults is 2, each fault told with its place, and nothing is written") {
+TEST_CASE("A scenario with faults gives 2, each fault with its location, and writes nothing") {
   Cell cell;
   cell.options.trace = cell.folder / "trace.jsonl";
   const Outcome outcome = cell.run("{\"at\":\"1s\",\"set\":{\"L_P_AGV_O_P3\":true}},\n{\"at\":\"0s\"}");
   CHECK(outcome.code == host::kBadInput);
-  CHECK(contains(outcome.err, "s.json:1:51: error: there is no symbol `L_P_AGV_O_P3`, the nearest is `L_P_AGV_O_P"));
+  CHECK(contains(outcome.err, "s.json:1:51: error: symbol `L_P_AGV_O_P3` not found; did you mean `L_P_AGV_O_P"));
   CHECK(contains(outcome.err, "s.json:2:7: error: this is before the `at` above"));
   CHECK(outcome.out == "");
   CHECK_FALSE(std::filesystem::exists(cell.options.trace));
@@ -116,7 +116,7 @@ TEST_CASE("a scenario with faults is 2, each fault told with its place, and noth
   CHECK(cell.run().code == host::kBadInput);
 }
 
-TEST_CASE("no output may replace an input, or another output") {
+TEST_CASE("No output may replace an input, or another output") {
   Cell cell;
   cell.folder.write("plant.json", "{}");
   const auto refused = [&](std::string host::RunOptions::*option, const std::string& path, const std::string& why) {
@@ -142,7 +142,7 @@ TEST_CASE("no output may replace an input, or another output") {
   CHECK(cell.run(kDrive).code == host::kGood);
 }
 
-TEST_CASE("a file that cannot be written is 3, one that fills the disk a warning") {
+TEST_CASE("An unwritable file gives 3, a full disk gives a warning") {
   Cell cell;
   for (auto option :
        {&host::RunOptions::vcd, &host::RunOptions::findings, &host::RunOptions::junit, &host::RunOptions::stats}) {
@@ -157,7 +157,7 @@ TEST_CASE("a file that cannot be written is 3, one that fills the disk a warning
   CHECK(contains(full.err, "warning: cannot write the trace `/dev/full`"));
 }
 
-TEST_CASE("a trace to standard output has it for itself") {
+TEST_CASE("A trace to standard output is its only content") {
   Cell cell;
   cell.options.trace = "-";
   const Outcome outcome = cell.run(kDrive);
@@ -166,7 +166,7 @@ TEST_CASE("a trace to standard output has it for itself") {
   CHECK(contains(outcome.err, "ended at 2 s"));
 }
 
-TEST_CASE("findings go to their file with all that is known of them") {
+TEST_CASE("Findings are written to their file with all details") {
   Cell cell;
   cell.options.findings = cell.folder / "f.jsonl";
   cell.run(R"({"at":"1s","set":{"L_P_AGV_O_P1":true}},{"at":"2s","set":{"L_P_AGV_O_P2":true}},{"at":"3s"})");
@@ -183,7 +183,7 @@ TEST_CASE("findings go to their file with all that is known of them") {
   CHECK_FALSE(std::getline(lines, line));
 }
 
-TEST_CASE("the JUnit report has a case each expectation and requirement, and holds what XML can") {
+TEST_CASE("The JUnit report has a case for each expectation and requirement, and is valid XML") {
   Cell cell;
   cell.options.junit = cell.folder / "j.xml";
   cell.options.fail_on_findings = true;
@@ -205,7 +205,7 @@ TEST_CASE("the JUnit report has a case each expectation and requirement, and hol
   CHECK(std::system((check + cell.options.junit).c_str()) == 0);
 }
 
-TEST_CASE("the VCD file holds bits, and states as strings, by their levels") {
+TEST_CASE("The VCD file contains bits, and states as strings, by their levels") {
   Cell cell;
   cell.options.vcd = cell.folder / "v.vcd";
   cell.run(kDrive);
@@ -224,7 +224,7 @@ TEST_CASE("the VCD file holds bits, and states as strings, by their levels") {
                                  "2000000000 " + agv + "L_P_AGV=P2"});
 }
 
-TEST_CASE("files are begun anew at their limit, and each part can be read alone") {
+TEST_CASE("Files start again at their limit, and each part can be read alone") {
   Cell cell;
   cell.options.trace = cell.folder / "t.jsonl";
   cell.options.vcd = cell.folder / "v.vcd";
@@ -241,7 +241,7 @@ TEST_CASE("files are begun anew at their limit, and each part can be read alone"
   CHECK(std::filesystem::exists(cell.folder / "v.vcd.1"));
 }
 
-TEST_CASE("statistics tell what the run came to") {
+TEST_CASE("Statistics report the result of the run") {
   Cell cell;
   cell.options.stats = cell.folder / "s";
   cell.options.seed = 7;
@@ -257,7 +257,7 @@ TEST_CASE("statistics tell what the run came to") {
   CHECK_FALSE(stats.contains("cycles"));
 }
 
-TEST_CASE("in real time a scenario plays in cycles, and its end is that of the run") {
+TEST_CASE("In real time a scenario plays in cycles, and its end is that of the run") {
   Cell cell;
   cell.options.clock = host::RunOptions::Clock::real_time;
   cell.options.stats = cell.folder / "s";
@@ -268,7 +268,7 @@ TEST_CASE("in real time a scenario plays in cycles, and its end is that of the r
   CHECK(nlohmann::json::parse(cell.file("s"))["cycles"] == 2);
 }
 
-TEST_CASE("statistics of a run with links tell how each stands") {
+TEST_CASE("Statistics of a run with links report the state of each link") {
   Cell cell;
   cell.options.links = {"modbus-tcp-server://127.0.0.1:0", "loop:"};
   cell.options.until = 20 * kMs;
@@ -287,13 +287,13 @@ TEST_CASE("statistics of a run with links tell how each stands") {
   CHECK(links[1]["state"] == "live");
 }
 
-TEST_CASE("a guarded run is as long as it was asked to be, whatever its scenario") {
+TEST_CASE("A guarded run has the requested length for any scenario") {
   Cell cell;
   cell.options.rt_check = 100;
   cell.options.until = 100 * kMs;
   const Outcome refused = cell.run();
   CHECK(refused.code == host::kBadInput);
-  CHECK(contains(refused.err, "error: `--rt-check` says already how long the run is"));
+  CHECK(contains(refused.err, "error: `--rt-check` already sets the length of the run"));
   CHECK(refused.out.empty());
   cell.options.until.reset();
   const std::string steps = R"({"at":"15ms","state":{"L_P_AGV":"P2"}},{"plus":"5ms","expect":"L_P_AGV.P2"})";
@@ -301,11 +301,11 @@ TEST_CASE("a guarded run is as long as it was asked to be, whatever its scenario
     cell.options.clock = clock;
     const Outcome whole = cell.run(steps);
     CHECK(contains(whole.out, "rt-check: 100 cycles, "));
-    CHECK_FALSE(contains(whole.out, "not looked at, since"));
+    CHECK_FALSE(contains(whole.out, "not checked, since"));
   }
 }
 
-/// The first time that it is flushed, which is before the first cycle, somebody ends the run.
+/// On its first flush, before the first cycle, it ends the run.
 class EndedEarly final : public std::stringbuf {
   int sync() override {
     if (!std::exchange(done_, true)) std::raise(SIGTERM);
@@ -314,7 +314,7 @@ class EndedEarly final : public std::stringbuf {
   bool done_ = false;
 };
 
-TEST_CASE("a guarded run that a signal ends says how many cycles are missing, and is 1") {
+TEST_CASE("A guarded run ended by a signal reports the missing cycles, and gives 1") {
   Cell cell;
   cell.options.rt_check = 100;
   for (const auto clock : {host::RunOptions::Clock::virtual_time, host::RunOptions::Clock::real_time}) {
@@ -323,11 +323,11 @@ TEST_CASE("a guarded run that a signal ends says how many cycles are missing, an
     std::ostream out(&reported);
     std::ostringstream err;
     CHECK(host::run({.tables = cell.tables.rows}, cell.options, out, err) == host::kFindings);
-    CHECK(contains(reported.str(), "rt-check: 100 of 100 cycles were not looked at, since a signal ended the run\n"));
+    CHECK(contains(reported.str(), "rt-check: 100 of 100 cycles were not checked, since a signal ended the run\n"));
   }
 }
 
-TEST_CASE("sizes are bytes with a unit or without") {
+TEST_CASE("Sizes are bytes with or without a unit") {
   CHECK(host::parse_size("1") == 1);
   CHECK(host::parse_size("500k") == 512'000);
   CHECK(host::parse_size("1G") == std::uint64_t{1} << 30);

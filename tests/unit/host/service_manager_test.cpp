@@ -1,4 +1,4 @@
-// systemd's side played by a socket: paths, abstract names, nobody.
+// Simulates systemd with a socket: paths, abstract names, no listener.
 #include "symplant/host/service_manager.hpp"
 
 #include <sys/socket.h>
@@ -24,7 +24,7 @@
 namespace symplant::test {
 namespace {
 
-/// Receives what a service tells.
+/// Receives the messages of a service.
 class FakeManager {
  public:
   /// `name` as in NOTIFY_SOCKET.
@@ -40,13 +40,13 @@ class FakeManager {
   FakeManager(const FakeManager&) = delete;
   FakeManager& operator=(const FakeManager&) = delete;
 
-  /// The next datagram; empty where there is none yet.
+  /// The next datagram; empty if there is none yet.
   std::string next() {
     std::array<char, 256> text{};
     const ssize_t size = ::recv(socket_, text.data(), text.size(), 0);
     return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : std::string();
   }
-  /// Waits for a datagram that begins with `what`, ten seconds at the most.
+  /// Waits for a datagram that begins with `what`, at most ten seconds.
   bool hears(const std::string& what) {
     for (int i = 0; i < 1000; ++i) {
       for (std::string text = next(); !text.empty(); text = next()) {
@@ -63,7 +63,7 @@ class FakeManager {
 
 std::string abstract_name() { return "@symplant-test-" + std::to_string(getpid()); }
 
-TEST_CASE("the service manager hears by a path and by an abstract name") {
+TEST_CASE("The service manager is reached by a path and by an abstract name") {
   const TemporaryFolder folder;
   for (const std::string& name : {folder / "notify", abstract_name()}) {
     FakeManager systemd(name);
@@ -75,7 +75,7 @@ TEST_CASE("the service manager hears by a path and by an abstract name") {
   }
 }
 
-TEST_CASE("without a service manager nothing is told and nothing goes wrong") {
+TEST_CASE("Without a service manager no message is sent and there is no error") {
   for (const std::string& name : {std::string(), std::string("@"), std::string("vsock:2:1"),
                                   std::string("/no/such/socket"), std::string(200, '/')}) {
     const host::ServiceManager manager(name, tables::kSecond);
@@ -85,14 +85,14 @@ TEST_CASE("without a service manager nothing is told and nothing goes wrong") {
   }
 }
 
-TEST_CASE("a service manager that does not read is not waited for") {
+TEST_CASE("A service manager that does not read is not waited for") {
   FakeManager systemd(abstract_name());
   const host::ServiceManager manager(abstract_name(), 0);
   for (int i = 0; i < 100'000; ++i) manager.report("WATCHDOG=1");
   CHECK(systemd.next() == "WATCHDOG=1");
 }
 
-/// Sets variables of the environment while it lives.
+/// Sets environment variables while it lives.
 class Environment {
  public:
   Environment(const std::string& socket, const std::string& watchdog, const std::string& pid) {
@@ -107,7 +107,7 @@ class Environment {
   Environment& operator=(const Environment&) = delete;
 };
 
-TEST_CASE("the watchdog's time is taken from the environment where it is meant for this process") {
+TEST_CASE("The watchdog's time is read from the environment if it is meant for this process") {
   FakeManager systemd(abstract_name());
   const std::string own = std::to_string(getpid());
   const auto watchdog = [&](const std::string& time, const std::string& pid) {
@@ -121,7 +121,7 @@ TEST_CASE("the watchdog's time is taken from the environment where it is meant f
   CHECK(watchdog("99999999999999999999", own) == 0);
 }
 
-TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, the end at the end") {
+TEST_CASE("Ready is sent when the cycle runs, the watchdog while it runs, the end at the end") {
   FakeManager systemd(abstract_name());
   const Environment environment(abstract_name(), "100000", std::to_string(getpid()));
   exec::CycleMeter meter;
@@ -137,14 +137,14 @@ TEST_CASE("ready is told when the cycle goes, the watchdog as long as it goes, t
     while (!systemd.next().empty()) {
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    CHECK(systemd.next().empty());  // the cycle hangs: nobody says that it lives
+    CHECK(systemd.next().empty());  // the cycle hangs: no sign of life
     meter.beats.add(1);
     CHECK(systemd.hears("WATCHDOG=1"));
   }
   CHECK(systemd.hears("STOPPING=1"));
 }
 
-TEST_CASE("a run in real time is ready when its cycle goes, and says when it ends") {
+TEST_CASE("A run in real time is ready when its cycle runs, and reports its end") {
   FakeManager systemd(abstract_name());
   const Environment environment(abstract_name(), "", "");
   tables::PlantTables tables = bare_tables("bare", 0, 0);
@@ -158,19 +158,19 @@ TEST_CASE("a run in real time is ready when its cycle goes, and says when it end
   CHECK(systemd.next() == "STOPPING=1");
 }
 
-TEST_CASE("the status line says cycles, lateness, overruns and how each link stands") {
+TEST_CASE("The status line shows cycles, lateness, overruns and the state of each link") {
   exec::CycleMeter meter;
   meter.cycles.add(7);
   meter.overruns.add(2);
   meter.lateness.add(1500);
   meter.note(1, exec::LinkState::lost);
   CHECK(host::status_text(meter, {"loop:", "PLC2"}, false) ==
-        "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting, PLC2 lost");
+        "7 cycles, late by 1.5 us (p99), 2 overruns; loop: waiting, PLC2 lost");
   meter.note_standstill(true);
   CHECK(host::status_text(meter, {"loop:"}, false) ==
-        "7 cycles, p99 1.5 us late, 2 overruns; loop: waiting; the plant stands still");
+        "7 cycles, late by 1.5 us (p99), 2 overruns; loop: waiting; the plant is frozen");
   meter.note_standstill(false);
-  CHECK(host::status_text(meter, {}, true) == "7 cycles, p99 1.5 us late, 2 overruns, real time degraded");
+  CHECK(host::status_text(meter, {}, true) == "7 cycles, late by 1.5 us (p99), 2 overruns, real time degraded");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a plant is told as.
+// The summary of a plant.
 #include "symplant/host/summary.hpp"
 
 #include <vector>
@@ -15,7 +15,7 @@ using tables::AddressForm;
 using tables::DataType;
 using tables::Direction;
 
-TEST_CASE("the summary says what can move and names what nobody moves") {
+TEST_CASE("The summary shows what can move and names the events that no device drives") {
   const std::vector<tables::UnitRow> units{{0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 0}};
   const auto event = [](std::uint32_t index, std::uint32_t unit, bool moved) {
     return tables::SymbolRow{index, unit, 0, 2,
@@ -35,10 +35,10 @@ TEST_CASE("the summary says what can move and names what nobody moves") {
   CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
   CHECK(contains(text, "a further line\n"));
   CHECK(contains(text, "can move: 1 of 2 devices, by 1 of 1 operation\n"));
-  CHECK(contains(text, "nobody moves: 2 of 3 events: PB, ?[31m?!\n"));  // nothing gets at the terminal
+  CHECK(contains(text, "not driven: 2 of 3 events: PB, ?[31m?!\n"));  // no escape reaches the terminal
 }
 
-TEST_CASE("behaviours without code are told, with how many devices they are of") {
+TEST_CASE("Behaviors without code are reported, with their number of devices") {
   const std::vector<tables::BehaviourUnit> units{{0, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}, {3, 1, 0, 0, 0, 0}};
   tables::PlantTables tables = bare_tables("cell", 64, 64);
   tables.behaviour_units = units;
@@ -46,8 +46,8 @@ TEST_CASE("behaviours without code are told, with how many devices they are of")
   const std::vector<engine::Behaviour> code(2);
   CHECK(host::absent_behaviours(tables, code).empty());
   CHECK(host::absent_behaviours(tables, {}) ==
-        "behaviour `Lift` of 1 device absent: the model's own rules serve it\n"
-        "behaviour `Stop?` of 2 devices absent: the model's own rules serve them\n");
+        "behavior `Lift` of 1 device has no code: the model's own rules apply to it\n"
+        "behavior `Stop?` of 2 devices has no code: the model's own rules apply to them\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Links whose losses are told: findings, and what behaviours see.
+// Links whose losses are reported: findings, and what behaviors see.
 #include "symplant/host/watched_link.hpp"
 
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 using exec::LinkState;
 
-/// A link that stands as a test wants it to.
+/// A link with the state that a test sets.
 class SetLink final : public link::Link {
  public:
   std::string url() const override { return "set:"; }
@@ -26,12 +26,12 @@ class SetLink final : public link::Link {
 
 constexpr std::uint8_t kP2 = 1;
 
-/// Without a link that is well, the device goes to P2 by itself.
+/// Without a good link, the device goes to P2 automatically.
 std::uint8_t safe_place(engine::BehaviourView& view) noexcept { return view.quality() ? tables::kNoState : kP2; }
 
 constexpr std::array<engine::Behaviour, 1> kBehaviours = {engine::Behaviour{.wanted = safe_place}};
 
-/// A device with a behaviour, and a link that carries a controller's symbols; the plant's only controller is 0.
+/// A device with a behavior, and a link that carries a controller's symbols; the plant's only controller is 0.
 struct Bench {
   explicit Bench(std::uint32_t carries) {
     auto made = std::make_unique<SetLink>();
@@ -45,7 +45,7 @@ struct Bench {
     reported.device("A").behaviour = "Safe";
     return reported;
   }
-  /// A cycle of 10 ms while the link stands so.
+  /// A cycle of 10 ms with the link in this state.
   void cycle(LinkState state) {
     link->stands = state;
     watched->exchanges().front()->read_operations(plant, 0);
@@ -69,7 +69,7 @@ struct Bench {
   std::unique_ptr<host::WatchedLinks> watched;
 };
 
-TEST_CASE("a link that is lost and comes back is found, once each time") {
+TEST_CASE("A link that is lost and comes back is reported, once each time") {
   Bench bench(0);
   for (const LinkState state : {LinkState::waiting, LinkState::waiting, LinkState::live, LinkState::live}) {
     bench.cycle(state);
@@ -83,7 +83,7 @@ TEST_CASE("a link that is lost and comes back is found, once each time") {
   CHECK(bench.found() == "link lost of 0 at 0.08 s");
 }
 
-TEST_CASE("a behaviour sees that the link of its operations is not well") {
+TEST_CASE("A behavior sees that the link of its operations is not good") {
   Bench bench(0);
   bench.cycle(LinkState::live);
   CHECK_FALSE(bench.plant.unit(0).moving);
@@ -92,13 +92,13 @@ TEST_CASE("a behaviour sees that the link of its operations is not well") {
   CHECK(bench.plant.unit(0).target == kP2);
 }
 
-TEST_CASE("a behaviour knows from the first instant that the PLC has not been heard yet") {
+TEST_CASE("A behavior sees from the first instant that the PLC has not been heard yet") {
   Bench bench(0);
   bench.plant.advance_to(0, &bench.recorder);
   CHECK(bench.plant.unit(0).moving);
 }
 
-TEST_CASE("a behaviour takes no notice of a link that carries none of its operations") {
+TEST_CASE("A behavior ignores a link that carries none of its operations") {
   Bench bench(1);
   bench.cycle(LinkState::live);
   bench.cycle(LinkState::lost);

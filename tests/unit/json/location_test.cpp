@@ -1,4 +1,4 @@
-// Where values stand in a JSON text.
+// Locations of values in a JSON text.
 #include "symplant/json/location.hpp"
 
 #include <string>
@@ -30,24 +30,24 @@ TEST_CASE("Scalars are found with their own span") {
   CHECK(at("/devices/A~1B~0/list/2/x") == "null");
 }
 
-TEST_CASE("Of objects and arrays the key is found, or the bracket where there is none") {
+TEST_CASE("An object or array is found by its key, or by its bracket without a key") {
   CHECK(at("/devices") == "\"devices\"");
   CHECK(at("/devices/A") == "\"A\"");
   CHECK(at("/devices/A~1B~0/list/2") == "{");
   CHECK(at("") == "{");
 }
 
-TEST_CASE("The key is found where the key is at fault") {
+TEST_CASE("The key is found if the key is at fault") {
   CHECK(at("/devices/A~1B~0/initial", true) == "\"initial\"");
-  CHECK(at("/devices/A~1B~0/list/1", true) == R"("two\"")");  // an item has none
+  CHECK(at("/devices/A~1B~0/list/1", true) == R"("two\"")");  // an item has no key
 }
 
-TEST_CASE("Where a pointer leads nowhere the nearest value above it is found") {
+TEST_CASE("A pointer to a missing value finds the nearest value above it") {
   CHECK(at("/devices/A/3/x") == "\"A\"");
   CHECK(at("/nothing") == "{");
 }
 
-TEST_CASE("Many are found in one pass, each its own") {
+TEST_CASE("Many values are found in one pass, each with its own span") {
   const std::vector<Fault> faults{{"/devices/A", "one"}, {"/devices/A~1B~0/only", "two"}, {"/devices/A", "three"}};
   const std::vector<Placed> placed = locate(kText, faults);
   REQUIRE(placed.size() == 3);
@@ -56,7 +56,7 @@ TEST_CASE("Many are found in one pass, each its own") {
   CHECK(kText.substr(placed[1].span.begin, 4) == "true");
 }
 
-TEST_CASE("A column is found behind escapes") {
+TEST_CASE("A column is found after escapes") {
   const std::string text = R"({"when": "\u00e4\ud83d\ude00 \"A\".P1 and B"})";
   const std::string decoded = "\xC3\xA4\xF0\x9F\x98\x80 \"A\".P1 and B";
   const Fault fault{"/when", "no such device", decoded.find('B')};
@@ -66,7 +66,7 @@ TEST_CASE("A column is found behind escapes") {
   CHECK(text[locate(text, {&behind, 1})[0].span.begin] == '"');
 }
 
-TEST_CASE("Lines and columns count from one, columns in letters") {
+TEST_CASE("Lines and columns count from one, columns in characters") {
   CHECK(line_and_column("", 0).line == 1);
   CHECK(line_and_column("\xEF\xBB\xBF{", 3).column == 1);
   const std::string text = "a\n\xC3\xA4x\n";
@@ -75,7 +75,7 @@ TEST_CASE("Lines and columns count from one, columns in letters") {
   CHECK(line_and_column(text, 999).line == 3);
 }
 
-TEST_CASE("Pointers are grown with their escapes") {
+TEST_CASE("Pointers are extended with escapes") {
   CHECK(child("/a", "b/c~") == "/a/b~1c~0");
   CHECK(child("", std::size_t{7}) == "/7");
 }

@@ -1,4 +1,4 @@
-// What a value lacks to fit a schema, in words.
+// Explains in words why a value does not match a schema.
 #include "symplant/json/schema.hpp"
 
 #include <nlohmann/json.hpp>
@@ -51,7 +51,7 @@ std::string reported(const std::string& text) {
   return all;
 }
 
-TEST_CASE("What fits is told nothing of") {
+TEST_CASE("A valid value gives no message") {
   CHECK(reported(R"({"version": 1})") == "");
   CHECK(
       reported(
@@ -59,63 +59,59 @@ TEST_CASE("What fits is told nothing of") {
       "");
 }
 
-TEST_CASE("An unknown key is told with the nearest one, or with those known") {
+TEST_CASE("An unknown key is reported with the nearest one, or with the known ones") {
   CHECK(reported(R"({"version": 1, "devises": {}})") ==
-        "/devises (key): the key `devises` is unknown here, the nearest is `devices`\n");
+        "/devises (key): the key `devises` is unknown here; did you mean `devices`?\n");
   CHECK(reported(R"({"version": 1, "q": {}})") ==
-        "/q (key): the key `q` is unknown here, known are `count`, `devices`, `version`\n");
+        "/q (key): the key `q` is unknown here; the known keys are `count`, `devices`, `version`\n");
 }
 
-TEST_CASE("A missing key is told with what it holds") {
-  CHECK(reported("{}") == " (key): the key `version` is missing here, it holds the version of the format, 1\n");
+TEST_CASE("A missing key is reported with its purpose") {
+  CHECK(reported("{}") == " (key): the key `version` is missing here; it holds the version of the format, 1\n");
 }
 
-TEST_CASE("A number with a point or an exponent is told that it is to be a whole one") {
+TEST_CASE("A number with a point or an exponent is reported as not whole") {
   CHECK(reported(R"({"version": 1, "count": 1e3})") ==
-        "/count: the number `1000.0` stands here, wanted is a count from 1 on, a whole one, written without a point or "
-        "exponent\n");
+        "/count: expected a count from 1 on, but found the number `1000.0`; write a whole number without a decimal "
+        "point or exponent\n");
   CHECK(reported(R"({"version": 1, "count": 1.5})") ==
-        "/count: the number `1.5` stands here, wanted is a count from 1 on, a whole one, written without a point or "
-        "exponent\n");
-  CHECK(reported(R"({"version": 1, "count": 0})") ==
-        "/count: the number `0` stands here, wanted is a count from 1 on\n");
+        "/count: expected a count from 1 on, but found the number `1.5`; write a whole number without a decimal "
+        "point or exponent\n");
+  CHECK(reported(R"({"version": 1, "count": 0})") == "/count: expected a count from 1 on, but found the number `0`\n");
 }
 
-TEST_CASE("A wrong type is told with what is there and what is wanted") {
-  CHECK(reported(R"({"version": 1, "count": "2"})") ==
-        "/count: the text `2` stands here, wanted is a count from 1 on\n");
-  CHECK(reported(R"({"version": 1, "devices": [1]})") == "/devices: an array stands here, wanted is an object\n");
+TEST_CASE("A wrong type is reported with the found and the expected type") {
+  CHECK(reported(R"({"version": 1, "count": "2"})") == "/count: expected a count from 1 on, but found the text `2`\n");
+  CHECK(reported(R"({"version": 1, "devices": [1]})") == "/devices: expected an object, but found an array\n");
 }
 
-TEST_CASE("Bounds, empty texts and other versions are told") {
-  CHECK(reported(R"({"version": 1, "count": 0})") ==
-        "/count: the number `0` stands here, wanted is a count from 1 on\n");
+TEST_CASE("Bounds, empty texts and other versions are reported") {
+  CHECK(reported(R"({"version": 1, "count": 0})") == "/count: expected a count from 1 on, but found the number `0`\n");
   CHECK(reported(R"({"version": 1, "devices": {"X": {"names": [""]}}})") ==
-        "/devices/X/names/0: an empty text stands here, wanted is a state's name\n");
-  CHECK(reported(R"({"version": 2})") ==
-        "/version: the number `2` stands here, wanted is the version of the format, 1\n");
+        "/devices/X/names/0: expected a state's name, but found an empty text\n");
+  CHECK(reported(R"({"version": 2})") == "/version: expected the version of the format, 1, but found the number `2`\n");
 }
 
-TEST_CASE("One of several words is told with all and the nearest") {
+TEST_CASE("An unknown word is reported with all known words and the nearest") {
   CHECK(reported(R"({"version": 1, "devices": {"X/Y": {"kind": "helt"}}})") ==
-        "/devices/X~1Y/kind: the text `helt` stands here, wanted is one of `latched`, `held`; the nearest is `held`\n");
+        "/devices/X~1Y/kind: expected one of `latched`, `held`, but found the text `helt`; did you mean `held`?\n");
 }
 
-TEST_CASE("Of several shapes the likeliest is explained") {
+TEST_CASE("The likeliest of several shapes is explained") {
   CHECK(reported(R"({"version": 1, "devices": {"X": {"takes": {"min": "1s"}}}})") ==
         "/devices/X/takes (key): the key `max` is missing here\n");
   CHECK(reported(R"({"version": 1, "devices": {"X": {"takes": 5}}})") ==
-        "/devices/X/takes: the number `5` stands here, wanted is a duration such as `1s`, or {\"min\", \"max\"}\n");
+        "/devices/X/takes: expected a duration such as `1s`, or {\"min\", \"max\"}, but found the number `5`\n");
 }
 
-TEST_CASE("Every fault is told at once, up to a hundred") {
+TEST_CASE("Every fault is reported at once, up to a hundred") {
   CHECK(reported(R"({"version": 1, "count": 0, "x": 1})").find("count") != std::string::npos);
   nlohmann::json many = {{"version", 1}};
   for (int i = 0; i < 500; ++i) many["devices"]["D" + std::to_string(i)] = {{"kind", 1}};
   CHECK(Schema(kSchema).check(many).size() == 100);
 }
 
-TEST_CASE("A keyword that cannot be explained is told in the validator's own words") {
+TEST_CASE("A keyword without an explanation gives the validator's own message") {
   const Schema schema(R"({"type": "object", "properties": {"a": {"type": "array", "uniqueItems": true}}})");
   const auto faults = schema.check(nlohmann::json::parse(R"({"a": [1, 1]})"));
   REQUIRE(!faults.empty());

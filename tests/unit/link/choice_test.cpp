@@ -1,4 +1,4 @@
-// Which link carries whose symbols, and links of several controllers side by side.
+// Assigns links to controllers, and runs links of several controllers together.
 #include "symplant/link/choice.hpp"
 
 #include "support/catch.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 const std::string kServer = "modbus-tcp-server://:0";
 
-/// An operation and an event of each controller, on the same addresses.
+/// An operation and an event of each controller, at the same addresses.
 SymbolList plant_of(const std::vector<std::string>& controllers) {
   SymbolList list;
   for (const std::string& name : controllers) {
@@ -46,7 +46,7 @@ std::string chosen(const SymbolList& list, const std::vector<std::string>& texts
 
 }  // namespace
 
-TEST_CASE("what stands before an equals sign ahead of the colon names a controller") {
+TEST_CASE("The text before an equals sign that precedes the colon names a controller") {
   CHECK(link::parse_request("PLC1=loop:").controller == "PLC1");
   CHECK(link::parse_request("PLC1=loop:").url == "loop:");
   CHECK(link::parse_request("loop:").controller.empty());
@@ -55,24 +55,24 @@ TEST_CASE("what stands before an equals sign ahead of the colon names a controll
   CHECK(link::parse_request("A B=slmp://h:1?a=b").controller == "A B");
 }
 
-TEST_CASE("a plant of one controller needs no name") {
+TEST_CASE("A plant of one controller needs no name") {
   CHECK(chosen(plant_of({"PLC1"}), {kServer}) == "0=" + kServer);
   CHECK(chosen(plant_of({"PLC1"}), {"plc1=" + kServer}) == "0=" + kServer);
   CHECK(chosen(SymbolList(), {kServer}) == "0=" + kServer);
 }
 
-TEST_CASE("in a plant of several a link says whose it is, without regard to case") {
+TEST_CASE("In a plant of several controllers a link names its controller, in any case") {
   const SymbolList list = plant_of({"PLC1", "PLC2"});
   CHECK(chosen(list, {"plc2=" + kServer, "PLC1=" + kServer}) == "1=" + kServer + " 0=" + kServer);
   CHECK(chosen(list, {kServer}) == "`" + kServer + "` does not say which controller it links: write `PLC1=" + kServer +
                                        "`; this plant has `PLC1`, `PLC2`");
 }
 
-TEST_CASE("a link without a name is that of the lists without one") {
+TEST_CASE("A link without a name belongs to the lists without a name") {
   CHECK(chosen(plant_of({"PLC1", ""}), {kServer}) == "1=" + kServer);
 }
 
-TEST_CASE("an unknown controller is told with the nearest one, or with those that there are") {
+TEST_CASE("An unknown controller is reported with the nearest one, or with the known ones") {
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"PLC12=" + kServer}) ==
         "there is no controller `PLC12`, the nearest is `PLC1`");
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"robot=" + kServer}) ==
@@ -81,28 +81,28 @@ TEST_CASE("an unknown controller is told with the nearest one, or with those tha
         "there is no controller `PLC1`, this plant's controller has no name: give the URL alone");
 }
 
-TEST_CASE("two links to PLCs of one controller are refused, since both would write its operations") {
+TEST_CASE("Two links to PLCs of one controller are rejected, since both would write its operations") {
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"PLC1=" + kServer, "PLC1=modbus-tcp-server://:1"}) ==
         "controller `PLC1` has two links, `" + kServer +
-            "` and `modbus-tcp-server://:1`: both would write its operations, leave one away");
+            "` and `modbus-tcp-server://:1`: both would write its operations, remove one");
   CHECK(chosen(plant_of({""}), {kServer, kServer}).substr(0, 38) == "the controller without a name has two ");
   CHECK(chosen(plant_of({"PLC1"}), {"loop:", kServer}) == "0=loop: 0=" + kServer);
 }
 
-TEST_CASE("two links on one port are refused, unless it is 0 and so another for each") {
+TEST_CASE("Two links on one port are rejected, unless it is port 0") {
   const std::string fixed = "modbus-tcp-server://127.0.0.1:1502";
   const SymbolList list = plant_of({"PLC1", "PLC2"});
   CHECK(chosen(list, {"PLC1=" + fixed, "PLC2=" + fixed}) ==
-        "controller `PLC1` and controller `PLC2` both have the link `" + fixed + "`: give each a port of its own");
+        "controller `PLC1` and controller `PLC2` both have the link `" + fixed + "`: give each its own port");
   CHECK(chosen(list, {"PLC1=" + kServer, "PLC2=" + kServer}) == "0=" + kServer + " 1=" + kServer);
 }
 
-TEST_CASE("the loop without a name is that of all controllers") {
+TEST_CASE("The loop without a name belongs to all controllers") {
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"loop:"}) == "all=loop:");
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"PLC2=loop:"}) == "1=loop:");
 }
 
-TEST_CASE("a loop carries the symbols of its controller alone") {
+TEST_CASE("A loop carries only the symbols of its controller") {
   const SymbolList list = plant_of({"PLC1", "PLC2"});
   const tables::PlantTables tables = list.tables();
   test::OwnedPlant plant(tables);
@@ -119,7 +119,7 @@ TEST_CASE("a loop carries the symbols of its controller alone") {
   CHECK_FALSE(plant->operation(tables.symbols[2].index));
 }
 
-TEST_CASE("two Modbus links serve two controllers' equal addresses as two places") {
+TEST_CASE("Two Modbus links serve equal addresses of two controllers separately") {
   const SymbolList list = plant_of({"PLC1", "PLC2"});
   const tables::PlantTables tables = list.tables();
   test::OwnedPlant plant(tables);

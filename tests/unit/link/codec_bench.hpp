@@ -14,7 +14,7 @@ namespace symplant::test {
 using namespace symplant::link::modbus;
 using Bytes = std::vector<std::uint8_t>;
 
-/// A server's memory, filled with what tells one place from another.
+/// A server's memory, filled with a different value at each address.
 struct Memory {
   std::vector<std::uint64_t> coils, discrete, holding, input;
   std::array<std::uint32_t, 4> sizes;
@@ -63,7 +63,7 @@ inline Reply ask(Memory& memory, const Bytes& bytes) {
   return {Bytes(reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)), answer};
 }
 
-/// Demands an exception, and that nothing else has changed.
+/// Requires an exception, and that no memory has changed.
 inline void check_refused(Memory& memory, const Bytes& bytes, int exception) {
   const Memory before = memory;
   const Reply reply = ask(memory, bytes);

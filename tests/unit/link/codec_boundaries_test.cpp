@@ -1,6 +1,6 @@
-// The table of function codes: each limit at its boundaries, against each place where an address may stand.
+// The table of function codes: each limit at its boundaries, with every kind of address.
 //
-// The expected answer is worked out here from the specification's rows, on tables kept a place an element.
+// The expected answer is computed here from the rows of the specification, on tables with one entry per address.
 #include <algorithm>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace {
 std::vector<std::uint32_t> quantities(std::uint32_t max) { return {0, 1, max - 1, max, max + 1, 0xFFFF}; }
 std::vector<std::uint32_t> addresses(std::uint32_t size) { return {0, size - 1, size, 0xFFFF}; }
 
-/// What a request for `quantity` places from `address` must be answered with: 0 for good.
+/// The expected answer to a request for `quantity` addresses from `address`: 0 if it is valid.
 int expected_exception(std::uint32_t address, std::uint32_t quantity, std::uint32_t max, std::uint32_t size) {
   if (quantity == 0 || quantity > max) return 3;
   return address + quantity > size ? 2 : 0;
@@ -22,7 +22,7 @@ int expected_exception(std::uint32_t address, std::uint32_t quantity, std::uint3
 
 }  // namespace
 
-TEST_CASE("reading bits (01, 02) at every boundary") {
+TEST_CASE("Reading bits (01, 02) is limited at every boundary") {
   Memory memory(kBits, kRegisters);
   for (const std::uint8_t code : {std::uint8_t{1}, std::uint8_t{2}}) {
     for (const std::uint32_t address : addresses(kBits)) {
@@ -38,8 +38,8 @@ TEST_CASE("reading bits (01, 02) at every boundary") {
         expected[0] = code;
         expected[1] = static_cast<std::uint8_t>((quantity + 7) / 8);
         for (std::uint32_t i = 0; i < quantity; ++i) {
-          const std::uint32_t place = address + i;
-          const bool on = code == 1 ? place % 3 == 0 : place % 5 < 2;
+          const std::uint32_t number = address + i;
+          const bool on = code == 1 ? number % 3 == 0 : number % 5 < 2;
           if (on) expected[2 + i / 8] = static_cast<std::uint8_t>(expected[2 + i / 8] | 1U << (i % 8));
         }
         CHECK(ask(memory, bytes).bytes == expected);
@@ -48,7 +48,7 @@ TEST_CASE("reading bits (01, 02) at every boundary") {
   }
 }
 
-TEST_CASE("reading registers (03, 04) at every boundary") {
+TEST_CASE("Reading registers (03, 04) is limited at every boundary") {
   Memory memory(kBits, kRegisters);
   for (const std::uint8_t code : {std::uint8_t{3}, std::uint8_t{4}}) {
     for (const std::uint32_t address : addresses(kRegisters)) {
@@ -70,7 +70,7 @@ TEST_CASE("reading registers (03, 04) at every boundary") {
   }
 }
 
-TEST_CASE("writing one coil (05): the value is checked before the address") {
+TEST_CASE("Writing one coil (05) checks the value before the address") {
   Memory memory(kBits, kRegisters);
   for (const std::uint32_t address : addresses(kBits)) {
     for (const std::uint32_t value : {0x0000U, 0xFF00U, 0x0001U, 0x00FFU, 0xFF01U, 0xFFFFU, 0x0100U}) {
@@ -94,7 +94,7 @@ TEST_CASE("writing one coil (05): the value is checked before the address") {
   }
 }
 
-TEST_CASE("writing one register (06) takes any value") {
+TEST_CASE("Writing one register (06) takes any value") {
   Memory memory(kBits, kRegisters);
   for (const std::uint32_t address : addresses(kRegisters)) {
     for (const std::uint32_t value : {0x0000U, 0x0001U, 0x7FFFU, 0x8000U, 0xFFFFU}) {
@@ -114,14 +114,14 @@ TEST_CASE("writing one register (06) takes any value") {
   }
 }
 
-TEST_CASE("writing coils (15) at every boundary, all or nothing") {
+TEST_CASE("Writing coils (15) at every boundary writes all or none") {
   for (const std::uint32_t address : addresses(kBits)) {
     for (const std::uint32_t quantity : quantities(1968)) {
       Memory memory(kBits, kRegisters);
       CAPTURE(address, quantity);
       const std::uint32_t count = (quantity + 7) / 8;
       Bytes bytes = request(15, {address, quantity});
-      bytes.push_back(static_cast<std::uint8_t>(count));  // beyond a byte the request is wrong anyhow
+      bytes.push_back(static_cast<std::uint8_t>(count));  // above 255 the request is invalid in any case
       for (std::uint32_t i = 0; i < std::min(count, 247U); ++i) bytes.push_back(static_cast<std::uint8_t>(0xA7 + i));
       const int exception = expected_exception(address, quantity, 1968, kBits);
       if (exception != 0) {
@@ -141,7 +141,7 @@ TEST_CASE("writing coils (15) at every boundary, all or nothing") {
   }
 }
 
-TEST_CASE("writing registers (16) at every boundary, all or nothing") {
+TEST_CASE("Writing registers (16) at every boundary writes all or none") {
   for (const std::uint32_t address : addresses(kRegisters)) {
     for (const std::uint32_t quantity : quantities(123)) {
       Memory memory(kBits, kRegisters);

@@ -1,4 +1,4 @@
-// Requests of the wrong form, functions that are not served, tables empty and full, random bytes.
+// Malformed requests, unsupported functions, empty and full tables, random bytes.
 #include <algorithm>
 #include <random>
 #include <string>
@@ -9,7 +9,7 @@
 using namespace symplant;
 using namespace symplant::test;
 
-TEST_CASE("a byte count that does not fit the quantity is refused, both ways, also where the address is wrong") {
+TEST_CASE("A byte count that does not match the quantity is rejected, also with an invalid address") {
   Memory memory(kBits, kRegisters);
   for (const std::uint32_t address : {0U, kBits}) {
     check_refused(memory,
@@ -24,7 +24,7 @@ TEST_CASE("a byte count that does not fit the quantity is refused, both ways, al
   }
 }
 
-TEST_CASE("a request shorter or longer than its function implies is refused") {
+TEST_CASE("A request shorter or longer than its function implies is rejected") {
   Memory memory(kBits, kRegisters);
   const std::vector<Bytes> good = {{1, 0, 0, 0, 1},        {2, 0, 0, 0, 1},          {3, 0, 0, 0, 1},
                                    {4, 0, 0, 0, 1},        {5, 0, 0, 0xFF, 0},       {6, 0, 0, 0, 1},
@@ -41,7 +41,7 @@ TEST_CASE("a request shorter or longer than its function implies is refused") {
   }
 }
 
-TEST_CASE("a function code that is not served gets exception 01, a reserved one no reply") {
+TEST_CASE("An unsupported function code gets exception 01, a reserved one gets no reply") {
   Memory memory(kBits, kRegisters);
   const std::vector<int> served = {1, 2, 3, 4, 5, 6, 15, 16, 22, 23, 43};
   for (int code = 0; code < 256; ++code) {
@@ -60,7 +60,7 @@ TEST_CASE("a function code that is not served gets exception 01, a reserved one 
   CHECK(ask(memory, {}).bytes.empty());
 }
 
-TEST_CASE("an answer tells what was read and what was written") {
+TEST_CASE("An answer contains what was read and what was written") {
   Memory memory(kBits, kRegisters);
   const Answer both = ask(memory, {23, 0, 4, 0, 3, 0, 5, 0, 1, 2, 0xBE, 0xEF}).answer;
   CHECK(both.read == link::Table::holding_register);
@@ -78,7 +78,7 @@ TEST_CASE("an answer tells what was read and what was written") {
   CHECK(ask(memory, request(22, {9, 0xFF00, 1})).answer.first == 9);
 }
 
-TEST_CASE("the server says who it is, in printable ASCII of no more than 64 bytes a text") {
+TEST_CASE("The server identifies itself, in printable ASCII of at most 64 bytes per text") {
   std::array<std::uint8_t, kMaxPdu> reply{};
   Memory memory(16, 16);
   const std::string name = "caf\xC3\xA9 \n" + std::string(300, 'x');
@@ -89,7 +89,7 @@ TEST_CASE("the server says who it is, in printable ASCII of no more than 64 byte
   CHECK(answer_request(Bytes{43, 14, 1, 0}, memory.tables(), identity, reply).size == 7 + 7 + 66 + 3);
 }
 
-TEST_CASE("a table without places answers every address with 02") {
+TEST_CASE("An empty table answers every address with 02") {
   Memory memory(0, 0);
   for (const std::uint8_t code : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}, std::uint8_t{4}}) {
     check_refused(memory, request(code, {0, 1}), 2);
@@ -100,7 +100,7 @@ TEST_CASE("a table without places answers every address with 02") {
   check_refused(memory, {16, 0, 0, 0, 1, 2, 0, 1}, 2);
 }
 
-TEST_CASE("the last place of a full table is served, and no address wraps round") {
+TEST_CASE("The last address of a full table is served, and no address wraps") {
   Memory memory(65'536, 65'536);
   CHECK(ask(memory, request(1, {0xFFFF, 1})).bytes == Bytes{1, 1, 1});  // 65535 is a multiple of 3
   check_refused(memory, request(1, {0xFFFF, 2}), 2);
@@ -109,7 +109,7 @@ TEST_CASE("the last place of a full table is served, and no address wraps round"
   CHECK(get_register(memory.holding, 0xFFFF) == 0x1234);
 }
 
-TEST_CASE("a refusal as busy names the function, and none goes to a reserved code") {
+TEST_CASE("A busy answer names the function, and a reserved code gets none") {
   std::array<std::uint8_t, kMaxPdu> reply{};
   CHECK(refuse_request(Bytes{3, 0, 0, 0, 1}, Exception::server_device_busy, reply).size == 2);
   CHECK(reply[0] == 0x83);
@@ -117,7 +117,7 @@ TEST_CASE("a refusal as busy names the function, and none goes to a reserved cod
   CHECK(refuse_request(Bytes{0x83}, Exception::server_device_busy, reply).size == 0);
 }
 
-TEST_CASE("requests of random bytes are answered within bounds, and an exception changes nothing") {
+TEST_CASE("Requests of random bytes are answered within bounds, and an exception changes nothing") {
   std::mt19937 random(1);
   Memory memory(48, 16);
   for (int i = 0; i < 200'000; ++i) {

@@ -1,4 +1,4 @@
-// One client's stream, without a socket: any split, many at once, and a peer that does not read.
+// One client's stream, without a socket: any split, many frames at once, and a client that does not read.
 #include "symplant/link/modbus/connection.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using State = Connection::State;
 
 namespace {
 
-/// Answers every request by its own bytes.
+/// Answers every request with its own bytes.
 class FixedEcho final : public Responder {
  public:
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
@@ -25,7 +25,7 @@ class FixedEcho final : public Responder {
   int refusals = 0;
 };
 
-/// A peer that takes `window` bytes and then no more until it is given more.
+/// A peer that takes `window` bytes and then no more until its window grows.
 class Peer final : public Sink {
  public:
   std::ptrdiff_t write(std::span<const std::uint8_t> bytes) noexcept override {
@@ -46,7 +46,7 @@ struct ConnectionBench {
   FixedEcho echo;
   Peer peer;
 
-  /// Bytes that the connection had room for.
+  /// The bytes that the connection had room for.
   std::size_t feed(const Bytes& bytes) {
     const auto room = connection.room();
     const std::size_t count = std::min(room.size(), bytes.size());
@@ -76,20 +76,20 @@ Bytes join(const std::vector<Bytes>& parts) {
 
 }  // namespace
 
-TEST_CASE("a request's answer has its transaction and unit") {
+TEST_CASE("A request's answer has its transaction and unit") {
   ConnectionBench bench;
   bench.feed(frame(0x1234, {3, 1, 2}));
   CHECK(bench.peer.taken == frame(0x1234, {3, 1, 2}));
 }
 
-TEST_CASE("bytes that come one at a time are answered alike") {
+TEST_CASE("Bytes that arrive one at a time are answered the same") {
   ConnectionBench bench;
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4}), frame(3, {5, 6})});
   for (const std::uint8_t byte : all) CHECK(bench.feed({byte}) == 1);
   CHECK(bench.peer.taken == all);
 }
 
-TEST_CASE("frames split at every offset are answered alike") {
+TEST_CASE("Frames split at every offset are answered the same") {
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4}), frame(3, Bytes(kMaxPdu, 7))});
   for (std::size_t split = 1; split < all.size(); ++split) {
     ConnectionBench bench;
@@ -100,7 +100,7 @@ TEST_CASE("frames split at every offset are answered alike") {
   }
 }
 
-TEST_CASE("many frames in one segment are all answered, in their order, by one who reads") {
+TEST_CASE("Many frames in one segment are all answered in order to a client that reads") {
   ConnectionBench bench;
   std::vector<Bytes> frames;
   for (int i = 0; i < 64; ++i) frames.push_back(frame(i, {3, static_cast<std::uint8_t>(i)}));
@@ -109,7 +109,7 @@ TEST_CASE("many frames in one segment are all answered, in their order, by one w
   CHECK(bench.echo.refusals == 0);
 }
 
-TEST_CASE("a frame of another protocol is dropped in silence, and the next one is served") {
+TEST_CASE("A frame of another protocol is dropped without an answer, and the next one is served") {
   ConnectionBench bench;
   const auto protocol = GENERATE(1, 0x0100, 0xFFFF);
   bench.feed(join({frame(1, {3}, protocol), frame(2, {4})}));
@@ -117,7 +117,7 @@ TEST_CASE("a frame of another protocol is dropped in silence, and the next one i
   CHECK(bench.state == State::open);
 }
 
-TEST_CASE("a length that no frame has closes the connection, after the answers before it") {
+TEST_CASE("An invalid length closes the connection, after the answers before it") {
   const auto length = GENERATE(0, 1, 255, 0xFFFF);
   ConnectionBench bench;
   bench.feed(join(
@@ -126,14 +126,14 @@ TEST_CASE("a length that no frame has closes the connection, after the answers b
   CHECK(bench.state == State::closed);
 }
 
-TEST_CASE("a peer that is gone closes the connection") {
+TEST_CASE("A peer that has disconnected closes the connection") {
   ConnectionBench bench;
   bench.peer.gone = true;
   bench.feed(frame(1, {3}));
   CHECK(bench.state == State::closed);
 }
 
-TEST_CASE("an answer that the peer takes in parts arrives whole") {
+TEST_CASE("An answer that the peer takes in parts arrives complete") {
   ConnectionBench bench;
   bench.peer.window = 0;
   const Bytes all = join({frame(1, {3, 1, 2}), frame(2, {4, 4})});
@@ -146,7 +146,7 @@ TEST_CASE("an answer that the peer takes in parts arrives whole") {
   CHECK(bench.peer.taken == all);
 }
 
-TEST_CASE("beyond 16 answers not taken requests are refused as busy, and none is lost") {
+TEST_CASE("Requests after 16 untaken answers are rejected as busy, and none is lost") {
   ConnectionBench bench;
   bench.peer.window = 0;
   for (int i = 0; i < 20; ++i) bench.feed(frame(i, {3}));
@@ -161,7 +161,7 @@ TEST_CASE("beyond 16 answers not taken requests are refused as busy, and none is
   CHECK(bench.echo.refusals == 4);
 }
 
-TEST_CASE("one who sends and never reads is not listened to for ever, and is served again when he reads") {
+TEST_CASE("A client that sends without reading is paused, and is served again when it reads") {
   ConnectionBench bench;
   bench.peer.window = 0;
   std::vector<Bytes> sent;
@@ -177,7 +177,7 @@ TEST_CASE("one who sends and never reads is not listened to for ever, and is ser
   CHECK(bench.connection.requests() == 3 * sent.size());
 }
 
-TEST_CASE("answers taken in odd parts, over and over, are never counted as waiting when they are gone") {
+TEST_CASE("Answers taken in odd parts repeatedly are not counted as waiting afterwards") {
   ConnectionBench bench;
   std::vector<Bytes> sent;
   for (int round = 0; round < 100; ++round) {

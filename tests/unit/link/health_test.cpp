@@ -1,4 +1,4 @@
-// When a link counts as lost, and when what its PLC writes counts again.
+// When a link counts as lost, and when its PLC's writes count again.
 #include "symplant/link/health.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr tables::Time kCycle = 10 * kMillisecond;
 
-/// A link that is looked at every 10 ms.
+/// A link that is checked every 10 ms.
 struct HealthBench {
   LinkHealth health{kSecond, kSecond};
   tables::Time now = 1234;
@@ -27,7 +27,7 @@ struct HealthBench {
     if (verdict == Verdict::lose) lost_at.push_back(now);
     return verdict;
   }
-  /// Looks for a time without anything to be heard; the last verdict.
+  /// Checks for a time without requests; returns the last verdict.
   Verdict silent(tables::Time time) {
     Verdict last = Verdict::hold;
     for (tables::Time t = 0; t < time; t += kCycle) last = look(false);
@@ -37,7 +37,7 @@ struct HealthBench {
 
 }  // namespace
 
-TEST_CASE("a link waits, however long, until its PLC is heard for the first time, and is never lost before") {
+TEST_CASE("A link waits until its PLC is heard for the first time, and is never lost before") {
   HealthBench bench;
   CHECK(bench.health.state() == LinkState::waiting);
   CHECK(bench.silent(10 * kSecond) == Verdict::hold);
@@ -47,12 +47,12 @@ TEST_CASE("a link waits, however long, until its PLC is heard for the first time
   CHECK(bench.health.state() == LinkState::live);
 }
 
-TEST_CASE("what a PLC wrote first acts at once, without waiting for a complete image") {
+TEST_CASE("A PLC's first write acts at once, without waiting for a complete image") {
   HealthBench bench;
   CHECK(bench.look(true, false) == Verdict::apply);
 }
 
-TEST_CASE("a link is lost when nothing has come for its time, and not a cycle earlier") {
+TEST_CASE("A link is lost after its time without requests, and not a cycle earlier") {
   HealthBench bench;
   bench.look(true);
   const tables::Time heard = bench.now;
@@ -64,14 +64,14 @@ TEST_CASE("a link is lost when nothing has come for its time, and not a cycle ea
   CHECK(bench.health.losses() == 1);
 }
 
-TEST_CASE("a link that is lost stays so, and is lost once") {
+TEST_CASE("A lost link stays lost, and is lost once") {
   HealthBench bench;
   bench.look(true);
   CHECK(bench.silent(60 * kSecond) == Verdict::hold);
   CHECK(bench.lost_at.size() == 1);
 }
 
-TEST_CASE("a request in time keeps a link alive for ever") {
+TEST_CASE("Requests in time keep a link alive forever") {
   HealthBench bench;
   for (int i = 0; i < 100; ++i) {
     CHECK(bench.look(true) == Verdict::apply);
@@ -80,7 +80,7 @@ TEST_CASE("a request in time keeps a link alive for ever") {
   CHECK(bench.lost_at.empty());
 }
 
-TEST_CASE("after a loss what is written acts together, when all has been written again") {
+TEST_CASE("After a loss writes act together, when all has been written again") {
   HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
@@ -91,7 +91,7 @@ TEST_CASE("after a loss what is written acts together, when all has been written
   CHECK(bench.health.state() == LinkState::live);
 }
 
-TEST_CASE("after a loss an image that stays incomplete acts when the time for it is over") {
+TEST_CASE("After a loss an incomplete image acts when its time is over") {
   HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
@@ -104,7 +104,7 @@ TEST_CASE("after a loss an image that stays incomplete acts when the time for it
   CHECK(bench.health.state() == LinkState::live);
 }
 
-TEST_CASE("a complete image counts only when its PLC has been heard again") {
+TEST_CASE("A complete image counts only when its PLC has been heard again") {
   HealthBench bench;
   bench.look(true);
   bench.silent(2 * kSecond);
@@ -112,7 +112,7 @@ TEST_CASE("a complete image counts only when its PLC has been heard again") {
   CHECK(bench.look(true, true) == Verdict::apply);
 }
 
-TEST_CASE("a PLC that comes back and goes before its image is complete is lost anew") {
+TEST_CASE("A PLC that returns and leaves before its image is complete is lost again") {
   HealthBench bench;
   bench.health = LinkHealth(kSecond, 5 * kSecond);
   bench.look(true);
@@ -125,7 +125,7 @@ TEST_CASE("a PLC that comes back and goes before its image is complete is lost a
   CHECK(bench.look(false, true) == Verdict::hold);
 }
 
-TEST_CASE("a cycle longer than the time for a loss is no loss while its PLC is heard between two of them") {
+TEST_CASE("A cycle longer than the loss time is no loss while its PLC is heard between cycles") {
   LinkHealth health(kSecond, kSecond);
   for (tables::Time hour = 1; hour < 5; ++hour) CHECK(health.look(hour * 3600 * kSecond, true, true) == Verdict::apply);
 }

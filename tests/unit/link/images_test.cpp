@@ -13,7 +13,7 @@ using test::Bytes;
 using test::ImageBench;
 using test::SymbolList;
 
-TEST_CASE("a server drives the paper's cell by coils and sees it by discrete inputs") {
+TEST_CASE("A server drives the paper's cell by coils and reads it by discrete inputs") {
   ImageBench bench(test::cell_tables());
   CHECK(bench.ask({2, 0, 1, 0, 4}) == Bytes{2, 1, 0b0101});
   CHECK(bench.ask({5, 0, 1, 0xFF, 0}) == Bytes{5, 0, 1, 0xFF, 0});
@@ -31,7 +31,7 @@ TEST_CASE("a server drives the paper's cell by coils and sees it by discrete inp
   CHECK(bench.gaps == 0);
 }
 
-TEST_CASE("gaps read 0 until written, keep what is written, and are counted") {
+TEST_CASE("Gaps read 0 until written, keep written values, and are counted") {
   ImageBench bench(test::cell_tables());
   CHECK(bench.ask({1, 0, 0, 0, 16}) == Bytes{1, 2, 0, 0});
   bench.ask({15, 0, 0, 0, 16, 2, 0xFF, 0xFF});
@@ -42,14 +42,14 @@ TEST_CASE("gaps read 0 until written, keep what is written, and are counted") {
   CHECK(bench.ask({2, 0, 0, 0, 16})[2] % 2 == 0);
 }
 
-TEST_CASE("beyond the rounded size there is no place") {
+TEST_CASE("There is no address above the rounded size") {
   ImageBench bench(test::cell_tables());
   CHECK(bench.ask({1, 0, 0, 0, 17}) == Bytes{0x81, 2});
   CHECK(bench.ask({5, 0, 16, 0xFF, 0}) == Bytes{0x85, 2});
   CHECK(bench.ask({3, 0, 0, 0, 1}) == Bytes{0x83, 2});
 }
 
-TEST_CASE("a coil that several operations stand on writes them all") {
+TEST_CASE("A coil of several operations writes them all") {
   SymbolList list;
   const std::uint32_t first = list.add("A", SymbolList::kOut, 5);
   list.share(list.add("B", SymbolList::kOut, 5), first);
@@ -64,7 +64,7 @@ TEST_CASE("a coil that several operations stand on writes them all") {
 }
 
 TEST_CASE(
-    "numbers that share a register start at the value of the one that leads, and an odd type gets its own reading") {
+    "Numbers at one register start at the value of the leading one, and another type gets a separate reading") {
   SymbolList list;
   const std::uint32_t first = list.add("A", SymbolList::kOut, 3, DataType::int_);
   list.share(list.add("B", SymbolList::kOut, 3, DataType::int_), first);
@@ -80,7 +80,7 @@ TEST_CASE(
   CHECK(bench.plant->operation_value(2) == 0xFFFE);
 }
 
-TEST_CASE("holding registers reach the plant as numbers of their type") {
+TEST_CASE("Holding registers reach the plant as numbers of their type") {
   SymbolList list;
   list.add("SPEED", SymbolList::kOut, 3, DataType::int_);
   list.add("MASK", SymbolList::kOut, 4, DataType::word);
@@ -97,7 +97,7 @@ TEST_CASE("holding registers reach the plant as numbers of their type") {
   CHECK(bench.gaps == 4);
 }
 
-TEST_CASE("numbers start at their initial value on both sides, and zero can be written over it") {
+TEST_CASE("Numbers start at their initial value on both sides, and zero can overwrite it") {
   SymbolList list;
   list.add("SPEED", SymbolList::kOut, 2, DataType::int_);
   list.add("LEVEL", SymbolList::kIn, 7, DataType::int_);
@@ -115,13 +115,13 @@ TEST_CASE("numbers start at their initial value on both sides, and zero can be w
   CHECK(bench.plant->operation_value(0) == 0);
 }
 
-TEST_CASE("places far apart, in every word of the image, reach the plant and come back") {
+TEST_CASE("Distant addresses, in every word of the image, reach the plant and come back") {
   SymbolList list;
   for (std::uint32_t i = 0; i < 1000; ++i) list.add("O", SymbolList::kOut, i * 65);
   ImageBench bench(list.tables());
   for (std::uint32_t i = 0; i < 1000; ++i) {
-    const auto place = static_cast<std::uint16_t>(i * 65);
-    bench.ask({5, static_cast<std::uint8_t>(place >> 8), static_cast<std::uint8_t>(place & 0xFF), 0xFF, 0});
+    const auto address = static_cast<std::uint16_t>(i * 65);
+    bench.ask({5, static_cast<std::uint8_t>(address >> 8), static_cast<std::uint8_t>(address & 0xFF), 0xFF, 0});
     if (i % 7 == 0) bench.cycle();
   }
   bench.cycle();

@@ -33,7 +33,7 @@ const link::LinkSettings kBare{.status_block = link::kNowhere};
 
 }  // namespace
 
-TEST_CASE("the paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
+TEST_CASE("The paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
   const auto map = link::make_io_map(test::cell_tables(), 0, kBare);
   CHECK(points(map) == Points{{0, Table::discrete_input, 1},
                               {1, Table::discrete_input, 2},
@@ -47,13 +47,13 @@ TEST_CASE("the paper's cell is on discrete inputs 1 to 4 and coils 1 to 4") {
   CHECK(map.packed == std::array<bool, link::kTables>{});
 }
 
-TEST_CASE("an empty list has an empty map") {
+TEST_CASE("An empty list has an empty map") {
   const auto map = link::make_io_map(tables::PlantTables{}, 0, kBare);
   CHECK(map.points.empty());
   CHECK(map.sizes == Sizes{});
 }
 
-TEST_CASE("a number's own place is its address counted in registers: one of 32 bits takes two, one of 64 bits four") {
+TEST_CASE("A number's register is its address counted in registers: 32 bits take two, 64 bits take four") {
   SymbolList list;
   list.add("A", kOut, 5, DataType::int_);
   list.add("B", kOut, 4, DataType::dint);
@@ -70,20 +70,20 @@ TEST_CASE("a number's own place is its address counted in registers: one of 32 b
   CHECK(map.faults.empty());
 }
 
-TEST_CASE("numbers of 8 bits are on no register, unless their number is given: then on one") {
+TEST_CASE("A number of 8 bits has no register, unless one is given") {
   SymbolList list;
   const DataType type = GENERATE(DataType::sint, DataType::usint, DataType::byte);
   list.add("A", kOut, 1, type);
   list.add("B", kOut, 2, type);
-  const std::array<link::MapRow, 1> places{{{1, 7}}};
+  const std::array<link::MapRow, 1> rows{{{1, 7}}};
   link::LinkSettings settings = kBare;
-  settings.rows = places;
+  settings.rows = rows;
   const auto map = link::make_io_map(list.tables(), 0, settings);
   CHECK(points(map) == Points{{1, Table::holding_register, 7}});
   CHECK(map.of_8_bits == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("a table's size is its highest number and one, rounded up to a multiple of 16") {
+TEST_CASE("A table's size is its highest number plus one, rounded up to a multiple of 16") {
   const auto [number, size] =
       GENERATE(table<std::uint32_t, std::uint32_t>({{0, 16}, {15, 16}, {16, 32}, {31, 32}, {65'535, 65'536}}));
   SymbolList list;
@@ -91,7 +91,7 @@ TEST_CASE("a table's size is its highest number and one, rounded up to a multipl
   CHECK(link::make_io_map(list.tables(), 0, kBare).sizes == Sizes{size, 0, 0, 0});
 }
 
-TEST_CASE("one symbol whose address is no number packs its whole table and no other") {
+TEST_CASE("One symbol without a numeric address packs its whole table and no other") {
   SymbolList list;
   list.add("A", kOut, 40);
   list.add("B", kIn, 41);
@@ -104,7 +104,7 @@ TEST_CASE("one symbol whose address is no number packs its whole table and no ot
   CHECK(map.sizes == Sizes{16, 48, 0, 0});
 }
 
-TEST_CASE("a number beyond 65535 packs its table too") {
+TEST_CASE("A number above 65535 packs its table too") {
   SymbolList list;
   list.add("A", kIn, 65'536);
   list.add("B", kIn, 3);
@@ -113,7 +113,7 @@ TEST_CASE("a number beyond 65535 packs its table too") {
   CHECK(map.packed[1]);
 }
 
-TEST_CASE("a symbol without an address is on no link and packs nothing") {
+TEST_CASE("A symbol without an address is on no link and packs nothing") {
   SymbolList list;
   list.add("A", kOut, AddressForm::none);
   list.add("B", kOut, 9);
@@ -123,14 +123,14 @@ TEST_CASE("a symbol without an address is on no link and packs nothing") {
   CHECK_FALSE(map.packed[0]);
 }
 
-TEST_CASE("symbols of one address share one place") {
+TEST_CASE("Symbols of one address share one number") {
   SymbolList list;
   list.add("A", kOut, 5);
   list.add("B", kOut, 5);
   CHECK(points(link::make_io_map(list.tables(), 0, kBare)) == Points{{0, Table::coil, 5}, {1, Table::coil, 5}});
 }
 
-TEST_CASE("symbols of one address share one place in a packed table, whichever comes first") {
+TEST_CASE("Symbols of one address share one number in a packed table, in any order") {
   SymbolList list;
   list.add("A", kIn, AddressForm::other);
   list.add("B", kIn, AddressForm::other);
@@ -140,7 +140,7 @@ TEST_CASE("symbols of one address share one place in a packed table, whichever c
         Points{{0, Table::discrete_input, 0}, {1, Table::discrete_input, 1}, {2, Table::discrete_input, 0}});
 }
 
-TEST_CASE("a packed table is full at 65536 places") {
+TEST_CASE("A packed table is full at 65536 numbers") {
   SymbolList list;
   for (int i = 0; i < 65'538; ++i) list.add("A", kOut, AddressForm::other);
   const auto map = link::make_io_map(list.tables(), 0, kBare);
@@ -149,7 +149,7 @@ TEST_CASE("a packed table is full at 65536 places") {
   CHECK(map.too_many == std::vector<std::uint32_t>{65'536, 65'537});
 }
 
-TEST_CASE("Modicon numbers count from one behind their table's digit") {
+TEST_CASE("Modicon numbers count from one after their table's digit") {
   CHECK(link::modicon_number(Table::coil, 0) == 1);
   CHECK(link::modicon_number(Table::coil, 65'535) == 65'536);
   CHECK(link::modicon_number(Table::discrete_input, 1) == 10'002);
@@ -160,7 +160,7 @@ TEST_CASE("Modicon numbers count from one behind their table's digit") {
   CHECK(link::modicon_number(Table::holding_register, 65'535) == 465'536);
 }
 
-TEST_CASE("a map has the symbols of one controller alone, and packs them by themselves") {
+TEST_CASE("A map has only the symbols of one controller, and packs them separately") {
   test::SymbolList list;
   list.controller("PLC1");
   list.add("A", test::SymbolList::kOut, tables::AddressForm::other);

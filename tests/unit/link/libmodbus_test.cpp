@@ -1,4 +1,4 @@
-// A foreign client, libmodbus, against our server.
+// An independent client, libmodbus, with the symplant server.
 #include <modbus/modbus.h>
 
 #include <array>
@@ -75,7 +75,7 @@ TEST_CASE("libmodbus reads and writes registers") {
   CHECK(link->status().writes_to_gaps == 1);
 }
 
-TEST_CASE("libmodbus understands our exceptions") {
+TEST_CASE("libmodbus understands the exceptions") {
   test::CellServer server;
   const Client client(server.port());
   std::array<std::uint8_t, 64> bits{};

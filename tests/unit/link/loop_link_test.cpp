@@ -1,4 +1,4 @@
-// The link in process, with a plant behind it.
+// The in-process link, with a plant.
 #include "symplant/link/loop_link.hpp"
 
 #include "support/catch.hpp"
@@ -22,7 +22,7 @@ void cycle(plant::Plant& plant, link::Link& link, tables::Time time) {
 
 }  // namespace
 
-TEST_CASE("through the loop a PLC drives the paper's cell by names") {
+TEST_CASE("A PLC drives the paper's cell by names through the loop") {
   const auto tables = test::cell_tables();
   test::OwnedPlant plant(tables);
   link::LoopLink loop(tables);
@@ -40,7 +40,7 @@ TEST_CASE("through the loop a PLC drives the paper's cell by names") {
   CHECK(loop.event("EXLINE_MB_AGV_I_P2") == true);
 }
 
-TEST_CASE("the PLC's end says when a symbol is not of the kind asked for") {
+TEST_CASE("The PLC side reports a symbol of another kind") {
   const auto tables = test::cell_tables();
   link::LoopLink loop(tables);
   CHECK_FALSE(loop.set("EXLINE_MB_AGV_I_P1", true));
@@ -52,7 +52,7 @@ TEST_CASE("the PLC's end says when a symbol is not of the kind asked for") {
   CHECK_FALSE(loop.event("NOBODY").has_value());
 }
 
-TEST_CASE("numbers of any width go through the loop, and a written zero is one") {
+TEST_CASE("Numbers of any width pass through the loop, and a written zero counts") {
   SymbolList list;
   list.add("SPEED", SymbolList::kOut, tables::AddressForm::none, 0, tables::DataType::lreal);
   list.add("LEVEL", SymbolList::kIn, tables::AddressForm::none, 0, tables::DataType::dint);
@@ -72,7 +72,7 @@ TEST_CASE("numbers of any width go through the loop, and a written zero is one")
   CHECK(plant->operation_value(0) == 0x4000'0000'0000'0001U);
 }
 
-TEST_CASE("what is written acts on all operations of the same address") {
+TEST_CASE("A write acts on all operations of the same address") {
   SymbolList list;
   list.add("A", SymbolList::kOut, 1);
   list.add("B", SymbolList::kOut, 1);

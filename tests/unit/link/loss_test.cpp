@@ -1,4 +1,4 @@
-// A server link whose PLC falls silent and comes back: over a socket, the cycles counted by hand.
+// A server link whose PLC stops sending and returns: over a socket, with cycles run by the test.
 #include "support/catch.hpp"
 #include "unit/link/plant_server.hpp"
 #include "unit/link/symbol_list.hpp"
@@ -14,7 +14,7 @@ using test::Bytes;
 
 namespace {
 
-/// Two coils, a holding register and a discrete input; a cycle of 10 ms is what a test makes it.
+/// Two coils, a holding register and a discrete input; the test runs each cycle of 10 ms.
 struct LossBench {
   explicit LossBench(const LinkSettings& settings = {}) : tables(made()), plant(tables) {
     auto opened = link::open_link({"modbus-tcp-server://127.0.0.1:0", 0, settings}, tables);
@@ -48,15 +48,15 @@ struct LossBench {
   bool b() { return plant->operation(1); }
   std::uint64_t n() { return plant->operation_value(0); }
 
-  void write_coil(std::uint8_t place, bool on) {
-    REQUIRE(client->ask({5, 0, place, static_cast<std::uint8_t>(on ? 0xFF : 0), 0}).size() == 5);
+  void write_coil(std::uint8_t address, bool on) {
+    REQUIRE(client->ask({5, 0, address, static_cast<std::uint8_t>(on ? 0xFF : 0), 0}).size() == 5);
   }
-  void write_register(std::uint8_t place, std::uint8_t value) {
-    REQUIRE(client->ask({6, 0, place, 0, value}).size() == 5);
+  void write_register(std::uint8_t address, std::uint8_t value) {
+    REQUIRE(client->ask({6, 0, address, 0, value}).size() == 5);
   }
-  /// A register of the status block, which stands at 100.
-  int status(std::uint8_t place) {
-    const Bytes answer = client->ask({4, 0, static_cast<std::uint8_t>(100 + place), 0, 1});
+  /// A register of the status block, which starts at 100.
+  int status(std::uint8_t address) {
+    const Bytes answer = client->ask({4, 0, static_cast<std::uint8_t>(100 + address), 0, 1});
     REQUIRE(answer.size() == 4);
     return answer[2] << 8 | answer[3];
   }
@@ -73,11 +73,11 @@ struct LossBench {
 
 }  // namespace
 
-TEST_CASE("before the first request that touches the map the link waits, and others do not count") {
+TEST_CASE("Before the first request to the map the link waits, and other requests do not count") {
   LossBench bench;
   bench.silence(5 * kSecond);
   CHECK(bench.link->state() == LinkState::waiting);
-  CHECK(bench.status(2) == 0);                            // the status block is not the map
+  CHECK(bench.status(2) == 0);                            // the status block is not part of the map
   CHECK(bench.client->ask({1, 0, 2, 0, 5}).size() == 3);  // coils 2 to 6: gaps
   CHECK(bench.client->ask({1, 0, 0, 0, 0}).size() == 2);  // an exception
   bench.cycle();
@@ -88,7 +88,7 @@ TEST_CASE("before the first request that touches the map the link waits, and oth
   CHECK(bench.status(2) == 1);
 }
 
-TEST_CASE("a write counts from the first, and acts in the next cycle") {
+TEST_CASE("A write counts from the first, and acts in the next cycle") {
   LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();
@@ -96,7 +96,7 @@ TEST_CASE("a write counts from the first, and acts in the next cycle") {
   CHECK(bench.a());
 }
 
-TEST_CASE("what a silent PLC wrote is held, and the link is lost after its time") {
+TEST_CASE("The values of a silent PLC are held, and the link is lost after its time") {
   LossBench bench;
   bench.write_coil(0, true);
   bench.write_register(2, 7);
@@ -111,10 +111,10 @@ TEST_CASE("what a silent PLC wrote is held, and the link is lost after its time"
   CHECK(bench.link->status().losses == 1);
 }
 
-TEST_CASE("operations whose policy is zero go to zero when the link is lost, others hold") {
-  const std::array<MapRow, 1> places = {MapRow{.symbol = 1, .on_loss = OnLoss::hold}};
+TEST_CASE("Operations with policy zero go to zero when the link is lost, others hold") {
+  const std::array<MapRow, 1> rows = {MapRow{.symbol = 1, .on_loss = OnLoss::hold}};
   LinkSettings settings;
-  settings.rows = places;
+  settings.rows = rows;
   settings.on_loss = OnLoss::zero;
   LossBench bench(settings);
   bench.write_coil(0, true);
@@ -126,11 +126,11 @@ TEST_CASE("operations whose policy is zero go to zero when the link is lost, oth
   CHECK_FALSE(bench.a());
   CHECK(bench.b());
   CHECK(bench.n() == 0);
-  // And so the PLC reads them when it asks again.
+  // The PLC reads the same values on its next request.
   CHECK(bench.client->ask({1, 0, 0, 0, 2}) == Bytes{1, 1, 2});
 }
 
-TEST_CASE("on return writes are collected, and act together when all that was written before is written again") {
+TEST_CASE("On return writes are collected, and act together when all earlier addresses are written again") {
   LinkSettings settings;
   settings.on_loss = OnLoss::zero;
   LossBench bench(settings);
@@ -140,7 +140,7 @@ TEST_CASE("on return writes are collected, and act together when all that was wr
   bench.silence(2 * kSecond);
   REQUIRE(bench.link->state() == LinkState::lost);
   bench.write_register(2, 9);
-  bench.write_coil(1, true);  // was not written before
+  bench.write_coil(1, true);  // was never written before
   bench.cycle();
   CHECK(bench.link->state() == LinkState::lost);
   CHECK(bench.n() == 0);
@@ -153,10 +153,10 @@ TEST_CASE("on return writes are collected, and act together when all that was wr
   CHECK(bench.n() == 9);
 }
 
-TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live after the resync time") {
-  const std::array<MapRow, 1> places = {MapRow{.symbol = 1, .on_loss = OnLoss::zero}};
+TEST_CASE("A PLC that returns and only reads, though it wrote before, is live after the resync time") {
+  const std::array<MapRow, 1> rows = {MapRow{.symbol = 1, .on_loss = OnLoss::zero}};
   LinkSettings settings;
-  settings.rows = places;
+  settings.rows = rows;
   settings.resync = 500 * kMillisecond;
   LossBench bench(settings);
   bench.write_coil(0, true);
@@ -172,10 +172,10 @@ TEST_CASE("a PLC that comes back and only reads, though it wrote before, is live
   CHECK(bench.link->state() == LinkState::live);
   CHECK(waited == 510 * kMillisecond);  // counted from the cycle that heard it first
   CHECK(bench.a());
-  CHECK_FALSE(bench.b());  // went to zero, and nobody wrote it again
+  CHECK_FALSE(bench.b());  // went to zero, and was not written again
 }
 
-TEST_CASE("a PLC that never wrote is back with its first read") {
+TEST_CASE("A PLC that never wrote is back with its first read") {
   LossBench bench;
   bench.client->ask({2, 0, 0, 0, 1});
   bench.cycle();
@@ -186,7 +186,7 @@ TEST_CASE("a PLC that never wrote is back with its first read") {
   CHECK(bench.link->state() == LinkState::live);
 }
 
-TEST_CASE("a plant whose link says so stands still while the link is lost, not while it waits") {
+TEST_CASE("A plant freezes while its link is lost if so set, not while it waits") {
   LinkSettings settings;
   settings.plant_on_loss = link::PlantOnLoss::freeze;
   LossBench bench(settings);
@@ -199,7 +199,7 @@ TEST_CASE("a plant whose link says so stands still while the link is lost, not w
   CHECK(bench.link->freezes_plant());
 }
 
-TEST_CASE("the watchdog's register keeps the link alive, requests alone do not") {
+TEST_CASE("The watchdog register keeps the link alive, other requests do not") {
   LinkSettings settings;
   settings.watchdog = 5;
   settings.watchdog_within = 200 * kMillisecond;
@@ -222,7 +222,7 @@ TEST_CASE("the watchdog's register keeps the link alive, requests alone do not")
   CHECK(bench.link->status().writes_to_gaps == 0);
 }
 
-TEST_CASE("a watchdog that is changed and changed back within a cycle has changed") {
+TEST_CASE("A watchdog that is changed and changed back within a cycle counts as changed") {
   LinkSettings settings;
   settings.watchdog = 5;
   LossBench bench(settings);
@@ -234,7 +234,7 @@ TEST_CASE("a watchdog that is changed and changed back within a cycle has change
   CHECK(bench.link->state() == LinkState::live);
 }
 
-TEST_CASE("the status block counts cycles, tells the state and what was lost, and at the end that it is over") {
+TEST_CASE("The status block counts cycles, shows the state and losses, and the end of the run") {
   LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();
@@ -248,7 +248,7 @@ TEST_CASE("the status block counts cycles, tells the state and what was lost, an
   CHECK(bench.status(2) == 2);
   CHECK(bench.status(3) == 0);
   CHECK(bench.status(4) == 0);  // high word first
-  CHECK(bench.status(5) == 4);  // cycles since then: the one in which it was lost, and three more
+  CHECK(bench.status(5) == 4);  // cycles since then: the one of the loss, and three more
   bench.cycle(true);
   CHECK(bench.status(2) == 3);
   const Bytes hash = bench.client->ask({4, 0, 108, 0, 4});
@@ -257,15 +257,15 @@ TEST_CASE("the status block counts cycles, tells the state and what was lost, an
   CHECK_FALSE(bench.link->status().end_unread);
   bench.link->leave();
   CHECK(bench.link->status().end_unread);
-  CHECK(bench.client->ask({4, 0, 100, 0, 2}).size() == 6);  // not that register
+  CHECK(bench.client->ask({4, 0, 100, 0, 2}).size() == 6);  // without that register
   CHECK(bench.link->status().end_unread);
   CHECK(bench.status(2) == 4);
   CHECK_FALSE(bench.link->status().end_unread);
-  // Leaving writes nothing else.
+  // Leaving writes no other register.
   CHECK(bench.client->ask({1, 0, 0, 0, 1}) == Bytes{1, 1, 1});
 }
 
-TEST_CASE("a PLC that never reads the plant's state is not expected to read its end") {
+TEST_CASE("A PLC that never reads the plant's state is not expected to read its end") {
   LossBench bench;
   bench.write_coil(0, true);
   bench.cycle();
@@ -274,7 +274,7 @@ TEST_CASE("a PLC that never reads the plant's state is not expected to read its 
   CHECK_FALSE(bench.link->status().end_unread);
 }
 
-TEST_CASE("a link without a status block has none") {
+TEST_CASE("A link without a status block has no status registers") {
   LinkSettings settings;
   settings.status_block = link::kNowhere;
   LossBench bench(settings);

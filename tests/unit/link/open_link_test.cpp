@@ -1,4 +1,4 @@
-// Links by URL, and what is said where there is none.
+// Links by URL, and the messages for invalid ones.
 #include "support/catch.hpp"
 #include "unit/link/plant_server.hpp"
 
@@ -23,30 +23,30 @@ void check_usage(const std::string& url, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("the loop is opened by its scheme alone") {
+TEST_CASE("The loop is opened by its scheme alone") {
   const auto tables = test::cell_tables();
   CHECK(test::open_or_throw("loop:", tables)->url() == "loop:");
   check_usage("loop:x", "takes nothing");
 }
 
-TEST_CASE("a server's URL tells the port that it really has") {
+TEST_CASE("A server's URL contains its actual port") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   CHECK(test::port_of(*link) != 0);
   CHECK(test::RawClient(test::port_of(*link)).connected());
 }
 
-TEST_CASE("without a host a server is on the loopback") {
+TEST_CASE("A server without a host is on the loopback") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://:0", tables);
   CHECK_THAT(link->url(), Catch::StartsWith("modbus-tcp-server://127.0.0.1:"));
 }
 
-TEST_CASE("a server is found by the name localhost and by IPv6 in brackets") {
+TEST_CASE("A server is reachable by the name localhost and by IPv6 in brackets") {
   const auto tables = test::cell_tables();
   const auto named = test::open_or_throw("modbus-tcp-server://localhost:0", tables);
   CHECK_THAT(named->url(), Catch::Contains("localhost:"));
-  CHECK(test::RawClient(test::port_of(*named)).connected());  // over IPv4, whatever else the name stands for
+  CHECK(test::RawClient(test::port_of(*named)).connected());  // over IPv4, whatever the name also means
   auto result = link::open_link({"modbus-tcp-server://[::1]:0"}, tables);
   if (!std::holds_alternative<std::unique_ptr<link::Link>>(result)) return;  // a machine without IPv6
   const auto& link = std::get<std::unique_ptr<link::Link>>(result);
@@ -55,40 +55,40 @@ TEST_CASE("a server is found by the name localhost and by IPv6 in brackets") {
   CHECK(client.ask({2, 0, 1, 0, 1}).size() == 3);
 }
 
-TEST_CASE("a URL that names no link is told which do") {
+TEST_CASE("A URL that names no link is reported with the known ones") {
   for (const char* url : {"", "modbus", "modbus-rtu:/dev/ttyS0", "LOOP", ":502"}) {
     check_usage(url, "modbus-tcp-server://HOST:PORT");
   }
 }
 
-TEST_CASE("a server's address that is none is told what it should be") {
+TEST_CASE("An invalid server address is reported with the expected form") {
   check_usage("modbus-tcp-server:", "//HOST:PORT");
   check_usage("modbus-tcp-server:127.0.0.1:502", "//HOST:PORT");
   check_usage("modbus-tcp-server://127.0.0.1", "no port");
-  check_usage("modbus-tcp-server://127.0.0.1:", "ends in no port");
-  check_usage("modbus-tcp-server://127.0.0.1:65536", "ends in no port");
-  check_usage("modbus-tcp-server://127.0.0.1:-1", "ends in no port");
-  check_usage("modbus-tcp-server://127.0.0.1:502x", "ends in no port");
-  check_usage("modbus-tcp-server://127.0.0.1:502?unit=1", "ends in no port");
+  check_usage("modbus-tcp-server://127.0.0.1:", "does not end in a port");
+  check_usage("modbus-tcp-server://127.0.0.1:65536", "does not end in a port");
+  check_usage("modbus-tcp-server://127.0.0.1:-1", "does not end in a port");
+  check_usage("modbus-tcp-server://127.0.0.1:502x", "does not end in a port");
+  check_usage("modbus-tcp-server://127.0.0.1:502?unit=1", "does not end in a port");
   check_usage("modbus-tcp-server://::1:502", "brackets");
-  check_usage("modbus-tcp-server://a b:502", "no HOST:PORT");
+  check_usage("modbus-tcp-server://a b:502", "not HOST:PORT");
 }
 
-TEST_CASE("a host that is no address of this machine is a fault of usage") {
-  check_usage("modbus-tcp-server://192.0.2.1:0", "no address of this machine");  // of the range for documentation
+TEST_CASE("A host that is no address of this machine is a usage error") {
+  check_usage("modbus-tcp-server://192.0.2.1:0", "not an address of this machine");  // from the range for documentation
 }
 
-TEST_CASE("a port in use is a fault of the environment that says what to do") {
+TEST_CASE("A port in use is a fault of the environment with a hint") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   const auto error = fault(link->url());
   CHECK(error.kind == ErrorKind::environment);
   CHECK_THAT(error.message, Catch::Contains("port " + std::to_string(test::port_of(*link)) + " is in use"));
-  CHECK_THAT(error.message, Catch::Contains("by this program itself") && Catch::Contains("a port of its own"));
+  CHECK_THAT(error.message, Catch::Contains("by this program itself") && Catch::Contains("its own port"));
   CHECK_THAT(error.message, Catch::Contains(std::to_string(::getpid())));
 }
 
-TEST_CASE("a port in use at a name's first address is not taken at its next") {
+TEST_CASE("A port in use at a name's first address is not taken at its next") {
   const auto tables = test::cell_tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   const auto error = fault("modbus-tcp-server://localhost:" + std::to_string(test::port_of(*link)));

@@ -1,4 +1,4 @@
-// A Modbus server link with a plant behind it that a test cycles by hand, and a client of raw bytes.
+// A Modbus server link with a plant that a test cycles step by step, and a client of raw bytes.
 #pragma once
 
 #include <atomic>
@@ -27,7 +27,7 @@ inline std::uint16_t port_of(const link::Link& link) {
   return static_cast<std::uint16_t>(std::stoi(url.substr(url.rfind(':') + 1)));
 }
 
-/// The paper's cell, served. Plant time is what the test says.
+/// The paper's cell, served. The test sets plant time.
 class CellServer {
  public:
   CellServer()
@@ -47,7 +47,7 @@ class CellServer {
     plant_->forget_changed_events();
   }
 
-  /// Cycles as fast as it can in a thread of its own; plant time runs much faster than real time.
+  /// Cycles as fast as possible in a separate thread; plant time runs much faster than real time.
   void start_cycling() {
     cycling_ = std::thread([this] {
       while (!stop_) {

@@ -1,4 +1,4 @@
-// Who has a port that is wanted.
+// Finds the owner of a port.
 #include "symplant/link/modbus/port_owner.hpp"
 
 #include <arpa/inet.h>
@@ -32,7 +32,7 @@ bool is_ours(const char* host, const Listener& listener) {
 
 }  // namespace
 
-TEST_CASE("the owner of a port is told by program and process, for IPv4 and IPv6") {
+TEST_CASE("The owner of a port is reported by program and process, for IPv4 and IPv6") {
   const Listener four = std::get<Listener>(listen_on({"127.0.0.1", 0}));
   const auto owner = owner_at("127.0.0.1", four.bound.port);
   REQUIRE(owner);
@@ -43,7 +43,7 @@ TEST_CASE("the owner of a port is told by program and process, for IPv4 and IPv6
   CHECK_FALSE(owner_at("127.0.0.1", 0));
 }
 
-TEST_CASE("who listens on the same port of another address does not own it, who listens on all does") {
+TEST_CASE("A listener on another address does not own the port, a listener on all addresses does") {
   const Listener one = std::get<Listener>(listen_on({"127.0.0.2", 0}));
   CHECK(is_ours("127.0.0.2", one));
   CHECK_FALSE(is_ours("127.0.0.1", one));

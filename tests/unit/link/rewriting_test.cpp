@@ -5,13 +5,13 @@
 #include <random>
 #include <set>
 
-using symplant::link::modbus::PlaceSet;
+using symplant::link::modbus::AddressSet;
 using symplant::link::modbus::Rewriting;
 
-TEST_CASE("a set of places holds the ranges that were added, wherever they begin and end") {
+TEST_CASE("A set of addresses contains the added ranges, wherever they begin and end") {
   std::mt19937 dice(7);
   const auto below = [&](std::uint32_t end) { return static_cast<std::uint32_t>(dice() % end); };
-  PlaceSet set(300);
+  AddressSet set(300);
   std::set<std::uint32_t> expected;
   for (int i = 0; i < 500; ++i) {
     const std::uint32_t first = below(300);
@@ -32,19 +32,19 @@ TEST_CASE("a set of places holds the ranges that were added, wherever they begin
 
 namespace {
 
-/// Something stands on every place.
-PlaceSet all() {
-  PlaceSet set(200);
+/// Every address has a symbol.
+AddressSet all() {
+  AddressSet set(200);
   set.add(0, 200);
   return set;
 }
 
 }  // namespace
 
-TEST_CASE("places that nothing stands on are not awaited") {
+TEST_CASE("Addresses without a symbol are not awaited") {
   Rewriting writes(200, 200);
   writes.wrote(true, 0, 10);
-  PlaceSet mapped(200);
+  AddressSet mapped(200);
   mapped.add(3, 1);
   writes.begin(mapped, mapped);
   CHECK_FALSE(writes.complete());
@@ -52,14 +52,14 @@ TEST_CASE("places that nothing stands on are not awaited") {
   CHECK(writes.complete());
 }
 
-TEST_CASE("before a loss nothing is awaited") {
+TEST_CASE("Before a loss nothing is awaited") {
   Rewriting writes(200, 200);
   CHECK(writes.complete());
   writes.wrote(true, 3, 10);
   CHECK(writes.complete());
 }
 
-TEST_CASE("after a loss all that was ever written is awaited, in both tables, in any order and cut") {
+TEST_CASE("After a loss all earlier writes are awaited, in both tables, in any order and split") {
   Rewriting writes(200, 200);
   writes.wrote(true, 60, 10);
   writes.wrote(false, 5, 1);
@@ -73,7 +73,7 @@ TEST_CASE("after a loss all that was ever written is awaited, in both tables, in
   CHECK(writes.complete());
 }
 
-TEST_CASE("a place that is written twice counts once, and one of the other table does not count") {
+TEST_CASE("An address that is written twice counts once, and the other table does not count") {
   Rewriting writes(200, 200);
   writes.wrote(true, 1, 2);
   writes.begin(all(), all());
@@ -85,7 +85,7 @@ TEST_CASE("a place that is written twice counts once, and one of the other table
   CHECK(writes.complete());
 }
 
-TEST_CASE("a loss of a PLC that never wrote awaits nothing, a second loss all again") {
+TEST_CASE("After a loss a PLC that never wrote has nothing to rewrite, after a second loss all again") {
   Rewriting writes(200, 200);
   writes.begin(all(), all());
   CHECK(writes.complete());

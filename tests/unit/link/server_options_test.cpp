@@ -1,4 +1,4 @@
-// How many clients the Modbus server has and for how long; who gives way.
+// Options of the Modbus server: number of clients, idle time, and which client is closed first.
 #include <fcntl.h>
 #include <sys/resource.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 const Bytes kAsked = {3, 1, 2};
 
-/// Answers every request by its own bytes.
+/// Answers every request with its own bytes.
 class Echo final : public Responder {
  public:
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
@@ -55,7 +55,7 @@ int server_end(const RawClient& client) {
   return -1;
 }
 
-/// No descriptor can be had while it lives.
+/// No descriptor is available while it lives.
 class NoDescriptors {
  public:
   NoDescriptors() {
@@ -80,7 +80,7 @@ int option(int socket, int level, int name) {
 
 }  // namespace
 
-TEST_CASE("a client that asks nothing for the idle time is closed, one that asks is kept") {
+TEST_CASE("A client without requests for the idle time is closed, an active one is kept") {
   const EchoServer bench({.idle = 3 * tables::kSecond});
   RawClient idle(bench.port);
   RawClient busy(bench.port);
@@ -92,7 +92,7 @@ TEST_CASE("a client that asks nothing for the idle time is closed, one that asks
   CHECK(busy.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("an idle time of 0 keeps a silent client") {
+TEST_CASE("An idle time of 0 keeps a silent client") {
   const EchoServer bench({.idle = 0, .frame = 20 * tables::kMillisecond});
   RawClient client(bench.port);
   REQUIRE(client.ask(kAsked) == kAsked);
@@ -100,7 +100,7 @@ TEST_CASE("an idle time of 0 keeps a silent client") {
   CHECK(client.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("who sends a frame a byte at a time, for ever, is closed, as a byte does not start the time anew") {
+TEST_CASE("A client that sends a frame byte by byte forever is closed, as a byte does not restart the time") {
   const EchoServer bench({.frame = 300 * tables::kMillisecond});
   const RawClient slow(bench.port);
   const Bytes frame = RawClient::frame(1, Bytes(200, 3));
@@ -111,7 +111,7 @@ TEST_CASE("who sends a frame a byte at a time, for ever, is closed, as a byte do
   CHECK(slow.is_closed());
 }
 
-TEST_CASE("a frame that comes slowly, but in time, is answered, and so are many one behind the other") {
+TEST_CASE("A slow frame within the time is answered, and so are many in sequence") {
   const EchoServer bench({.frame = 3 * tables::kSecond});
   const RawClient slow(bench.port);
   const Bytes frame = RawClient::frame(1, kAsked);
@@ -126,7 +126,7 @@ TEST_CASE("a frame that comes slowly, but in time, is answered, and so are many 
   }
 }
 
-TEST_CASE("who never sent a request gives way before one who did, however long ago") {
+TEST_CASE("A client without any request is closed before one with an old request") {
   const EchoServer bench({.connections = 3});
   RawClient steady(bench.port);
   REQUIRE(steady.ask(kAsked) == kAsked);
@@ -137,7 +137,7 @@ TEST_CASE("who never sent a request gives way before one who did, however long a
   CHECK(steady.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("clients that are closed for want of room are counted, those that go by themselves are not") {
+TEST_CASE("Clients closed for lack of room are counted, those that disconnect are not") {
   const EchoServer bench({.connections = 2});
   RawClient first(bench.port);
   REQUIRE(first.ask(kAsked) == kAsked);
@@ -155,7 +155,7 @@ TEST_CASE("clients that are closed for want of room are counted, those that go b
   CHECK(bench.server.crowded_out() == 1);
 }
 
-TEST_CASE("a client on the list of those to keep never gives way, and where all are kept the new one is closed") {
+TEST_CASE("A client on the keep list is never closed for another; if all are kept the new one is closed") {
   const EchoServer bench({.connections = 2, .keep = {"10.1.2.3", "127.0.0.1"}});
   RawClient first(bench.port);
   RawClient second(bench.port);
@@ -169,7 +169,7 @@ TEST_CASE("a client on the list of those to keep never gives way, and where all 
   CHECK(bench.server.connections() == 2);
 }
 
-TEST_CASE("what keeps a new client out costs none that asks its connection, and one silent client its own at most") {
+TEST_CASE("A failed accept never closes an active client, and at most one silent client") {
   const EchoServer bench({});
   std::vector<RawClient> asking;
   for (int i = 0; i < 8; ++i) {
@@ -187,7 +187,7 @@ TEST_CASE("what keeps a new client out costs none that asks its connection, and 
   {
     const NoDescriptors none;
     REQUIRE(::connect(late.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
-    // The server's thread comes to it between two of these, and again after each pause.
+    // The server's thread runs between two of these, and again after each pause.
     for (int i = 0; i < 30; ++i) {
       for (RawClient& client : asking) REQUIRE(client.ask(kAsked) == kAsked);
       ::poll(nullptr, 0, 10);
@@ -198,7 +198,7 @@ TEST_CASE("what keeps a new client out costs none that asks its connection, and 
   for (RawClient& client : asking) CHECK(client.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("only for want of descriptors of its own does a server close a client, and no fault ends its listening") {
+TEST_CASE("A server closes a client only for lack of its own descriptors, and no fault ends its listening") {
   CHECK(after_accept(EMFILE) == AfterAccept::give_way);
   CHECK(after_accept(EAGAIN) == AfterAccept::serve);
   for (const int error : {ENFILE, ENOMEM, ENOBUFS, EBADF}) CHECK(after_accept(error) == AfterAccept::pause);
@@ -207,7 +207,7 @@ TEST_CASE("only for want of descriptors of its own does a server close a client,
   }
 }
 
-TEST_CASE("the system asks after clients that say nothing, and gives up on what is not acknowledged") {
+TEST_CASE("Keepalive probes silent clients, and unacknowledged data time out") {
   const EchoServer bench({});
   RawClient client(bench.port);
   REQUIRE(client.ask(kAsked) == kAsked);
@@ -221,7 +221,7 @@ TEST_CASE("the system asks after clients that say nothing, and gives up on what 
   CHECK(option(socket, IPPROTO_TCP, TCP_NODELAY) == 1);
 }
 
-TEST_CASE("the limit of descriptors has room for the clients that are allowed, as far as the hard one goes") {
+TEST_CASE("The descriptor limit is raised for the allowed clients, up to the hard limit") {
   CHECK(limit_for({1024, 4096}, 2000) == 3024);
   CHECK(limit_for({1024, RLIM_INFINITY}, 10'000) == 11'024);
   CHECK(limit_for({1024, 4096}, 4000) == 4096);
@@ -230,7 +230,7 @@ TEST_CASE("the limit of descriptors has room for the clients that are allowed, a
   CHECK_FALSE(limit_for({1024, 4096}, 10'000));
 }
 
-TEST_CASE("a server has room for all its clients where the soft limit has not") {
+TEST_CASE("A server has room for all its clients if the soft limit does not") {
   rlimit before{};
   ::getrlimit(RLIMIT_NOFILE, &before);
   if (before.rlim_max < 1000) return;
@@ -248,14 +248,14 @@ TEST_CASE("a server has room for all its clients where the soft limit has not") 
   ::setrlimit(RLIMIT_NOFILE, &before);
 }
 
-TEST_CASE("a server whose clients do not fit says so at its start") {
+TEST_CASE("A server whose clients exceed the limit reports it at its start") {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   if (limit.rlim_max > 100'000'000) return;
   CHECK_THROWS_WITH(EchoServer({.connections = limit.rlim_max}), Catch::Contains("give fewer `connections`"));
 }
 
-TEST_CASE("two thousand clients at once are served, on descriptors beyond 1024, and leave nothing open") {
+TEST_CASE("Two thousand clients at once are served, on descriptors above 1024, and leave none open") {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   const rlimit before = limit;
@@ -279,7 +279,7 @@ TEST_CASE("two thousand clients at once are served, on descriptors beyond 1024, 
   ::setrlimit(RLIMIT_NOFILE, &before);
 }
 
-TEST_CASE("five thousand clients that come and go leave no descriptor behind, and a steady one is served") {
+TEST_CASE("Five thousand short connections leave no descriptor open, and a steady one is served") {
   const EchoServer bench({.connections = 8});
   RawClient steady(bench.port);
   REQUIRE(steady.ask(kAsked) == kAsked);
@@ -295,11 +295,11 @@ TEST_CASE("five thousand clients that come and go leave no descriptor behind, an
   CHECK(open_descriptors() == descriptors);
 }
 
-TEST_CASE("who has ended his sending still gets all his answers, also where he reads late") {
+TEST_CASE("A client that has closed its sending side still gets all its answers, also if it reads late") {
   const EchoServer bench({});
   RawClient client(bench.port);
   REQUIRE(client.ask(kAsked) == kAsked);
-  // So little is taken at once that answers still wait when the end of the requests is read.
+  // The client takes so little that answers still wait when the end of the requests is read.
   const int small = 4608;
   ::setsockopt(server_end(client), SOL_SOCKET, SO_SNDBUF, &small, sizeof small);
   const Bytes frame = RawClient::frame(1, Bytes(250, 3));

@@ -22,7 +22,7 @@ const Bytes kReadInputs = {2, 0, 1, 0, 4};
 
 }  // namespace
 
-TEST_CASE("a client drives the cell over TCP") {
+TEST_CASE("A client drives the cell over TCP") {
   CellServer server;
   RawClient client(server.port());
   REQUIRE(client.connected());
@@ -34,7 +34,7 @@ TEST_CASE("a client drives the cell over TCP") {
   CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0110});
 }
 
-TEST_CASE("the server counts what it answers") {
+TEST_CASE("The server counts its answers") {
   CellServer server;
   RawClient client(server.port());
   client.ask(kReadInputs);
@@ -47,7 +47,7 @@ TEST_CASE("the server counts what it answers") {
   CHECK(status.connections == 1);
 }
 
-TEST_CASE("over TCP bytes one at a time, splits and many frames at once are answered alike") {
+TEST_CASE("Single bytes, splits and many frames at once are answered the same over TCP") {
   CellServer server;
   RawClient client(server.port());
   const Bytes one = RawClient::frame(7, kReadInputs);
@@ -69,7 +69,7 @@ TEST_CASE("over TCP bytes one at a time, splits and many frames at once are answ
   CHECK(client.receive(answers.size()) == answers);
 }
 
-TEST_CASE("an exception does not lose the pipelined request behind it") {
+TEST_CASE("An exception does not lose the pipelined request after it") {
   CellServer server;
   RawClient client(server.port());
   Bytes both = RawClient::frame(1, {15, 0, 1, 0, 0, 0});
@@ -80,7 +80,7 @@ TEST_CASE("an exception does not lose the pipelined request behind it") {
   CHECK(client.receive(10) == RawClient::frame(2, {2, 1, 0b0101}));
 }
 
-TEST_CASE("a frame of another protocol gets no answer, and a broken one ends the connection only of its sender") {
+TEST_CASE("A frame of another protocol gets no answer, and a broken one closes only its own connection") {
   CellServer server;
   RawClient good(server.port());
   RawClient bad(server.port());
@@ -91,7 +91,7 @@ TEST_CASE("a frame of another protocol gets no answer, and a broken one ends the
   CHECK(good.ask(kReadInputs) == Bytes{2, 1, 0b0101});
 }
 
-TEST_CASE("many clients are served side by side") {
+TEST_CASE("Many clients are served at the same time") {
   CellServer server;
   std::vector<std::unique_ptr<RawClient>> clients;
   for (std::size_t i = 0; i < link::modbus::ServerOptions{}.connections; ++i) {
@@ -103,14 +103,14 @@ TEST_CASE("many clients are served side by side") {
   CHECK(server.link().status().connections == link::modbus::ServerOptions{}.connections);
 }
 
-TEST_CASE("when all connections are taken, the oldest unused one gives way") {
+TEST_CASE("The oldest unused connection is closed when all are taken") {
   CellServer server;
   std::vector<std::unique_ptr<RawClient>> clients;
   for (std::size_t i = 0; i < link::modbus::ServerOptions{}.connections; ++i) {
     clients.push_back(std::make_unique<RawClient>(server.port()));
     REQUIRE(clients.back()->ask(kReadInputs).size() == 3);
   }
-  // The first is used again; the second sends bytes but no request, which is no use.
+  // The first is used again; the second sends bytes but no request, which does not count as use.
   REQUIRE(clients[0]->ask(kReadInputs).size() == 3);
   clients[1]->send({0, 1, 0});
   RawClient one_more(server.port());
@@ -120,7 +120,7 @@ TEST_CASE("when all connections are taken, the oldest unused one gives way") {
   CHECK(clients[2]->ask(kReadInputs) == Bytes{2, 1, 0b0101});
 }
 
-TEST_CASE("how many clients there are at once, and who is kept, is a setting of the link") {
+TEST_CASE("The number of clients and the keep list are settings of the link") {
   const auto tables = test::cell_tables();
   link::LinkChoice choice{"modbus-tcp-server://127.0.0.1:0"};
   const std::string_view here = "127.0.0.1";
@@ -137,7 +137,7 @@ TEST_CASE("how many clients there are at once, and who is kept, is a setting of 
   CHECK(first.ask(kReadInputs).size() == 3);
 }
 
-TEST_CASE("a client that goes while answers are on their way to it ends nothing but itself") {
+TEST_CASE("A client that disconnects while answers are being sent affects only itself") {
   CellServer server;
   {
     RawClient rude(server.port());
@@ -149,7 +149,7 @@ TEST_CASE("a client that goes while answers are on their way to it ends nothing 
   CHECK(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
 }
 
-TEST_CASE("a client that never reads does not keep others from their answers") {
+TEST_CASE("A client that never reads does not delay the answers of others") {
   CellServer server;
   RawClient deaf(server.port());
   const int small = 4096;
@@ -159,20 +159,20 @@ TEST_CASE("a client that never reads does not keep others from their answers") {
     const Bytes one = RawClient::frame(i, kReadInputs);
     many.insert(many.end(), one.begin(), one.end());
   }
-  // Without waiting: at some point nothing more is taken, which is the point of it.
+  // Non-blocking: at some point the socket takes no more, as intended.
   for (int i = 0; i < 200; ++i) ::send(deaf.descriptor(), many.data(), many.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   RawClient client(server.port());
   for (int i = 0; i < 10; ++i) REQUIRE(client.ask(kReadInputs) == Bytes{2, 1, 0b0101});
 }
 
-TEST_CASE("a client that reads late gets an answer to every request, in their order") {
+TEST_CASE("A client that reads late gets an answer to every request, in order") {
   constexpr std::size_t kRequests = 60'000;
   test::SymbolList list;
   list.add("LAST", test::SymbolList::kOut, 124, tables::DataType::word);
   const auto tables = list.tables();
   const auto link = test::open_or_throw("modbus-tcp-server://127.0.0.1:0", tables);
   RawClient client(test::port_of(*link));
-  // More answers than the sockets hold: the sender stands until somebody reads.
+  // More answers than the sockets hold: the sender blocks until the client reads.
   std::thread sender([&client] {
     for (std::size_t i = 0; i < kRequests; ++i) client.send(RawClient::frame(static_cast<int>(i), {3, 0, 0, 0, 125}));
   });
@@ -195,7 +195,7 @@ TEST_CASE("a client that reads late gets an answer to every request, in their or
   CHECK(served + busy == kRequests);
 }
 
-TEST_CASE("the server works on descriptors beyond 1024") {
+TEST_CASE("The server works on descriptors above 1024") {
   rlimit limit{};
   ::getrlimit(RLIMIT_NOFILE, &limit);
   const rlimit before = limit;
@@ -214,7 +214,7 @@ TEST_CASE("the server works on descriptors beyond 1024") {
   ::setrlimit(RLIMIT_NOFILE, &before);
 }
 
-TEST_CASE("a server starts and stops a thousand times on one port, with clients, and leaves nothing open") {
+TEST_CASE("A server starts and stops a thousand times on one port, with clients, and leaves nothing open") {
   const auto tables = test::cell_tables();
   std::string url = "modbus-tcp-server://127.0.0.1:0";
   const std::size_t descriptors = open_descriptors();
@@ -222,7 +222,7 @@ TEST_CASE("a server starts and stops a thousand times on one port, with clients,
   for (int i = 0; i < 1000; ++i) {
     auto result = link::open_link({url}, tables);
     if (std::holds_alternative<link::LinkError>(result)) {
-      ++taken;  // by another program's connection, meanwhile
+      ++taken;  // by another program's connection in the meantime
       result = link::open_link({"modbus-tcp-server://127.0.0.1:0"}, tables);
     }
     auto& link = std::get<std::unique_ptr<link::Link>>(result);
@@ -230,13 +230,13 @@ TEST_CASE("a server starts and stops a thousand times on one port, with clients,
     RawClient client(test::port_of(*link));
     REQUIRE(client.connected());
     if (i % 10 == 0) REQUIRE(client.ask(kReadInputs).size() == 3);
-    link.reset();  // before the client: so it is the server's end that still holds the port at the next start
+    link.reset();  // before the client: so the server's end still holds the port at the next start
   }
   CHECK(taken < 5);
   CHECK(open_descriptors() == descriptors);
 }
 
-TEST_CASE("stopping closes the connections of idle clients") {
+TEST_CASE("Stopping closes the connections of idle clients") {
   auto server = std::make_unique<CellServer>();
   RawClient client(server->port());
   REQUIRE(client.ask(kReadInputs).size() == 3);
@@ -244,14 +244,14 @@ TEST_CASE("stopping closes the connections of idle clients") {
   CHECK(client.is_closed());
 }
 
-TEST_CASE("the server's thread leaves signals to its host") {
+TEST_CASE("The server's thread leaves signals to its host") {
   CellServer server;
   sigset_t now;
   ::pthread_sigmask(SIG_SETMASK, nullptr, &now);
   CHECK(::sigismember(&now, SIGTERM) == 0);  // starting it did not change the caller's
 }
 
-TEST_CASE("a PLC program over TCP completes a cycle of the cell while plant and server run") {
+TEST_CASE("A PLC program over TCP completes a cycle of the cell while plant and server run") {
   CellServer server;
   server.start_cycling();
   RawClient plc(server.port());

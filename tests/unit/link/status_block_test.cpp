@@ -21,17 +21,17 @@ constexpr StatusBlock kBlock = {.state = PlantState::run,
 
 }  // namespace
 
-TEST_CASE("the status block stands as documented, with the low word first") {
+TEST_CASE("The status block is as documented, with the low word first") {
   CHECK(registers_of(kBlock, WordOrder::low_first) ==
         Registers{1, 5, 1, 0x8003, 0x6789, 0x2345, 1, 2, 0xCDEF, 0x89AB, 0x4567, 0x0123});
 }
 
-TEST_CASE("the status block stands as documented, with the high word first") {
+TEST_CASE("The status block is as documented, with the high word first") {
   CHECK(registers_of(kBlock, WordOrder::high_first) ==
         Registers{1, 5, 1, 0x8003, 0x2345, 0x6789, 2, 1, 0x0123, 0x4567, 0x89AB, 0xCDEF});
 }
 
-TEST_CASE("the plant's state is that of the run before that of the plant before that of the link") {
+TEST_CASE("The plant's state is that of the run, then of the plant, then of the link") {
   CHECK(plant_state(LinkState::waiting, false, false) == PlantState::waiting);
   CHECK(plant_state(LinkState::live, false, false) == PlantState::run);
   CHECK(plant_state(LinkState::lost, false, false) == PlantState::link_lost);

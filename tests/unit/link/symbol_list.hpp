@@ -1,4 +1,4 @@
-// Tables of symbols that no unit owns, made a line at a time.
+// Tables of symbols without units, built one symbol at a time.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class SymbolList {
   static constexpr auto kIn = tables::Direction::event;
   static constexpr auto kOut = tables::Direction::operation;
 
-  /// A symbol whose address is a plain number. Returns its row.
+  /// A symbol with a plain number as address. Returns its row.
   std::uint32_t add(std::string_view name, tables::Direction direction, std::uint32_t number,
                     tables::DataType type = tables::DataType::boolean) {
     return add(name, direction, tables::AddressForm::number, number, type);
@@ -38,7 +38,7 @@ class SymbolList {
     return row;
   }
 
-  /// The symbols added from now on are of this controller; those before the first call are of one without a name.
+  /// The symbols added from now on belong to this controller; earlier ones to one without a name.
   void controller(std::string_view name) {
     if (!rows_.empty() && lists_.empty()) {
       lists_.push_back({0, 0});
@@ -51,7 +51,7 @@ class SymbolList {
   void start_at(std::uint32_t row, std::uint64_t value) { initial_.push_back({row, value}); }
   void share(std::uint32_t row, std::uint32_t leader) { shared_.push_back({row, leader}); }
 
-  /// Valid while the list is there and nothing more is added.
+  /// Valid while the list exists and no symbol is added.
   tables::PlantTables tables() const {
     tables::PlantTables tables{};
     tables.name = "list";

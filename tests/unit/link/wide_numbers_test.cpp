@@ -1,4 +1,4 @@
-// Numbers of several registers, over the wire's bytes, in both word orders and directions.
+// Numbers of several registers, in the bytes on the wire, in both word orders and directions.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -72,15 +72,15 @@ Bytes with(Bytes head, const Bytes& data) {
 
 }  // namespace
 
-TEST_CASE("a number written in one request reaches the plant whole, whatever its type and word order") {
+TEST_CASE("A number written in one request reaches the plant complete, for every type and word order") {
   const WordOrder order = GENERATE(WordOrder::low_first, WordOrder::high_first);
   for (const Sample& sample : samples()) {
     INFO("type " << int(sample.type) << ", slot " << sample.slot);
     SymbolList list;
     list.add("BEFORE", SymbolList::kOut, 2, DataType::int_);
     list.add("NUMBER", SymbolList::kOut, tables::AddressForm::none, 0, sample.type);
-    const std::array<link::MapRow, 1> places{{{1, 3, order}}};  // registers 3 and 4 lie in different words
-    ImageBench bench(list.tables(), {.rows = places});
+    const std::array<link::MapRow, 1> rows{{{1, 3, order}}};  // registers 3 and 4 lie in different words
+    ImageBench bench(list.tables(), {.rows = rows});
     const Bytes data = wire(sample, order);
     const auto count = static_cast<std::uint8_t>(data.size() / 2);
     CHECK(bench.ask(with({16, 0, 3, 0, count, static_cast<std::uint8_t>(2 * count)}, data)) ==
@@ -93,7 +93,7 @@ TEST_CASE("a number written in one request reaches the plant whole, whatever its
   }
 }
 
-TEST_CASE("the plant's numbers stand in their registers, whatever their type and word order") {
+TEST_CASE("The plant's numbers are in their registers, for every type and word order") {
   const WordOrder order = GENERATE(WordOrder::low_first, WordOrder::high_first);
   for (const Sample& sample : samples()) {
     INFO("type " << int(sample.type) << ", slot " << sample.slot);
@@ -101,8 +101,8 @@ TEST_CASE("the plant's numbers stand in their registers, whatever their type and
     list.add("BEFORE", SymbolList::kIn, 2, DataType::int_);
     list.add("NUMBER", SymbolList::kIn, tables::AddressForm::none, 0, sample.type);
     list.add("AFTER", SymbolList::kIn, 7, DataType::int_);
-    const std::array<link::MapRow, 1> places{{{1, 3, order}}};
-    ImageBench bench(list.tables(), {.rows = places});
+    const std::array<link::MapRow, 1> rows{{{1, 3, order}}};
+    ImageBench bench(list.tables(), {.rows = rows});
     bench.plant->set_input(1, sample.slot);
     bench.plant->set_input(2, 5);
     bench.cycle();
@@ -114,7 +114,7 @@ TEST_CASE("the plant's numbers stand in their registers, whatever their type and
   }
 }
 
-TEST_CASE("numbers start at their initial value in all of their registers") {
+TEST_CASE("Numbers start at their initial value in all of their registers") {
   SymbolList list;
   list.add("SPEED", SymbolList::kOut, 1, DataType::dint);
   list.add("LEVEL", SymbolList::kIn, 1, DataType::real);
@@ -125,7 +125,7 @@ TEST_CASE("numbers start at their initial value in all of their registers") {
   CHECK(bench.ask({4, 0, 2, 0, 2}) == Bytes{4, 4, 0, 0, 0x3F, 0xC0});
 }
 
-TEST_CASE("a number written a register at a time is seen as it stands in each cycle") {
+TEST_CASE("A number written one register at a time has its intermediate value in each cycle") {
   SymbolList list;
   list.add("SPEED", SymbolList::kOut, 0, DataType::dint);
   ImageBench bench(list.tables());
@@ -137,7 +137,7 @@ TEST_CASE("a number written a register at a time is seen as it stands in each cy
   CHECK(bench.plant->operation_value(0) == signed_slot(-65'529));
 }
 
-TEST_CASE("symbols of one address and size read the same registers each in its own way") {
+TEST_CASE("Symbols of one address and size read the same registers with their own type") {
   SymbolList list;
   list.add("A", SymbolList::kOut, 3, DataType::dint);
   list.add("B", SymbolList::kOut, 3, DataType::udint);
@@ -150,13 +150,13 @@ TEST_CASE("symbols of one address and size read the same registers each in its o
   CHECK(bench.plant->operation_value(2) == real_slot(-1));
 }
 
-TEST_CASE("a number of 8 bits lies in the lower half of its register") {
+TEST_CASE("A number of 8 bits is in the lower half of its register") {
   SymbolList list;
   list.add("A", SymbolList::kOut, tables::AddressForm::none, 0, DataType::sint);
   list.add("B", SymbolList::kOut, tables::AddressForm::none, 0, DataType::byte);
   list.add("C", SymbolList::kIn, tables::AddressForm::none, 0, DataType::sint);
-  const std::array<link::MapRow, 3> places{{{0, 0}, {1, 1}, {2, 0}}};
-  ImageBench bench(list.tables(), {.rows = places});
+  const std::array<link::MapRow, 3> rows{{{0, 0}, {1, 1}, {2, 0}}};
+  ImageBench bench(list.tables(), {.rows = rows});
   bench.ask({16, 0, 0, 0, 2, 4, 0x00, 0xFE, 0x12, 0xFE});
   bench.plant->set_input(2, signed_slot(-3));
   bench.cycle();

@@ -1,4 +1,4 @@
-// Plant models derived from a list and then altered, for what a list alone cannot say.
+// Plant models derived from a list and then changed, for what a list cannot express.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using condition::Tree;
 /// The model of a list of bits (see bits()).
 inline model::PlantModel model_of(const std::vector<std::string>& names) {
   Analysed analysed = analyse_rows(bits(names));
-  REQUIRE(analysed.plant);
-  return std::move(*analysed.plant);
+  REQUIRE(analysed.derived);
+  return std::move(analysed.derived->plant);
 }
 
 inline std::uint32_t symbol_of(const model::PlantModel& plant, std::string_view name) {
@@ -44,7 +44,7 @@ inline Tree operator!(Tree tree) { return {Tree::Kind::negation, false, {}, {std
 inline Tree operator&&(Tree a, Tree b) { return {Tree::Kind::all, false, {}, {std::move(a), std::move(b)}}; }
 inline Tree operator||(Tree a, Tree b) { return {Tree::Kind::any, false, {}, {std::move(a), std::move(b)}}; }
 
-/// On and off, a state each.
+/// On and off, one state each.
 using Masks = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 inline Masks masks(const std::vector<tables::EventMasks>& rows) {
   Masks masks;

@@ -1,4 +1,4 @@
-// Conditions, what they watch and who reads them, from the plant model to the engine's tables.
+// Conditions, their watches and their readers, from the plant model to the engine's tables.
 #include <tuple>
 
 #include "lower/lower.hpp"
@@ -12,7 +12,7 @@ namespace {
 using lower::EngineTables;
 using tables::ReaderKind;
 
-/// Three devices of two states each: A1 and B2, every one with operation and event.
+/// Three devices of two states each: A1 and B2, each with operation and event.
 model::PlantModel three_devices() {
   std::vector<std::string> names;
   for (const char* path : {"L_P_D1", "L_P_D2", "L_P_D3"}) {
@@ -44,7 +44,7 @@ Watches watches(const std::vector<tables::BitWatch>& rows) {
   return all;
 }
 
-/// All of some symbols' events.
+/// All events of some symbols.
 Tree all_of(const model::PlantModel& plant, const std::vector<std::string>& names) {
   Tree tree;
   tree.kind = Tree::Kind::all;
@@ -52,7 +52,7 @@ Tree all_of(const model::PlantModel& plant, const std::vector<std::string>& name
   return tree;
 }
 
-TEST_CASE("The conditions of a unit lie side by side, in the model's order; then those of requirements") {
+TEST_CASE("The conditions of a unit are adjacent, in the model's order; then come those of requirements") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {settled(1, 1), !settled(2, 0)};
   plant.units[2].conditions = {moving(0)};
@@ -82,7 +82,7 @@ TEST_CASE("The conditions of a unit lie side by side, in the model's order; then
   CHECK(tables::split_names(tables.requirement_names) == std::vector<std::string_view>{"never both", "answers"});
 }
 
-TEST_CASE("Watches stand by what they watch, whoever asked first") {
+TEST_CASE("Watches are sorted by what they watch") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {moving(2), settled(2, 1) && settled(1, 0)};
   plant.units[1].conditions = {settled(2, 0)};
@@ -91,7 +91,7 @@ TEST_CASE("Watches stand by what they watch, whoever asked first") {
         Watches{{1, 1, 0, 1}, {2, 0, tables::kMovingState, 0}, {2, 1, 1, 0}, {2, 2, 0, 0}});
 }
 
-TEST_CASE("A symbol is watched at its bit, on the side that it is on") {
+TEST_CASE("A symbol is watched at its bit, on its own side") {
   model::PlantModel plant = three_devices();
   const std::uint32_t operation = symbol_of(plant, "L_P_D2_O_B2");
   const std::uint32_t event = symbol_of(plant, "L_P_D1_I_B2");
@@ -104,24 +104,24 @@ TEST_CASE("A symbol is watched at its bit, on the side that it is on") {
   CHECK(tables.unit_watches.empty());
 }
 
-TEST_CASE("Symbols on one address are each watched at a bit of their own") {
+TEST_CASE("Symbols on one address are each watched at a separate bit") {
   Analysed analysed = analyse_rows({{"L_P_D_I_A1", "X1"}, {"L_P_D_I_B2", "X2"}, {"FIRST", "X5"}, {"SECOND", "X5"}});
-  REQUIRE(analysed.plant);
-  model::PlantModel plant = std::move(*analysed.plant);
+  REQUIRE(analysed.derived);
+  model::PlantModel plant = std::move(analysed.derived->plant);
   plant.units[0].conditions = {bit(symbol_of(plant, "SECOND")), bit(symbol_of(plant, "FIRST"))};
   const EngineTables tables = lower::lower(plant);
   CHECK(tables.event_watches.size() == 2);
   CHECK(tables.event_watches[0].bit != tables.event_watches[1].bit);
 }
 
-TEST_CASE("Numbers are compared at their slot") {
+TEST_CASE("Numbers are compared in their slot") {
   Analysed analysed = analyse_rows({{"L_P_D_I_A1", "X1"},
                                     {"L_P_D_I_B2", "X2"},
                                     {"SPEED", "", "WORD", "0", "%QW1"},
                                     {"LEVEL", "", "INT", "0", "%IW1"},
                                     {"HEAT", "", "REAL", "0", "%ID4"}});
-  REQUIRE(analysed.plant);
-  model::PlantModel plant = std::move(*analysed.plant);
+  REQUIRE(analysed.derived);
+  model::PlantModel plant = std::move(analysed.derived->plant);
   const auto minus_two = static_cast<std::uint64_t>(-2);
   plant.units[0].conditions = {
       number(symbol_of(plant, "HEAT"), tables::Comparison::greater, tables::NumberKind::real, 0x3FF8'0000'0000'0000),
@@ -146,7 +146,7 @@ TEST_CASE("Numbers are compared at their slot") {
   CHECK(tables.event_value_watches[1].kind == tables::NumberKind::real);
 }
 
-TEST_CASE("A condition that is always the same watches nothing") {
+TEST_CASE("A constant condition watches nothing") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {constant(true), constant(false), settled(1, 0) || !settled(1, 0),
                                settled(1, 0) && !settled(1, 0)};
@@ -158,7 +158,7 @@ TEST_CASE("A condition that is always the same watches nothing") {
   CHECK(tables.unit_watches.empty());
 }
 
-TEST_CASE("A condition of many inputs is a network whose inner tables stand behind all others") {
+TEST_CASE("A condition of many inputs is a network whose inner tables come after all others") {
   model::PlantModel plant = three_devices();
   const std::vector<std::string> names{"L_P_D1_I_A1", "L_P_D1_I_B2", "L_P_D2_I_A1", "L_P_D2_I_B2", "L_P_D3_I_A1",
                                        "L_P_D3_I_B2", "L_P_D1_O_A1", "L_P_D2_O_A1", "START"};
@@ -172,7 +172,7 @@ TEST_CASE("A condition of many inputs is a network whose inner tables stand behi
   CHECK(tables.event_watches.size() == 2 * 7);
   CHECK(tables.operation_watches.size() == 2 * 2);
 
-  // Every input of every table is fed by one watch or one inner table, and each inner table leads to a whole.
+  // Every input of every table is fed by one watch or one inner table, and each inner table leads to a complete one.
   std::vector<std::vector<int>> feeds(tables.conditions.size(), std::vector<int>(condition::kMostInputs));
   for (const tables::BitWatch& row : tables.event_watches) ++feeds[row.condition][row.input];
   for (const tables::BitWatch& row : tables.operation_watches) ++feeds[row.condition][row.input];
@@ -194,7 +194,7 @@ TEST_CASE("A condition of many inputs is a network whose inner tables stand behi
   }
 }
 
-TEST_CASE("A unit that a condition watches, and one that has conditions, is rich; one whose bits are watched is not") {
+TEST_CASE("A watched unit, and one with conditions, takes the general path; one whose bits are watched does not") {
   model::PlantModel plant = three_devices();
   plant.units[0].conditions = {settled(1, 1), bit(symbol_of(plant, "L_P_D3_I_A1"))};
   const EngineTables tables = lower::lower(plant);

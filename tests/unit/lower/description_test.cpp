@@ -26,7 +26,7 @@ const tables::Transition& transition(const EngineTables& tables, std::uint32_t u
   return tables.types[tables.units[unit].type].transitions[t];
 }
 
-TEST_CASE("A transition keeps its operation, or that it has none, or that it is a spring's own way") {
+TEST_CASE("A transition keeps its operation, or that it is automatic, or that it is a spring return") {
   model::PlantModel plant = devices(1);
   model::Unit& unit = plant.units[0];
   unit.actuation = tables::Actuation::spring;
@@ -61,7 +61,7 @@ TEST_CASE("Units that differ in once, when, outputs, or the name of their class 
   plant.units[7].described = &described[1];
   const EngineTables tables = lower::lower(plant);
   CHECK(tables.types.size() == 7);
-  CHECK(tables.units[2].type == tables.units[3].type);  // which condition is a unit's own affair
+  CHECK(tables.units[2].type == tables.units[3].type);  // the condition itself may differ within a type
   CHECK(transition(tables, 1, 0).once);
   CHECK(transition(tables, 2, 0).when == 0);
 
@@ -76,7 +76,7 @@ TEST_CASE("Units that differ in once, when, outputs, or the name of their class 
 TEST_CASE("l_enter and l_leave switch the state's own event, then the outputs; the later of two wins") {
   model::PlantModel plant = model_of({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_I_BUSY3"});
   model::Unit& unit = plant.units[0];
-  unit.states.pop_back();  // BUSY3 is an event alone
+  unit.states.pop_back();  // BUSY3 is only an event
   unit.outputs = {{{{2, true}, {1, false}}, {{2, false}}}, {{{1, false}, {2, true}, {2, false}}, {{1, true}}}};
   const EngineTables tables = lower::lower(plant);
   CHECK(masks(tables.types[0].enter) == Masks{{0b101, 0b010}, {0, 0b110}});
@@ -90,8 +90,8 @@ TEST_CASE("An output switches every event of its unit on the same address") {
                                     {"L_P_D_I_B2", "X2"},
                                     {"L_P_D_I_C3", "X3"},
                                     {"L_P_D_I_D4", "X3"}});
-  REQUIRE(analysed.plant);
-  model::PlantModel plant = std::move(*analysed.plant);
+  REQUIRE(analysed.derived);
+  model::PlantModel plant = std::move(analysed.derived->plant);
   plant.units[0].states.resize(2);
   plant.units[0].transitions.clear();
   plant.units[0].outputs = {{{{3, true}}, {{2, false}}}, {}};
@@ -100,7 +100,7 @@ TEST_CASE("An output switches every event of its unit on the same address") {
   CHECK(masks(tables.types[0].leave) == Masks{{0, 0b1101}, {0, 0b0010}});
 }
 
-TEST_CASE("An event that is no state stands at its Initial, unless entering the initial state switches it") {
+TEST_CASE("An event that is no state keeps its Initial, unless entering the initial state switches it") {
   const auto starting = [](bool output) {
     model::PlantModel plant = model_of({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_I_BUSY3*"});
     model::Unit& unit = plant.units[0];
@@ -116,7 +116,7 @@ TEST_CASE("An event that is no state stands at its Initial, unless entering the 
   CHECK(starting(true).empty());
 }
 
-TEST_CASE("A random time is a negative number, and equal ones are one") {
+TEST_CASE("A random time is a negative number, and equal ones share it") {
   model::PlantModel plant = devices(3);
   const Duration uniform{Duration::Kind::uniform, 10, 20};
   const Duration normal{Duration::Kind::normal, 10, 20};
@@ -137,7 +137,7 @@ TEST_CASE("A random time is a negative number, and equal ones are one") {
   CHECK(tables.times[tables.units[2].times + 1].takes == -3);
 }
 
-TEST_CASE("The default travel is a unit's own, and parts times, not types") {
+TEST_CASE("The default travel is per unit, and separates times, not types") {
   model::PlantModel plant = devices(3);
   plant.units[1].travel = 5;
   const EngineTables tables = lower::lower(plant);
@@ -147,7 +147,7 @@ TEST_CASE("The default travel is a unit's own, and parts times, not types") {
   CHECK(tables.times[tables.units[1].times].takes == 5);
 }
 
-TEST_CASE("A transition is timed where in some unit of its type it waits, or draws; a travel alone is not") {
+TEST_CASE("A transition is timed if it waits or draws in some unit of its type; a travel alone is not") {
   model::PlantModel plant = devices(3);
   plant.units[2].transitions[1].after = Duration::fixed(3);
   const EngineTables waits = lower::lower(plant);
@@ -162,7 +162,7 @@ TEST_CASE("A transition is timed where in some unit of its type it waits, or dra
   CHECK(transition(lower::lower(plant), 0, 1).timed);
 }
 
-TEST_CASE("Disables stand by who disables, then by state, then by whom; both are rich") {
+TEST_CASE("Disables are sorted by disabling unit, state and disabled unit; both units take the general path") {
   model::PlantModel plant = devices(5);
   plant.units[3].disables = {{0, 1}, {}};
   plant.units[1].disables = {{2}, {0, 3}};
@@ -174,7 +174,7 @@ TEST_CASE("Disables stand by who disables, then by state, then by whom; both are
   CHECK(tables.units[4].general == 0);
 }
 
-TEST_CASE("A unit with a behaviour shares its type with its like alone; classes of one name are one") {
+TEST_CASE("A unit with a behavior shares its type only with equal units; classes of one name are one") {
   model::PlantModel plant = devices(5);
   std::array<description::DeviceDescription, 2> described;
   described[0].behaviour = "MyStopper";
@@ -211,8 +211,8 @@ TEST_CASE("A unit with a behaviour shares its type with its like alone; classes 
   CHECK(tables.units[4].general == 0);
 }
 
-TEST_CASE("Units with operations in one word lie less than 255 apart") {
-  // One operation, then 253 devices that only report, then two of one operation each: the first of them fits.
+TEST_CASE("Units with operations in one word are less than 255 apart") {
+  // One operation, then 253 devices that only report, then two with one operation each: the first of them fits.
   for (const int between : {252, 253, 254, 300}) {
     std::vector<std::string> names{"L_P_FIRST_O_A1"};
     for (int i = 0; i < between; ++i) names.push_back("L_P_S" + std::to_string(i) + "_I_ON");

@@ -30,7 +30,7 @@ CompiledText compile_bits(const std::vector<std::string>& names) {
   return text;
 }
 
-TEST_CASE("All bits of a unit lie in one word of each plane") {
+TEST_CASE("All bits of a unit are in one word of each plane") {
   std::vector<std::string> names;
   for (int size = 1; size <= 40; ++size) {
     std::vector<std::string> tasks;
@@ -49,7 +49,7 @@ TEST_CASE("All bits of a unit lie in one word of each plane") {
   }
 }
 
-TEST_CASE("Bits are packed: units share words as far as they fit, and what is unmodelled follows") {
+TEST_CASE("Bits are packed: units share words if they fit, and unmodelled symbols follow") {
   std::vector<std::string> names;
   for (int i = 0; i < 21; ++i) names = names + device("L_P_R" + std::to_string(i), kRobot);
   const CompiledText exact = compile_bits(names + std::vector<std::string>{"START"});
@@ -60,7 +60,7 @@ TEST_CASE("Bits are packed: units share words as far as they fit, and what is un
   CHECK(more.tables().units.back().event_bit == 64);
 }
 
-TEST_CASE("Planes are whole words; a plant without symbols of a kind has none") {
+TEST_CASE("Planes are whole words; a plant without symbols of a kind has no such plane") {
   const CompiledText text = compile_rows({{"LEVEL", "", "INT", "0", "%IW1"}, {"SPEED", "", "WORD", "7", "%QW1"}});
   CHECK(text.tables().operation_bits == 0);
   CHECK(text.tables().event_bits == 0);
@@ -68,7 +68,7 @@ TEST_CASE("Planes are whole words; a plant without symbols of a kind has none") 
   CHECK(text.tables().event_slots == 1);
 }
 
-TEST_CASE("Every symbol has a bit or slot of its own, also those on one address") {
+TEST_CASE("Every symbol has a separate bit or slot, also those on one address") {
   const CompiledText text = compile_rows({{"L_P_D_O_A", "Y1"},
                                           {"L_P_E_O_A", "Y1"},
                                           {"LAMP", "Y1"},
@@ -85,7 +85,7 @@ TEST_CASE("Every symbol has a bit or slot of its own, also those on one address"
   CHECK(tables.shared_addresses.size() == 3);
 }
 
-TEST_CASE("An event that follows another unit's is switched by that unit alone") {
+TEST_CASE("An event that follows another unit's event is switched by that unit alone") {
   const CompiledText text = compile_rows({{"L_P_A_O_P1", "Y1"},
                                           {"L_P_A_O_P2", "Y2"},
                                           {"L_P_A_I_P1", "X1"},
@@ -99,7 +99,7 @@ TEST_CASE("An event that follows another unit's is switched by that unit alone")
   CHECK(masks(follower.leave) == Masks{{0, 0}, {0, 2}});
 }
 
-TEST_CASE("Numbers of different types on one address are not kept equal bit by bit: links know each type") {
+TEST_CASE("Numbers of different types on one address are not kept equal bit by bit: links handle each type") {
   const CompiledText text = compile_rows({{"N1", "", "INT", "-1", "%QW1"}, {"N2", "", "WORD", "5", "%QW1"}});
   REQUIRE(text.compiled);
   CHECK(text.tables().shared_addresses.empty());
@@ -107,7 +107,7 @@ TEST_CASE("Numbers of different types on one address are not kept equal bit by b
 }
 
 TEST_CASE(
-    "Of several numbers of one type on an address the first leads, whatever type the address's first symbol has") {
+    "The first of several numbers of one type on an address leads, for any first symbol of the address") {
   const CompiledText text = compile_rows({{"N1", "", "INT", "", "%QW5"},
                                           {"N2", "", "WORD", "", "%QW5"},
                                           {"N3", "", "WORD", "", "%QW5"},
@@ -127,11 +127,11 @@ TEST_CASE("Units of equal structure and names share a type and its times") {
   CHECK(text.tables().types.size() == 2);
   CHECK(text.tables().units[0].type == text.tables().units[2].type);
   CHECK(text.tables().units[0].times == text.tables().units[1].times);
-  // Six transitions of the robot, one of the valve, each type's default travel before them.
+  // Six transitions of the robot, one of the valve, after the default travel of each type.
   CHECK(text.tables().times.size() == 7 + 2);
 }
 
-TEST_CASE("The order of rows within a device makes no difference of structure where S is the same") {
+TEST_CASE("The order of rows within a device does not matter for its structure if S is the same") {
   const CompiledText text =
       compile_bits(device("L_P_R1", kRobot) + device("L_P_R2", {"O_A1", "O_B2", "O_C3", "I_A1", "I_B2", "I_C3"}));
   CHECK(text.tables().types.size() == 1);
@@ -148,7 +148,7 @@ TEST_CASE("Units that differ in a task's name, in its case, in actuation or in a
   CHECK(types({"O_ADV", "I_ADV", "I_RET"}, {"O_ADV", "I_ADV", "I_RET1"}) == 2);
 }
 
-TEST_CASE("The initial state is a unit's own: it does not part types") {
+TEST_CASE("The initial state is per unit: it does not separate types") {
   const CompiledText text = compile_bits(device("L_P_R1", {"O_A1", "I_A1", "O_B2", "I_B2"}) +
                                          device("L_P_R2", {"O_A1", "I_A1", "O_B2", "I_B2*"}));
   CHECK(text.tables().types.size() == 1);
@@ -164,7 +164,7 @@ TEST_CASE("Two events of one unit on one address are set and reset together") {
   CHECK(masks(type.leave) == Masks{{0, 3}, {0, 3}});
 }
 
-TEST_CASE("Starting values are those of numeric symbols and unmodelled inputs alone") {
+TEST_CASE("Only numeric symbols and unmodelled inputs have starting values") {
   const CompiledText text = compile_rows({{"L_P_D_I_ON", "X1", "BOOL", "TRUE"},
                                           {"AIR", "X2", "BOOL", "TRUE"},
                                           {"LAMP", "Y1", "BOOL", "TRUE"},
@@ -177,7 +177,7 @@ TEST_CASE("Starting values are those of numeric symbols and unmodelled inputs al
         std::vector<std::pair<std::uint32_t, std::uint64_t>>{{1, 1}, {3, static_cast<std::uint64_t>(-5)}, {4, 7}});
 }
 
-TEST_CASE("Names stand in blobs in the order of their rows") {
+TEST_CASE("Names are in blobs in the order of their rows") {
   const CompiledText text = compile_rows({{"L_P_D_O_A", "Y1"}, {"L_P_D_I_A", "X1"}, {"START"}, {"LAMP", "Y2"}});
   const auto names = tables::split_names(text.tables().symbol_names);
   CHECK(names == std::vector<std::string_view>{"L_P_D_O_A", "Y1", "L_P_D_I_A", "X1", "LAMP", "Y2"});
@@ -185,7 +185,7 @@ TEST_CASE("Names stand in blobs in the order of their rows") {
   CHECK(text.tables().state_names == std::string("NOT_A\0A\0", 8));
 }
 
-TEST_CASE("Lowering twice gives one model_hash, and the place in the list does not count in it") {
+TEST_CASE("Lowering twice gives one model_hash, which does not depend on the row in the list") {
   const std::vector<Row> rows = bits(device("L_P_R1", kRobot) + device("L_P_V", {"O_ADV", "I_ADV", "I_RET"}));
   const auto hash = [](const std::string& list, const char* name) {
     return tables::model_hash(compile_text(list, name).tables().tables());
@@ -197,7 +197,7 @@ TEST_CASE("Lowering twice gives one model_hash, and the place in the list does n
   CHECK(hash(with_gap, "a.csv") == hash(list, "a.csv"));
 }
 
-TEST_CASE("Every symbol finds its list and its controller") {
+TEST_CASE("Every symbol has its list and its controller") {
   const CompiledText text = compile_lists({{"a.csv", list_text(bits({"L_P_D_O_A", "L_P_D_I_A"})), "PLC1"},
                                            {"none.csv", list_text({{"M1", "M1"}}), "PLC2"},
                                            {"b.csv", list_text(bits({"L_P_E_O_A"})), "PLC3"},
@@ -228,7 +228,7 @@ TEST_CASE("Symbols of two controllers on one address are not kept equal") {
   CHECK(shared("PLC2") == 0);
 }
 
-TEST_CASE("A list of the default controller alone is one row and one empty name") {
+TEST_CASE("A list of only the default controller is one row and one empty name") {
   const CompiledText text = compile_bits({"L_P_D_O_A"});
   CHECK(text.tables().lists.size() == 1);
   CHECK(text.tables().controller_names == std::string(1, '\0'));

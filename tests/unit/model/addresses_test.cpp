@@ -1,4 +1,4 @@
-// What addresses decide: direction, how X and Y count, and symbols that share one.
+// The effects of addresses: direction, radix of X and Y, and symbols that share one.
 #include "model_support.hpp"
 
 namespace symplant::test {
@@ -7,7 +7,7 @@ namespace {
 using address::Radix;
 using model::RadixChoice;
 
-TEST_CASE("The address says the direction where name and address disagree, and a warning says so") {
+TEST_CASE("The address decides the direction if the name disagrees, with a warning") {
   const Analysed list = analyse_rows({{"L_P_D_O_A", "X1"}, {"L_P_E_I_A", "", "BOOL", "", "%QX1"}});
   CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::event);
   CHECK(symbol_of(list, "L_P_E_I_A").direction == tables::Direction::operation);
@@ -16,7 +16,7 @@ TEST_CASE("The address says the direction where name and address disagree, and a
   CHECK(list.fired(diag::Severity::warning) == "direction-against-address direction-against-address");
 }
 
-TEST_CASE("A symbol without an address has the direction of its name, and a note") {
+TEST_CASE("A symbol without an address has the direction of its name, with a note") {
   const Analysed list = analyse_rows({{"L_P_D_O_A"}, {"L_P_D_I_A"}});
   CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::operation);
   CHECK(symbol_of(list, "L_P_D_I_A").direction == tables::Direction::event);
@@ -24,7 +24,7 @@ TEST_CASE("A symbol without an address has the direction of its name, and a note
   CHECK(list.fired(diag::Severity::warning) == "");
 }
 
-TEST_CASE("A cell that is no address is told once, and the name gives the direction") {
+TEST_CASE("An invalid address is reported once, and the name gives the direction") {
   const Analysed list = analyse_rows({{"L_P_D_O_A", "?Q?"}, {"L_P_D_I_A", "X1"}});
   CHECK(symbol_of(list, "L_P_D_O_A").direction == tables::Direction::operation);
   CHECK(list.count("address-not-understood") == 1);
@@ -42,21 +42,21 @@ TEST_CASE("Rows with both addresses prove that X and Y count in hexadecimal or i
   CHECK(octal.count("radix-assumed") == 0);
 }
 
-TEST_CASE("What rows prove stands over the option") {
+TEST_CASE("The proof of rows overrides the option") {
   const Analysed list =
       analyse_rows({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_E_I_A", "X0020"}}, Radix::hexadecimal);
   CHECK(list.model().lists.front().radix.radix == Radix::octal);
   CHECK(symbol_of(list, "L_P_E_I_A").address->number == 16);
 }
 
-TEST_CASE("Where no row proves it, the option counts, without a note") {
+TEST_CASE("Without a proof the option counts, without a note") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X0010"}}, Radix::octal);
   CHECK(list.model().lists.front().radix.by == RadixChoice::By::option);
   CHECK(symbol_of(list, "L_P_D_I_A").address->number == 8);
   CHECK(list.count("radix-assumed") == 0);
 }
 
-TEST_CASE("Without proof and option it is hexadecimal, with a note where a number from 10 on makes a difference") {
+TEST_CASE("Without proof and option the radix is hexadecimal, with a note if a number from 10 on makes a difference") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X0001"}, {"L_P_D_O_A", "Y0010"}, {"L_P_E_I_A", "X20"}});
   CHECK(list.model().lists.front().radix.radix == Radix::hexadecimal);
   CHECK(symbol_of(list, "L_P_D_O_A").address->number == 16);
@@ -66,7 +66,7 @@ TEST_CASE("Without proof and option it is hexadecimal, with a note where a numbe
   CHECK(analyse_rows({{"L_P_D_I_A", "X7", "BOOL", "", "%IX7"}, {"L_P_D_O_A", "Y10"}}).count("radix-assumed") == 1);
 }
 
-TEST_CASE("A digit that octal has not proves hexadecimal, but for an option that says octal, and for rows with both") {
+TEST_CASE("A non-octal digit proves hexadecimal, except against an octal option or rows with both addresses") {
   const std::vector<Row> rows{{"L_P_D_O_A", "Y8"}, {"L_P_D_O_B", "YA"}, {"L_P_D_I_A", "X10"}};
   const Analysed list = analyse_rows(rows);
   CHECK(list.model().lists.front().radix.by == RadixChoice::By::rows);
@@ -89,7 +89,7 @@ TEST_CASE("Two operations on one address are kept equal, with a warning") {
   CHECK(list.model().units.size() == 2);
 }
 
-TEST_CASE("Of an event and an unmodelled symbol on one address the event leads, wherever it stands") {
+TEST_CASE("An event leads an unmodelled symbol on its address, in any order") {
   const Analysed list = analyse_rows({{"BUTTON", "X1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}});
   CHECK(symbol_of(list, "BUTTON").leader == 1);
   CHECK(symbol_of(list, "L_P_D_I_A").leader == model::kNone);
@@ -97,16 +97,16 @@ TEST_CASE("Of an event and an unmodelled symbol on one address the event leads, 
   CHECK_FALSE(list.diagnostics.has_errors());
 }
 
-TEST_CASE("Two events on one address that different units move are an error, and only that") {
+TEST_CASE("Two events on one address that different units drive are an error, and only that") {
   const Analysed list =
       analyse_rows({{"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}, {"L_P_E_I_A", "X1"}, {"L_P_E_O_A", "Y2"}});
-  CHECK(list.fired(diag::Severity::warning) == "event-moved-twice");
+  CHECK(list.fired(diag::Severity::warning) == "event-driven-twice");
   CHECK(list.diagnostics.has_errors());
-  const diag::Diagnostic& finding = finding_of(list, "event-moved-twice");
+  const diag::Diagnostic& finding = finding_of(list, "event-driven-twice");
   CHECK(finding.location.source->position(finding.location.span.begin).line == 4);
 }
 
-TEST_CASE("An event that nobody moves may share the address of one that a unit moves") {
+TEST_CASE("An event that no unit drives may share the address of one that a unit drives") {
   const Analysed list = analyse_rows({{"L_P_B_I_ON", "X1"}, {"L_P_D_I_A", "X1"}, {"L_P_D_O_A", "Y1"}});
   CHECK(list.fired(diag::Severity::warning) == "address-used-twice");
   CHECK(symbol_of(list, "L_P_B_I_ON").leader == 1);
@@ -118,12 +118,12 @@ TEST_CASE("Two events of one unit on one address are a warning") {
   CHECK(list.fired(diag::Severity::warning) == "address-used-twice");
 }
 
-TEST_CASE("One place written in two notations is one address") {
+TEST_CASE("One address in two notations is one address") {
   const Analysed list = analyse_rows({{"L_P_D_O_A", "Y1F"}, {"L_P_E_O_A", "", "BOOL", "", "%QX31"}});
   CHECK(list.count("address-used-twice") == 1);
 }
 
-TEST_CASE("A BOOL and a number on one address are not kept equal: the number has no place there") {
+TEST_CASE("A BOOL and a number on one address are not kept equal: the number has no bit there") {
   const Analysed list =
       analyse_rows({{"L_P_D_I_A", "X10"}, {"L_P_D_O_A", "Y1"}, {"LEVEL", "X10", "INT", "0"}}, Radix::hexadecimal);
   CHECK(list.fired(diag::Severity::warning) == "wrong-number-of-levels type-against-address");

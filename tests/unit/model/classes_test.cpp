@@ -1,4 +1,4 @@
-// The names of classes that a description gives, and what one behaviour may be for.
+// Class names from a description, and the devices that one behavior can serve.
 #include "description_support.hpp"
 
 namespace symplant::test {
@@ -13,7 +13,7 @@ DeviceDescription behaving(std::string path, std::string behaviour) {
   return d;
 }
 
-/// The faults of two like devices, of which `alter` makes the second another.
+/// The faults of two equal devices, the second of which `alter` changes.
 template <class Alter>
 std::string faults_of_twins(Alter&& alter) {
   DeviceDescription first = behaving("L_P_D", "Mine");
@@ -22,7 +22,7 @@ std::string faults_of_twins(Alter&& alter) {
   return faults(described(kTwins, {first, second}));
 }
 
-TEST_CASE("A behaviour may be that of many devices which are alike") {
+TEST_CASE("One behavior may serve many equal devices") {
   CHECK(faults_of_twins([](DeviceDescription&) {}) == "");
   CHECK(faults_of_twins([](DeviceDescription& d) {
           d.initial = "B2";
@@ -31,7 +31,7 @@ TEST_CASE("A behaviour may be that of many devices which are alike") {
         }) == "");
 }
 
-TEST_CASE("Names that no class can have are faults, with one that it could have") {
+TEST_CASE("Invalid class names are faults, with a valid suggestion") {
   for (const auto& [name, legal] : std::vector<std::pair<std::string, std::string>>{{"class", "class_"},
                                                                                     {"my stopper", "my_u0020_stopper"},
                                                                                     {"2nd", "n2nd"},
@@ -40,36 +40,33 @@ TEST_CASE("Names that no class can have are faults, with one that it could have"
     DeviceDescription d = device();
     d.type = name;
     CHECK(faults(described(kTwins, {d})) ==
-          "/devices/L_P_D/type: `" + name + "` is no name of a C++ class, write `" + legal + "`, say");
+          "/devices/L_P_D/type: `" + name + "` is not a valid C++ class name; write `" + legal + "`, for example");
     CHECK(faults(described(kTwins, {behaving("L_P_D", name)})) ==
-          "/devices/L_P_D/behaviour: `" + name + "` is no name of a C++ class, write `" + legal + "`, say");
+          "/devices/L_P_D/behaviour: `" + name + "` is not a valid C++ class name; write `" + legal + "`, for example");
   }
 }
 
-TEST_CASE("Names that generated code uses itself are faults") {
+TEST_CASE("Names that generated code uses are faults") {
   for (const std::string name : {"Plant", "Device", "State", "View", "kI", "behaviours"}) {
     DeviceDescription d = device();
     d.type = name;
     CHECK(faults(described(kTwins, {d})) ==
-          "/devices/L_P_D/type: `" + name + "` is a name that generated code uses itself, choose another");
+          "/devices/L_P_D/type: `" + name + "` is a name that generated code uses itself; choose another");
   }
 }
 
-TEST_CASE("A behaviour that has the name of a type, or of another behaviour but for the case, is a fault") {
+TEST_CASE("A behavior named like a type, or like another behavior except for case, is a fault") {
   DeviceDescription typed = device("L_P_E");
   typed.type = "Mine";
   CHECK(faults(described(kTwins, {behaving("L_P_D", "Mine"), typed})) ==
-        "/devices/L_P_D/behaviour: `Mine` is the `type` of `L_P_E` too, choose another name for the class that is "
-        "derived "
-        "from it");
+        "/devices/L_P_D/behaviour: `Mine` is also the `type` of `L_P_E`; choose another name for the derived class");
   CHECK(faults(described(kTwins, {behaving("L_P_D", "Mine"), behaving("L_P_E", "mine")})) ==
-        "/devices/L_P_E/behaviour: `mine` and `Mine` differ by upper and lower case only, write them alike or choose "
-        "another name");
+        "/devices/L_P_E/behaviour: `mine` and `Mine` differ only in case; write them the same or choose another name");
 }
 
-TEST_CASE("A behaviour of devices that its code cannot serve alike is a fault that says what differs") {
-  const std::string begin = "/devices/L_P_E/behaviour: `Mine` is the behaviour of `L_P_D` too, which has other ";
-  const std::string end = ", choose another name for one of them";
+TEST_CASE("A behavior of devices with different structure is a fault that names the difference") {
+  const std::string begin = "/devices/L_P_E/behaviour: `Mine` is also the `behaviour` of `L_P_D`, which has other ";
+  const std::string end = "; choose another name for one of them";
   CHECK(faults_of_twins([](DeviceDescription& d) { d.type = "Other"; }) == begin + "`type`" + end);
   CHECK(faults_of_twins([](DeviceDescription& d) { d.states = {"C3"}; }) == begin + "states" + end);
   CHECK(faults_of_twins([](DeviceDescription& d) { d.inputs = {{"part", "L_P_D.A1"}}; }) == begin + "`inputs`" + end);
@@ -86,12 +83,12 @@ TEST_CASE("A behaviour of devices that its code cannot serve alike is a fault th
         begin + "numeric symbols" + end);
 }
 
-TEST_CASE("Inputs have names, each its own whatever the case") {
+TEST_CASE("Inputs have unique names, ignoring case") {
   DeviceDescription d = behaving("L_P_D", "Mine");
   d.inputs = {{"part", "L_P_E.A1"}, {"Part", "L_P_E.B2"}, {"", "L_P_E.B2"}};
   CHECK(faults(described(kTwins, {d})) ==
-        "/devices/L_P_D/inputs/Part: `Part` names another input already, give each its own name\n"
-        "/devices/L_P_D/inputs/: an input without a name, give it one");
+        "/devices/L_P_D/inputs/Part: `Part` already names another input; choose another name\n"
+        "/devices/L_P_D/inputs/: this input has no name; give it one");
 }
 
 }  // namespace

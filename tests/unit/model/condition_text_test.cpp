@@ -25,7 +25,7 @@ bool same(const Tree& a, const Tree& b) {
   return true;
 }
 
-/// Devices, states and symbols whose names are words, hold letters of other scripts, or are no names at all.
+/// Devices, states and symbols whose names are keywords, have letters of other scripts, or are no valid names.
 Analysed hostile() {
   return analyse_rows({{"L_P_D_O_A1", "Y1"},
                        {"L_P_D_I_B2", "X2"},
@@ -58,7 +58,7 @@ struct Reader {
   std::string again(const std::string& text) const { return model::condition_text(read(text), plant); }
 };
 
-TEST_CASE("A condition is written as its author would: quotes and parentheses only where they are needed") {
+TEST_CASE("A condition is written with quotes and parentheses only where needed") {
   const Analysed analysed = hostile();
   const Reader reader{analysed.model()};
   for (const char* text : {
@@ -82,7 +82,7 @@ TEST_CASE("A condition is written as its author would: quotes and parentheses on
   CHECK(reader.again("BIG = 0.5") == "BIG < 0");
 }
 
-TEST_CASE("What came from no text says so; a long text is cut between characters") {
+TEST_CASE("A condition without source text says so; a long text is cut between characters") {
   const Analysed analysed = hostile();
   Tree always;
   always.value = true;
@@ -134,10 +134,10 @@ class RandomTree {
     } else if (type == tables::DataType::int_) {
       tree.atom.operand = static_cast<std::uint64_t>(std::int64_t{below(60'000)} - 30'000);
     } else if (type == tables::DataType::lint) {
-      tree.atom.operand = random_() | 1;  // neither end of its values
+      tree.atom.operand = random_() | 1;  // neither end of the range
     } else {
       tree.atom.number = tables::NumberKind::unsigned_integer;
-      tree.atom.operand = 1 + random_() / 2;  // neither end of its values
+      tree.atom.operand = 1 + random_() / 2;  // neither end of the range
     }
     return tree;
   }

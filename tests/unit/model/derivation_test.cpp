@@ -1,4 +1,4 @@
-// From a unit's symbols to its I/O model: d_ext, the four inferences with all their conditions, the initial state.
+// From a unit's symbols to its I/O model: d_ext, the four inferences with all conditions, the initial state.
 #include <algorithm>
 
 #include "model_support.hpp"
@@ -11,12 +11,12 @@ using model::InitialFrom;
 
 Analysed analyse_bits(const std::vector<std::string>& names) { return analyse_rows(bits(names)); }
 
-TEST_CASE("S is every task that an operation or an event names") {
+TEST_CASE("S contains every task that an operation or an event names") {
   const Analysed list = analyse_bits({"L_P_D_I_A", "L_P_D_O_B", "L_P_D_I_B", "L_P_D_O_C"});
   CHECK(states_text(unit_of(list)) == "A B C");
 }
 
-TEST_CASE("Every operation leads to its state from every other, by S of the target, then of the source") {
+TEST_CASE("Every operation leads to its state from every other, sorted by S of the target, then of the source") {
   const Analysed list =
       analyse_bits({"L_P_D_O_C3", "L_P_D_I_C3", "L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2"});
   CHECK(transitions_text(list, unit_of(list)) == "B2-O_A1>A1 C3-O_A1>A1 A1-O_B2>B2 C3-O_B2>B2 A1-O_C3>C3 B2-O_C3>C3");
@@ -27,7 +27,7 @@ TEST_CASE("Every operation leads to its state from every other, by S of the targ
   CHECK_FALSE(springs(unit_of(list)));
 }
 
-TEST_CASE("The paper's cell is derived as the paper has it") {
+TEST_CASE("The derived model of the paper's cell equals the paper's") {
   const Analysed list =
       analyse_bits({"EXLINE_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P2", "EXLINE_MB_AGV_O_P1",
                     "EXLINE_MB_MC_I_IDLE1", "EXLINE_MB_MC_I_RUN2", "EXLINE_MB_MC_O_IDLE1", "EXLINE_MB_MC_O_RUN2"});
@@ -44,7 +44,7 @@ TEST_CASE("The paper's cell is derived as the paper has it") {
 
 // Inference 1.
 
-TEST_CASE("One state with an operation and an event gets a rest state, ordered first, and springs back to it") {
+TEST_CASE("One state with an operation and an event gets a rest state, ordered first, and a spring return to it") {
   const Analysed list = analyse_bits({"L_P_D_O_RUN", "L_P_D_I_RUN"});
   const model::Unit& unit = unit_of(list);
   CHECK(states_text(unit) == "NOT_RUN RUN");
@@ -58,14 +58,14 @@ TEST_CASE("One state with an operation and an event gets a rest state, ordered f
   CHECK(list.fired() == "inferred-rest-state");
 }
 
-TEST_CASE("One state with an operation alone springs, too") {
+TEST_CASE("One state with only an operation is a spring, too") {
   const Analysed list = analyse_bits({"L_P_D_O_GREEN"});
   CHECK(states_text(unit_of(list)) == "NOT_GREEN GREEN");
   CHECK(springs(unit_of(list)));
   CHECK(list.fired() == "unit-without-events");
 }
 
-TEST_CASE("One state with an event alone does not spring: something else moves it") {
+TEST_CASE("One state with only an event is not a spring: something else drives it") {
   const Analysed list = analyse_bits({"L_P_D_I_ON"});
   const model::Unit& unit = unit_of(list);
   CHECK(states_text(unit) == "NOT_ON ON");
@@ -74,7 +74,7 @@ TEST_CASE("One state with an event alone does not spring: something else moves i
   CHECK(initial_text(unit) == "NOT_ON");
   CHECK(unit.transitions.empty());
   CHECK_FALSE(unit.moves());
-  CHECK(list.fired() == "nobody-moves");
+  CHECK(list.fired() == "event-not-driven");
 }
 
 TEST_CASE("A push button with Initial TRUE starts pressed") {
@@ -90,7 +90,7 @@ TEST_CASE("A single numbered state gets a rest state before it") {
 
 // Inference 2.
 
-TEST_CASE("Two states, one with an operation and an event, the other with an event alone: a single solenoid") {
+TEST_CASE("Two states, one with an operation and an event, the other with only an event, are a single solenoid") {
   for (const auto& names : {std::vector<std::string>{"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"},
                             std::vector<std::string>{"L_P_D_I_RET", "L_P_D_I_ADV", "L_P_D_O_ADV"}}) {
     const Analysed list = analyse_bits(names);
@@ -103,22 +103,22 @@ TEST_CASE("Two states, one with an operation and an event, the other with an eve
   }
 }
 
-TEST_CASE("The commanded state may be numbered: what counts is the other one") {
+TEST_CASE("The commanded state may be numbered: only the other one counts") {
   CHECK(springs(unit_of(analyse_bits({"L_P_D_O_ADV2", "L_P_D_I_ADV2", "L_P_D_I_RET"}))));
 }
 
-TEST_CASE("No single solenoid where the state without an operation is numbered") {
+TEST_CASE("A numbered state without an operation prevents a single solenoid") {
   const Analysed list = analyse_bits({"L_P_D_O_RUN2", "L_P_D_I_RUN2", "L_P_D_I_IDLE1"});
   CHECK_FALSE(springs(unit_of(list)));
   CHECK(list.count("inferred-single-solenoid") == 0);
 }
 
-TEST_CASE("No single solenoid where both states have an operation, or there are three states") {
+TEST_CASE("Two states with operations, or three states, are no single solenoid") {
   CHECK_FALSE(springs(unit_of(analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET", "L_P_D_I_RET"}))));
   CHECK_FALSE(springs(unit_of(analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET", "L_P_D_I_MID"}))));
 }
 
-TEST_CASE("Two words, one with an operation alone, the other with an event alone: nothing is inferred, a question") {
+TEST_CASE("Two words, one with only an operation, the other with only an event, give a question and no inference") {
   const Analysed list = analyse_bits({"L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"});
   const model::Unit& unit = unit_of(list);
   CHECK_FALSE(springs(unit));
@@ -127,13 +127,13 @@ TEST_CASE("Two words, one with an operation alone, the other with an event alone
   CHECK(list.fired(diag::Severity::warning) == "two-words-one-state");
 }
 
-TEST_CASE("Two numbered words of which the second comes by itself are no slip") {
+TEST_CASE("Two numbered words, the second automatic, are no slip") {
   const Analysed list = analyse_bits({"L_P_D_O_RUN1", "L_P_D_I_DONE2"});
   CHECK(list.count("two-words-one-state") == 0);
   CHECK(list.count("inferred-sequence") == 1);
 }
 
-TEST_CASE("An operation alone beside a state with both is no question") {
+TEST_CASE("A lone operation next to a state with both gives no question") {
   const Analysed list = analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_O_RET"});
   CHECK_FALSE(springs(unit_of(list)));
   CHECK(list.count("two-words-one-state") == 0);
@@ -141,7 +141,7 @@ TEST_CASE("An operation alone beside a state with both is no question") {
 
 // Inference 3.
 
-TEST_CASE("A numbered state with an event and no operation is reached from its predecessor") {
+TEST_CASE("A numbered state with an event and no operation follows its predecessor") {
   const Analysed list =
       analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_I_C3", "L_P_D_O_D4", "L_P_D_I_D4"});
   const model::Unit& unit = unit_of(list);
@@ -154,25 +154,25 @@ TEST_CASE("A numbered state with an event and no operation is reached from its p
   CHECK(list.fired() == "inferred-sequence");
 }
 
-TEST_CASE("The lowest is reached from the highest") {
+TEST_CASE("The lowest state follows the highest") {
   const Analysed list = analyse_bits({"L_P_D_O_RUN2", "L_P_D_I_RUN2", "L_P_D_I_IDLE1"});
   CHECK(transitions_text(list, unit_of(list)) == "IDLE1-O_RUN2>RUN2 RUN2>IDLE1");
   CHECK(initial_text(unit_of(list)) == "IDLE1");
   CHECK(list.fired() == "inferred-sequence");
 }
 
-TEST_CASE("The predecessor is the next lower number, gaps notwithstanding, and may have no event") {
+TEST_CASE("The predecessor is the next lower number, with or without gaps, and may have no event") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B20", "L_P_D_I_C300"});
   CHECK(transitions_text(list, unit_of(list)) == "B20-O_A1>A1 C300-O_A1>A1 A1-O_B20>B20 C300-O_B20>B20 B20>C300");
 }
 
-TEST_CASE("Several states in a row may be reached by themselves") {
+TEST_CASE("Several states in a row may be automatic") {
   const Analysed list = analyse_bits({"L_P_D_O_S1", "L_P_D_I_S1", "L_P_D_I_S2", "L_P_D_I_S3"});
   CHECK(transitions_text(list, unit_of(list)) == "S2-O_S1>S1 S3-O_S1>S1 S1>S2 S2>S3");
   CHECK(list.count("inferred-sequence") == 2);
 }
 
-TEST_CASE("No sequence where no numbered state has an operation") {
+TEST_CASE("Without an operation on a numbered state there is no sequence") {
   const Analysed list = analyse_bits({"L_P_D_I_S1", "L_P_D_I_S2", "L_P_D_O_GO", "L_P_D_I_GO"});
   CHECK(transitions_text(list, unit_of(list)) == "S1-O_GO>GO S2-O_GO>GO");
   CHECK(analyse_bits({"L_P_D_I_S1", "L_P_D_I_S2", "L_P_D_I_S3"}).model().units[0].transitions.empty());
@@ -184,16 +184,16 @@ TEST_CASE("States without a number take no part in a sequence") {
   CHECK(list.count("event-without-operation") == 1);
 }
 
-TEST_CASE("A numbered state with no event is not reached by itself") {
+TEST_CASE("A numbered state without an event is not automatic") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2"});
   CHECK(transitions_text(list, unit_of(list)) == "B2-O_A1>A1 A1-O_B2>B2");
 }
 
-TEST_CASE("Where several states have the predecessor's number nothing is inferred, and a warning says so") {
+TEST_CASE("Several states with the predecessor's number prevent the inference, with a warning") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B1", "L_P_D_I_B1", "L_P_D_I_C2"});
   CHECK(transitions_text(list, unit_of(list)).find("C2 ") == std::string::npos);
   for (const model::Transition& t : unit_of(list).transitions) CHECK(t.on != model::kNone);
-  // That the predecessor is ambiguous follows from the number that is there twice.
+  // The ambiguous predecessor is a consequence of the duplicate number.
   CHECK(list.fired(diag::Severity::warning) == "sequence-repeated");
   const diag::Diagnostic& finding = finding_of(list, "sequence-repeated");
   CHECK(index_text(finding) == "L_P_D_O_B1");
@@ -202,51 +202,51 @@ TEST_CASE("Where several states have the predecessor's number nothing is inferre
   }));
 }
 
-TEST_CASE("Numbers that differ in leading zeros alone are one number") {
+TEST_CASE("Numbers that differ only in leading zeros are one number") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B01", "L_P_D_I_B01", "L_P_D_I_C2"});
   CHECK(list.count("sequence-repeated") == 1);
 }
 
-TEST_CASE("The highest is ambiguous for the lowest where two states share it") {
+TEST_CASE("The highest state is ambiguous for the lowest if two states share it") {
   const Analysed list = analyse_bits({"L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_O_C2", "L_P_D_I_C2"});
   CHECK(list.count("sequence-repeated") == 1);
   CHECK(list.count("inferred-sequence") == 0);
 }
 
-TEST_CASE("States of one number without operations have the same predecessor each") {
+TEST_CASE("States of one number without operations all have the same predecessor") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_I_B2", "L_P_D_I_C2"});
   CHECK(transitions_text(list, unit_of(list)) == "B2-O_A1>A1 C2-O_A1>A1 A1>B2 A1>C2");
 }
 
 // Inference 4.
 
-TEST_CASE("The state whose event alone has Initial TRUE is the initial one") {
+TEST_CASE("The only state whose event has Initial TRUE is the initial one") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2*"});
   CHECK(initial_text(unit_of(list)) == "B2");
   CHECK(unit_of(list).initial_from == InitialFrom::initial_column);
   CHECK(list.fired() == "");
 }
 
-TEST_CASE("Initial TRUE stands over the rest state") {
+TEST_CASE("Initial TRUE overrides the rest state") {
   const Analysed list = analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV*", "L_P_D_I_RET"});
   CHECK(initial_text(unit_of(list)) == "ADV");
   CHECK(rest_text(unit_of(list)) == "RET");
 }
 
-TEST_CASE("Where several events have Initial TRUE none counts, and a warning says so") {
+TEST_CASE("Several events with Initial TRUE do not count, with a warning") {
   const Analysed numbered = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1*", "L_P_D_O_B2", "L_P_D_I_B2*"});
   CHECK(initial_text(unit_of(numbered)) == "A1");
   CHECK(numbered.fired(diag::Severity::warning) == "initial-ambiguous");
   CHECK(initial_text(unit_of(analyse_bits({"L_P_D_O_ADV", "L_P_D_I_ADV*", "L_P_D_I_RET*"}))) == "RET");
 }
 
-TEST_CASE("An operation's Initial TRUE says nothing of the initial state; a note tells that it starts off") {
+TEST_CASE("An operation's Initial TRUE does not affect the initial state; a note reports that it starts off") {
   const Analysed list = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2*", "L_P_D_I_B2"});
   CHECK(initial_text(unit_of(list)) == "A1");
   CHECK(list.fired() == "operation-initial-ignored");
 }
 
-TEST_CASE("Else the first of S is the initial state, without a note where a number decides") {
+TEST_CASE("Otherwise the first of S is the initial state, without a note if a number decides") {
   const Analysed list = analyse_bits({"L_P_D_O_B2", "L_P_D_I_B2", "L_P_D_O_A1", "L_P_D_I_A1"});
   CHECK(initial_text(unit_of(list)) == "A1");
   CHECK(unit_of(list).initial_from == InitialFrom::sequence);
@@ -254,7 +254,7 @@ TEST_CASE("Else the first of S is the initial state, without a note where a numb
   CHECK(analyse_bits({"L_P_D_O_ZZ", "L_P_D_I_ZZ", "L_P_D_O_A1", "L_P_D_I_A1"}).fired() == "");
 }
 
-TEST_CASE("A note tells where only the order of rows decides the initial state") {
+TEST_CASE("A note reports that only the order of rows decides the initial state") {
   const Analysed words = analyse_bits({"L_P_D_O_UP", "L_P_D_I_UP", "L_P_D_O_DOWN", "L_P_D_I_DOWN"});
   CHECK(initial_text(unit_of(words)) == "UP");
   CHECK(words.fired() == "initial-by-row-order");
@@ -269,8 +269,8 @@ TEST_CASE("A unit without operations has no d_ext and is reported once") {
   const Analysed list = analyse_bits({"L_P_D_I_S1", "L_P_D_I_S2"});
   CHECK(unit_of(list).transitions.empty());
   CHECK_FALSE(unit_of(list).moves());
-  CHECK(list.fired() == "nobody-moves");
-  CHECK(finding_of(list, "nobody-moves").severity == diag::Severity::note);
+  CHECK(list.fired() == "event-not-driven");
+  CHECK(finding_of(list, "event-not-driven").severity == diag::Severity::note);
 }
 
 TEST_CASE("A unit without events moves and is reported once") {
@@ -279,7 +279,7 @@ TEST_CASE("A unit without events moves and is reported once") {
   CHECK(list.fired() == "unit-without-events");
 }
 
-TEST_CASE("A state that nothing leads to is told, a state without an event, too") {
+TEST_CASE("An unreachable state and a state without an event are reported") {
   const Analysed unreached = analyse_bits({"L_P_D_O_A", "L_P_D_I_A", "L_P_D_O_B", "L_P_D_I_B", "L_P_D_I_C"});
   CHECK(unreached.fired(diag::Severity::warning) == "event-without-operation");
   CHECK(index_text(finding_of(unreached, "event-without-operation")) == "L_P_D_I_C");
@@ -288,13 +288,13 @@ TEST_CASE("A state that nothing leads to is told, a state without an event, too"
   CHECK(index_text(finding_of(silent, "operation-without-event")) == "L_P_D_O_C");
 }
 
-TEST_CASE("A device's symbols need not stand together in the list") {
+TEST_CASE("A device's symbols need not be adjacent in the list") {
   const Analysed list =
       analyse_bits({"L_P_D_O_A1", "L_P_E_O_A1", "L_P_D_I_A1", "L_P_E_I_A1", "L_P_D_O_B2", "L_P_E_O_B2"});
   CHECK(transitions_text(list, unit_of(list)) == transitions_text(list, unit_of(list, "L_P_E")));
 }
 
-TEST_CASE("The order of rows decides nothing but ties") {
+TEST_CASE("The order of rows decides only ties") {
   const Analysed a = analyse_bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_I_B2", "L_P_D_O_C3", "L_P_D_I_C3"});
   const Analysed b = analyse_bits({"L_P_D_I_C3", "L_P_D_O_C3", "L_P_D_I_B2", "L_P_D_I_A1", "L_P_D_O_A1"});
   CHECK(states_text(unit_of(a)) == states_text(unit_of(b)));

@@ -1,4 +1,4 @@
-// What a description says of states, actuation, rest and the initial state.
+// What a description defines about states, actuation, rest and the initial state.
 #include "description_support.hpp"
 
 namespace symplant::test {
@@ -14,11 +14,11 @@ TEST_CASE("A plant without a description has an empty one") {
   const Analysed list = analyse_rows(bits(kTable));
   REQUIRE(list.model().description != nullptr);
   CHECK(list.model().description->devices.empty());
-  CHECK(list.model().description_faults.empty());
+  CHECK(list.evidence().faults.empty());
   CHECK(unit_of(list).described == nullptr);
 }
 
-TEST_CASE("Added states stand behind those that symbols name, in their order") {
+TEST_CASE("Added states come after those that symbols name, in their order") {
   DeviceDescription d = device();
   d.states = {"DOCK", "A0"};
   const Analysed list = described(kTable, {d});
@@ -32,7 +32,7 @@ TEST_CASE("Added states stand behind those that symbols name, in their order") {
         "P2-O_P1>P1 DOCK-O_P1>P1 A0-O_P1>P1 P1-O_P2>P2 DOCK-O_P2>P2 A0-O_P2>P2");
 }
 
-TEST_CASE("A device is found whatever the case of its letters") {
+TEST_CASE("A device is found in any case") {
   DeviceDescription d = device("l_p_d");
   d.initial = "p2";
   CHECK(initial_text(unit_of(described(kTable, {d}))) == "P2");
@@ -43,13 +43,13 @@ TEST_CASE("A state that symbols name, and one named twice, cannot be added") {
   d.states = {"p1", "DOCK", "dock", ""};
   const Analysed list = described(kTable, {d});
   CHECK(faults(list) ==
-        "/devices/L_P_D/states/0: `p1` is a state of `L_P_D` by its symbols already, leave it out\n"
-        "/devices/L_P_D/states/2: `dock` stands twice, leave it out\n"
-        "/devices/L_P_D/states/3: `` is no name of a state, give it another");
+        "/devices/L_P_D/states/0: `p1` is already a state of `L_P_D` by its symbols; remove it\n"
+        "/devices/L_P_D/states/2: `dock` appears twice; remove it\n"
+        "/devices/L_P_D/states/3: `` is not a valid name of a state; choose another");
   CHECK(states_text(unit_of(list)) == "P1 P2 DOCK");
 }
 
-TEST_CASE("A device may have 250 states, added ones counted") {
+TEST_CASE("A device may have 250 states, including added ones") {
   DeviceDescription d = device();
   for (int i = 0; i < 248; ++i) d.states.push_back("S" + std::to_string(i));
   const Analysed exact = described(kTable, {d});
@@ -57,32 +57,31 @@ TEST_CASE("A device may have 250 states, added ones counted") {
   CHECK(unit_of(exact).states.size() == 250);
   d.states.push_back("S248");
   CHECK(faults(described(kTable, {d})) ==
-        "/devices/L_P_D/states: the device has more than 250 states together with those of its symbols, leave some "
-        "out");
+        "/devices/L_P_D/states: the device has more than 250 states, including those of its symbols; remove some");
 }
 
-TEST_CASE("A device that is not there is told with the nearest that is") {
+TEST_CASE("An unknown device is reported with the nearest one") {
   CHECK(faults(described(kTable, {device("L_P_E")})) ==
-        "/devices/L_P_E: there is no device `L_P_E`, the nearest is `L_P_D`");
-  CHECK(faults(described(kTable, {device("A/B~C")})) == "/devices/A~1B~0C: there is no device `A/B~C`");
+        "/devices/L_P_E: device `L_P_E` not found; did you mean `L_P_D`?");
+  CHECK(faults(described(kTable, {device("A/B~C")})) == "/devices/A~1B~0C: device `A/B~C` not found");
 }
 
 TEST_CASE("A device described twice is a fault") {
   CHECK(faults(described(kTable, {device(), device("l_p_d")})) ==
-        "/devices/l_p_d: `l_p_d` is described twice, join both");
+        "/devices/l_p_d: `l_p_d` is described twice; merge both");
 }
 
-TEST_CASE("A device with too many symbols for one cannot be described") {
+TEST_CASE("A device with too many symbols cannot be described") {
   std::vector<std::string> names;
   for (int i = 0; i < 65; ++i) names.push_back("L_P_D_O_T" + std::to_string(i));
   CHECK(faults(described(names, {device()})) ==
-        "/devices/L_P_D: `L_P_D` is described, but has too many symbols for a device and stays unmodelled");
+        "/devices/L_P_D: `L_P_D` has too many symbols for a device and is not modelled; remove its description");
 }
 
-// Commands and events that are no states.
+// Commands and events that are not states.
 
 TEST_CASE(
-    "An operation without event that only commands given transitions is no state, and nothing is derived from it") {
+    "An operation without event that only commands given transitions is no state and derives nothing") {
   DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "index"), transition("P2", "P1", "INDEX")};
   const Analysed list = described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"}, {d});
@@ -92,7 +91,7 @@ TEST_CASE(
   CHECK(unit_of(list).operations.size() == 1);
 }
 
-TEST_CASE("A command is a state where it has an event, or is named as a state anywhere") {
+TEST_CASE("A command is a state if it has an event, or is named as a state anywhere") {
   const std::vector<std::string> names = {"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"};
   DeviceDescription plain = device();
   plain.transitions = {transition("P1", "P2", "INDEX")};
@@ -123,11 +122,11 @@ TEST_CASE("An event without operation that outputs switch is no state") {
   const Analysed list = described(names, {d});
   CHECK(faults(list) == "");
   CHECK(states_text(unit_of(list)) == "P1 P2");
-  CHECK(unit_of(list).initial_candidates == 0);  // its Initial says nothing of a state
+  CHECK(unit_evidence(list).initial_candidates == 0);  // its Initial does not define a state
   CHECK(initial_text(unit_of(list)) == "P1");
 }
 
-TEST_CASE("An event that outputs switch is a state where it has an operation, or is named as a state") {
+TEST_CASE("An event that outputs switch is a state if it has an operation, or is named as a state") {
   std::vector<std::string> names = kTable;
   names.push_back("L_P_D_I_BUSY");
   DeviceDescription d = device();
@@ -141,7 +140,7 @@ TEST_CASE("An event that outputs switch is a state where it has an operation, or
 
 // Actuation and rest.
 
-TEST_CASE("A given actuation wins over an inferred one, and that over the default") {
+TEST_CASE("A given actuation overrides an inferred one, and that overrides the default") {
   description::Description description;
   description.defaults.actuation = Actuation::held;
   CHECK(unit_of(analyse_described(bits(kTable), description)).actuation == Actuation::held);
@@ -153,7 +152,7 @@ TEST_CASE("A given actuation wins over an inferred one, and that over the defaul
   CHECK(unit_of(analyse_described(bits(kCylinder), description)).actuation == Actuation::bistable);
 }
 
-TEST_CASE("With another actuation given the inferred rest serves as initial state only") {
+TEST_CASE("With another given actuation the inferred rest is only the initial state") {
   DeviceDescription d = device();
   d.actuation = Actuation::latched;
   const Analysed cylinder = described({"L_P_D_O_ADV", "L_P_D_I_ADV", "L_P_D_I_RET"}, {d});
@@ -166,7 +165,7 @@ TEST_CASE("With another actuation given the inferred rest serves as initial stat
   CHECK_FALSE(springs(unit_of(lamp)));
 }
 
-TEST_CASE("A given rest wins over the inferred one") {
+TEST_CASE("A given rest overrides the inferred one") {
   DeviceDescription d = device();
   d.rest = "ADV";
   const Analysed list = described(kCylinder, {d});
@@ -175,7 +174,7 @@ TEST_CASE("A given rest wins over the inferred one") {
   CHECK(initial_text(unit_of(list)) == "ADV");
 }
 
-TEST_CASE("The rest of a spring with none given or inferred is its initial state") {
+TEST_CASE("A spring without given or inferred rest rests in its initial state") {
   DeviceDescription d = device();
   d.actuation = Actuation::spring;
   CHECK(rest_text(unit_of(described(kTable, {d}))) == "P1");
@@ -187,14 +186,14 @@ TEST_CASE("The rest of a spring with none given or inferred is its initial state
   CHECK(initial_text(unit_of(both)) == "P2");
 }
 
-TEST_CASE("A rest in a device that is no spring is a fault") {
+TEST_CASE("A rest in a device without a spring is a fault") {
   DeviceDescription d = device();
   d.rest = "P1";
   CHECK(faults(described(kTable, {d})) ==
-        "/devices/L_P_D/rest: `L_P_D` is `latched` and returns to no rest state, leave `rest` out or make it `spring`");
+        "/devices/L_P_D/rest: `L_P_D` is `latched` and returns to no rest state; remove `rest` or make it `spring`");
 }
 
-TEST_CASE("A state added with an event alone beside an operation is where a single solenoid rests") {
+TEST_CASE("A state added with only an event, next to an operation, is the rest of a single solenoid") {
   DeviceDescription d = device();
   d.states = {"RET"};
   const Analysed list = described({"L_P_D_O_ADV", "L_P_D_I_ADV"}, {d});
@@ -203,27 +202,27 @@ TEST_CASE("A state added with an event alone beside an operation is where a sing
   CHECK(rest_text(unit_of(list)) == "RET");
 }
 
-TEST_CASE("An operation without event beside an added state is no pair of words") {
+TEST_CASE("An operation without event next to an added state is no pair of words") {
   DeviceDescription d = device();
   d.states = {"OFF"};
   const Analysed list = described({"L_P_D_O_ON"}, {d});
-  CHECK_FALSE(unit_of(list).two_words);
+  CHECK_FALSE(unit_evidence(list).two_words);
   CHECK_FALSE(springs(unit_of(list)));
 }
 
 // The initial state.
 
-TEST_CASE("A given initial state wins over Initial columns, and no two of those are ambiguous then") {
+TEST_CASE("A given initial state overrides Initial columns, and two of those are then not ambiguous") {
   DeviceDescription d = device();
   d.initial = "P2";
   const Analysed list = described({"L_P_D_O_P1", "L_P_D_I_P1*", "L_P_D_O_P2", "L_P_D_I_P2", "L_P_D_I_P3*"}, {d});
   CHECK(initial_text(unit_of(list)) == "P2");
   CHECK(unit_of(list).initial_from == InitialFrom::description);
-  CHECK(unit_of(list).initial_candidates == 0);
+  CHECK(unit_evidence(list).initial_candidates == 0);
   CHECK(list.count("initial-ambiguous") == 0);
 }
 
-TEST_CASE("A state that inference adds may be named") {
+TEST_CASE("A description may name a state that inference adds") {
   DeviceDescription d = device();
   d.initial = "RUN";
   d.transitions = {taking(transition("RUN", "NOT_RUN"), tables::kSecond / 2)};
@@ -232,16 +231,16 @@ TEST_CASE("A state that inference adds may be named") {
   CHECK(initial_text(unit_of(list)) == "RUN");
 }
 
-TEST_CASE("An initial state or a rest that is none is told with the nearest that is") {
+TEST_CASE("An unknown initial or rest state is reported with the nearest one") {
   DeviceDescription d = device();
   d.initial = "ADW";
   d.rest = "REST";
   CHECK(faults(described(kCylinder, {d})) ==
-        "/devices/L_P_D/rest: there is no state `REST` of `L_P_D`, the nearest is `RET`\n"
-        "/devices/L_P_D/initial: there is no state `ADW` of `L_P_D`, the nearest is `ADV`");
+        "/devices/L_P_D/rest: state `REST` of `L_P_D` not found; did you mean `RET`?\n"
+        "/devices/L_P_D/initial: state `ADW` of `L_P_D` not found; did you mean `ADV`?");
 }
 
-TEST_CASE("The first of S is by the order of rows only where symbols alone decide it") {
+TEST_CASE("The order of rows decides the first of S only if symbols alone decide it") {
   DeviceDescription d = device();
   d.states = {"B", "C"};
   const Analysed list = described({"L_P_D_O_A", "L_P_D_I_A"}, {d});

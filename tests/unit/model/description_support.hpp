@@ -1,4 +1,4 @@
-// What the tests of descriptions share: short ways to write one, and its faults as text.
+// Shared parts of the tests of descriptions: short forms to write one, and its faults as text.
 #pragma once
 
 #include <string>
@@ -46,15 +46,15 @@ inline description::Description describing(std::vector<DeviceDescription> device
   return description;
 }
 
-/// A list of these BOOL symbols (support/compile.hpp: bits) with devices described.
+/// A list of these BOOL symbols (support/compile.hpp: bits) with a description of devices.
 inline Analysed described(const std::vector<std::string>& names, std::vector<DeviceDescription> devices) {
   return analyse_described(bits(names), describing(std::move(devices)));
 }
 
-/// All faults: "pointer: message", a line each.
+/// All faults: "pointer: message", one per line.
 inline std::string faults(const Analysed& analysed) {
   std::string text;
-  for (const description::DescriptionFault& fault : analysed.model().description_faults) {
+  for (const description::DescriptionFault& fault : analysed.evidence().faults) {
     text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
   }
   return text;

@@ -1,4 +1,4 @@
-// Given transitions, what they replace, in which order they stand; outputs.
+// Given transitions, what they replace, and their order; outputs.
 #include "description_support.hpp"
 
 namespace symplant::test {
@@ -18,7 +18,7 @@ DeviceDescription with(std::vector<GivenTransition> transitions) {
   return d;
 }
 
-TEST_CASE("Default times are the description's") {
+TEST_CASE("Default times are those of the description") {
   description::Description description;
   description.defaults.travel = 3 * kSecond;
   description.defaults.dwell = 5 * kSecond;
@@ -32,7 +32,7 @@ TEST_CASE("Default times are the description's") {
   CHECK(unit.transitions[1].takes.is_zero());
 }
 
-TEST_CASE("A commanded transition takes the default travel time, an automatic one none, where nothing is given") {
+TEST_CASE("Without a given time, a commanded transition takes the default travel time, an automatic one none") {
   GivenTransition timed = transition("P2", "P1");
   timed.after = Duration::fixed(7);
   timed.takes = Duration{Duration::Kind::uniform, 1, 2};
@@ -67,7 +67,7 @@ TEST_CASE("An automatic transition replaces the inferred one of its source and t
         "WAIT>IDLE1 IDLE1-O_RUN2>RUN2 WAIT-O_RUN2>RUN2 RUN2>IDLE1");
 }
 
-TEST_CASE("A numbered state that a given command leads to is not inferred to come by itself") {
+TEST_CASE("A numbered state that a given command leads to is not inferred to be automatic") {
   const Analysed list = described({"L_P_D_O_RUN2", "L_P_D_I_RUN2", "L_P_D_I_IDLE1", "L_P_D_O_STOP"},
                                   {with({transition("RUN2", "IDLE1", "STOP")})});
   CHECK(transitions_text(list, unit_of(list)) == "RUN2-O_STOP>IDLE1 IDLE1-O_RUN2>RUN2");
@@ -81,17 +81,17 @@ TEST_CASE("Added states count by their digits as predecessors") {
   CHECK(transitions_text(list, unit_of(list)) == "DONE3-O_RUN1>RUN1 WAIT2-O_RUN1>RUN1 WAIT2>DONE3");
   d.states = {"A2", "B02"};
   const Analysed ambiguous = described({"L_P_D_O_RUN1", "L_P_D_I_RUN1", "L_P_D_I_DONE3"}, {d});
-  CHECK(unit_of(ambiguous).ambiguous_sequence == std::vector<std::uint32_t>{1});
+  CHECK(unit_evidence(ambiguous).ambiguous_sequence == std::vector<std::uint32_t>{1});
 }
 
-TEST_CASE("A sequence is inferred in `latched` devices only") {
+TEST_CASE("A sequence is inferred only in `latched` devices") {
   DeviceDescription d = device();
   d.actuation = Actuation::held;
   const Analysed list = described({"L_P_D_O_RUN2", "L_P_D_I_RUN2", "L_P_D_I_IDLE1"}, {d});
   CHECK(transitions_text(list, unit_of(list)) == "IDLE1-O_RUN2>RUN2");
 }
 
-TEST_CASE("`*` stands for every state other than the target, in the order of S, behind what stands before it") {
+TEST_CASE("`*` means every state except the target, in the order of S, after the transitions before it") {
   const Analysed list =
       described(kThreeIndexes, {with({transition("P3", "P1"), transition("*", "P2", "P1"), automatic("*", "P3")})});
   CHECK(faults(list) == "");
@@ -100,7 +100,7 @@ TEST_CASE("`*` stands for every state other than the target, in the order of S, 
   CHECK(origins(unit_of(list)) == "gggggddddd");
 }
 
-TEST_CASE("`only` derives and infers no transitions, but states, rest and actuation") {
+TEST_CASE("`only` prevents derived and inferred transitions, but not states, rest and actuation") {
   DeviceDescription d = with({automatic("RET", "ADV")});
   d.only = true;
   const Analysed list = described(kPiston, {d});
@@ -115,7 +115,7 @@ TEST_CASE("`only` derives and infers no transitions, but states, rest and actuat
   CHECK(springs(unit_of(lamp)));
 }
 
-TEST_CASE("In a spring a transition to rest without operation says what the spring's own way takes") {
+TEST_CASE("In a spring a transition to rest without operation sets the time of the spring return") {
   const Analysed list = described(kPiston, {with({taking(transition("ADV", "RET"), 800)})});
   CHECK(faults(list) == "");
   const model::Transition& own = unit_of(list).transitions.front();
@@ -132,7 +132,7 @@ TEST_CASE("In a spring a transition to rest without operation says what the spri
   CHECK(unit_of(all).transitions[1].spring_return);
 }
 
-TEST_CASE("A rest state with an operation is commanded by it, and may be reached by another operation or by itself") {
+TEST_CASE("A rest state's operation commands it, and other operations or automatic transitions may lead to it") {
   DeviceDescription d = with({transition("P2", "P1")});
   d.actuation = Actuation::spring;
   CHECK_FALSE(unit_of(described(kThreeIndexes, {d})).transitions.front().spring_return);
@@ -143,24 +143,24 @@ TEST_CASE("A rest state with an operation is commanded by it, and may be reached
   CHECK_FALSE(unit_of(list).transitions[1].spring_return);
 }
 
-TEST_CASE("In what the spring's own way takes only `takes` may stand") {
+TEST_CASE("A spring return accepts only `takes`") {
   GivenTransition given = transition("ADV", "RET", "", "L_P_D_O_ADV");
   given.after = Duration::fixed(1);
   given.once = true;
   const std::string end =
-      "stands in what a spring's own way to its rest state takes, where only `takes` may, or say with `on` which "
-      "operation commands it";
+      "is not allowed in the return of a spring, which has only `takes`; remove it, or name with `on` the operation "
+      "that commands the transition";
   CHECK(faults(described(kPiston, {with({given})})) == "/devices/L_P_D/transitions/0/when: `when` " + end +
                                                            "\n/devices/L_P_D/transitions/0/after: `after` " + end +
                                                            "\n/devices/L_P_D/transitions/0/once: `once` " + end);
 }
 
-TEST_CASE("In other devices a transition to a state without operation says what is missing") {
+TEST_CASE("In other devices a transition to a state without operation reports what is missing") {
   DeviceDescription d = with({transition("ADV", "RET")});
   d.actuation = Actuation::latched;
   CHECK(faults(described(kPiston, {d})) ==
-        "/devices/L_P_D/transitions/0/to: `RET` has no operation of its name, say with `on` which one commands the "
-        "transition, or `automatic` where it comes by itself");
+        "/devices/L_P_D/transitions/0/to: `RET` has no operation of its name; name with `on` the one that commands "
+        "the transition, or write `automatic` if none does");
 }
 
 TEST_CASE("`once` is kept in commanded transitions of latched devices") {
@@ -170,38 +170,39 @@ TEST_CASE("`once` is kept in commanded transitions of latched devices") {
   DeviceDescription held = with({once});
   held.actuation = Actuation::held;
   CHECK(faults(described(kThreeIndexes, {held})) ==
-        "/devices/L_P_D/transitions/0/once: `once` stands in a device that is `held`, leave it out or make the device "
+        "/devices/L_P_D/transitions/0/once: `once` is not allowed in a device that is `held`; remove it or make the "
+        "device "
         "`latched`");
   GivenTransition by_itself = automatic("P1", "P2");
   by_itself.once = true;
   CHECK(faults(described(kThreeIndexes, {with({by_itself})})) ==
-        "/devices/L_P_D/transitions/0/once: `once` stands in an automatic transition, leave it out");
+        "/devices/L_P_D/transitions/0/once: `once` is not allowed in an automatic transition; remove it");
 }
 
-TEST_CASE("States and operations that are not there are told with the nearest that are, all in one run") {
+TEST_CASE("Unknown states and operations are reported with the nearest ones, all in one run") {
   CHECK(faults(described(kThreeIndexes, {with({transition("P9", "Q2", "P4"), transition("*", "*")})})) ==
-        "/devices/L_P_D/transitions/0/to: there is no state `Q2` of `L_P_D`, the nearest is `P2`\n"
-        "/devices/L_P_D/transitions/0/from: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"
-        "/devices/L_P_D/transitions/0/on: there is no operation `P4` of `L_P_D`, the nearest is `P1`\n"
-        "/devices/L_P_D/transitions/1/to: there is no state `*` of `L_P_D`");
+        "/devices/L_P_D/transitions/0/to: state `Q2` of `L_P_D` not found; did you mean `P2`?\n"
+        "/devices/L_P_D/transitions/0/from: state `P9` of `L_P_D` not found; did you mean `P1`?\n"
+        "/devices/L_P_D/transitions/0/on: operation `P4` of `L_P_D` not found; did you mean `P1`?\n"
+        "/devices/L_P_D/transitions/1/to: state `*` of `L_P_D` not found");
 }
 
 TEST_CASE("A transition to itself, and an automatic one with an operation, are faults") {
   GivenTransition both = automatic("P1", "P2");
   both.on = "P2";
   CHECK(faults(described(kThreeIndexes, {with({transition("P1", "p1"), both})})) ==
-        "/devices/L_P_D/transitions/0: `p1` to itself is no transition, name two states\n"
-        "/devices/L_P_D/transitions/1/on: an automatic transition has an operation, leave `on` or `automatic` out");
+        "/devices/L_P_D/transitions/0: `p1` to itself is not a transition; name two states\n"
+        "/devices/L_P_D/transitions/1/on: an automatic transition has no operation; remove `on` or `automatic`");
 }
 
-TEST_CASE("The same source, target, operation and text of `when` twice is a fault, after `*` is expanded") {
+TEST_CASE("A repeated source, target, operation and text of `when` is a fault, after `*` is expanded") {
   const std::string when = "L_P_D_I_P3";
   CHECK(faults(described(kThreeIndexes, {with({transition("P1", "P2"), transition("P1", "P2", "P2")})})) ==
-        "/devices/L_P_D/transitions/1: the transition from `P1` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
-        "with the same `on` and `when`, leave one out");
+        "/devices/L_P_D/transitions/1: the transition from `P1` to `P2` is also at `/devices/L_P_D/transitions/0`, "
+        "with the same `on` and `when`; remove one");
   CHECK(faults(described(kThreeIndexes, {with({transition("P3", "P2", "", when), transition("*", "P2", "", when)})})) ==
-        "/devices/L_P_D/transitions/1: the transition from `P3` to `P2` stands at `/devices/L_P_D/transitions/0` too, "
-        "with the same `on` and `when`, leave one out");
+        "/devices/L_P_D/transitions/1: the transition from `P3` to `P2` is also at `/devices/L_P_D/transitions/0`, "
+        "with the same `on` and `when`; remove one");
   // Another operation, another condition, another cause: other transitions.
   CHECK(faults(described(kThreeIndexes,
                          {with({transition("P1", "P2"), transition("P1", "P2", "P3"), transition("P1", "P2", "", when),
@@ -219,8 +220,8 @@ TEST_CASE("A device may have 65534 transitions") {
   const Analysed list = analyse_described(rows, describing({d}));
   CHECK(
       faults(list) ==
-      "/devices/L_P_D/transitions: the device has more than 65534 transitions, each `*` counted as one a state, leave "
-      "some out");
+      "/devices/L_P_D/transitions: the device has more than 65534 transitions, where a `*` counts once for each "
+      "state; remove some");
   CHECK(unit_of(list).transitions.size() <= tables::kMaxTransitions);
 }
 
@@ -243,7 +244,7 @@ TEST_CASE("Outputs are further events on entering and leaving, in their order") 
   CHECK(unit.moves_event(4));
 }
 
-TEST_CASE("An event that outputs of a state switch is moved where the device comes into that state") {
+TEST_CASE("An event that outputs of a state switch is driven if the device can enter that state") {
   DeviceDescription d = device();
   d.states = {"NEVER"};
   d.outputs = {{"NEVER", {{"BUSY", true}}, {}}};
@@ -254,14 +255,14 @@ TEST_CASE("An event that outputs of a state switch is moved where the device com
   CHECK(unit_of(described(names, {d})).moves_event(3));
 }
 
-TEST_CASE("Outputs of states and events that are not there are faults") {
+TEST_CASE("Outputs of unknown states and events are faults") {
   DeviceDescription d = device();
   d.outputs = {{"P7", {{"P1", true}}, {}}, {"P1", {{"BUSI", true}}, {{"P4", false}}}, {"p1", {}, {}}};
   CHECK(faults(described({"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_O_P2", "L_P_D_I_P2"}, {d})) ==
-        "/devices/L_P_D/outputs/P7: there is no state `P7` of `L_P_D`, the nearest is `P1`\n"
-        "/devices/L_P_D/outputs/P1/enter/BUSI: there is no event `BUSI` of `L_P_D`\n"
-        "/devices/L_P_D/outputs/P1/leave/P4: there is no event `P4` of `L_P_D`, the nearest is `P1`\n"
-        "/devices/L_P_D/outputs/p1: `p1` stands twice, join both");
+        "/devices/L_P_D/outputs/P7: state `P7` of `L_P_D` not found; did you mean `P1`?\n"
+        "/devices/L_P_D/outputs/P1/enter/BUSI: event `BUSI` of `L_P_D` not found\n"
+        "/devices/L_P_D/outputs/P1/leave/P4: event `P4` of `L_P_D` not found; did you mean `P1`?\n"
+        "/devices/L_P_D/outputs/p1: `p1` appears twice; merge both");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// `links` of plant.json: every key, every fault, and which entry speaks of which symbol.
+// `links` of plant.json: every key, every fault, and the entry that applies to each symbol.
 #include <map>
 
 #include "description/plant_file.hpp"
@@ -31,15 +31,17 @@ Analysed linked(const std::string& members, const std::string& list = kList) {
   std::ostringstream err;
   app::Progress progress(err, false);
   Analysed result;
-  result.plant = app::analyse({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics);
+  if (auto compiled = app::compile({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics)) {
+    result.derived = model::Derived{std::move(compiled->plant), std::move(compiled->evidence)};
+  }
   return result;
 }
 
-/// What is said of the description, a line each.
+/// The findings on the description, one per line.
 std::string reported(const Analysed& analysed) {
   std::string text;
   for (const diag::Diagnostic& finding : analysed.diagnostics.all()) {
-    if (finding.rule->id.substr(0, 3) != "SP6" && finding.rule->slug != "places-overlap") continue;
+    if (finding.rule->id.substr(0, 3) != "SP6" && finding.rule->slug != "symbols-overlap") continue;
     text += (text.empty() ? "" : "\n") + finding.message;
   }
   return text;
@@ -52,7 +54,7 @@ LinkSettings settings(const std::string& members) {
   return analysed.model().links.at(0).link;
 }
 
-/// Numbers that entries of a map give, by symbol.
+/// The numbers that entries of a map set, by symbol.
 std::map<std::string, std::uint32_t> numbers(const std::string& map) {
   const Analysed analysed = linked("\"map\": [" + map + "]");
   CHECK(reported(analysed).empty());
@@ -64,7 +66,7 @@ std::map<std::string, std::uint32_t> numbers(const std::string& map) {
 }
 using Numbers = std::map<std::string, std::uint32_t>;
 
-TEST_CASE("a link that says nothing has the settings by default") {
+TEST_CASE("A link without keys has the default settings") {
   const LinkSettings none;
   const LinkSettings read = settings(R"("word-order": "high-first")");
   CHECK(read.word_order == none.word_order);
@@ -79,7 +81,7 @@ TEST_CASE("a link that says nothing has the settings by default") {
   CHECK(read.idle == 300 * tables::kSecond);
 }
 
-TEST_CASE("every key of a link arrives in its settings") {
+TEST_CASE("Every key of a link reaches its settings") {
   const LinkSettings read = settings(R"("word-order": "low-first", "on-loss": "zero", "plant-on-loss": "freeze",
     "loss-after": "250ms", "resync": "0s", "status": 70, "watchdog": {"register": 9, "within": "2s"},
     "size": {"coils": 8, "discrete-inputs": 17, "holding-registers": 40, "input-registers": 100},
@@ -100,48 +102,48 @@ TEST_CASE("every key of a link arrives in its settings") {
   const Analysed kept = linked(R"("keep": ["127.0.0.1", "::1"])");
   CHECK(kept.model().links.at(0).settings().keep.size() == 2);
   CHECK(kept.model().links.at(0).settings().keep[1] == "::1");
-  // However they are written, they are compared as the system tells them.
+  // They are compared in the system's notation, whatever the input.
   const Analysed forms = linked(R"("keep": ["0:0:0:0:0:0:0:1", "::ffff:10.0.0.7", "FD00::00A1"])");
   CHECK(reported(forms).empty());
   const auto keep = forms.model().links.at(0).settings().keep;
   CHECK(std::vector<std::string>(keep.begin(), keep.end()) == std::vector<std::string>{"::1", "10.0.0.7", "fd00::a1"});
 }
 
-TEST_CASE("a client to be kept is one numeric address") {
+TEST_CASE("A client to be kept is one numeric address") {
   for (const std::string text : {"127.0.0.01", "foo", "10.0.0.0/24", "1.2.3", "::g"}) {
     CHECK(reported("\"keep\": [\"::1\", \"" + text + "\"]")
               .starts_with("`" + text + "` is no numeric address of one host"));
   }
 }
 
-TEST_CASE("the low word comes first where a list has a MELSEC address, else the high one, unless the link says") {
+TEST_CASE("The low word comes first if a list has a MELSEC address, else the high one, unless the link sets it") {
   const std::string melsec = kList + "VAR_GLOBAL,L_P_E_I_A,X10,,BOOL,FALSE\n";
   CHECK(linked(R"("resync": "1s")", melsec).model().links.at(0).link.word_order == WordOrder::low_first);
   CHECK(linked(R"("resync": "1s")").model().links.at(0).link.word_order == WordOrder::high_first);
   CHECK(linked(R"("word-order": "high-first")", melsec).model().links.at(0).link.word_order == WordOrder::high_first);
 }
 
-TEST_CASE("an area moves all symbols whose addresses are of it, by their own number in registers") {
+TEST_CASE("An area moves all symbols with an address in it, by their own number in registers") {
   CHECK(numbers(R"({"area": "%IX", "number": 100})") == Numbers{{"L_P_D_I_A", 116}});
   CHECK(numbers(R"({"area": "X", "number": 1})") == Numbers{{"L_P_D_I_A", 17}});
   CHECK(numbers(R"({"area": "%QD", "number": 5})") == Numbers{{"SPEED", 15}});
   CHECK(numbers(R"({"area": "%iw", "number": 0})") == Numbers{{"LEVEL", 7}, {"LEVEL2", 7}});
 }
 
-TEST_CASE("a range moves the symbols from its first address to its last, so that the first stands on the number") {
+TEST_CASE("A range moves the symbols from its first address to its last, so that the first is at the number") {
   CHECK(numbers(R"({"range": ["%IX2.0", "%IX2.7"], "number": 0})") == Numbers{{"L_P_D_I_A", 0}});
   CHECK(numbers(R"({"range": ["%QD3", "%QD5"], "number": 100})") == Numbers{{"SPEED", 104}});
   CHECK(numbers(R"({"range": ["%QW30", "%QW30"], "number": 1})") == Numbers{{"MODE", 1}});
 }
 
 TEST_CASE(
-    "a symbol stands on the number that is given to it, also one without an address, and so do others of its address") {
+    "A symbol is at its given number, also without an address, and so are others of its address") {
   CHECK(numbers(R"({"symbol": "speed", "number": 100}, {"symbol": "X_Y_Z_O_NOWHERE", "number": 3})") ==
         Numbers{{"SPEED", 100}, {"X_Y_Z_O_NOWHERE", 3}});
   CHECK(numbers(R"({"symbol": "LEVEL2", "number": 20})") == Numbers{{"LEVEL", 20}, {"LEVEL2", 20}});
 }
 
-TEST_CASE("a symbol's own entry comes before a range's, that before an area's, key by key and in whatever order") {
+TEST_CASE("A symbol's entry overrides a range's, that overrides an area's, key by key and in any order") {
   CHECK(
       numbers(
           R"({"symbol": "MODE", "number": 1}, {"range": ["%QW0", "%QW99"], "number": 2}, {"area": "%QW", "number": 3})") ==
@@ -152,7 +154,7 @@ TEST_CASE("a symbol's own entry comes before a range's, that before an area's, k
       Numbers{{"MODE", 2}});
 }
 
-TEST_CASE("word order and on-loss of patterns: the one with more letters wins") {
+TEST_CASE("The pattern with more letters sets word order and on-loss") {
   const Analysed analysed = linked(R"("map": [{"symbol": "*", "on-loss": "zero", "word-order": "low-first"},
                                               {"symbol": "SP*", "on-loss": "hold"}])");
   CHECK(reported(analysed).empty());
@@ -165,109 +167,110 @@ TEST_CASE("word order and on-loss of patterns: the one with more letters wins") 
   CHECK(analysed.model().links.at(0).rows.size() == analysed.model().symbols.size());
 }
 
-TEST_CASE("what an entry names and is not there is told with the nearest") {
-  CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "there is no symbol `SPED`, the nearest is `SPEED`");
+TEST_CASE("An unknown name in an entry is reported with the nearest one") {
+  CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "symbol `SPED` not found; did you mean `SPEED`?");
   CHECK(reported(R"("map": [{"area": "%MW", "number": 1}])")
-            .starts_with("`%MW` is no area of inputs or outputs, write X, "));
+            .starts_with("`%MW` is not an area of inputs or outputs; write X, "));
   CHECK(reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is no area of inputs or outputs"));
   CHECK(reported(R"("map": [{"area": "%IL", "number": 1}])") ==
-        "no symbol of this controller stands in the area `%IL`");
+        "no symbol of this controller is in the area `%IL`");
   CHECK(reported(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
-        "no symbol of this controller stands between `%QW1` and `%QW2`");
+        "no symbol of this controller is between `%QW1` and `%QW2`");
   CHECK(reported(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") ==
         "no symbol of this controller is matched by `Q*`");
 }
 
-TEST_CASE("a row that is no input or output is told as what it is") {
+TEST_CASE("A row that is not I/O is reported as what it is") {
   const std::string list = kList + "VAR_GLOBAL,STEP,M100,,BOOL,FALSE\n";
   CHECK(
       reported(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
-      "`Step` is in the list, but no input or output of this controller, its address is `M100`: leave this entry away");
+      "`Step` is in the list, but is not an input or output of this controller, its address is `M100`; remove this "
+      "entry");
 }
 
-TEST_CASE("a setting without effect on any symbol of its entry is told") {
+TEST_CASE("A setting without effect on any symbol of its entry is reported") {
   CHECK(reported(R"("map": [{"symbol": "LEVEL", "on-loss": "zero"}])") ==
-        "this says what operations do without their PLC, and no operation is matched by `LEVEL`");
+        "`on-loss` applies only to operations, and no operation is matched by `LEVEL`");
   CHECK(reported(R"("map": [{"symbol": "MODE", "word-order": "low-first"}])") ==
-        "this is the order of several registers, and no number of 32 or 64 bits is matched by `MODE`");
+        "`word-order` applies only to numbers of 32 or 64 bits, and no such number is matched by `MODE`");
   CHECK(reported(R"("map": [{"symbol": "*", "word-order": "low-first", "on-loss": "zero"}])").empty());
 }
 
-TEST_CASE("entries that cannot be are told") {
+TEST_CASE("Invalid entries are reported") {
   CHECK(reported(R"("map": [{"symbol": "S*", "number": 1}])") ==
-        "`S*` is a pattern, and its symbols cannot all stand on one `number`: name each");
+        "`S*` is a pattern, but its symbols cannot share one `number`; name each symbol");
   CHECK(reported(R"("map": [{"range": ["%QW9", "%QW2"], "number": 1}])") ==
-        "`%QW9` and `%QW2` are not the first and the last address of one area, write them in their order");
+        "`%QW9` and `%QW2` are not the first and the last address of one area; write them in ascending order");
   CHECK(reported(R"("map": [{"range": ["%QW2", "%QD9"], "number": 1}])")
             .starts_with("`%QW2` and `%QD9` are not the first"));
   CHECK(reported(R"("map": [{"range": ["%MW2", "%IX1.2.3"], "number": 1}])") ==
-        "`%MW2` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`\n"
-        "`%IX1.2.3` is no address of an input or output that has a number, write one such as `X10` or `%IX100.0`");
+        "`%MW2` is not an input or output address with a number; write one such as `X10` or `%IX100.0`\n"
+        "`%IX1.2.3` is not an input or output address with a number; write one such as `X10` or `%IX100.0`");
   CHECK(reported(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}])") ==
-        "two entries that are equally specific give `MODE` different values of `number`: leave one away, or name the "
+        "two equally specific entries give `MODE` different values of `number`; remove one, or name the "
         "symbol");
   CHECK(reported(R"("map": [{"symbol": "MODE", "number": 1}, {"symbol": "mode", "number": 2}])") ==
-        "two entries that are equally specific give `MODE` different values of `number`: leave one away");
+        "two equally specific entries give `MODE` different values of `number`; remove one");
   CHECK(reported(R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 1}])").empty());
   CHECK(reported(
             R"("map": [{"area": "%QW", "number": 1}, {"area": "%QW", "number": 2}, {"symbol": "MODE", "number": 3}])")
             .empty());
   CHECK(reported(R"("map": [{"symbol": "LEVEL", "number": 1}, {"symbol": "LEVEL2", "number": 2}])") ==
-        "`LEVEL2` stands on the same address as `LEVEL`, which has another `number`: give both the same");
+        "`LEVEL2` has the same address as `LEVEL`, which has another `number`; give both the same");
   CHECK(reported(R"("map": [{"number": 1, "on-loss": "zero"}])") ==
-        "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
+        "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`");
   CHECK(reported(R"("map": [{"number": 1, "area": "X", "symbol": "MODE"}])") ==
-        "this entry has several of `area`, `range` and `symbol`: make an entry of each");
+        "this entry has more than one of `area`, `range` and `symbol`; write an entry for each");
 }
 
-TEST_CASE("an entry that says nothing of its symbols is told") {
+TEST_CASE("An entry that sets nothing for its symbols is reported") {
   CHECK(reported(R"("map": [{"area": "X", "symbol": "MODE"}])") != "");
   CHECK(reported(R"("map": [{"symbol": "MODE"}])") ==
-        "this entry says nothing of its symbols: give it a `number`, a `word-order` or `on-loss`");
+        "this entry sets nothing for its symbols; give it a `number`, a `word-order` or `on-loss`");
   CHECK(reported(R"("map": [{}])") ==
-        "this entry does not say whose symbols it means: give it an `area`, a `range` or a `symbol`");
+        "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`");
 }
 
-TEST_CASE("values that do not fit are told in the schema's words") {
+TEST_CASE("Invalid values are reported in the words of the schema") {
   CHECK(reported(R"("status": "on")") != "");
   CHECK(reported(R"("status": 65536)") != "");
-  CHECK(reported(R"("word-order": "big")") == "the text `big` stands here, wanted is one of `low-first`, `high-first`");
+  CHECK(reported(R"("word-order": "big")") == "expected one of `low-first`, `high-first`, but found the text `big`");
   CHECK(reported(R"("on-loss": "zeros")") ==
-        "the text `zeros` stands here, wanted is one of `hold`, `zero`; the nearest is `zero`");
-  CHECK(reported(R"("size": {"coil": 5})") == "the key `coil` is unknown here, the nearest is `coils`");
+        "expected one of `hold`, `zero`, but found the text `zeros`; did you mean `zero`?");
+  CHECK(reported(R"("size": {"coil": 5})") == "the key `coil` is unknown here; did you mean `coils`?");
   CHECK(reported(R"("size": {"coils": 0})") != "");
   CHECK(reported(R"("connections": 0)") != "");
   CHECK(reported(R"("watchdog": {"within": "1s"})") ==
-        "the key `register` is missing here, it holds a number from 0 to 65535");
-  CHECK(reported(R"("loss-after": "0s")") == "the time is 0, write a longer one, such as `500ms`");
+        "the key `register` is missing here; it holds a number from 0 to 65535");
+  CHECK(reported(R"("loss-after": "0s")") == "the time is 0; write a longer one, such as `500ms`");
   CHECK(reported(R"("watchdog": {"register": 1, "within": "0s"})") ==
-        "the time is 0, write a longer one, such as `500ms`");
+        "the time is 0; write a longer one, such as `500ms`");
   CHECK(reported(R"("loss-after": "1 fortnight")") != "");
   CHECK(
       reported(R"("idle": "999ms")") ==
-      "the time is shorter than a second, a connection would be closed between two requests: write `0s` for never, or "
-      "a longer one, such as `60s`");
+      "the time is shorter than 1 s, so a connection would be closed between two requests; write `0s` for never, or a "
+      "longer time such as `60s`");
   CHECK(settings(R"("idle": "1s")").idle == tables::kSecond);
   CHECK(settings(R"("idle": "0s")").idle == 0);
 }
 
-TEST_CASE("symbols that meet, and settings that do not fit the map, are told by check") {
+TEST_CASE("check reports symbols that overlap, and settings that do not fit the map") {
   CHECK(reported(R"("map": [{"symbol": "MODE", "number": 11}])") ==
-        "`SPEED` stands on holding registers 10 to 11, and so does `MODE` on holding register 11: give one of them "
+        "`SPEED` on holding registers 10 to 11 and `MODE` on holding register 11 overlap: give one of them "
         "another number, in the list or in `links`");
-  CHECK(reported(R"("status": 0)").starts_with("the status block begins on input register 0 and meets `LEVEL`"));
+  CHECK(reported(R"("status": 0)").starts_with("the status block from input register 0 on overlaps `LEVEL`"));
   CHECK(reported(R"("watchdog": {"register": 30})")
-            .starts_with("the watchdog stands on holding register 30, and so does `MODE`"));
+            .starts_with("the watchdog on holding register 30 overlaps `MODE`"));
   CHECK(reported(R"("size": {"holding-registers": 30})")
-            .starts_with("1 symbol stands beyond the size of 30, `MODE` the furthest on holding register 30: give a "
+            .starts_with("1 symbol is beyond the size of 30, the last is `MODE` on holding register 30: give a "
                          "size of 31 or more"));
   CHECK(
-      reported(R"("size": {"holding-registers": 3})").starts_with("2 symbols stand beyond the size of 3, `MODE` the"));
+      reported(R"("size": {"holding-registers": 3})").starts_with("2 symbols are beyond the size of 3, the last is `MODE`"));
   CHECK(reported(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
-        "`SPEED` would end behind place 65535, the last that Modbus has: give a lower number");
+        "`SPEED` would end after 65535, the last address of Modbus; give a lower number");
 }
 
-TEST_CASE("settings are a controller's: of one link, and of `loop:` only where that names it") {
+TEST_CASE("Settings belong to the controller of one link, and of `loop:` only if it names the controller") {
   const auto of_two = [](const std::string& links) {
     MemoryFileSystem files;
     files.files["a.csv"] = kList;
@@ -278,7 +281,9 @@ TEST_CASE("settings are a controller's: of one link, and of `loop:` only where t
     std::ostringstream err;
     app::Progress progress(err, false);
     Analysed result;
-    result.plant = app::analyse({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics);
+    if (auto compiled = app::compile({"plant.json", {}, {}, "2026-07-01"}, files, progress, result.diagnostics)) {
+      result.derived = model::Derived{std::move(compiled->plant), std::move(compiled->evidence)};
+    }
     return result;
   };
   const Analysed sound = of_two(R"({"url": "loop:", "controller": "plc2", "on-loss": "zero"},
@@ -288,16 +293,16 @@ TEST_CASE("settings are a controller's: of one link, and of `loop:` only where t
   CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
   CHECK(
       reported(R"("controller": "PLC9")") ==
-      "this plant's one controller has no name, so that `PLC9` is none: leave `controller` out here, or name it beside "
-      "its list in `symbols`");
+      "controller `PLC9` not found, because this plant's only controller has no name; remove `controller` here, or "
+      "add it to its list in `symbols`");
   CHECK(reported(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
-        "this `loop:` is of all controllers, and settings are of one: give it a `controller`");
+        "this `loop:` is for all controllers, but settings are for one; give it a `controller`");
   CHECK(reported(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
                        {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "on-loss": "zero"})")) ==
-        "another link of this controller has settings too, give them in one place");
+        "another link of this controller also has settings; give all of them in one link");
 }
 
-TEST_CASE("values of every wrong type are refused in every key of a link, and nothing breaks") {
+TEST_CASE("Values of every wrong type are rejected in every key of a link without harm") {
   const std::vector<std::string> values{"null", "true", "-1",   "1.5", "99999999999", "\"x\"",
                                         "\"\"", "[]",   "[[]]", "{}",  R"({"x": {}})"};
   for (const std::string& value : values) {

@@ -32,7 +32,7 @@ TEST_CASE("Rows of all lists make one plant, in the order of the lists") {
   CHECK(plant.fired(diag::Severity::warning) == "");
 }
 
-TEST_CASE("Controllers stand in the order of their first list, and compare without regard to case") {
+TEST_CASE("Controllers are in the order of their first list, and are compared ignoring case") {
   const Analysed plant = analyse_lists({{"a.csv", list_text({{"L_P_D_O_A", "Y1"}}), "PLC1"},
                                         {"b.csv", list_text({{"L_P_E_O_A", "Y1"}})},
                                         {"c.csv", list_text({{"L_P_F_O_A", "Y2"}}), "plc1"}});
@@ -42,24 +42,24 @@ TEST_CASE("Controllers stand in the order of their first list, and compare witho
   CHECK(plant.model().controller_of(plant.model().symbols[2]) == 0);
 }
 
-TEST_CASE("One address in lists of two controllers is two places") {
+TEST_CASE("One address in lists of two controllers is two addresses") {
   const Analysed plant = two(kFirst, kOther, "PLC1", "PLC2");
   CHECK(plant.fired(diag::Severity::warning) == "");
   for (const model::Symbol& symbol : plant.model().symbols) CHECK(symbol.leader == model::kNone);
 }
 
-TEST_CASE("One address in two lists of one controller is one place") {
+TEST_CASE("One address in two lists of one controller is one address") {
   const Analysed plant = two(kFirst, kOther, "PLC1", "plc1");
   CHECK(plant.count("address-used-twice") == 2);
-  CHECK(plant.count("event-moved-twice") == 2);
+  CHECK(plant.count("event-driven-twice") == 2);
   for (const diag::Diagnostic& finding : plant.diagnostics.all()) {
-    if (finding.rule->slug != "event-moved-twice") continue;
+    if (finding.rule->slug != "event-driven-twice") continue;
     CHECK(file_of(finding.location) == "second.csv");
     CHECK(file_of(finding.related.front().location) == "first.csv");
   }
 }
 
-TEST_CASE("A name in two lists is declared twice, and both places are told in their files") {
+TEST_CASE("A name in two lists is declared twice, and both locations are reported") {
   const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}});
   const diag::Diagnostic& finding = finding_of(plant, "duplicate-symbol");
   CHECK(file_of(finding.location) == "second.csv");
@@ -68,14 +68,14 @@ TEST_CASE("A name in two lists is declared twice, and both places are told in th
   CHECK(two(kFirst, {{"L_P_D_O_A", "Y7"}}).count("symbol-declared-differently") == 1);
 }
 
-TEST_CASE("A name in lists of two controllers is an error, whatever the address") {
+TEST_CASE("A name in lists of two controllers is an error, for any address") {
   const Analysed plant = two(kFirst, {{"L_P_D_O_A", "Y1"}}, "PLC1", "PLC2");
   CHECK(finding_of(plant, "symbol-declared-differently").message ==
         "`L_P_D_O_A` is declared again for another controller, and names are unique across a plant: rename it, or "
         "delete the row that is wrong");
 }
 
-TEST_CASE("Findings stand in the order of the lists, whatever the order of rules and the size of lists") {
+TEST_CASE("Findings are in the order of the lists, for any order of rules and size of lists") {
   std::vector<Row> long_list(30, Row{"", ""});
   for (std::size_t i = 0; i < long_list.size(); ++i) {
     long_list[i] = {"BAD" + std::to_string(i), "X" + std::to_string(i % 10)};
@@ -89,7 +89,7 @@ TEST_CASE("Findings stand in the order of the lists, whatever the order of rules
   CHECK(order == "first.csv second.csv ");
 }
 
-TEST_CASE("X and Y count controller by controller") {
+TEST_CASE("X and Y count separately for each controller") {
   const std::vector<Row> octal{{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}, {"L_P_D_I_B", "X0020"}};
   const std::vector<Row> hex{{"L_P_E_I_A", "X0010", "BOOL", "", "%IX16"}, {"L_P_E_I_B", "X0020"}};
   const Analysed plant = two(octal, hex, "PLC1", "PLC2");
@@ -98,7 +98,7 @@ TEST_CASE("X and Y count controller by controller") {
   CHECK(plant.count("radix-disagrees") == 0);
 }
 
-TEST_CASE("What a list of a controller proves counts for its other lists") {
+TEST_CASE("The proof of a controller's list counts for its other lists") {
   const std::vector<Row> octal{{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}};
   const Analysed plant = two({{"L_P_E_I_A", "X0020"}}, octal);
   CHECK(symbol_of(plant, "L_P_E_I_A").address->number == 16);
@@ -108,13 +108,13 @@ TEST_CASE("What a list of a controller proves counts for its other lists") {
   CHECK(two({{"L_P_E_I_A", "X0020"}}, octal, "PLC1", "PLC2").count("radix-assumed") == 1);
 }
 
-TEST_CASE("What is assumed of a controller is told once for all its lists") {
+TEST_CASE("An assumption about a controller is reported once for all its lists") {
   const Analysed plant = two({{"L_P_D_I_A", "X1"}, {"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}});
   CHECK(index_text(finding_of(plant, "radix-assumed")) == "X10");
   CHECK(two({{"L_P_D_I_B", "X10"}}, {{"L_P_E_I_A", "X20"}}, "PLC1", "PLC2").count("radix-assumed") == 2);
 }
 
-TEST_CASE("Two lists of one controller that count X and Y differently: most rows count, and a warning tells") {
+TEST_CASE("The most rows count if two lists of one controller count X and Y differently, with a warning") {
   const Analysed plant = two({{"L_P_D_I_A", "X0010", "BOOL", "", "%IX8"}}, {{"L_P_E_I_A", "X0010", "BOOL", "", "%IX16"},
                                                                             {"L_P_E_I_B", "X0011", "BOOL", "", "%IX17"},
                                                                             {"L_P_E_I_C", "X0020"}});
@@ -125,7 +125,7 @@ TEST_CASE("Two lists of one controller that count X and Y differently: most rows
   CHECK(file_of(finding.related.front().location) == "second.csv");
 }
 
-TEST_CASE("Of the options of one controller's lists the first counts, and another one is told") {
+TEST_CASE("The first option of one controller's lists counts, and a different one is reported") {
   const Analysed plant = analyse_lists({{"a.csv", list_text({{"L_P_D_I_A", "X10"}})},
                                         {"b.csv", list_text({{"L_P_E_I_A", "X20"}}), "", Radix::octal},
                                         {"c.csv", list_text({{"L_P_F_I_A", "X30"}}), "", Radix::hexadecimal}});
@@ -134,14 +134,14 @@ TEST_CASE("Of the options of one controller's lists the first counts, and anothe
   CHECK(file_of(finding_of(plant, "radix-disagrees").location) == "c.csv");
 }
 
-TEST_CASE("A list without a symbol is a list all the same") {
+TEST_CASE("A list without a symbol is still a list") {
   const Analysed plant = two({{"M1", "M1"}}, kFirst, "PLC1", "PLC2");
   CHECK(plant.model().lists.size() == 2);
   CHECK(plant.model().controllers.size() == 2);
   CHECK(plant.model().symbols.front().list == 1);
 }
 
-TEST_CASE("A controller's name is one that --link NAME=URL can say") {
+TEST_CASE("A controller's name is valid in --link NAME=URL") {
   for (const char* good : {"PLC1", "Q03UDV (line 2)", "\xEC\x84\xA4\xEB\xB9\x84"})
     CHECK(description::is_controller_name(good));
   for (const char* bad : {"", "A=B", "A:B", " A", "A ", "A\nB", "A\x7F"}) {
@@ -150,7 +150,7 @@ TEST_CASE("A controller's name is one that --link NAME=URL can say") {
   }
 }
 
-/// "/links/0/controller: words", of a plant of these controllers.
+/// "/links/0/controller: message", of a plant of these controllers.
 std::string link_faults(const std::vector<std::string>& controllers, std::vector<description::LinkDescription> links) {
   std::vector<GivenList> lists;
   for (const std::string& name : controllers) {
@@ -161,7 +161,7 @@ std::string link_faults(const std::vector<std::string>& controllers, std::vector
   description.links = std::move(links);
   const Analysed plant = analyse_lists(lists, std::move(description));
   std::string text;
-  for (const description::DescriptionFault& fault : plant.model().description_faults) {
+  for (const description::DescriptionFault& fault : plant.evidence().faults) {
     text += fault.pointer + ": " + fault.message + "\n";
   }
   return text;
@@ -174,11 +174,11 @@ TEST_CASE("Links of the description name their controllers") {
   CHECK(link_faults({"PLC1"}, {{url, ""}}) == "");
   CHECK(link_faults({"PLC1", ""}, {{url, ""}}) == "");
   CHECK(link_faults({"PLC1", "PLC2"}, {{"loop:", ""}, {url, "PLC3"}}) ==
-        "/links/1/controller: there is no controller `PLC3`, the nearest is `PLC1`\n");
+        "/links/1/controller: controller `PLC3` not found; did you mean `PLC1`?\n");
   CHECK(link_faults({"PLC1", "PLC2"}, {{url, ""}}) ==
-        "/links/0: the plant has several controllers, and this link does not say which: give it a `controller`\n");
+        "/links/0: the plant has several controllers, and this link names none of them; give it a `controller`\n");
   CHECK(link_faults({"PLC1", "PLC2"}, {{url, "PLC1"}, {url, "PLC2"}, {url, "plc1"}}) ==
-        "/links/2: this is the second link of its controller, and both would write its operations: leave one away\n");
+        "/links/2: this is the second link of its controller, and both would write its operations; remove one\n");
 }
 
 }  // namespace

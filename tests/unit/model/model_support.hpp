@@ -1,4 +1,4 @@
-// What the tests of the model share: units as short texts.
+// Shared parts of the tests of the model: units as short texts.
 #pragma once
 
 #include <string>
@@ -22,6 +22,9 @@ inline const model::Unit& unit_of(const Analysed& analysed, std::string_view pat
   REQUIRE(unit != nullptr);
   return *unit;
 }
+
+/// What the derivation noticed about the only unit.
+inline const model::UnitEvidence& unit_evidence(const Analysed& analysed) { return analysed.evidence().units.at(0); }
 
 inline const model::Symbol& symbol_of(const Analysed& analysed, std::string_view name) {
   for (const model::Symbol& symbol : analysed.model().symbols) {

@@ -1,4 +1,4 @@
-// Patterns: which entry speaks of which device, what wins, and what is left out.
+// Patterns: the entry that applies to each device, priorities, and parts that are left out.
 #include "description_support.hpp"
 
 namespace symplant::test {
@@ -22,13 +22,13 @@ DeviceDescription with(std::string path, std::vector<GivenTransition> transition
 
 std::string warnings(const Analysed& analysed) {
   std::string text;
-  for (const description::DescriptionFault& fault : analysed.model().description_warnings) {
+  for (const description::DescriptionFault& fault : analysed.evidence().warnings) {
     text += (text.empty() ? "" : "\n") + fault.pointer + ": " + fault.message;
   }
   return text;
 }
 
-TEST_CASE("A pattern speaks of every device that it matches, whatever the case") {
+TEST_CASE("A pattern applies to every device that it matches, in any case") {
   const Analysed list = described(kStoppers, {actuated("l_*_s?", tables::Actuation::held)});
   CHECK(unit_of(list, "L_P_S1").actuation == tables::Actuation::held);
   CHECK(unit_of(list, "L_P_S2").actuation == tables::Actuation::held);
@@ -46,7 +46,7 @@ TEST_CASE("An exact name beats every pattern, key by key") {
   CHECK(unit_of(list, "L_P_S2").actuation == tables::Actuation::held);
 }
 
-TEST_CASE("Of patterns the one with more literal characters beats the other, key by key") {
+TEST_CASE("A pattern with more literal characters beats another, key by key") {
   DeviceDescription wide = actuated("*", tables::Actuation::held);
   wide.initial = "RET";
   const Analysed list =
@@ -57,7 +57,7 @@ TEST_CASE("Of patterns the one with more literal characters beats the other, key
   CHECK(unit_of(list, "L_P_T").actuation == tables::Actuation::held);
 }
 
-TEST_CASE("An array replaces an array, also an empty one") {
+TEST_CASE("An array replaces an array, even if empty") {
   DeviceDescription nothing = device("L_P_S1");
   nothing.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;
   const Analysed list = described(kStoppers, {with("L_P_S*", {taking(transition("ADV", "RET"), 5)}),
@@ -67,7 +67,7 @@ TEST_CASE("An array replaces an array, also an empty one") {
   CHECK(unit_of(list, "L_P_S2").transitions[1].takes == Duration::fixed(tables::kSecond));
 }
 
-TEST_CASE("`only` of a pattern is undone by an exact false") {
+TEST_CASE("An exact false overrides `only` of a pattern") {
   DeviceDescription only = device("L_P_S*");
   only.only = true;
   DeviceDescription not_only = device("L_P_S2");
@@ -77,7 +77,7 @@ TEST_CASE("`only` of a pattern is undone by an exact false") {
   CHECK(unit_of(list, "L_P_S2").transitions.size() == 2);
 }
 
-TEST_CASE("Two equally specific patterns must agree, unless something more specific decides") {
+TEST_CASE("Two equally specific patterns must agree, unless a more specific one decides") {
   const auto saying = [](std::string path, std::string text) {
     DeviceDescription d = actuated(std::move(path), tables::Actuation::held);
     d.texts.resize(description::kDeviceKeys);
@@ -85,15 +85,15 @@ TEST_CASE("Two equally specific patterns must agree, unless something more speci
     return d;
   };
   const std::string fault =
-      "/devices/L_?_S*/actuation: `L_?_S*` and `L_P_*` are equally specific and give `actuation` of `L_P_S1` different "
-      "values, make one more specific or name the device";
+      "/devices/L_?_S*/actuation: `L_?_S*` and `L_P_*` are equally specific and give `actuation` of `L_P_S1` "
+      "different values; make one more specific or name the device";
   CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"held\"")})) == "");
   CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"spring\"")})) == fault);
   CHECK(faults(described(kStoppers, {saying("L_P_*", "\"held\""), saying("L_?_S*", "\"spring\""),
                                      saying("L_P_S?", "\"bistable\"")})) == "");
 }
 
-TEST_CASE("Two equally specific patterns that disagree are a fault with both places, told once") {
+TEST_CASE("Two equally specific patterns that disagree are a fault with both locations, reported once") {
   DeviceDescription first = actuated("L_P_S*", tables::Actuation::held);
   DeviceDescription second = actuated("L_?_S?*", tables::Actuation::spring);
   second.path = "*L_P_S?";
@@ -104,10 +104,10 @@ TEST_CASE("Two equally specific patterns that disagree are a fault with both pla
   const Analysed list = described(kStoppers, {first, second});
   CHECK(faults(list) ==
         "/devices/*L_P_S?/actuation: `*L_P_S?` and `L_P_S*` are equally specific and give `actuation` of `L_P_S1` "
-        "different values, make one more specific or name the device");
-  REQUIRE_FALSE(list.model().description_faults.empty());
-  CHECK(list.model().description_faults.front().related == "/devices/L_P_S*/actuation");
-  CHECK(list.model().description_faults.front().kind == description::FaultKind::patterns);
+        "different values; make one more specific or name the device");
+  REQUIRE_FALSE(list.evidence().faults.empty());
+  CHECK(list.evidence().faults.front().related == "/devices/L_P_S*/actuation");
+  CHECK(list.evidence().faults.front().kind == description::FaultKind::patterns);
   CHECK(faults(described(kStoppers, {first, second, actuated("L_P_S1", tables::Actuation::held),
                                      actuated("L_P_S2", tables::Actuation::held)})) == "");
 }
@@ -118,7 +118,7 @@ TEST_CASE("A pattern that matches no device is a warning") {
   CHECK(warnings(list) == "/devices/L_*_DOOR?: `L_*_DOOR?` matches no device");
 }
 
-TEST_CASE("Under a pattern an entry is left out for devices that lack what it names, with a warning") {
+TEST_CASE("Under a pattern an entry is omitted for devices that lack what it names, with a warning") {
   const Analysed list = described(
       kStoppers, {with("L_P_*", {taking(transition("ADV", "RET"), 5), taking(transition("RUN1", "END2"), 6)})});
   CHECK(faults(list) == "");
@@ -127,33 +127,32 @@ TEST_CASE("Under a pattern an entry is left out for devices that lack what it na
   CHECK(unit_of(list, "L_P_M").transitions[0].takes == Duration::fixed(6));
   CHECK(
       warnings(list) ==
-      "/devices/L_P_*/transitions/0/from: 1 of the 3 devices that take it from `L_P_*` has no state `ADV`, it is left "
+      "/devices/L_P_*/transitions/0/from: 1 of the 3 devices that take it from `L_P_*` has no state `ADV`; it is left "
       "out for `L_P_M`\n"
-      "/devices/L_P_*/transitions/0/to: 1 of the 3 devices that take it from `L_P_*` has no state `RET`, it is left "
+      "/devices/L_P_*/transitions/0/to: 1 of the 3 devices that take it from `L_P_*` has no state `RET`; it is left "
       "out for `L_P_M`\n"
-      "/devices/L_P_*/transitions/1/from: 2 of the 3 devices that take it from `L_P_*` have no state `RUN1`, it is "
+      "/devices/L_P_*/transitions/1/from: 2 of the 3 devices that take it from `L_P_*` have no state `RUN1`; it is "
       "left out for `L_P_S1`, `L_P_S2`\n"
-      "/devices/L_P_*/transitions/1/to: 2 of the 3 devices that take it from `L_P_*` have no state `END2`, it is left "
+      "/devices/L_P_*/transitions/1/to: 2 of the 3 devices that take it from `L_P_*` have no state `END2`; it is left "
       "out for `L_P_S1`, `L_P_S2`");
 }
 
-TEST_CASE("What all of them lack is an error") {
+TEST_CASE("A name that all matched devices lack is an error") {
   DeviceDescription d = with("L_P_S?", {transition("ADV", "REF"), transition("ADV", "RET", "RETT")});
   d.initial = "HOME";
   d.outputs = {{"ADV", {{"BUSY", true}}, {}}};
   const Analysed list = described(kStoppers, {d});
-  const std::string too = "; the other device that takes it from `L_P_S?` lacks it too";
+  const std::string too = " (the other device that takes it from `L_P_S?` lacks it too)";
   CHECK(faults(list) ==
-        "/devices/L_P_S?/initial: there is no state `HOME` of `L_P_S1`" + too +
-            "\n/devices/L_P_S?/outputs/ADV/enter/BUSY: there is no event `BUSY` of `L_P_S1`" + too +
-            "\n/devices/L_P_S?/transitions/0/to: there is no state `REF` of `L_P_S1`, the nearest is `RET`" + too +
-            "\n/devices/L_P_S?/transitions/1/on: there is no operation `RETT` of `L_P_S1`, the nearest is "
-            "`RET`" +
+        "/devices/L_P_S?/initial: state `HOME` of `L_P_S1` not found" + too +
+            "\n/devices/L_P_S?/outputs/ADV/enter/BUSY: event `BUSY` of `L_P_S1` not found" + too +
+            "\n/devices/L_P_S?/transitions/0/to: state `REF` of `L_P_S1` not found; did you mean `RET`?" + too +
+            "\n/devices/L_P_S?/transitions/1/on: operation `RETT` of `L_P_S1` not found; did you mean `RET`?" +
             too);
   CHECK(warnings(list) == "");
 }
 
-TEST_CASE("What a matched device has that takes the key from elsewhere is no slip") {
+TEST_CASE("A name is no slip if a matched device has it but takes the key from elsewhere") {
   DeviceDescription wide = device("L_P_*");
   wide.initial = "RUN1";
   DeviceDescription exact = device("L_P_M");
@@ -161,11 +160,11 @@ TEST_CASE("What a matched device has that takes the key from elsewhere is no sli
   const Analysed list = described(kStoppers, {exact, wide});
   CHECK(faults(list) == "");
   CHECK(warnings(list) ==
-        "/devices/L_P_*/initial: 2 of the 2 devices that take it from `L_P_*` have no state `RUN1`, it is left out for "
+        "/devices/L_P_*/initial: 2 of the 2 devices that take it from `L_P_*` have no state `RUN1`; it is left out for "
         "`L_P_S1`, `L_P_S2`");
 }
 
-TEST_CASE("An initial state, a rest state, outputs and disables are left out likewise") {
+TEST_CASE("An initial state, a rest state, outputs and disables are omitted, too") {
   DeviceDescription d = device("L_P_*");
   d.initial = "RET";
   d.outputs = {{"ADV", {}, {{"RUN1", false}}}, {"RUN1", {{"END2", true}}, {}}};
@@ -179,11 +178,11 @@ TEST_CASE("An initial state, a rest state, outputs and disables are left out lik
   CHECK(unit_of(list, "L_P_M").outputs[0].enter.size() == 1);
   CHECK(unit_of(list, "L_P_M").disables[0] == std::vector<std::uint32_t>{0, 1});
   CHECK(unit_of(list, "L_P_S1").disables[0] == std::vector<std::uint32_t>{2});
-  CHECK(list.model().description_warnings.size() == 7);
+  CHECK(list.evidence().warnings.size() == 7);
 }
 
-TEST_CASE("A state that only a left out entry would have made a mere command stays a state") {
-  // O_GO is `on` of a transition to P2; L_P_B has no P2, so nothing is said of its O_GO.
+TEST_CASE("A state that only an omitted entry would make a command stays a state") {
+  // O_GO is `on` of a transition to P2; L_P_B has no P2, so its O_GO has no entry.
   const std::vector<std::string> names{"L_P_A_O_GO", "L_P_A_I_P1", "L_P_A_O_P1", "L_P_A_I_P2",
                                        "L_P_A_O_P2", "L_P_B_O_GO", "L_P_B_I_P1", "L_P_B_O_P1"};
   const Analysed list = described(names, {with("L_P_?", {transition("P1", "P2", "GO")})});
@@ -192,7 +191,7 @@ TEST_CASE("A state that only a left out entry would have made a mere command sta
   CHECK(unit_of(list, "L_P_B").left_out == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("The condition of a left out entry is no condition of the device") {
+TEST_CASE("The condition of an omitted entry is no condition of the device") {
   GivenTransition left = transition("RUN1", "END2", "", "L_P_S1.ADV");
   GivenTransition stays = transition("ADV", "RET", "", "L_P_M.END2");
   const Analysed list = described(kStoppers, {with("L_P_*", {left, stays})});
@@ -201,35 +200,35 @@ TEST_CASE("The condition of a left out entry is no condition of the device") {
   REQUIRE(unit_of(list, "L_P_M").conditions.size() == 1);
 }
 
-TEST_CASE("A commanded transition under a pattern is left out where its target has no operation") {
+TEST_CASE("A commanded transition under a pattern is omitted if its target has no operation") {
   const std::vector<std::string> names{"L_P_A_O_P1", "L_P_A_I_P1", "L_P_A_O_P2", "L_P_A_I_P2", "L_P_A_O_P3",
                                        "L_P_B_O_P1", "L_P_B_I_P1", "L_P_B_I_P2", "L_P_B_O_P3"};
   const Analysed list = described(names, {with("L_P_?", {transition("P1", "P2")})});
   CHECK(faults(list) == "");
   CHECK(
       warnings(list) ==
-      "/devices/L_P_?/transitions/0/to: 1 of the 2 devices that take it from `L_P_?` has no operation `P2`, it is left "
-      "out for `L_P_B`");
+      "/devices/L_P_?/transitions/0/to: 1 of the 2 devices that take it from `L_P_?` has no operation `P2`; it is "
+      "left out for `L_P_B`");
 }
 
-TEST_CASE("A fault under a pattern is told once for all its devices") {
+TEST_CASE("A fault under a pattern is reported once for all its devices") {
   CHECK(faults(described(kStoppers, {with("L_P_S?", {transition("ADV", "ADV")})})) ==
-        "/devices/L_P_S?/transitions/0: `ADV` to itself is no transition, name two states; so it is with other devices "
-        "that `L_P_S?` matches");
+        "/devices/L_P_S?/transitions/0: `ADV` to itself is not a transition; name two states (also for other devices "
+        "that `L_P_S?` matches)");
   DeviceDescription rest = device("L_P_S?");
   rest.rest = "RET";
   CHECK(faults(described(kStoppers, {rest})).starts_with("/devices/L_P_S?/rest: `L_P_S1` is `latched`"));
 }
 
-TEST_CASE("A fault leads to the entry that gave the key") {
+TEST_CASE("A fault refers to the entry with the key") {
   DeviceDescription exact = actuated("L_P_S1", tables::Actuation::held);
   const Analysed list = described(kStoppers, {exact, with("L_P_S*", {transition("ADV", "RET", "", "L_P_X.RUN")})});
-  REQUIRE(list.model().description_faults.size() == 1);
-  CHECK(list.model().description_faults[0].pointer == "/devices/L_P_S*/transitions/0/when");
-  CHECK(list.model().description_faults[0].kind == description::FaultKind::condition);
+  REQUIRE(list.evidence().faults.size() == 1);
+  CHECK(list.evidence().faults[0].pointer == "/devices/L_P_S*/transitions/0/when");
+  CHECK(list.evidence().faults[0].kind == description::FaultKind::condition);
 }
 
-TEST_CASE("A pattern in `disables` leaves out the device itself, and may match nothing") {
+TEST_CASE("A pattern in `disables` excludes the device itself, and may match nothing") {
   DeviceDescription d = device("L_P_S1");
   d.disables = {{"ADV", {"L_P_*", "L_P_M"}}, {"RET", {"*_DOOR"}}};
   const Analysed list = described(kStoppers, {d});
@@ -237,33 +236,33 @@ TEST_CASE("A pattern in `disables` leaves out the device itself, and may match n
   CHECK(unit_of(list, "L_P_S1").disables[0] == std::vector<std::uint32_t>{1, 2});
   CHECK(warnings(list) == "/devices/L_P_S1/disables/RET/0: `*_DOOR` matches no device");
   d.disables = {{"ADV", {"L_P_S1"}}};
-  CHECK(faults(described(kStoppers, {d})) == "/devices/L_P_S1/disables/ADV/0: `L_P_S1` disables itself, leave it out");
+  CHECK(faults(described(kStoppers, {d})) == "/devices/L_P_S1/disables/ADV/0: `L_P_S1` disables itself; remove it");
 }
 
-TEST_CASE("A device too large to be modelled is a fault of its exact name, not of a pattern") {
+TEST_CASE("A device that is too large is a fault of its exact name, not of a pattern") {
   std::vector<std::string> names{"L_P_A_O_ADV", "L_P_A_O_RET"};
   for (int i = 0; i < 70; ++i) names.push_back("L_P_BIG_O_T" + std::to_string(i));
   CHECK(faults(described(names, {actuated("L_P_*", tables::Actuation::held)})) == "");
   CHECK(faults(described(names, {actuated("L_P_BIG", tables::Actuation::held)})) ==
-        "/devices/L_P_BIG: `L_P_BIG` is described, but has too many symbols for a device and stays unmodelled");
+        "/devices/L_P_BIG: `L_P_BIG` has too many symbols for a device and is not modelled; remove its description");
 }
 
-TEST_CASE("A device described twice is told with both places") {
+TEST_CASE("A device described twice is reported with both locations") {
   const Analysed list =
       described(kStoppers, {actuated("L_P_S1", tables::Actuation::held), actuated("l_p_s1", tables::Actuation::held)});
-  CHECK(faults(list) == "/devices/l_p_s1: `l_p_s1` is described twice, join both");
-  REQUIRE_FALSE(list.model().description_faults.empty());
-  CHECK(list.model().description_faults[0].related == "/devices/L_P_S1");
+  CHECK(faults(list) == "/devices/l_p_s1: `l_p_s1` is described twice; merge both");
+  REQUIRE_FALSE(list.evidence().faults.empty());
+  CHECK(list.evidence().faults[0].related == "/devices/L_P_S1");
 }
 
-TEST_CASE("`--verbose` will tell which pattern speaks of how many devices") {
+TEST_CASE("`--verbose` counts the devices of each pattern") {
   const Analysed list =
       described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), actuated("*M", tables::Actuation::held)});
-  CHECK(list.model().description_decisions ==
-        std::vector<std::string>{"`L_P_S?` speaks of 2 devices", "`*M` speaks of 1 device"});
+  CHECK(list.evidence().decisions ==
+        std::vector<std::string>{"`L_P_S?` matches 2 devices", "`*M` matches 1 device"});
 }
 
-TEST_CASE("Devices of which the same entries speak share what is joined, and nothing is joined of one entry") {
+TEST_CASE("Devices with the same entries share the joined result, and a single entry is not joined") {
   const Analysed list =
       described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), with("L_*_S?", {transition("ADV", "RET")}),
                             actuated("L_P_M", tables::Actuation::held)});
@@ -280,7 +279,7 @@ TEST_CASE("A question mark is one character, in any script") {
         "/devices/L_P_??: `L_P_??` matches no device");
 }
 
-TEST_CASE("What is left out for a device is not wrong for it either") {
+TEST_CASE("An entry omitted for a device is not checked for it") {
   DeviceDescription pattern = device("L_P_*");
   pattern.rest = "RET";
   pattern.disables = {{"ADV", {"L_P_M"}}};
@@ -288,7 +287,7 @@ TEST_CASE("What is left out for a device is not wrong for it either") {
   pattern.transitions[0].once = true;
   DeviceDescription spring = actuated("L_P_S?", tables::Actuation::spring);
   spring.given[static_cast<std::size_t>(description::DeviceKey::transitions)] = true;
-  // L_P_M is no spring, would disable itself, and as a held device may not have `once`.
+  // L_P_M is not a spring, would disable itself, and as a held device may not have `once`.
   CHECK(faults(described(kStoppers, {pattern, spring, actuated("L_P_M", tables::Actuation::held)})) == "");
 }
 

@@ -1,4 +1,4 @@
-// What ties units to each other: conditions, disables, behaviours, requirements.
+// Relations between units: conditions, disables, behaviors, requirements.
 #include "description_support.hpp"
 
 namespace symplant::test {
@@ -42,7 +42,7 @@ TEST_CASE("A `when` becomes a tree over the plant") {
   CHECK(any.children[1].children[1].atom.of == 4);
 }
 
-TEST_CASE("Equal texts within a device share one condition, `*` has one") {
+TEST_CASE("Equal texts within a device share one condition, and `*` has one") {
   DeviceDescription d = device();
   d.transitions = {transition("*", "P2", "", "L_P_E.A1"), transition("P2", "P1", "", "L_P_E.A2"),
                    automatic("P1", "P2", "L_P_E.A1")};
@@ -59,21 +59,21 @@ TEST_CASE("Equal texts within a device share one condition, `*` has one") {
   CHECK(unit_of(list, "L_P_E").conditions.size() == 1);
 }
 
-TEST_CASE("A fault in a condition stands where it is in the text, in every transition that has it") {
+TEST_CASE("A fault in a condition is reported at its location in the text, in every transition with it") {
   DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "", "L_P_E.A1 and L_P_E.A9"),
                    transition("P2", "P1", "", "L_P_E.A1 and L_P_E.A9"), automatic("P1", "P2", "(L_P_E.A1")};
   const Analysed list = described(kCell, {d});
   CHECK(faults(list) ==
-        "/devices/L_P_D/transitions/0/when: there is no state `A9` of `L_P_E`, the nearest is `A1`\n"
-        "/devices/L_P_D/transitions/1/when: there is no state `A9` of `L_P_E`, the nearest is `A1`\n"
-        "/devices/L_P_D/transitions/2/when: the condition ends where `and`, `or` or `)` is expected");
-  const auto& all = list.model().description_faults;
+        "/devices/L_P_D/transitions/0/when: state `A9` of `L_P_E` not found; did you mean `A1`?\n"
+        "/devices/L_P_D/transitions/1/when: state `A9` of `L_P_E` not found; did you mean `A1`?\n"
+        "/devices/L_P_D/transitions/2/when: expected `and`, `or` or `)`, but the condition ends");
+  const auto& all = list.evidence().faults;
   CHECK(all[0].column == 19);
   CHECK(all[2].column == 9);
 }
 
-TEST_CASE("A condition may name states that a description adds, and is told why a mere command or event is none") {
+TEST_CASE("A condition may name added states, and an error explains why a mere command or event is none") {
   DeviceDescription d = device();
   d.states = {"DOCK"};
   d.transitions = {transition("P1", "DOCK", "GO")};
@@ -85,24 +85,24 @@ TEST_CASE("A condition may name states that a description adds, and is told why 
   e.transitions = {transition("A1", "A2", "", "L_P_D.DOCK"), transition("A2", "A1", "", "L_P_D.go"),
                    automatic("A1", "A2", "not L_P_D.BUSY")};
   CHECK(faults(described(names, {d, e})) ==
-        "/devices/L_P_E/transitions/1/when: `go` only commands given transitions and is no state of `L_P_D`, name the "
-        "symbol `L_P_D_O_GO`\n"
-        "/devices/L_P_E/transitions/2/when: `BUSY` is only switched by `outputs` and is no state of `L_P_D`, name the "
-        "symbol `L_P_D_I_BUSY`");
+        "/devices/L_P_E/transitions/1/when: `go` only commands given transitions and is not a state of `L_P_D`; name "
+        "the symbol `L_P_D_O_GO`\n"
+        "/devices/L_P_E/transitions/2/when: `BUSY` is only switched by `outputs` and is not a state of `L_P_D`; name "
+        "the symbol `L_P_D_I_BUSY`");
 }
 
-TEST_CASE("A condition may name a symbol of no device, and no facet of a device with one unit") {
+TEST_CASE("A condition may name a symbol of no device, but no facet of a device with one unit") {
   DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "", "START and 'L_P_E'.A1"), transition("P2", "P1", "", "L_P_E.CLAMP.A1")};
   std::vector<Row> rows = bits(kCell);
   rows.push_back({"START", "X77"});
   CHECK(faults(analyse_described(rows, describing({d}))) ==
-        "/devices/L_P_D/transitions/1/when: there is no facet `CLAMP` of `L_P_E`");
+        "/devices/L_P_D/transitions/1/when: facet `CLAMP` of `L_P_E` not found");
 }
 
 // Disables.
 
-TEST_CASE("Disabled units stand by state, ascending and once") {
+TEST_CASE("Disabled units are listed by state, ascending and once") {
   DeviceDescription d = device("L_P_E");
   d.disables = {{"A2", {"L_P_F", "l_p_d", "L_P_F"}}};
   std::vector<std::string> names = kCell;
@@ -116,7 +116,7 @@ TEST_CASE("Disabled units stand by state, ascending and once") {
   CHECK(unit_of(list).disables.empty());
 }
 
-TEST_CASE("Units keep their places where one before them is too large to be one") {
+TEST_CASE("Units keep their indexes if a device before them is too large") {
   std::vector<std::string> names;
   for (int i = 0; i < 65; ++i) names.push_back("L_P_BIG_O_T" + std::to_string(i));
   names.insert(names.end(), kCell.begin(), kCell.end());
@@ -129,19 +129,19 @@ TEST_CASE("Units keep their places where one before them is too large to be one"
   CHECK(unit_of(list).conditions[0].atom.of == 1);
 }
 
-TEST_CASE("Disabling itself, a device or in a state that is not there, and a state twice are faults") {
+TEST_CASE("Disabling itself, an unknown device or state, and a duplicate state are faults") {
   DeviceDescription d = device();
   d.disables = {{"P1", {"L_P_D", "L_P_G"}}, {"P8", {"L_P_E"}}, {"p1", {}}};
   CHECK(faults(described(kCell, {d})) ==
-        "/devices/L_P_D/disables/P1/0: `L_P_D` disables itself, leave it out\n"
-        "/devices/L_P_D/disables/P1/1: there is no device `L_P_G`, the nearest is `L_P_D`\n"
-        "/devices/L_P_D/disables/P8: there is no state `P8` of `L_P_D`, the nearest is `P1`\n"
-        "/devices/L_P_D/disables/p1: `p1` stands twice, join both");
+        "/devices/L_P_D/disables/P1/0: `L_P_D` disables itself; remove it\n"
+        "/devices/L_P_D/disables/P1/1: device `L_P_G` not found; did you mean `L_P_D`?\n"
+        "/devices/L_P_D/disables/P8: state `P8` of `L_P_D` not found; did you mean `P1`?\n"
+        "/devices/L_P_D/disables/p1: `p1` appears twice; merge both");
 }
 
 // Behaviours.
 
-TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, by name, equal texts too") {
+TEST_CASE("A behavior's inputs come after the transitions' conditions, by name, including equal texts") {
   DeviceDescription d = device();
   d.behaviour = "MyTable";
   d.transitions = {transition("P1", "P2", "", "L_P_E.A1")};
@@ -154,15 +154,15 @@ TEST_CASE("A behaviour's inputs stand behind the transitions' conditions, by nam
   CHECK(unit_of(list).input_names == std::vector<std::string_view>{"clear", "part"});
 }
 
-TEST_CASE("Inputs that nobody reads are looked at, and are no conditions") {
+TEST_CASE("Unused inputs are checked, and are no conditions") {
   DeviceDescription d = device();
   d.inputs = {{"part", "L_P_E.A1"}, {"clear", "L_P_E.X"}};
   const Analysed list = described(kCell, {d});
-  CHECK(faults(list) == "/devices/L_P_D/inputs/clear: there is no state `X` of `L_P_E`");
+  CHECK(faults(list) == "/devices/L_P_D/inputs/clear: state `X` of `L_P_E` not found");
   CHECK(unit_of(list).conditions.empty());
 }
 
-TEST_CASE("A device with a behaviour has its numeric symbols as values, in list order") {
+TEST_CASE("A device with a behavior has its numeric symbols as values, in list order") {
   DeviceDescription d = device();
   d.behaviour = "MyTable";
   const Analysed list = analyse_described(cell_with_numbers(), describing({d}));
@@ -170,7 +170,7 @@ TEST_CASE("A device with a behaviour has its numeric symbols as values, in list 
   CHECK(unit_of(list, "L_P_E").values.empty());
 }
 
-TEST_CASE("A device with a behaviour counts as moving all its events") {
+TEST_CASE("A device with a behavior counts as driving all its events") {
   DeviceDescription d = device("L_P_B");
   const std::vector<std::string> button = {"L_P_B_I_ON"};
   CHECK_FALSE(unit_of(described(button, {d}), "L_P_B").moves());
@@ -206,26 +206,26 @@ TEST_CASE("Requirements have their conditions resolved") {
   CHECK(requirements[1].within == 500);
 }
 
-TEST_CASE("A requirement without a name of its own, or without its parts, is a fault") {
+TEST_CASE("A requirement without a unique name, or without its parts, is a fault") {
   description::Description description;
   description.requirements = {never("a", "L_P_D.P1"), never("a", "L_P_D.P2"),
                               never("", "L_P_D.P1"),  {"b", "", "L_P_D.P1", "", 0},
                               {"c", "", "", "", 0},   {"d", "L_P_D.P1", "", "L_P_D.P1", 0}};
-  const std::string parts = ": a requirement has either `never`, or `after` with `expect`";
+  const std::string parts = ": a requirement needs either `never`, or `after` with `expect`";
   CHECK(faults(analyse_described(bits(kCell), std::move(description))) ==
-        "/requirements/1/name: `a` names another requirement already, give each its own name\n"
-        "/requirements/2/name: a requirement without a name, give it one\n"
+        "/requirements/1/name: `a` already names another requirement; choose another name\n"
+        "/requirements/2/name: this requirement has no name; give it one\n"
         "/requirements/3" +
             parts + "\n/requirements/4" + parts + "\n/requirements/5" + parts);
 }
 
-TEST_CASE("A requirement's conditions tell all their faults") {
+TEST_CASE("A requirement's conditions report all their faults") {
   description::Description description;
   description.requirements = {never("a", "L_P_D.P9"), {"b", "", "L_P_D_I_P", "L_P_D", 0}};
   CHECK(faults(analyse_described(bits(kCell), std::move(description))) ==
-        "/requirements/0/never: there is no state `P9` of `L_P_D`, the nearest is `P1`\n"
-        "/requirements/1/after: there is no symbol `L_P_D_I_P`, the nearest is `L_P_D_I_P1`\n"
-        "/requirements/1/expect: `L_P_D` is a device, name a state of it as in `L_P_D.STATE`");
+        "/requirements/0/never: state `P9` of `L_P_D` not found; did you mean `P1`?\n"
+        "/requirements/1/after: symbol `L_P_D_I_P` not found; did you mean `L_P_D_I_P1`?\n"
+        "/requirements/1/expect: `L_P_D` is a device; name one of its states, as in `L_P_D.STATE`");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Which rows are I/O, what is served, and what is too large.
+// Rows that are I/O, rows that are served, and devices that are too large.
 #include "model/classify.hpp"
 #include "model_support.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 using model::InternalReason;
 using model::Unmodelled;
 
-TEST_CASE("Devices are told apart by line, process and device") {
+TEST_CASE("Devices differ by line, process and device") {
   const Analysed list = analyse_rows(bits({"L_P_D_O_A1", "L_P_E_O_A1", "L_Q_D_O_A1", "M_P_D_O_A1", "L_P_D_I_A1"}));
   CHECK(list.model().units.size() == 4);
   CHECK(unit_of(list).operations.size() == 1);
@@ -23,7 +23,7 @@ TEST_CASE("Names are compared without ASCII case and shown as declared") {
   CHECK(states_text(unit) == "Home1 work2");
   CHECK(unit.states[0].operation == 0);
   CHECK(unit.states[0].event == 0);
-  // Of other letters the case counts.
+  // The case of other letters counts.
   CHECK(analyse_rows(bits({"L_P_Ä_I_A", "L_P_ä_I_A"})).model().units.size() == 2);
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("Rows with an address in the PLC's memory are internal") {
   CHECK(list.model().symbols.size() == 1);
 }
 
-TEST_CASE("Constants are internal, whatever their address") {
+TEST_CASE("Constants are internal, with any address") {
   Row row{"L_P_D_I_A", "X1"};
   row.klass = "VAR_CONSTANT";
   Row global = {"L_P_D_I_B", "X2"};
@@ -60,7 +60,7 @@ TEST_CASE("TIME, STRING, arrays, structures and function blocks are internal") {
   CHECK(list.model().symbols.size() == 1);
 }
 
-TEST_CASE("Internal rows raise no warning, each or together") {
+TEST_CASE("Internal rows raise no warning, single or together") {
   Row constant{"SPEED", "", "INT", "5"};
   constant.klass = "VAR_CONSTANT";
   const Analysed list = analyse_rows({{"L_P_D_I_A1", "X1"},
@@ -76,7 +76,7 @@ TEST_CASE("Internal rows raise no warning, each or together") {
   CHECK(list.fired() == "");
 }
 
-TEST_CASE("Every elementary type is I/O, compared without case") {
+TEST_CASE("Every elementary type is I/O, ignoring case") {
   for (const char* type : {"BOOL", "SINT", "INT", "DINT", "LINT", "USINT", "UINT", "UDINT", "ULINT", "REAL", "LREAL",
                            "BYTE", "WORD", "DWORD", "LWORD", "bool", "Int"}) {
     INFO(type);
@@ -84,7 +84,7 @@ TEST_CASE("Every elementary type is I/O, compared without case") {
   }
 }
 
-TEST_CASE("Numeric symbols are served and in no unit, and stand at their Initial") {
+TEST_CASE("Numeric symbols are served and in no unit, and keep their Initial") {
   const Analysed list = analyse_rows({{"L_P_D_I_LEVEL", "", "INT", "-5", "%IW1"},
                                       {"L_P_D_O_SPEED", "", "WORD", "16#FFFF", "%QW1"},
                                       {"L_P_D_I_TEMP", "", "REAL", "1.5", "%ID4"}});
@@ -104,12 +104,12 @@ TEST_CASE("A symbol whose name breaks the rule is served and in no unit") {
   CHECK(list.model().units.size() == 1);
 }
 
-TEST_CASE("Of two rows with one name the first counts; the second is a warning where address and type agree") {
+TEST_CASE("The first of two rows with one name counts; the second is a warning if address and type agree") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X1"}, {"l_p_d_i_a", "X1", "bool"}});
   CHECK(list.model().symbols.size() == 1);
   CHECK(list.count("duplicate-symbol") == 1);
   CHECK_FALSE(list.diagnostics.has_errors());
-  // The same place in another notation is the same address.
+  // The same address in another notation is equal.
   const Analysed notation = analyse_rows({{"L_P_D_I_A", "X1F"}, {"L_P_D_I_A", "", "BOOL", "FALSE", "%IX31"}});
   CHECK(notation.count("duplicate-symbol") == 1);
   CHECK(list.fired(diag::Severity::warning) == "duplicate-symbol");
@@ -125,11 +125,11 @@ TEST_CASE("A second row of one name with another address or type is an error") {
   CHECK(analyse_rows({{"N", "M1"}, {"N", "M2"}}).count("symbol-declared-differently") == 1);
 }
 
-TEST_CASE("The name of an internal row is taken, too") {
+TEST_CASE("The name of an internal row counts as declared, too") {
   CHECK(analyse_rows({{"L_P_D_I_A", "M1"}, {"L_P_D_I_A", "X1"}}).count("symbol-declared-differently") == 1);
 }
 
-/// One unit with so many operations and events; they share tasks as far as there are both.
+/// One unit with these numbers of operations and events; they share tasks while there are both.
 std::vector<Row> unit_of_size(int operations, int events, int first_event_task = 0) {
   std::vector<std::string> names;
   for (int i = 0; i < operations; ++i) names.push_back("L_P_D_O_T" + std::to_string(i));
@@ -148,7 +148,7 @@ TEST_CASE("A unit may have 64 operations and 64 events") {
   CHECK(apart.count("unit-too-large") == 0);
 }
 
-TEST_CASE("A unit of 65 operations or 65 events stays unmodelled, its symbols served") {
+TEST_CASE("A unit of 65 operations or 65 events is unmodelled, its symbols are served") {
   for (const auto& rows : {unit_of_size(65, 10), unit_of_size(10, 65)}) {
     std::vector<Row> with_other = rows;
     with_other.push_back({"L_P_E_I_ON", "", "BOOL", "FALSE", "%IX900"});
@@ -163,8 +163,8 @@ TEST_CASE("A unit of 65 operations or 65 events stays unmodelled, its symbols se
   }
 }
 
-TEST_CASE("Two symbols of a unit that claim one task and direction: the first keeps it, a warning says so") {
-  // The second one's name says operation; its address overrules it.
+TEST_CASE("The first of two symbols that claim one task and direction keeps it, with a warning") {
+  // The second one's name says operation; its address overrides it.
   const Analysed list =
       analyse_rows({{"L_P_D_I_P1", "X1"}, {"L_P_D_I_P2", "X2"}, {"L_P_D_O_P2", "Y2"}, {"L_P_D_O_P1", "X5"}});
   const model::Unit& unit = unit_of(list);
@@ -173,14 +173,14 @@ TEST_CASE("Two symbols of a unit that claim one task and direction: the first ke
   CHECK(symbol_of(list, "L_P_D_O_P1").unmodelled == Unmodelled::task_taken);
   CHECK(symbol_of(list, "L_P_D_I_P1").unmodelled == Unmodelled::modelled);
   CHECK(list.fired(diag::Severity::warning) == "task-claimed-twice");
-  // The overruled one stands first and keeps the task.
+  // The overridden one comes first and keeps the task.
   const Analysed first = analyse_rows({{"L_P_D_O_P1", "X5"}, {"L_P_D_I_P1", "X1"}});
   CHECK(symbol_of(first, "L_P_D_O_P1").unmodelled == Unmodelled::modelled);
   CHECK(symbol_of(first, "L_P_D_I_P1").unmodelled == Unmodelled::task_taken);
   CHECK(first.fired(diag::Severity::warning) == "task-claimed-twice");
 }
 
-TEST_CASE("Many claims of one task are told apart from many tasks") {
+TEST_CASE("Many claims of one task differ from many tasks") {
   std::vector<Row> rows = unit_of_size(0, 60);
   rows.push_back({"L_P_D_O_T0", "", "BOOL", "", "%IX500"});
   rows.push_back({"L_P_D_O_T59", "", "BOOL", "", "%IX501"});
@@ -190,14 +190,14 @@ TEST_CASE("Many claims of one task are told apart from many tasks") {
   CHECK(symbol_of(list, "L_P_D_O_T59").unmodelled == Unmodelled::task_taken);
 }
 
-TEST_CASE("An Initial that cannot be read counts as off, and is told") {
+TEST_CASE("An unreadable Initial counts as off, and is reported") {
   const Analysed list = analyse_rows({{"L_P_D_I_A", "X1", "BOOL", "MAYBE"}, {"N", "", "INT", "70000", "%IW1"}});
   CHECK(list.count("initial-not-understood") == 2);
   CHECK(symbol_of(list, "L_P_D_I_A").initial == 0);
   CHECK(symbol_of(list, "N").initial == 0);
 }
 
-TEST_CASE("Initial values of every notation") {
+TEST_CASE("Initial values are read in every notation") {
   using tables::DataType;
   const auto value = [](const char* text, DataType type) { return model::initial_value(text, type); };
   CHECK(value("", DataType::boolean) == 0U);

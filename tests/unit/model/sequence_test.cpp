@@ -31,12 +31,12 @@ TEST_CASE("Sequence numbers of 30 digits are compared as numbers") {
   CHECK(compare("A0000000000000000000000000000001", "A2") < 0);
 }
 
-TEST_CASE("S stands by sequence number, whatever the order of rows") {
+TEST_CASE("S is sorted by sequence number, for any order of rows") {
   const Analysed list = analyse_rows(bits({"L_P_D_I_C10", "L_P_D_O_C10", "L_P_D_I_B2", "L_P_D_O_B2", "L_P_D_I_A1"}));
   CHECK(states_text(unit_of(list)) == "A1 B2 C10");
 }
 
-TEST_CASE("S stands by numbers of 30 digits, too") {
+TEST_CASE("S is sorted by numbers of 30 digits, too") {
   const Analysed list =
       analyse_rows(bits({"L_P_D_I_B100000000000000000000000000000", "L_P_D_I_A99999999999999999999999999999",
                          "L_P_D_I_C000000000000000000000000000001"}));
@@ -44,12 +44,12 @@ TEST_CASE("S stands by numbers of 30 digits, too") {
         "C000000000000000000000000000001 A99999999999999999999999999999 B100000000000000000000000000000");
 }
 
-TEST_CASE("Numbered states stand before those without a number, and those by first row") {
+TEST_CASE("Numbered states precede those without a number, which are sorted by first row") {
   const Analysed list = analyse_rows(bits({"L_P_D_I_Z", "L_P_D_I_A", "L_P_D_O_M", "L_P_D_I_R2", "L_P_D_O_Q1"}));
   CHECK(states_text(unit_of(list)) == "Q1 R2 Z A M");
 }
 
-TEST_CASE("Equal numbers stand by first row, of operation or event") {
+TEST_CASE("Equal numbers are sorted by first row, of operation or event") {
   const Analysed list = analyse_rows(bits({"L_P_D_O_B2", "L_P_D_I_A02", "L_P_D_I_C2", "L_P_D_I_B2", "L_P_D_I_X1"}));
   CHECK(states_text(unit_of(list)) == "X1 B2 A02 C2");
   const Analysed other = analyse_rows(bits({"L_P_D_I_C2", "L_P_D_O_B2", "L_P_D_O_C2", "L_P_D_I_B2", "L_P_D_I_X1"}));
@@ -61,7 +61,7 @@ TEST_CASE("A state keeps the digits of its name") {
   CHECK(states_text(unit_of(list)) == "IDLE01 RUN02");
 }
 
-TEST_CASE("Tasks of digits alone are numbered states") {
+TEST_CASE("Tasks of only digits are numbered states") {
   const Analysed list = analyse_rows(bits({"L_P_D_O_2", "L_P_D_I_2", "L_P_D_I_1", "L_P_D_O_1"}));
   CHECK(states_text(unit_of(list)) == "1 2");
   CHECK(initial_text(unit_of(list)) == "1");

@@ -12,7 +12,7 @@ namespace symplant::name {
 namespace {
 
 struct Read {
-  std::string name;  ///< the reading's views point into it
+  std::string name;  ///< the views of the result point into it
   NameReading reading;
 
   explicit Read(std::string text) : name(std::move(text)) {
@@ -24,7 +24,7 @@ struct Read {
   std::size_t column() const { return text::SourceFile("list", name).position(reading.where.begin).column; }
 };
 
-TEST_CASE("A name by the rule gives its levels, and its device's path") {
+TEST_CASE("A name that follows the rule gives its levels, and its device's path") {
   const Read read("EXLINE_MB_AGV_I_P1");
   CHECK(read.reading.fault == NameFault::none);
   CHECK(read.reading.levels == 5);
@@ -37,7 +37,7 @@ TEST_CASE("A name by the rule gives its levels, and its device's path") {
   CHECK(Read("BB_S301_RBT3_O_WELD").reading.direction == Direction::operation);
 }
 
-TEST_CASE("The direction is read whatever its case") {
+TEST_CASE("The direction is read in any case") {
   CHECK(Read("A_B_C_i_P1").reading.direction == Direction::event);
   CHECK(Read("A_B_C_o_P1").reading.direction == Direction::operation);
   CHECK(Read("A_B_C_o_P1").reading.fault == NameFault::none);
@@ -53,7 +53,7 @@ TEST_CASE("A word that begins with I or O is no direction") {
   }
 }
 
-TEST_CASE("Words like OPEN are tasks and devices as any other") {
+TEST_CASE("Words like OPEN are ordinary tasks and devices") {
   const Read task("EXLINE_MB_DOOR_O_OPEN");
   CHECK(task.reading.fault == NameFault::none);
   CHECK(task.reading.task == "OPEN");
@@ -82,7 +82,7 @@ TEST_CASE("Letters and digits of every script make levels") {
   }
 }
 
-TEST_CASE("A character that is neither letter nor digit is the fault, whole and alone") {
+TEST_CASE("A character that is neither letter nor digit is the fault, complete and alone") {
   struct Case {
     const char* name;
     const char* part;
@@ -106,9 +106,9 @@ TEST_CASE("A character that is neither letter nor digit is the fault, whole and 
   }
 }
 
-TEST_CASE("Of several illegal characters the first is told") { CHECK(Read("A.B-C_I_P1").reading.where.begin == 1); }
+TEST_CASE("The first of several illegal characters is reported") { CHECK(Read("A.B-C_I_P1").reading.where.begin == 1); }
 
-TEST_CASE("Too few levels: the whole name is the fault") {
+TEST_CASE("The whole name is the fault if it has too few levels") {
   for (const char* name : {"EXLINE_AGV_I_P1", "START", "A_B", "A_B_C", "Ä_I_P1"}) {
     const Read read(name);
     INFO(name);
@@ -119,7 +119,7 @@ TEST_CASE("Too few levels: the whole name is the fault") {
   CHECK(Read("START").reading.levels == 1);
 }
 
-TEST_CASE("Too many levels: the surplus ones are the fault, where the direction shows which they are") {
+TEST_CASE("The surplus levels are the fault if there are too many, and the direction shows which") {
   const Read behind("EXLINE_MB_AGV_I_P1_OLD_X");
   CHECK(behind.reading.fault == NameFault::wrong_number_of_levels);
   CHECK(behind.reading.levels == 7);
@@ -130,10 +130,10 @@ TEST_CASE("Too many levels: the surplus ones are the fault, where the direction 
   const Read multi_byte("공정_MB_Ä_빠른_O_P2");
   CHECK(multi_byte.faulty() == "빠른");
   CHECK(multi_byte.column() == 9);
-  CHECK(Read("A_B_C_D_E_F").faulty() == "F");  // no direction anywhere: those beyond the last
+  CHECK(Read("A_B_C_D_E_F").faulty() == "F");  // no direction anywhere: the levels after the last
 }
 
-TEST_CASE("An empty level is told at its place") {
+TEST_CASE("An empty level is reported at its location") {
   struct Case {
     const char* name;
     std::size_t begin;
@@ -172,7 +172,7 @@ TEST_CASE("Names of 20,000 characters are read") {
   CHECK(dot.column() == 20'005);
 }
 
-TEST_CASE("Every single ASCII character is judged") {
+TEST_CASE("Every single ASCII character is checked") {
   for (int c = 1; c < 128; ++c) {
     const Read read("A_B_C_I_P" + std::string(1, static_cast<char>(c)));
     INFO("character " << c);
@@ -185,7 +185,7 @@ TEST_CASE("Every single ASCII character is judged") {
   }
 }
 
-TEST_CASE("Plain names are read by a short way as the grammar reads them") {
+TEST_CASE("The fast path reads plain names as the grammar does") {
   std::mt19937 random(1);
   const NamingRule& rule = built_in_rule();
   NameParser parser(rule);
@@ -213,7 +213,7 @@ TEST_CASE("Plain names are read by a short way as the grammar reads them") {
   CHECK(plain > 1000);
 }
 
-TEST_CASE("A reader keeps nothing of the name before") {
+TEST_CASE("A reader keeps nothing of the previous name") {
   NameParser parser(built_in_rule());
   const std::string bad = "A_B_C_D_E_F_G";
   const std::string good = "A_B_C_I_P1";

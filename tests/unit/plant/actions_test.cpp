@@ -1,10 +1,10 @@
-// What acts on a plant beside the PLC: forces, sources of inputs, a person's hand; and acting before an instant.
+// External actions on a plant besides the PLC: forces, sources of inputs, manual moves; and actions before an instant.
 #include "support/plant_bench.hpp"
 
 namespace symplant::test {
 namespace {
 
-/// An AGV, buttons that nobody moves, numbers, and further names on some of the addresses.
+/// An AGV, buttons that no unit drives, numbers, and further names on some of the addresses.
 const BenchTables& hall() {
   static const auto rows = [] {
     std::vector<Row> list = bits({"L_P_AGV_O_P1", "L_P_AGV_I_P1", "L_P_AGV_O_P2", "L_P_AGV_I_P2"});
@@ -21,7 +21,7 @@ const BenchTables& hall() {
   return tables;
 }
 
-TEST_CASE("a forced operation is on for the plant, and shows as written once it is released") {
+TEST_CASE("A forced operation is on for the plant, and shows its written value once released") {
   BenchPlant plant(hall());
   plant.to(0).force("AGV_O_P2", 1).to(100);
   CHECK(plant.on("AGV_O_P2"));
@@ -32,7 +32,7 @@ TEST_CASE("a forced operation is on for the plant, and shows as written once it 
   CHECK_FALSE(plant.forced("AGV_O_P2"));
 }
 
-TEST_CASE("what the PLC writes under a force shows on release") {
+TEST_CASE("A value that the PLC writes under a force shows on release") {
   BenchPlant plant(hall());
   plant.to(0).force("AGV_O_P2", 0).set("AGV_O_P2", 1).to(100);
   CHECK_FALSE(plant.on("AGV_O_P2"));
@@ -42,7 +42,7 @@ TEST_CASE("what the PLC writes under a force shows on release") {
   CHECK(plant.state("AGV") == "P1->P2");
 }
 
-TEST_CASE("what a unit makes of a forced event shows on release") {
+TEST_CASE("A unit's value for a forced event shows on release") {
   BenchPlant plant(hall());
   plant.to(0).force("AGV_I_P1", 1).force("AGV_I_P2", 0).set("AGV_O_P2", 1).to(0).to(2000);
   CHECK(plant.state("AGV") == "P2");
@@ -53,7 +53,7 @@ TEST_CASE("what a unit makes of a forced event shows on release") {
   CHECK(plant.changes() == "2000:AGV_I_P1=0 2000:AGV_I_P2=1 2000:P2_SEEN=1");
 }
 
-TEST_CASE("numbers are forced and released like bits") {
+TEST_CASE("Numbers are forced and released like bits") {
   BenchPlant plant(hall());
   plant.to(0);
   CHECK(plant.value("SPEED") == 7);
@@ -69,7 +69,7 @@ TEST_CASE("numbers are forced and released like bits") {
   CHECK(plant.value("LEVEL") == 6);
 }
 
-TEST_CASE("a force holds every symbol on the address, whichever of them was named, until one of them is released") {
+TEST_CASE("A force holds every symbol on the address until one of them is released") {
   BenchPlant plant(hall());
   plant.to(0).force("P2_LAMP", 1).force("P2_SEEN", 1).force("LEFT", 1).force("SPEED_TOO", 50).to(1);
   CHECK(plant.forced("AGV_O_P2"));
@@ -85,7 +85,7 @@ TEST_CASE("a force holds every symbol on the address, whichever of them was name
   CHECK(plant.value("SPEED_TOO") == 7);
 }
 
-TEST_CASE("a force may be given anew with another value, and releasing what is not forced does nothing") {
+TEST_CASE("A force may be set again with another value, and releasing an unforced symbol has no effect") {
   BenchPlant plant(hall());
   plant.to(0).force("START", 1).force("START", 0).to(1);
   CHECK_FALSE(plant.on("START"));
@@ -95,7 +95,7 @@ TEST_CASE("a force may be given anew with another value, and releasing what is n
   CHECK_FALSE(plant.on("START"));
 }
 
-TEST_CASE("reset releases every force") {
+TEST_CASE("A reset releases every force") {
   BenchPlant plant(hall());
   plant.to(0).force("AGV_O_P2", 1).force("LEVEL", 9).force("SPEED", 9).to(1);
   plant.plant.reset();
@@ -106,7 +106,7 @@ TEST_CASE("reset releases every force") {
   CHECK(plant.value("SPEED") == 7);
 }
 
-TEST_CASE("of a word that is written, the mask says which operations count, their other names with them") {
+TEST_CASE("The mask of a written word selects its operations, including their other names") {
   BenchPlant plant(hall());
   const std::uint32_t p1 = hall().rows.symbols[hall().symbol("AGV_O_P1")].index;
   const std::uint32_t p2 = hall().rows.symbols[hall().symbol("AGV_O_P2")].index;
@@ -123,20 +123,20 @@ TEST_CASE("of a word that is written, the mask says which operations count, thei
   CHECK_FALSE(plant.on("P2_LAMP"));
 }
 
-TEST_CASE("an input is set by who it comes from, all names of its address with it") {
+TEST_CASE("An input is set by its source, with all names of its address") {
   BenchPlant plant(hall());
   plant.to(0);
   CHECK(plant.input("START", 1));
   CHECK(plant.input("RIGHT", 1));
   CHECK(plant.input("LEVEL", 42));
-  CHECK_FALSE(plant.on("START"));  // seen from the next instant on
+  CHECK_FALSE(plant.on("START"));  // visible from the next instant on
   plant.changes();
   plant.to(1);
   CHECK(plant.changes() == "0:START=1 0:LEFT=1 0:RIGHT=1");
   CHECK(plant.value("LEVEL") == 42);
 }
 
-TEST_CASE("an operation, an event that a unit moves, and one that follows such are no inputs to set") {
+TEST_CASE("An operation, an event that a unit drives, and its followers cannot be set as inputs") {
   BenchPlant plant(hall());
   plant.to(0);
   const std::uint64_t hash = plant.plant.state_hash();
@@ -149,7 +149,7 @@ TEST_CASE("an operation, an event that a unit moves, and one that follows such a
   CHECK(plant.plant.next_due() == tables::kNever);
 }
 
-TEST_CASE("a person puts a settled unit elsewhere: the old state is left, the new one entered") {
+TEST_CASE("A manual move puts a settled unit into another state: it leaves the old one and enters the new one") {
   BenchPlant plant(hall());
   plant.to(0).changes();
   plant.put("AGV", "P2").to(100);
@@ -157,7 +157,7 @@ TEST_CASE("a person puts a settled unit elsewhere: the old state is left, the ne
   CHECK(plant.changes() == "0:AGV_I_P1=0 0:AGV_I_P2=1 0:P2_SEEN=1");
 }
 
-TEST_CASE("a person ends a move under way") {
+TEST_CASE("A manual move ends the current move") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0).set("AGV_O_P2", 0).to(400);
   CHECK(plant.unit("AGV").remaining == 600 * kMs);
@@ -169,7 +169,7 @@ TEST_CASE("a person ends a move under way") {
   CHECK(plant.plant.next_due() == tables::kNever);
 }
 
-TEST_CASE("levels count also where a person has moved the unit") {
+TEST_CASE("Levels count also after a manual move") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0).to(1000);
   plant.put("AGV", "P1").to(1500);
@@ -177,7 +177,7 @@ TEST_CASE("levels count also where a person has moved the unit") {
   CHECK(plant.unit("AGV").remaining == 500 * kMs);
 }
 
-TEST_CASE("put into the state that it is in, a unit begins to wait anew") {
+TEST_CASE("A unit put into its current state starts to wait again") {
   const BenchTables tables({"MC_I_A1", "MC_I_B2"}, Reported().by_itself("MC", "A1", "B2", fixed(1000 * kMs)));
   BenchPlant plant(tables);
   plant.to(600).changes();
@@ -188,7 +188,7 @@ TEST_CASE("put into the state that it is in, a unit begins to wait anew") {
   CHECK(plant.state("MC") == "B2");
 }
 
-TEST_CASE("a disabled unit that a person puts elsewhere stays disabled") {
+TEST_CASE("A disabled unit stays disabled after a manual move") {
   const BenchTables tables(
       {"GATE_O_OPEN1", "GATE_I_OPEN1", "GATE_O_SHUT2", "GATE_I_SHUT2", "ARM_O_A1", "ARM_I_A1", "ARM_O_B2", "ARM_I_B2"},
       Reported().disables("GATE", "OPEN1", "ARM"));
@@ -197,10 +197,10 @@ TEST_CASE("a disabled unit that a person puts elsewhere stays disabled") {
   CHECK(plant.state("ARM") == "[B2]");
   CHECK(plant.on("ARM_I_B2"));
   plant.put("GATE", "SHUT2").to(1000);
-  CHECK(plant.state("ARM") == "B2->A1");  // it counts at once, and so does the command
+  CHECK(plant.state("ARM") == "B2->A1");  // the new state counts at once, and so does the command
 }
 
-TEST_CASE("before an instant all is as it was; what acts then belongs to that instant") {
+TEST_CASE("Before an instant nothing has changed; actions at that time belong to that instant") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0).set("AGV_O_P2", 0).to(1).changes();
   plant.before(1000);
@@ -214,7 +214,7 @@ TEST_CASE("before an instant all is as it was; what acts then belongs to that in
   CHECK(plant.changes() == "1000:AGV_I_P2=1 1000:START=1 1000:LEFT=1 1000:RIGHT=1 1000:P2_SEEN=1");
 }
 
-TEST_CASE("acting after an instant runs a further one at the same time, ahead of what comes later") {
+TEST_CASE("An action after an instant runs another one at the same time, before later ones") {
   BenchPlant plant(hall());
   plant.to(100).changes();
   plant.force("AGV_O_P2", 1);
@@ -223,7 +223,7 @@ TEST_CASE("acting after an instant runs a further one at the same time, ahead of
   CHECK(plant.changes() == "100:AGV_I_P1=0 100:AGV_O_P2=1 100:P2_LAMP=1 1100:AGV_I_P2=1 1100:P2_SEEN=1");
 }
 
-TEST_CASE("what is written is sampled by the instant of the next call, not by those before it") {
+TEST_CASE("A written value is sampled by the instant of the next call, not by those before it") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0).set("AGV_O_P2", 0).set("AGV_O_P1", 1).changes();
   plant.before(1500);
@@ -233,7 +233,7 @@ TEST_CASE("what is written is sampled by the instant of the next call, not by th
   CHECK(plant.changes() == "1500:AGV_O_P1=1 1500:AGV_O_P2=0 1500:AGV_I_P2=0 1500:P2_LAMP=0 1500:P2_SEEN=0");
 }
 
-TEST_CASE("before a time that is reached already, nothing is done") {
+TEST_CASE("A time that is reached already has no effect") {
   BenchPlant plant(hall());
   plant.to(100).force("START", 1).before(100);
   CHECK_FALSE(plant.on("START"));
@@ -241,7 +241,7 @@ TEST_CASE("before a time that is reached already, nothing is done") {
   CHECK(plant.plant.now() == 100 * kMs);
 }
 
-TEST_CASE("values that changed are told once to the links, and all of them after a restore") {
+TEST_CASE("Changed values are reported once to the links, and all of them after a restore") {
   BenchPlant plant(hall());
   plant.to(0);
   plant.plant.forget_changed_events();
@@ -260,7 +260,7 @@ TEST_CASE("values that changed are told once to the links, and all of them after
   CHECK(plant.plant.changed_events().size() == hall().rows.event_bits / 64);
 }
 
-TEST_CASE("progress is what of the way lies behind") {
+TEST_CASE("Progress is the completed part of the travel") {
   BenchPlant plant(hall());
   plant.to(0).set("AGV_O_P2", 1).to(0);
   CHECK(plant.unit("AGV").progress == 0.0);
@@ -270,7 +270,7 @@ TEST_CASE("progress is what of the way lies behind") {
   CHECK(plant.unit("AGV").progress == 0.0);
 }
 
-TEST_CASE("an operation that a machine has used up is listed as disarmed until it has been off") {
+TEST_CASE("An operation that a machine has used up is listed as disarmed until it has been off") {
   const BenchTables tables({"MC_I_IDLE1", "MC_O_RUN2", "MC_I_RUN2"});
   BenchPlant plant(tables);
   plant.to(0).set("MC_O_RUN2", 1).to(0).to(1000);

@@ -1,5 +1,5 @@
-// Where a review found the engine wanting: the last word of a plane, blocks between plants with and without code, what
-// behaviours see and may do.
+// Edge cases of the engine found in a review: the last word of a plane, blocks between plants with and without code,
+// what behaviors see and may do.
 #include <array>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("a unit without events behind a full plane switches nobody's") {
+TEST_CASE("A unit without events after a full plane switches no event") {
   std::vector<std::string> names;
   for (int d = 0; d < 32; ++d) {
     for (const char* task : {"_O_A1", "_O_B2", "_I_A1", "_I_B2"}) names.push_back("D" + std::to_string(d) + task);
@@ -26,11 +26,11 @@ TEST_CASE("a unit without events behind a full plane switches nobody's") {
   for (int d = 0; d < 32; ++d) CHECK(plant.on("D" + std::to_string(d) + "_I_A1"));
 }
 
-/// ARM has a behaviour without memory, which counts how often it was asked.
+/// ARM has a behavior without memory, which counts its calls.
 int asked = 0;
 const std::array<engine::Behaviour, 1> kAsking{engine::Behaviour{.wanted = [](engine::BehaviourView& view) noexcept {
   ++asked;
-  return view.value(0) == 7 ? std::uint8_t{200} : tables::kNoState;  // 200 is no state of it
+  return view.value(0) == 7 ? std::uint8_t{200} : tables::kNoState;  // 200 is not a state of ARM
 }}};
 
 const BenchTables& asking() {
@@ -43,7 +43,7 @@ const BenchTables& asking() {
   return tables;
 }
 
-TEST_CASE("a behaviour is asked again when a number of its device is set, and a state that is none is not wanted") {
+TEST_CASE("A behavior is called again when a number of its device is set, and an unknown state is ignored") {
   plant::OwnedPlant plant(asking().rows, kAsking);
   plant.advance_to(0);
   asked = 0;
@@ -56,7 +56,7 @@ TEST_CASE("a behaviour is asked again when a number of its device is set, and a 
   CHECK(plant.unit(0).state == 0);
 }
 
-TEST_CASE("a block of a plant with code goes on in one without, and the other way round") {
+TEST_CASE("A block of a plant with code continues in one without, and the reverse") {
   plant::OwnedPlant with(asking().rows, kAsking);
   plant::OwnedPlant without(asking().rows);
   with.advance_to(0);
@@ -70,7 +70,7 @@ TEST_CASE("a block of a plant with code goes on in one without, and the other wa
   CHECK(asked > 0);
 }
 
-/// Asks to be woken where it may only look.
+/// Requests a wake-up where it may only read.
 const std::array<engine::Behaviour, 1> kWaking{engine::Behaviour{
     .wanted =
         [](engine::BehaviourView& view) noexcept {
@@ -80,7 +80,7 @@ const std::array<engine::Behaviour, 1> kWaking{engine::Behaviour{
     .woken = [](engine::BehaviourView&) noexcept { ++asked; },
 }};
 
-TEST_CASE("asking to be woken in `wanted` leaves nothing behind that a reset or a restore would lose") {
+TEST_CASE("A wake-up request in `wanted` leaves nothing that a reset or a restore would lose") {
   plant::OwnedPlant plant(asking().rows, kWaking);
   plant::OwnedPlant copy(asking().rows, kWaking);
   for (int i = 0; i < 20; ++i) {
@@ -99,7 +99,7 @@ TEST_CASE("asking to be woken in `wanted` leaves nothing behind that a reset or 
   }
 }
 
-/// Twice as long as the model says, in ways and causes.
+/// Takes twice as long as the model says, for transitions and causes.
 const std::array<engine::Behaviour, 1> kSlow{engine::Behaviour{
     .takes = [](engine::BehaviourView& view,
                 std::uint16_t transition) noexcept { return 2 * view.model_takes(transition); },
@@ -107,7 +107,7 @@ const std::array<engine::Behaviour, 1> kSlow{engine::Behaviour{
                 std::uint16_t transition) noexcept { return 2 * view.model_after(transition); },
 }};
 
-TEST_CASE("a behaviour may ask what the model's own rule says, also of a way without a command and of a random time") {
+TEST_CASE("A behavior may query the model's own rule, also without a command and for a random time") {
   Reported reported;
   reported.device("CYL").behaviour = "Slow";
   reported.on_command("CYL", "RET", "ADV", {description::Duration::Kind::uniform, 700 * kMs, 900 * kMs});
@@ -130,14 +130,14 @@ TEST_CASE("a behaviour may ask what the model's own rule says, also of a way wit
   REQUIRE_FALSE(slow.unit(0).moving);
   CHECK(slow.next_due() - slow.now() == 2 * (own.next_due() - own.now()));
   for (plant::Plant* plant : {static_cast<plant::Plant*>(&slow), static_cast<plant::Plant*>(&own)}) {
-    plant->set_operation(0, false);  // a spring's own way, of the default travel time
+    plant->set_operation(0, false);  // spring return, of the default travel time
     plant->advance_to(plant->now() + 1);
   }
   CHECK(own.unit(0).remaining == tables::kSecond);
   CHECK(slow.unit(0).remaining == 2 * tables::kSecond);
 }
 
-TEST_CASE("a loop that a full ring cuts off ends with the last finding kept") {
+TEST_CASE("A loop cut off by a full ring ends with the last stored finding") {
   std::vector<std::max_align_t> memory(1024);
   engine::Arena arena(reinterpret_cast<std::byte*>(memory.data()));
   engine::FindingRing ring;

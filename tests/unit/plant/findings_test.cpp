@@ -1,4 +1,4 @@
-// Findings on their way to the reader, loops, and what a cycle makes of short events.
+// How findings reach the reader, loops, and short events within a cycle.
 #include "support/plant_bench.hpp"
 
 namespace symplant::test {
@@ -13,7 +13,7 @@ std::size_t words_in(const std::string& text) {
   return words;
 }
 
-TEST_CASE("findings of one instant stand by their kind, then by their unit or symbol, for ring and observer alike") {
+TEST_CASE("Findings of one instant are sorted by kind, then by unit or symbol, for ring and observer") {
   Reported reported;
   reported.description.requirements.push_back({"not both", "L_P_AGV_O_P2 and L_P_BUS_O_P2", "", "", 0});
   const BenchTables tables(kTwoAgvs, reported);
@@ -26,7 +26,7 @@ TEST_CASE("findings of one instant stand by their kind, then by their unit or sy
   CHECK(plant.findings() == "");
 }
 
-TEST_CASE("a finding is raised when it begins to be true, and again after it was not") {
+TEST_CASE("A finding is raised when it becomes true, and again after it was not") {
   const BenchTables tables(kTwoAgvs);
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P1", 1).set("AGV_O_P2", 1).to(1).to(2);
@@ -36,7 +36,7 @@ TEST_CASE("a finding is raised when it begins to be true, and again after it was
   CHECK(plant.findings() == "4:lost AGV_O_P2 5:conflicting AGV");
 }
 
-TEST_CASE("a full ring keeps the oldest findings and counts the rest; the observer is told all") {
+TEST_CASE("A full ring keeps the oldest findings and counts the rest; the observer receives all") {
   const BenchTables tables(kTwoAgvs);
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P1", 1).to(0);
@@ -54,14 +54,14 @@ TEST_CASE("a full ring keeps the oldest findings and counts the rest; the observ
   }
   CHECK_FALSE(plant.plant.take_finding(finding));
 
-  plant.set("AGV_O_P2", 1).to(1000);  // there is room again
+  plant.set("AGV_O_P2", 1).to(1000);  // there is space again
   CHECK(plant.findings() == "1000:conflicting AGV");
   CHECK(plant.plant.lost_findings() == 88);
   plant.plant.reset();
   CHECK(plant.plant.lost_findings() == 0);
 }
 
-TEST_CASE("reset throws away what nobody took") {
+TEST_CASE("A reset discards unread findings") {
   const BenchTables tables(kTwoAgvs);
   BenchPlant plant(tables);
   plant.to(0).set("AGV_O_P1", 1).set("AGV_O_P2", 1).to(1);
@@ -69,7 +69,7 @@ TEST_CASE("reset throws away what nobody took") {
   CHECK(plant.findings() == "");
 }
 
-TEST_CASE("an instant with nothing but a finding is told") {
+TEST_CASE("An instant with only a finding is reported") {
   Reported reported;
   reported.description.requirements.push_back({"answer", "", "L_P_AGV_O_P2", "L_P_BUS.P2", 20 * kMs});
   const BenchTables tables(kTwoAgvs, reported);
@@ -80,7 +80,7 @@ TEST_CASE("an instant with nothing but a finding is told") {
   CHECK(plant.reported() == "25:violated answer");
 }
 
-/// While GO is on, `FLIP` changes state for ever in no time, `FLOP` follows it; `CALM` is a machine of 1 s.
+/// While GO is on, `FLIP` changes state forever in no time, `FLOP` follows it; `CALM` is a machine of 1 s.
 std::vector<Row> loop_rows() {
   std::vector<Row> list =
       bits({"L_P_FLIP_I_A1", "L_P_FLIP_I_B2", "L_P_FLOP_I_A1", "L_P_FLOP_I_B2", "L_P_CALM_I_A1", "L_P_CALM_I_B2"});
@@ -99,7 +99,7 @@ const BenchTables& loops() {
   return tables;
 }
 
-TEST_CASE("a loop is named unit by unit, frozen, and the rest of the plant goes on") {
+TEST_CASE("A loop is reported unit by unit and frozen, and the rest of the plant continues") {
   BenchPlant plant(loops());
   plant.to(0);
   plant.input("GO", 1);
@@ -115,7 +115,7 @@ TEST_CASE("a loop is named unit by unit, frozen, and the rest of the plant goes 
   CHECK(plant.findings() == "");
 }
 
-TEST_CASE("a frozen unit that a person puts elsewhere stays frozen; reset thaws it") {
+TEST_CASE("A frozen unit stays frozen after a manual move; a reset unfreezes it") {
   BenchPlant plant(loops());
   plant.to(0);
   plant.input("GO", 1);
@@ -132,7 +132,7 @@ TEST_CASE("a frozen unit that a person puts elsewhere stays frozen; reset thaws 
   CHECK_FALSE(plant.unit("FLOP").frozen);
 }
 
-/// A row of devices, each of which follows the one before it in no time.
+/// A row of devices, each of which follows the previous one in no time.
 std::vector<std::string> row_of_devices(std::size_t count, Reported& reported) {
   std::vector<std::string> names = {"D0_O_A1", "D0_I_A1", "D0_O_B2", "D0_I_B2"};
   reported.on_command("D0", "A1", "B2", fixed(0));
@@ -145,9 +145,9 @@ std::vector<std::string> row_of_devices(std::size_t count, Reported& reported) {
   return names;
 }
 
-TEST_CASE("a ripple through hundreds of devices in one instant is no loop, however many rounds it takes") {
+TEST_CASE("A ripple through hundreds of devices in one instant is no loop, for any number of rounds") {
   Reported reported;
-  const BenchTables tables(row_of_devices(950, reported), reported);  // beyond 200, 400 and 800 rounds
+  const BenchTables tables(row_of_devices(950, reported), reported);  // more than 200, 400 and 800 rounds
   BenchPlant plant(tables);
   plant.to(0).set("D0_O_B2", 1).to(7);
   CHECK(plant.findings() == "");
@@ -156,7 +156,7 @@ TEST_CASE("a ripple through hundreds of devices in one instant is no loop, howev
   CHECK_FALSE(plant.unit("D0").frozen);
 }
 
-TEST_CASE("a loop at the end of a long ripple is found, and nothing else is frozen") {
+TEST_CASE("A loop at the end of a long ripple is reported, and nothing else is frozen") {
   Reported reported;
   std::vector<std::string> names = row_of_devices(300, reported);
   names.insert(names.end(), {"FLIP_I_A1", "FLIP_I_B2"});
@@ -176,7 +176,7 @@ const BenchTables& quick_machine() {
   return tables;
 }
 
-TEST_CASE("an event that is on for less than a cycle is found, one of a whole cycle is not") {
+TEST_CASE("An event shorter than a cycle is reported, one of a whole cycle is not") {
   BenchPlant plant(quick_machine());
   plant.plant.reset(0, 10 * kMs);
   plant.to(0).set("MC_O_RUN2", 1).to(100).to(200);
@@ -186,13 +186,13 @@ TEST_CASE("an event that is on for less than a cycle is found, one of a whole cy
   CHECK(plant.findings() == "110:short MC_I_RUN2");
 }
 
-TEST_CASE("in virtual time no event is too short that is seen between two instants") {
+TEST_CASE("In virtual time no event seen between two instants is too short") {
   BenchPlant plant(quick_machine());
   plant.to(0).set("MC_O_RUN2", 1).to(100).to(200);
   CHECK(plant.findings() == "");
 }
 
-TEST_CASE("an event on and off within one instant is too short in virtual time, too") {
+TEST_CASE("An event on and off within one instant is too short in virtual time, too") {
   const BenchTables tables(
       {"MC_I_IDLE1", "MC_O_RUN2", "MC_I_RUN2"},
       Reported().on_command("MC", "IDLE1", "RUN2", fixed(0)).by_itself("MC", "RUN2", "IDLE1", fixed(0)));
@@ -201,7 +201,7 @@ TEST_CASE("an event on and off within one instant is too short in virtual time, 
   CHECK(plant.findings() == "100:short MC_I_IDLE1 100:short MC_I_RUN2");
 }
 
-TEST_CASE("a forced event does not flicker") {
+TEST_CASE("A forced event does not flicker") {
   BenchPlant plant(quick_machine());
   plant.plant.reset(0, 20 * kMs);
   plant.to(0).force("MC_I_RUN2", 0).set("MC_O_RUN2", 1).to(100).to(200);

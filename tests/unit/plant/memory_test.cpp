@@ -1,4 +1,4 @@
-// A plant's block: saved, copied, restored, refused; and many plants side by side.
+// A plant's block: saved, copied, restored, rejected; and many plants in parallel.
 #include <cstring>
 #include <limits>
 
@@ -22,13 +22,13 @@ Reported said() {
   return reported;
 }
 
-/// Arming, random times, a condition, a disable, a requirement, a spring: something of everything.
+/// Arming, random times, a condition, a disable, a requirement, a spring: every feature once.
 const BenchTables& cell() {
   static const BenchTables tables(kCell, said());
   return tables;
 }
 
-/// What a script of commands does, by its number, from `first` on for `count` steps of 37 ms.
+/// Runs the script of commands with this number, from `first` on for `count` steps of 37 ms.
 std::string run(BenchPlant& plant, std::uint64_t script, tables::Time first, tables::Time count) {
   static const std::vector<std::string> kWritten = {"ARM_O_A1", "ARM_O_B2", "MC_O_RUN2", "GATE_O_SHUT"};
   std::string text;
@@ -50,7 +50,7 @@ std::vector<std::byte> copy_of(const BenchPlant& plant) {
   return {block.begin(), block.end()};
 }
 
-TEST_CASE("a restored plant goes on bit-identically") {
+TEST_CASE("A restored plant continues bit-identically") {
   BenchPlant plant(cell());
   plant.plant.reset(3, 10 * kMs);
   run(plant, 1, 0, 40);
@@ -67,11 +67,11 @@ TEST_CASE("a restored plant goes on bit-identically") {
     REQUIRE(other.plant.restore(end));
     return other.plant.state_hash();
   }());
-  CHECK(once.find("violated") != std::string::npos);  // it was no empty run
+  CHECK(once.find("violated") != std::string::npos);  // the run was not empty
   CHECK(once.find("MC_I_RUN2=1") != std::string::npos);
 }
 
-TEST_CASE("any plant of an equal model takes the block, wherever it was made and whatever it did before") {
+TEST_CASE("Any plant of an equal model accepts the block, whatever its origin and history") {
   const BenchTables again(kCell, said());
   BenchPlant first(cell());
   BenchPlant second(again);
@@ -85,7 +85,7 @@ TEST_CASE("any plant of an equal model takes the block, wherever it was made and
   CHECK(run(second, 2, 30, 40) == run(first, 2, 30, 40));
 }
 
-TEST_CASE("what was written and done but not yet run is part of the block") {
+TEST_CASE("Written values and actions that have not run yet are part of the block") {
   BenchPlant plant(cell());
   plant.to(0).set("ARM_O_B2", 1).force("GATE_O_SHUT", 1).put("MC", "RUN2");
   BenchPlant other(cell());
@@ -99,7 +99,7 @@ TEST_CASE("what was written and done but not yet run is part of the block") {
   CHECK(other.plant.state_hash() == plant.plant.state_hash());
 }
 
-TEST_CASE("a plant that has not begun is saved and restored like any other") {
+TEST_CASE("A plant that has not started is saved and restored like any other") {
   BenchPlant plant(cell());
   plant.plant.reset(5);
   const std::vector<std::byte> fresh = copy_of(plant);
@@ -109,7 +109,7 @@ TEST_CASE("a plant that has not begun is saved and restored like any other") {
   CHECK(run(plant, 4, 0, 30) == once);
 }
 
-TEST_CASE("a copy of its bytes is all of a block, at any alignment") {
+TEST_CASE("A copy of its bytes is a complete block, at any alignment") {
   BenchPlant plant(cell());
   run(plant, 5, 0, 20);
   const auto block = plant.plant.save();
@@ -121,7 +121,7 @@ TEST_CASE("a copy of its bytes is all of a block, at any alignment") {
   CHECK(run(other, 5, 20, 20) == once);
 }
 
-TEST_CASE("a block that is another model's, too short, too long, empty or no block at all is refused") {
+TEST_CASE("A block of another model, or too short, too long, empty or invalid, is rejected") {
   Reported slower = said();
   slower.description.defaults.travel = 2000 * kMs;  // of equal size and structure
   const BenchTables others(kCell, slower);
@@ -147,7 +147,7 @@ TEST_CASE("a block that is another model's, too short, too long, empty or no blo
   CHECK(copy_of(plant) == own);
 }
 
-TEST_CASE("findings not yet taken and changes not yet forgotten are no part of a block") {
+TEST_CASE("Unread findings and stored changes are not part of a block") {
   BenchPlant plant(cell());
   plant.to(0);
   const std::vector<std::byte> saved = copy_of(plant);
@@ -160,7 +160,7 @@ TEST_CASE("findings not yet taken and changes not yet forgotten are no part of a
   CHECK(other.findings() == "");
 }
 
-TEST_CASE("a save changes nothing") {
+TEST_CASE("A save changes nothing") {
   BenchPlant plant(cell());
   BenchPlant watched(cell());
   std::string text;
@@ -171,7 +171,7 @@ TEST_CASE("a save changes nothing") {
   CHECK(text == run(plant, 8, 0, 40));
 }
 
-TEST_CASE("model_hash is that of the tables, and the same before and after a run") {
+TEST_CASE("The model_hash is that of the tables, and the same before and after a run") {
   BenchPlant plant(cell());
   const std::uint64_t hash = plant.plant.model_hash();
   CHECK(hash == tables::model_hash(cell().rows));
@@ -180,7 +180,7 @@ TEST_CASE("model_hash is that of the tables, and the same before and after a run
   CHECK(plant.plant.model_hash() == hash);
 }
 
-TEST_CASE("equal seeds give equal runs, another seed another one, and reset forgets all before it") {
+TEST_CASE("Equal seeds give equal runs, another seed another run, and a reset forgets everything before") {
   BenchPlant plant(cell());
   plant.plant.reset(1);
   const std::string first = run(plant, 10, 0, 60);
@@ -192,7 +192,7 @@ TEST_CASE("equal seeds give equal runs, another seed another one, and reset forg
   CHECK(second != first);
 }
 
-TEST_CASE("advancing in small steps or in one gives the same state") {
+TEST_CASE("Small steps and one long step give the same state") {
   BenchPlant stepwise(cell());
   BenchPlant at_once(cell());
   for (BenchPlant* plant : {&stepwise, &at_once}) plant->to(0).set("ARM_O_B2", 1).set("MC_O_RUN2", 1).to(0);
@@ -202,7 +202,7 @@ TEST_CASE("advancing in small steps or in one gives the same state") {
   CHECK(stepwise.changes() == at_once.changes());
 }
 
-TEST_CASE("a thousand plants, each doing something else in turns, do what each of them does alone") {
+TEST_CASE("A thousand interleaved plants do the same as each alone") {
   constexpr std::uint64_t kPlants = 1000;
   constexpr tables::Time kSteps = 20;
   std::vector<std::unique_ptr<BenchPlant>> plants;

@@ -1,4 +1,4 @@
-// Random times: draws against numbers worked out apart, in Python's integers, from docs/model.md ("Random times").
+// Random times: compares draws with numbers computed separately in Python from docs/model.md ("Random times").
 #include <limits>
 
 #include "support/plant_bench.hpp"
@@ -15,7 +15,7 @@ const std::vector<std::string> kArm = {"ARM_O_A1", "ARM_I_A1", "ARM_O_B2", "ARM_
 description::Duration uniform(tables::Time min, tables::Time max) { return {Kind::uniform, min, max}; }
 description::Duration normal(tables::Time mean, tables::Time sigma) { return {Kind::normal, mean, sigma}; }
 
-/// How long the arm's next ways to B2 take, one after the other; the way back takes what it takes.
+/// The travel times of the arm's next transitions to B2; the return takes its own time.
 std::vector<tables::Time> transitions_to_b2(BenchPlant& arm, std::size_t count) {
   std::vector<tables::Time> times;
   tables::Time now = 0;
@@ -31,14 +31,14 @@ std::vector<tables::Time> transitions_to_b2(BenchPlant& arm, std::size_t count) 
   return times;
 }
 
-TEST_CASE("the generator is SplitMix64") {
+TEST_CASE("The generator is SplitMix64") {
   std::uint64_t state = 0;
   CHECK(engine::split_mix(state) == 0xE220'A839'7B1D'CDAF);
   CHECK(engine::split_mix(state) == 0x6E78'9E6A'A1B9'65F4);
   CHECK(engine::split_mix(state) == 0x06C4'5D18'8009'454F);
 }
 
-TEST_CASE("a uniform travel is drawn anew each time that it begins") {
+TEST_CASE("A uniform travel is drawn again each time that it starts") {
   const BenchTables tables(
       kArm,
       Reported().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
@@ -46,7 +46,7 @@ TEST_CASE("a uniform travel is drawn anew each time that it begins") {
   CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'109'507'313, 1'559'391'523, 1'353'017'584});
 }
 
-TEST_CASE("the seed is that of reset") {
+TEST_CASE("The seed is that of the reset") {
   const BenchTables tables(
       kArm,
       Reported().on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)).on_command("ARM", "B2", "A1", fixed(1)));
@@ -55,8 +55,8 @@ TEST_CASE("the seed is that of reset") {
   CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'437'784'872, 1'037'864'581, 1'391'056'880});
 }
 
-TEST_CASE("every transition counts its own draws, by its place in the unit's table") {
-  // Two ways drawn: the one counted 0 is the way back, and does not disturb the other.
+TEST_CASE("Every transition counts its own draws, by its index in the unit's table") {
+  // Two drawn transitions: number 0 is the return, and does not affect the other.
   const BenchTables tables(kArm, Reported()
                                      .on_command("ARM", "B2", "A1", uniform(1, kSecond))
                                      .on_command("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond)));
@@ -64,7 +64,7 @@ TEST_CASE("every transition counts its own draws, by its place in the unit's tab
   CHECK(transitions_to_b2(arm, 2) == std::vector<tables::Time>{1'924'800'410, 1'649'502'940});
 }
 
-TEST_CASE("a normal travel is the sum of twelve draws") {
+TEST_CASE("A normal travel is the sum of twelve draws") {
   const BenchTables tables(
       kArm,
       Reported().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond, kSecond / 5)));
@@ -74,7 +74,7 @@ TEST_CASE("a normal travel is the sum of twelve draws") {
   CHECK(transitions_to_b2(arm, 3) == std::vector<tables::Time>{1'226'961'869, 883'677'981, 818'519'827});
 }
 
-TEST_CASE("a normal time is cut at 0, and the arm is there at once then") {
+TEST_CASE("A normal time is cut at 0, and the arm then arrives at once") {
   const BenchTables tables(
       kArm,
       Reported().on_command("ARM", "B2", "A1", fixed(1)).on_command("ARM", "A1", "B2", normal(kSecond / 10, kSecond)));
@@ -83,7 +83,7 @@ TEST_CASE("a normal time is cut at 0, and the arm is there at once then") {
         std::vector<tables::Time>{783'598'282, 0, 0, 379'336'955, 938'913'196, 0, 0, 1'234'809'346});
 }
 
-TEST_CASE("after and takes of one transition count with one number, after first") {
+TEST_CASE("A transition's after and takes share one count, after first") {
   Reported reported;
   reported.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond));
   reported.device("ARM").transitions[0].takes = uniform(kSecond, 2 * kSecond);
@@ -91,14 +91,14 @@ TEST_CASE("after and takes of one transition count with one number, after first"
   const BenchTables tables(kArm, reported);
   BenchPlant arm(tables);
   arm.to(0);
-  CHECK(arm.plant.next_due() == 1'109'507'313);  // `after`, drawn when its cause began to hold
+  CHECK(arm.plant.next_due() == 1'109'507'313);  // drawn when its cause became true
   arm.plant.advance_to(1'109'507'313);
   CHECK(arm.unit("ARM").remaining == 1'559'391'523);  // `takes`, drawn when it fired
   arm.to(4000).set("ARM_O_A1", 1).to(5000).set("ARM_O_A1", 0).to(5000);
   CHECK(arm.plant.next_due() == 5 * kSecond + 1'353'017'584);
 }
 
-TEST_CASE("an after is drawn anew when its cause has been broken") {
+TEST_CASE("An after is drawn again when its cause was interrupted") {
   Reported reported;
   reported.by_itself("ARM", "A1", "B2", uniform(kSecond, 2 * kSecond), "START");
   std::vector<Row> list = bits({"L_P_ARM_O_A1", "L_P_ARM_I_A1", "L_P_ARM_O_B2", "L_P_ARM_I_B2"});
@@ -116,7 +116,7 @@ TEST_CASE("an after is drawn anew when its cause has been broken") {
   CHECK(arm.plant.next_due() == kSecond / 2 + 1'559'391'523);
 }
 
-TEST_CASE("a draw reaches both ends of its range and no further") {
+TEST_CASE("A draw reaches both ends of its range and no further") {
   using tables::RandomTime;
   const RandomTime point{RandomTime::Kind::uniform, 5, 5};
   const RandomTime all{RandomTime::Kind::uniform, 0, std::numeric_limits<tables::Time>::max()};

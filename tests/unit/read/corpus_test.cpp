@@ -19,7 +19,7 @@ void check(bool good, const std::string& what) {
   ++faults;
 }
 
-/// Whatever a file is, reading it gives a table with rows or an error that names the file.
+/// Reading any file gives a table with rows or an error that names the file.
 void reads_or_says_why(const std::string& path) {
   Diagnostics diagnostics;
   const auto table = symplant::read::read_symbol_list(path, {}, symplant::base::DiskFileSystem(), diagnostics);
@@ -35,7 +35,7 @@ void has_rows(const std::string& path, std::size_t rows) {
   check(table && table->rows.size() == rows, path + ": other rows than known");
 }
 
-/// A list in a code page: without its name it is refused and the page is what is proposed first, with it all is read.
+/// A list in a code page: without its name it is rejected and the page is proposed first, with it all is read.
 void proposes(const std::string& path, symplant::text::Encoding encoding) {
   const auto bytes = symplant::base::DiskFileSystem().read(path);
   check(bool(bytes), path + ": cannot be read");

@@ -29,7 +29,7 @@ TEST_CASE("Cells are divided by the delimiter and rows by LF, CRLF or CR") {
   CHECK(rows_of("\n\n") == Rows{{""}, {""}});
 }
 
-TEST_CASE("Blanks around cells are no part of them") {
+TEST_CASE("Blanks around cells are not part of them") {
   CHECK(rows_of("  a \t, b c ,\" d \"  \n") == Rows{{"a", "b c", "d"}});
   CHECK(rows_of(" a \t b \t\t", '\t') == Rows{{"a", "b", "", ""}});
 }
@@ -38,11 +38,11 @@ TEST_CASE("A quoted cell holds delimiters, line ends and doubled quotes") {
   CHECK(rows_of("\"a,b\",\"c\"\"d\",\"\"\n\"x\r\ny\",\"\"\"\"\n") == Rows{{"a,b", "c\"d", ""}, {"x\r\ny", "\""}});
 }
 
-TEST_CASE("A quote inside a cell that does not begin with one stands for itself") {
+TEST_CASE("A quote inside a cell that does not begin with one is a literal") {
   CHECK(rows_of("5\" pipe,b\"\n") == Rows{{"5\" pipe", "b\""}});
 }
 
-TEST_CASE("Lines are counted through quoted line ends") {
+TEST_CASE("Lines within quoted cells are counted") {
   std::deque<std::string> arena;
   CsvReader reader("\"a\nb\r\nc\rd\",x\r\ny\n\nz", ',', arena);
   CsvRow row;
@@ -74,7 +74,7 @@ TEST_CASE("Only cells with doubled quotes are copied") {
   CHECK(row.cells[2].data() == arena[0].data());
 }
 
-TEST_CASE("A quote that is never closed ends the reading and tells where it opens") {
+TEST_CASE("An unclosed quote ends the reading and is reported where it opens") {
   std::deque<std::string> arena;
   CsvReader reader("a,b\nc,\"d\ne,f\n", ',', arena);
   CsvRow row;
@@ -84,7 +84,7 @@ TEST_CASE("A quote that is never closed ends the reading and tells where it open
   CHECK_FALSE(reader.next(row));
 }
 
-TEST_CASE("Text after a closing quote is told with its place, and the cell goes on to the delimiter") {
+TEST_CASE("Text after a closing quote is reported with its location, and the cell continues to the delimiter") {
   std::deque<std::string> arena;
   const std::string_view text = "\"a\" b c ,d\n\"e\"  ,f\n";
   CsvReader reader(text, ',', arena);
@@ -97,7 +97,7 @@ TEST_CASE("Text after a closing quote is told with its place, and the cell goes 
   CHECK_FALSE(row.stray);
 }
 
-TEST_CASE("Cells beyond the limit are passed over, and the next row is found") {
+TEST_CASE("Cells above the limit are skipped, and the next row is found") {
   const std::string many(3000000, ',');
   const Rows rows = rows_of(many + "\nx,y\n");
   REQUIRE(rows.size() == 2);
@@ -105,7 +105,7 @@ TEST_CASE("Cells beyond the limit are passed over, and the next row is found") {
   CHECK(rows[1] == std::vector<std::string>{"x", "y"});
 }
 
-TEST_CASE("Long cells of one kind of character take no more than one look") {
+TEST_CASE("Long cells of one kind of character are scanned only once") {
   const std::size_t size = 3000000;
   for (const char c : {'x', '"', ' ', ',', '\r'}) {
     const std::string text = "a," + std::string(size, c);

@@ -1,4 +1,4 @@
-// Which column holds what.
+// Assigns columns to their contents.
 #include "read/gx_columns.hpp"
 
 #include "read/gx_iec.hpp"
@@ -6,7 +6,7 @@
 
 using namespace symplant::read;
 
-TEST_CASE("Columns are known by any of their names, whatever case, blanks and dots") {
+TEST_CASE("Columns are recognized by any of their names, ignoring case, blanks and dots") {
   const auto search = find_gx_layout("class ; IDENTIFIER;Mit Addr;iec-addr. ;TYPE;Initial;Comment\n");
   REQUIRE(search.layout);
   CHECK(describe(search.layout->columns) ==
@@ -14,13 +14,13 @@ TEST_CASE("Columns are known by any of their names, whatever case, blanks and do
   CHECK(search.layout->header_line == 1U);
 }
 
-TEST_CASE("The better of two names for one thing counts") {
+TEST_CASE("The better of two names for one column counts") {
   const auto search = find_gx_layout("Class,Name,Identifier,Constant,Initial Value,Remark,Comment\n");
   REQUIRE(search.layout);
   CHECK(describe(search.layout->columns) == "class 1, identifier 3, initial 5, comment 7");
 }
 
-TEST_CASE("Without a header the class column and the content tell") {
+TEST_CASE("Without a header the class column and the content identify the columns") {
   const auto search = find_gx_layout("1,VAR_GLOBAL,A,%IX1,X1,BOOL,FALSE,left\n2,VAR_GLOBAL,B,,D5,INT,0,right\n");
   REQUIRE(search.layout);
   CHECK_FALSE(search.layout->header_line);
@@ -28,7 +28,7 @@ TEST_CASE("Without a header the class column and the content tell") {
         "class 2, identifier 3, vendor address 5, IEC address 4, type 6, initial 7, comment 8");
 }
 
-TEST_CASE("Without a header the class may stand anywhere, and names may look like addresses") {
+TEST_CASE("Without a header the class may be in any column, and names may look like addresses") {
   const auto last = find_gx_layout("P1;X1;%IX1;BOOL;VAR_GLOBAL\nP2;Y2;%QX2;BOOL;VAR_GLOBAL\n");
   REQUIRE(last.layout);
   CHECK(describe(last.layout->columns) ==
@@ -38,7 +38,7 @@ TEST_CASE("Without a header the class may stand anywhere, and names may look lik
   CHECK(describe(alike.layout->columns) == "class 1, identifier 2, vendor address 3, type 4, initial 5, comment 6");
 }
 
-TEST_CASE("A program, a letter or another table is no such list") {
+TEST_CASE("A program, a letter or another table is not such a list") {
   CHECK(gx_iec_likelihood("VAR_GLOBAL\n a : BOOL;\nEND_VAR\n") == 0);
   CHECK(gx_iec_likelihood("Dear Sir, here is a list.\n") == 0);
   CHECK(gx_iec_likelihood("TYPE,SCOPE,NAME,DESCRIPTION,DATATYPE\nTAG,,a,,BOOL\n") == 0);
@@ -53,7 +53,7 @@ TEST_CASE("The paper's own header is the likeliest") {
   CHECK(gx_iec_likelihood("Class,MIT-Addr.,Type\n") == 10);
 }
 
-TEST_CASE("Addresses are told by their looks") {
+TEST_CASE("Addresses are recognized by their form") {
   CHECK(looks_like_iec_address("%IX1"));
   CHECK(looks_like_iec_address("%mw0.5"));
   CHECK_FALSE(looks_like_iec_address("%Z1"));

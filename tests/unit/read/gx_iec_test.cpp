@@ -1,4 +1,4 @@
-// Lists in every layout, against goldens.
+// Reads lists in every layout and compares them with goldens.
 #include "read/gx_iec.hpp"
 
 #include <filesystem>
@@ -10,7 +10,7 @@ using namespace symplant;
 namespace fs = std::filesystem;
 using test::kGoldens;
 
-TEST_CASE("The paper's list reads alike in every layout and encoding") {
+TEST_CASE("The paper's list gives the same table in every layout and encoding") {
   const std::string folder = kGoldens + "figure6/";
   std::size_t variants = 0;
   for (const std::string& file : test::lists_in(folder)) {
@@ -29,7 +29,7 @@ TEST_CASE("The paper's list as an example is the first variant") {
   CHECK(test::read_bytes(kGoldens + "../../../examples/excell/excell.csv") == test::read_bytes(folder + "comma.csv"));
 }
 
-TEST_CASE("Lists of other shapes read as they should") {
+TEST_CASE("Lists of other shapes are read as expected") {
   const std::string folder = kGoldens + "layouts/";
   for (const std::string& file : test::lists_in(folder)) {
     INFO(file);
@@ -41,7 +41,7 @@ TEST_CASE("Lists of other shapes read as they should") {
   }
 }
 
-TEST_CASE("Each row knows its line, its bytes and where its cells stand") {
+TEST_CASE("Each row knows its line, its bytes and the location of its cells") {
   const test::Reading reading = test::read_text("Class,Identifier,MIT-Addr.\r\n\r\nVAR_GLOBAL,A_B,X1\r\n");
   REQUIRE(reading.table);
   REQUIRE(reading.table->rows.size() == 1);
@@ -53,20 +53,20 @@ TEST_CASE("Each row knows its line, its bytes and where its cells stand") {
   CHECK(row.type.empty());
 }
 
-TEST_CASE("A table may be moved and its copied cells stay") {
+TEST_CASE("A moved table keeps its copied cells") {
   test::Reading reading = test::read_text("Class,Identifier,Comment\nVAR_GLOBAL,A,\"a \"\"b\"\" c\"\n");
   REQUIRE(reading.table);
   const read::SymbolTable moved = std::move(*reading.table);
   CHECK(moved.rows[0].comment == "a \"b\" c");
 }
 
-TEST_CASE("A symbol that is called as the header's column is a symbol") {
+TEST_CASE("A symbol with the name of a header column is a symbol") {
   const test::Reading reading = test::read_text("Name,MIT-Addr.,Type\nName,X1,BOOL\nB,X2,BOOL\n");
   REQUIRE(reading.table);
   CHECK(reading.table->rows.size() == 2);
 }
 
-TEST_CASE("A cell of more than 65,536 bytes is refused at its place, a long comment is not") {
+TEST_CASE("A cell of more than 65,536 bytes is rejected with its location, a long comment is not") {
   const std::string header = "Class,Identifier,Type,Comment\n";
   const auto read = [&](std::size_t name, std::size_t comment) {
     return test::read_text(header + "VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL," + std::string(name, 'B') + ",BOOL," +
@@ -81,7 +81,7 @@ TEST_CASE("A cell of more than 65,536 bytes is refused at its place, a long comm
   CHECK(finding.location.span.begin == header.size() + std::string_view("VAR_GLOBAL,A,BOOL,x\nVAR_GLOBAL,").size());
 }
 
-TEST_CASE("Ill lists of many megabytes are read in one go") {
+TEST_CASE("Malformed lists of many megabytes are read in one pass") {
   const std::string header = "Class,Identifier,MIT-Addr.\n";
   const std::size_t size = 3000000;
   for (const std::string& text :

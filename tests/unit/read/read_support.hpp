@@ -1,4 +1,4 @@
-// What the tests of reading share: reading from memory, and a table as text.
+// Shared parts of the tests of reading: reading from memory, and a table as text.
 #pragma once
 
 #include <algorithm>
@@ -29,12 +29,12 @@ inline Reading read_text(const std::string& bytes, const std::string& name = "li
   return reading;
 }
 
-/// Under its own name without the folder, so that messages are the same everywhere.
+/// Under its name without the folder, so that messages are the same everywhere.
 inline Reading read_golden(const std::string& path) {
   return read_text(read_bytes(path), std::filesystem::path(path).filename().string());
 }
 
-/// The lists of a folder by name; expected outcomes are none.
+/// The lists of a folder by name, without the expected results.
 inline std::vector<std::string> lists_in(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -11,7 +11,7 @@
 using namespace symplant;
 using test::kGoldens;
 
-TEST_CASE("Of a bad list is said what is wrong, where, and what to do") {
+TEST_CASE("A bad list gives a message with the fault, its location, and a hint") {
   const std::string folder = kGoldens + "bad/";
   for (const std::string& file : test::lists_in(folder)) {
     INFO(file);
@@ -24,7 +24,7 @@ TEST_CASE("Of a bad list is said what is wrong, where, and what to do") {
   }
 }
 
-TEST_CASE("A directory, a missing file and one without permission are told by name") {
+TEST_CASE("A directory, a missing file and one without permission are reported by name") {
   const base::DiskFileSystem disk;
   const auto message_of = [&](const std::string& path) {
     diag::Diagnostics found;
@@ -46,31 +46,31 @@ TEST_CASE("A directory, a missing file and one without permission are told by na
         "list.csv: error: cannot read `list.csv`: no permission [SP101 cannot-read-file]\n");
 }
 
-TEST_CASE("A format may be asked for by name, and an unknown one lists those that are known") {
+TEST_CASE("A format may be given by name, and an unknown one lists the known ones") {
   const std::string list = "Class,Identifier,MIT-Addr.\nVAR_GLOBAL,A,X1\n";
   CHECK(test::read_text(list, "list.csv", {"gx-iec", {}}).table);
   const test::Reading wrong = test::read_text(list, "list.csv", {"gx-eic", {}});
   CHECK_FALSE(wrong.table);
   REQUIRE(wrong.diagnostics.all().size() == 1);
-  CHECK(wrong.diagnostics.all()[0].message == "`gx-eic` is no known format of a list; choose among `gx-iec`");
+  CHECK(wrong.diagnostics.all()[0].message == "unknown list format `gx-eic`; choose one of `gx-iec`");
 }
 
-TEST_CASE("A format that is asked for is tried whatever the file looks like") {
+TEST_CASE("A given format is used for any content") {
   const test::Reading reading = test::read_text("nothing of the kind\n", "list.csv", {"gx-iec", {}});
   CHECK_FALSE(reading.table);
   REQUIRE(reading.diagnostics.all().size() == 1);
   CHECK(reading.diagnostics.all()[0].rule->slug == "unknown-format");
 }
 
-TEST_CASE("An encoding may be asked for") {
+TEST_CASE("An encoding may be given by name") {
   const std::string list("N\0a\0m\0e\0,\0C\0l\0a\0s\0s\0\n\0A\0,\0x\0\n\0", 30);
   const test::Reading reading = test::read_text(list, "list.csv", {"", text::Encoding::utf16le});
   REQUIRE(reading.table);
-  CHECK(reading.table->decisions[1] == "encoding: utf-16le, as asked for");
+  CHECK(reading.table->decisions[1] == "encoding: utf-16le, as requested");
   CHECK_FALSE(test::read_text(list, "list.csv", {"", text::Encoding::utf8}).table);
 }
 
-TEST_CASE("Readers have names and titles, each its own") {
+TEST_CASE("Readers have unique names and titles") {
   REQUIRE(read::readers().size() == 1);
   CHECK(read::readers()[0].name == "gx-iec");
 }

@@ -1,4 +1,4 @@
-// The catalogue of reading's rules.
+// The catalogue of the rules of reading.
 #include "read/rules.hpp"
 
 #include <set>
@@ -8,7 +8,7 @@
 
 using namespace symplant;
 
-TEST_CASE("Rules of reading stand by id, have a name each and a whole manual page") {
+TEST_CASE("Rules of reading are sorted by id, with a unique name and a complete manual page") {
   std::string_view last;
   std::set<std::string_view> slugs;
   for (const diag::RuleInfo* rule : read::rules()) {
@@ -19,14 +19,14 @@ TEST_CASE("Rules of reading stand by id, have a name each and a whole manual pag
     CHECK(slugs.insert(rule->slug).second);
     CHECK_FALSE(rule->summary.empty());
     CHECK(test::contains(rule->page, "**What the model loses.**"));
-    CHECK(test::contains(rule->page, "**How to mend it.**"));
+    CHECK(test::contains(rule->page, "**How to fix it.**"));
     CHECK(rule->page.back() == '\n');
     last = rule->id;
   }
 }
 
-TEST_CASE("Each rule of reading is fired by a golden or by name here") {
-  std::set<std::string_view> fired{"SP101", "SP106"};  // no file can show them: readers_test.cpp does
+TEST_CASE("Each rule of reading fires on a golden or is named here") {
+  std::set<std::string_view> fired{"SP101", "SP106"};  // no file can trigger them: readers_test.cpp does
   fired.insert("SP111");                               // a file of 65 KB: gx_iec_test.cpp makes it
   for (const std::string& file : test::lists_in(test::kGoldens + "bad/")) {
     const test::Reading reading = test::read_golden(test::kGoldens + "bad/" + file);

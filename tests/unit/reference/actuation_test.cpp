@@ -1,4 +1,4 @@
-// Each row of the table of a move under way.
+// Each row of the table of moving units.
 #include "bench.hpp"
 
 namespace symplant::test {
@@ -16,7 +16,7 @@ Said actuated(Actuation actuation) {
 
 Bench moving(Actuation actuation) { return Bench({"V_O_A1", "V_O_B2", "V_I_A1", "V_I_B2"}, actuated(actuation)); }
 
-/// The operations at 300 ms of a move from A to B that O_B2 began at 0: the state then.
+/// Sets the operations at 300 ms of a move from A to B that O_B2 started at 0; returns the state then.
 std::string at_300(Actuation actuation, bool forth, bool back) {
   Bench bench = moving(actuation);
   bench.set("V_O_B2", true).at(0);
@@ -25,34 +25,34 @@ std::string at_300(Actuation actuation, bool forth, bool back) {
   return bench.state("V") + " " + std::to_string(bench.remaining("V"));
 }
 
-TEST_CASE("latched goes on, whatever is commanded") {
+TEST_CASE("A latched move continues under any command") {
   for (const bool forth : {false, true}) {
     for (const bool back : {false, true}) CHECK(at_300(Actuation::latched, forth, back) == "A1->B2 700");
   }
 }
 
-TEST_CASE("bistable goes on unless only the other way is commanded") {
+TEST_CASE("A bistable move continues unless only the opposite is commanded") {
   CHECK(at_300(Actuation::bistable, true, false) == "A1->B2 700");
   CHECK(at_300(Actuation::bistable, true, true) == "A1->B2 700");
   CHECK(at_300(Actuation::bistable, false, true) == "B2->A1 300");
   CHECK(at_300(Actuation::bistable, false, false) == "A1->B2 700");
 }
 
-TEST_CASE("held stands still without a command and with both") {
+TEST_CASE("A held move stops without a command and with both") {
   CHECK(at_300(Actuation::held, true, false) == "A1->B2 700");
   CHECK(at_300(Actuation::held, true, true) == "A1->B2! 700");
   CHECK(at_300(Actuation::held, false, true) == "B2->A1 300");
   CHECK(at_300(Actuation::held, false, false) == "A1->B2! 700");
 }
 
-TEST_CASE("spring turns round to its rest without a command, and stands still with both") {
+TEST_CASE("A spring reverses to its rest without a command, and stops with both") {
   CHECK(at_300(Actuation::spring, true, false) == "A1->B2 700");
   CHECK(at_300(Actuation::spring, true, true) == "A1->B2! 700");
   CHECK(at_300(Actuation::spring, false, true) == "B2->A1 300");
   CHECK(at_300(Actuation::spring, false, false) == "B2->A1 300");
 }
 
-TEST_CASE("A spring on its way to rest goes on without a command") {
+TEST_CASE("A spring that moves to rest continues without a command") {
   Bench bench = moving(Actuation::spring);
   bench.put("V", "B2").at(0);
   CHECK(bench.state("V") == "B2->A1");
@@ -60,7 +60,7 @@ TEST_CASE("A spring on its way to rest goes on without a command") {
   CHECK(bench.remaining("V") == 600);
 }
 
-TEST_CASE("Both at once are conflicting operations, in a move that is not latched") {
+TEST_CASE("Both commands together are conflicting operations, in a move that is not latched") {
   for (const Actuation actuation : {Actuation::latched, Actuation::bistable, Actuation::held, Actuation::spring}) {
     Bench bench = moving(actuation);
     bench.at(0).set("V_O_B2", true).at(10).set("V_O_A1", true).at(300);
@@ -68,7 +68,7 @@ TEST_CASE("Both at once are conflicting operations, in a move that is not latche
   }
 }
 
-TEST_CASE("What stands still keeps its time and goes on with it") {
+TEST_CASE("A stopped move keeps its time and continues with it") {
   Bench bench = moving(Actuation::held);
   bench.set("V_O_B2", true).at(0).set("V_O_B2", false).at(300).at(5000);
   CHECK(bench.plant.next_due() == tables::kNever);
@@ -77,7 +77,7 @@ TEST_CASE("What stands still keeps its time and goes on with it") {
   CHECK(bench.at(6700).state("V") == "B2");
 }
 
-TEST_CASE("Turning round takes its part of the way back, rounded down") {
+TEST_CASE("A reversed move takes its part of the return time, rounded down") {
   Said said = actuated(Actuation::bistable);
   said.device("L_P_V").transitions = {transition("A1", "B2"), transition("B2", "A1")};
   said.device("L_P_V").transitions[0].takes = description::Duration::fixed(3);
@@ -92,7 +92,7 @@ TEST_CASE("Turning round takes its part of the way back, rounded down") {
   CHECK(bench.plant.unit(0).remaining == 2);  // 3 * (10 - 2) / 10
 }
 
-TEST_CASE("A spring's own way takes what its transition says") {
+TEST_CASE("A spring return takes the time of its transition") {
   Said said;
   said.device("L_P_V").transitions = {transition("ADV", "RET")};
   said.device("L_P_V").transitions[0].takes = description::Duration::fixed(500 * kMs);
@@ -106,14 +106,14 @@ TEST_CASE("A spring's own way takes what its transition says") {
   CHECK(bench.remaining("V") == 200);  // 1000 * 100 / 500
 }
 
-TEST_CASE("Another command than the two ends' stops a held move, and that is said") {
+TEST_CASE("A command for a third state stops a held move, with a finding") {
   Bench bench({"V_O_A1", "V_O_B2", "V_O_C3", "V_I_A1", "V_I_B2", "V_I_C3"}, actuated(Actuation::held));
   bench.at(0).set("V_O_B2", true).at(10).set("V_O_B2", false).set("V_O_C3", true).at(300);
   CHECK(bench.state("V") == "A1->B2!");
   CHECK(bench.findings() == "300:stopped V");
 }
 
-TEST_CASE("An automatic move completes, whatever the actuation") {
+TEST_CASE("An automatic move completes with any actuation") {
   Said said = actuated(Actuation::held);
   said.device("L_P_V").transitions = {automatic("B2", "A1")};
   said.device("L_P_V").transitions[0].takes = description::Duration::fixed(100 * kMs);

@@ -4,7 +4,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("A machine that is done does not start again on the old command") {
+TEST_CASE("A finished machine does not start again on the old command") {
   Bench bench({"MC_O_RUN2", "MC_I_IDLE1", "MC_I_RUN2"});
   bench.set("MC_O_RUN2", true).at(0).at(1000);
   CHECK(bench.state("MC") == "RUN2");
@@ -34,7 +34,7 @@ TEST_CASE("An operation is armed again while its unit is disabled") {
   CHECK(bench.state("MC") == "IDLE1->RUN2");
 }
 
-TEST_CASE("once: an index table steps once a pulse") {
+TEST_CASE("An index table with `once` steps once per pulse") {
   Said said;
   said.device("L_P_T").transitions = {transition("P1", "P2", "STEP"), transition("P2", "P3", "STEP"),
                                       transition("P3", "P1", "STEP")};
@@ -46,7 +46,7 @@ TEST_CASE("once: an index table steps once a pulse") {
   CHECK(bench.state("T") == "P3");
 }
 
-TEST_CASE("One operation on steps a unit again and again where nothing says once") {
+TEST_CASE("Without `once` one operation steps a unit repeatedly") {
   Said said;
   said.device("L_P_T").transitions = {transition("P1", "P2", "STEP"), transition("P2", "P1", "STEP")};
   Bench bench({"T_O_STEP", "T_I_P1", "T_I_P2"}, said);
@@ -54,14 +54,14 @@ TEST_CASE("One operation on steps a unit again and again where nothing says once
   CHECK(bench.state("T") == "P2->P1");
 }
 
-TEST_CASE("Several states wanted: the unit stays, its own state counting as one") {
+TEST_CASE("A unit stays if several states are wanted, its own state counting as one") {
   Bench bench({"A_O_P1", "A_O_P2", "A_O_P3", "A_I_P1", "A_I_P2", "A_I_P3"});
   bench.set("A_O_P2", true).set("A_O_P3", true).at(0);
   CHECK(bench.state("A") == "P1");
   CHECK(bench.findings() == "0:conflicting A");
   bench.set("A_O_P3", false).set("A_O_P1", true).at(1);
   CHECK(bench.state("A") == "P1");
-  CHECK(bench.findings() == "1:lost A_O_P3");  // the conflict went on, and is not said again
+  CHECK(bench.findings() == "1:lost A_O_P3");  // the conflict continued, and is not reported again
   bench.set("A_O_P1", false).at(2);
   CHECK(bench.state("A") == "P1->P2");
 }

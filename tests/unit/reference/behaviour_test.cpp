@@ -1,4 +1,4 @@
-// Random times and the users' own code.
+// Random times and user code.
 #include "bench.hpp"
 
 namespace symplant::test {
@@ -6,7 +6,7 @@ namespace {
 
 using reference::View;
 
-/// SplitMix64's first output, written out once more: published as 0xE220A8397B1DCDAF for a start at 0.
+/// SplitMix64's first output, a second implementation: published as 0xE220A8397B1DCDAF for a start at 0.
 std::uint64_t first_output(std::uint64_t start) {
   std::uint64_t z = start + 0x9E3779B97F4A7C15;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
@@ -20,9 +20,9 @@ std::uint64_t fnv(const std::string& text) {
   return hash;
 }
 
-TEST_CASE("SplitMix64 begins as published") { CHECK(first_output(0) == 0xE220A8397B1DCDAF); }
+TEST_CASE("SplitMix64 starts as published") { CHECK(first_output(0) == 0xE220A8397B1DCDAF); }
 
-TEST_CASE("A uniform time is drawn by seed, unit, transition and count") {
+TEST_CASE("Seed, unit, transition and count determine a uniform time") {
   Said said;
   said.device("l_p_a").transitions = {transition("P1", "P2"), transition("P2", "P1")};
   said.device("l_p_a").transitions[1].takes = description::Duration{description::Duration::Kind::uniform, 0, 999};
@@ -57,7 +57,7 @@ void woken(View& view) noexcept {
 std::uint8_t wanted(View& view) noexcept { return view.memory<Memory>().woken == 1 ? 0 : tables::kNoState; }
 tables::Time takes(View&, std::uint16_t transition) noexcept { return transition == 0xFFFF ? 7 * kMs : 20 * kMs; }
 
-TEST_CASE("A behaviour is woken when it asked, and its wanted state is left for without a command") {
+TEST_CASE("A behavior wakes when it requested it, and its wanted state needs no command") {
   Said said;
   said.device("L_P_A").behaviour = "Mine";
   reference::Behaviour mine;

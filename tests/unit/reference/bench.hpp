@@ -15,7 +15,7 @@ namespace symplant::test {
 
 inline constexpr tables::Time kMs = tables::kMillisecond;
 
-/// What is said of one device, all else left out.
+/// The description of one device, without everything else.
 struct Said {
   description::Description description = {};
 
@@ -45,7 +45,7 @@ inline description::GivenTransition automatic(std::string from, std::string to, 
   return given;
 }
 
-/// Names as bits() takes them, without the line and process that all of them share.
+/// Names as for bits(), without the line and process that all of them share.
 class Bench {
  public:
   explicit Bench(const std::vector<std::string>& names, const Said& said = {},
@@ -53,7 +53,7 @@ class Bench {
       : Bench(said, bits(prefixed(names)), std::move(behaviours)) {}
   Bench(const Said& said, const std::vector<Row>& rows, std::map<std::string, reference::Behaviour> behaviours = {})
       : analysed(analyse_described(rows, said.description)), plant(analysed.model(), std::move(behaviours)) {
-    for (const description::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
+    for (const description::DescriptionFault& fault : analysed.evidence().faults) FAIL(fault.message);
     REQUIRE(plant.difference_from_model() == "");
   }
 
@@ -94,7 +94,7 @@ class Bench {
   }
 
   bool on(const std::string& name) const { return plant.value(symbol(name)) != 0; }
-  /// "A", "A->B", "A->B!" where it stands still; in brackets while it is disabled.
+  /// "A", "A->B", "A->B!" if it stopped; in brackets while it is disabled.
   std::string state(const std::string& device) const {
     const auto& unit = analysed.model().units[index(device)];
     const reference::UnitView view = plant.unit(index(device));

@@ -6,11 +6,11 @@ namespace {
 
 std::string difference(const std::vector<std::string>& names, const Said& said = {}) {
   const Analysed analysed = analyse_described(bits(names), said.description);
-  for (const description::DescriptionFault& fault : analysed.model().description_faults) FAIL(fault.message);
+  for (const description::DescriptionFault& fault : analysed.evidence().faults) FAIL(fault.message);
   return reference::Plant(analysed.model()).difference_from_model();
 }
 
-TEST_CASE("Lists without a description are derived alike") {
+TEST_CASE("Lists without a description give equal derivations") {
   const std::vector<std::vector<std::string>> lists = {
       {"L_P_A_O_P1", "L_P_A_O_P2", "L_P_A_I_P1", "L_P_A_I_P2"},
       {"L_P_A_O_RUN", "L_P_A_I_RUN"},
@@ -32,7 +32,7 @@ TEST_CASE("Lists without a description are derived alike") {
   }
 }
 
-TEST_CASE("What the description says stands over what is derived, by the rules of replacement") {
+TEST_CASE("The description overrides what is derived, by the rules of replacement") {
   const std::vector<std::string> names = {"L_P_A_O_RUN2",  "L_P_A_O_HOME", "L_P_A_I_RUN2",
                                           "L_P_A_I_IDLE1", "L_P_A_I_BUSY", "L_P_A_I_DONE3"};
   Said said;
@@ -56,10 +56,10 @@ TEST_CASE("What the description says stands over what is derived, by the rules o
   CHECK(difference(names, said) == "");
 }
 
-TEST_CASE("A model of another derivation is told apart") {
+TEST_CASE("A model with another derivation is detected") {
   Analysed analysed = analyse_rows(bits({"L_P_A_O_P1", "L_P_A_O_P2", "L_P_A_I_P1", "L_P_A_I_P2"}));
   REQUIRE(reference::Plant(analysed.model()).difference_from_model() == "");
-  model::Unit& unit = analysed.plant->units[0];
+  model::Unit& unit = analysed.derived->plant.units[0];
   const model::Unit as_it_was = unit;
   unit.initial = 1;
   CHECK(reference::Plant(analysed.model()).difference_from_model() == "L_P_A: initial: reference `0`, model `1`");

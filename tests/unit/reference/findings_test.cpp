@@ -4,7 +4,7 @@
 namespace symplant::test {
 namespace {
 
-TEST_CASE("A command that leads nowhere from where the unit is has no effect") {
+TEST_CASE("A command without a transition from the unit's state has no effect") {
   Said said;
   said.device("L_P_A").only = true;
   said.device("L_P_A").transitions = {transition("P1", "P2"), transition("P2", "P3")};
@@ -12,10 +12,10 @@ TEST_CASE("A command that leads nowhere from where the unit is has no effect") {
   bench.set("A_O_P3", true).at(0);
   CHECK(bench.findings() == "0:ineffective A_O_P3");
   bench.set("A_O_P3", false).at(1);
-  CHECK(bench.findings() == "");  // told when it rose
+  CHECK(bench.findings() == "");  // reported when it rose
 }
 
-TEST_CASE("A command that falls before anything came of it is lost") {
+TEST_CASE("A command that falls before it had an effect is lost") {
   Said said;
   said.device("L_P_A").transitions = {transition("P1", "P2")};
   said.device("L_P_A").transitions[0].when = "L_P_B.ON";
@@ -26,14 +26,14 @@ TEST_CASE("A command that falls before anything came of it is lost") {
   CHECK(bench.findings() == "");
 }
 
-TEST_CASE("A command to where the unit is, or is going, is not lost") {
+TEST_CASE("A command to the unit's current or target state is not lost") {
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2"});
   bench.set("A_O_P1", true).at(0).set("A_O_P1", false).at(10);
   bench.set("A_O_P2", true).at(20).set("A_O_P2", false).at(30).set("A_O_P2", true).at(40).set("A_O_P2", false).at(50);
   CHECK(bench.findings() == "");
 }
 
-TEST_CASE("A command to a disabled unit is said, and not that it is lost") {
+TEST_CASE("A command to a disabled unit is reported as such, and not as lost") {
   Said said;
   said.device("L_P_D").disables = {{"ON", {"L_P_A"}}};
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2", "D_I_ON*"}, said);
@@ -59,7 +59,7 @@ TEST_CASE("In real time an event that is on for less than a cycle is too short")
   CHECK(bench.findings() == "14:short A_I_P2");
 }
 
-TEST_CASE("never: violated when its condition begins to hold") {
+TEST_CASE("A `never` is violated when its condition becomes true") {
   Said said;
   said.description.requirements = {{"r", "L_P_B.ON", "", "", 0}};
   Bench bench({"B_I_ON*"}, said);
@@ -67,7 +67,7 @@ TEST_CASE("never: violated when its condition begins to hold") {
   CHECK(bench.findings() == "0:violated 0 10:violated 0");
 }
 
-TEST_CASE("expect: met within its time, that of the end included, else violated at its end") {
+TEST_CASE("An `expect` is met within its time, including the end, else violated at its end") {
   Said said;
   said.description.requirements = {{"r", "", "L_P_B.ON", "L_P_C.ON", 100 * kMs}};
   Bench bench({"B_I_ON", "C_I_ON"}, said);

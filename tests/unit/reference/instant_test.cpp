@@ -1,10 +1,10 @@
-// Instants: rounds, `after`, disables, loops, forces, what acts from outside.
+// Instants: rounds, `after`, disables, loops, forces, external actions.
 #include "bench.hpp"
 
 namespace symplant::test {
 namespace {
 
-/// A lamp's state R2 that follows by itself after 100 ms of B.ON, and back without it.
+/// A lamp's state R2 that follows automatically after 100 ms of B.ON, and returns without it.
 Said waiting() {
   Said said;
   said.device("L_P_A").transitions = {automatic("P1", "P2", 100 * kMs, "L_P_B.ON")};
@@ -12,16 +12,16 @@ Said waiting() {
 }
 const std::vector<std::string> kWaiting = {"A_I_P1", "A_I_P2", "B_I_ON"};
 
-TEST_CASE("after: the cause must have held without a break") {
+TEST_CASE("The cause of an `after` must hold without a break") {
   Bench bench(kWaiting, waiting());
   bench.at(0).put("B", "ON").at(10);
-  CHECK(bench.plant.next_due() == 100 * kMs);  // what acts from outside acts at now()
+  CHECK(bench.plant.next_due() == 100 * kMs);  // external actions act at now()
   bench.at(60).put("B", "NOT_ON").at(70).put("B", "ON").at(80);
   CHECK(bench.at(169).state("A") == "P1");
   CHECK(bench.at(170).state("A") == "P2");
 }
 
-TEST_CASE("A break that begins and ends while the unit is disabled does not count, and its time stands still") {
+TEST_CASE("A break while the unit is disabled does not count, and its time stops") {
   Said said = waiting();
   said.device("L_P_D").disables = {{"ON", {"L_P_A"}}};
   Bench bench({"A_I_P1", "A_I_P2", "B_I_ON", "D_I_ON"}, said);
@@ -32,7 +32,7 @@ TEST_CASE("A break that begins and ends while the unit is disabled does not coun
   CHECK(bench.at(940).state("A") == "P2");
 }
 
-TEST_CASE("A disabled unit stands where it is and goes on when it is enabled") {
+TEST_CASE("A disabled unit stops and continues when it is enabled") {
   Said said;
   said.device("L_P_D").disables = {{"ON", {"L_P_A"}}};
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2", "D_I_ON"}, said);
@@ -45,7 +45,7 @@ TEST_CASE("A disabled unit stands where it is and goes on when it is enabled") {
   CHECK(bench.at(5600).state("A") == "P2");
 }
 
-TEST_CASE("A unit stopped on its way disables nobody, a settled one does though it is disabled") {
+TEST_CASE("A unit that stops while moving disables no unit, a settled one does even if it is disabled") {
   Said said;
   said.device("L_P_A").disables = {{"P1", {"L_P_B"}}};
   said.device("L_P_C").disables = {{"ON", {"L_P_A"}}};
@@ -58,7 +58,7 @@ TEST_CASE("A unit stopped on its way disables nobody, a settled one does though 
   CHECK(bench.state("B") == "NOT_ON");
 }
 
-TEST_CASE("Rounds: what one unit does is seen by others within the instant, whatever their order") {
+TEST_CASE("Units see each other's steps within the instant, in any order") {
   Said said;
   for (const std::string device : {"L_P_A", "L_P_B", "L_P_C"}) said.device(device).states = {"Z9"};
   said.device("L_P_A").transitions = {automatic("S1", "Z9", 0, "L_P_B.Z9")};
@@ -69,7 +69,7 @@ TEST_CASE("Rounds: what one unit does is seen by others within the instant, what
   CHECK(bench.changes() == "0:A_I_S1=1 0:B_I_S1=1 0:C_I_S1=1 10:A_I_S1=0 10:B_I_S1=0 10:C_I_S1=0");
 }
 
-TEST_CASE("An instantaneous loop is named and frozen, the others go on") {
+TEST_CASE("An instantaneous loop is reported and frozen, other units continue") {
   Said said;
   said.device("L_P_A").transitions = {automatic("P1", "P2"), automatic("P2", "P1")};
   Bench bench({"A_I_P1", "A_I_P2", "B_O_P1", "B_O_P2", "B_I_P1", "B_I_P2"}, said);
@@ -84,7 +84,7 @@ TEST_CASE("An instantaneous loop is named and frozen, the others go on") {
   CHECK_FALSE(bench.plant.unit(bench.index("A")).frozen);
 }
 
-TEST_CASE("Two units that make each other go are one loop") {
+TEST_CASE("Two units that trigger each other are one loop") {
   Said said;
   said.device("L_P_A").transitions = {automatic("P1", "P2", 0, "L_P_B.P1"), automatic("P2", "P1", 0, "L_P_B.P2")};
   said.device("L_P_B").transitions = {automatic("P1", "P2", 0, "L_P_A.P2"), automatic("P2", "P1", 0, "L_P_A.P1")};
@@ -109,7 +109,7 @@ TEST_CASE("A long ripple is no loop") {
   CHECK(bench.plant.counters[reference::Counted::loop_frozen] == 0);
 }
 
-TEST_CASE("A force hides what the unit makes until it is released") {
+TEST_CASE("A force hides the unit's value until it is released") {
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2"});
   bench.at(0).changes();
   bench.plant.force(bench.symbol("A_I_P1"), 1);
@@ -119,7 +119,7 @@ TEST_CASE("A force hides what the unit makes until it is released") {
   CHECK(bench.at(3000).changes() == "2000:A_I_P1=0");
 }
 
-TEST_CASE("A forced operation keeps what is written") {
+TEST_CASE("A forced operation keeps its written value") {
   Bench bench({"A_O_P1", "A_O_P2", "A_I_P1", "A_I_P2"});
   bench.plant.force(bench.symbol("A_O_P2"), 0);
   bench.set("A_O_P2", true).at(100);
@@ -128,7 +128,7 @@ TEST_CASE("A forced operation keeps what is written") {
   CHECK(bench.at(100).state("A") == "P1->P2");
 }
 
-TEST_CASE("Only what no unit moves can be set as an input") {
+TEST_CASE("Only a symbol that no unit drives can be set as an input") {
   Bench bench({"A_O_P2", "A_I_P1", "A_I_P2", "B_I_ON"});
   CHECK_FALSE(bench.plant.set_input(bench.symbol("A_O_P2"), 1));
   CHECK_FALSE(bench.plant.set_input(bench.symbol("A_I_P2"), 1));

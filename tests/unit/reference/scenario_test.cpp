@@ -11,7 +11,7 @@ namespace {
 using reference::ScenarioStep;
 using When = ScenarioStep::When;
 
-/// A cylinder that takes a second, steps given in milliseconds.
+/// A cylinder that takes 1 s, steps given in milliseconds.
 class Scene {
  public:
   explicit Scene(std::optional<tables::Time> until = {}) : player_(bench.analysed.model(), bench.plant, until, 1000) {}
@@ -72,14 +72,14 @@ TEST_CASE("A scenario ends with the instant of its last step") {
   CHECK(Scene().set(When::at, 500, "CYL_O_ADV").end() == "0:CYL_I_RET=1 500:CYL_O_ADV=1 500:CYL_I_RET=0");
 }
 
-TEST_CASE("An expectation looks at the images after what its own step and those of its time before it did") {
+TEST_CASE("An expectation reads the images after its own step and earlier steps of its time") {
   Scene scene;
   scene.set(When::at, 500, "CYL_O_ADV").expect(When::plus, 0, "CYL_I_RET", false);
   scene.set(When::plus, 0, "CYL_O_ADV", false).expect(When::plus, 0, "CYL_O_ADV", true);
   CHECK(scene.end() == "2 held at 500, 4 failed at 500, 0:CYL_I_RET=1 500:CYL_O_ADV=1 500:CYL_I_RET=0 500:CYL_O_ADV=0");
 }
 
-TEST_CASE("A wait is met at the last instant of its time, and what follows counts from there") {
+TEST_CASE("A wait is met at the last instant of its time, and later steps count from there") {
   Scene met;
   met.set(When::at, 0, "CYL_O_ADV").wait("ADV", 1000 * kMs).expect(When::plus, 0, "CYL_I_ADV", true);
   CHECK(met.end() == "2 held at 1000, 3 held at 1000, 0:CYL_O_ADV=1 1000:CYL_I_ADV=1");
@@ -93,13 +93,13 @@ TEST_CASE("A wait without `within` waits ten seconds; one that holds already is 
   CHECK(Scene().wait("RET").end() == "1 held at 0, 0:CYL_I_RET=1");
 }
 
-TEST_CASE("An `at` that a wait has overtaken acts at once") {
+TEST_CASE("An `at` that is past because of a wait acts at once") {
   Scene scene;
   scene.set(When::at, 0, "CYL_O_ADV").wait("ADV").set(When::at, 300, "CYL_O_RET");
   CHECK(scene.end() == "2 held at 1000, 0:CYL_O_ADV=1 1000:CYL_I_ADV=1 1000:CYL_O_RET=1");
 }
 
-TEST_CASE("What `--until` never reaches has failed; what is due at that very time belongs to the run") {
+TEST_CASE("A step after `--until` has failed; a step due at that time belongs to the run") {
   Scene scene(1000 * kMs);
   scene.set(When::at, 0, "CYL_O_ADV").expect(When::at, 1000, "CYL_I_ADV", true);
   scene.expect(When::at, 1001, "CYL_I_ADV", true).wait("RET");

@@ -24,7 +24,7 @@ TEST_CASE("The reference plays the paper's cell") {
   CHECK(bench.plant.next_due() == tables::kNever);
 }
 
-TEST_CASE("What is saved and restored runs again as it ran, to the same digest") {
+TEST_CASE("A saved and restored plant runs the same again, to the same digest") {
   Bench bench({"AGV_I_P1", "AGV_I_P2", "AGV_O_P1", "AGV_O_P2"});
   bench.at(0).set("AGV_O_P2", true).at(500);
   const reference::World saved = bench.plant.save();

@@ -1,17 +1,17 @@
-// Acting and expecting: when, in which order, and what a further instant is.
+// Acting and expecting: when, in which order, and what another instant is.
 #include "scenario_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("what a step sets at a time belongs to that instant, the first one included") {
+TEST_CASE("A step belongs to the instant of its time, including the first one") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"0s","set":{"L_P_AGV_O_P2":true}},{"at":"1.5s"})");
-  CHECK(play.changes() == "0:AGV_O_P2=1 1000:AGV_I_P2=1");  // P1 was left before anybody saw it
+  CHECK(play.changes() == "0:AGV_O_P2=1 1000:AGV_I_P2=1");  // P1 was left within the instant
   CHECK(play.outcomes() == "dd");
 }
 
-TEST_CASE("plus counts from the step before") {
+TEST_CASE("A `plus` counts from the previous step") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"plus":"250ms","set":{"L_P_AGV_O_P2":true}},{"plus":"500ms","set":{"L_P_AGV_O_P2":false}},
                              {"at":"1s"},{"plus":"1s"})");
@@ -19,15 +19,15 @@ TEST_CASE("plus counts from the step before") {
   CHECK(play.time_of(3) == 2000);
 }
 
-TEST_CASE("steps of one time act in their order before the instant's rounds") {
+TEST_CASE("Steps of one time act in their order before the instant's rounds") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"plus":"0s","set":{"L_P_AGV_O_P2":false}},
                              {"at":"1s","state":{"L_P_AGV":"P2"}},{"plus":"0s","state":{"L_P_AGV":"P1"}},{"at":"9s"})");
-  CHECK(play.changes() == "0:AGV_I_P1=1");  // nothing is left of it at the end of the instant
+  CHECK(play.changes() == "0:AGV_I_P1=1");  // the pulse is gone at the end of the instant
 }
 
 TEST_CASE(
-    "an expect looks at the images after the rounds, and a set behind it acts in a further instant of that time") {
+    "An expect reads the images after the rounds, and a later set acts in another instant of that time") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},
                              {"plus":"0s","expect":{"L_P_AGV_O_P2":true,"L_P_AGV_I_P1":false}},
@@ -39,14 +39,14 @@ TEST_CASE(
   CHECK(play.changes() == "0:AGV_I_P1=1 1000:AGV_I_P1=0 1000:AGV_O_P2=1 | 1000:AGV_O_P2=0 2000:AGV_I_P2=1");
 }
 
-TEST_CASE("without an expect between them there is one instant") {
+TEST_CASE("Without an expect between them steps share one instant") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"0s","expect":"L_P_AGV.P1"},{"plus":"1s","set":{"L_P_AGV_O_P2":true}},
                              {"plus":"0s","set":{"L_P_AGV_O_P1":true}},{"plus":"0s"})");
   CHECK(play.changes() == "0:AGV_I_P1=1 1000:AGV_O_P2=1 1000:AGV_O_P1=1");  // both: the vehicle stays
 }
 
-TEST_CASE("of one step set comes first, then state, force, release, then its expect") {
+TEST_CASE("A step sets symbols, then states, forces, releases, then expects") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","expect":{"L_P_AGV_I_P1":true,"L_P_AGV_I_P2":false,"L_P_AGV_O_P1":true},
                               "release":["L_P_AGV_I_P2"],"force":{"L_P_AGV_I_P1":true,"L_P_AGV_I_P2":true},
@@ -54,7 +54,7 @@ TEST_CASE("of one step set comes first, then state, force, release, then its exp
   CHECK(play.outcomes() == "h");
 }
 
-TEST_CASE("a device put into a state leaves and enters at once, its outputs follow, a move under way ends") {
+TEST_CASE("A device put into a state leaves and enters at once, its outputs follow, its move ends") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"plus":"0s","expect":"L_P_AGV.moving"},
                              {"at":"1.5s","set":{"L_P_AGV_O_P2":false},"state":{"L_P_AGV":"P2"}},
@@ -63,7 +63,7 @@ TEST_CASE("a device put into a state leaves and enters at once, its outputs foll
   CHECK(play.changes() == "0:AGV_I_P1=1 1000:AGV_I_P1=0 1000:AGV_O_P2=1 1500:AGV_I_P2=1 1500:AGV_O_P2=0");
 }
 
-TEST_CASE("a disabled device can be put into a state, and stays disabled") {
+TEST_CASE("A disabled device can be put into a state, and stays disabled") {
   const BenchTables tables({"DOOR_I_OPEN1", "DOOR_I_SHUT2", "AGV_I_P1", "AGV_I_P2", "AGV_O_P2"},
                            Reported().disables("DOOR", "OPEN1", "AGV"));
   const Play play(tables, R"({"at":"1s","state":{"L_P_AGV":"P2"},"expect":{"L_P_AGV_I_P2":true}},
@@ -73,7 +73,7 @@ TEST_CASE("a disabled device can be put into a state, and stays disabled") {
   CHECK(play.outcomes() == "hddhdh");
 }
 
-TEST_CASE("a force holds until the release, what is written meanwhile shows then") {
+TEST_CASE("A force holds until the release, then the value written meanwhile shows") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","force":{"L_P_AGV_O_P2":false,"L_P_AGV_I_P1":false}},
                              {"at":"2s","set":{"L_P_AGV_O_P2":true}},
@@ -84,7 +84,7 @@ TEST_CASE("a force holds until the release, what is written meanwhile shows then
   CHECK(play.outcomes() == "ddhdhdhh");
 }
 
-TEST_CASE("numbers are set and compared exactly, whatever their type") {
+TEST_CASE("Numbers of every type are set and compared exactly") {
   const BenchTables tables(
       Reported(),
       {{"SPEED", "", "INT", "0", "%QW1"}, {"COUNT", "", "ULINT", "0", "%IW8"}, {"WEIGHT", "", "REAL", "0.0", "%ID20"}});
@@ -97,7 +97,7 @@ TEST_CASE("numbers are set and compared exactly, whatever their type") {
   CHECK(contains(play.failures(), "expected COUNT 1, SPEED -2, WEIGHT 0.1000001 at 1 s"));
 }
 
-TEST_CASE("what the end of the run comes before was not reached, what is at the end still acts") {
+TEST_CASE("A step after the end of the run is not reached, a step at the end still acts") {
   const BenchTables tables(kAgv);
   const std::string steps = R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"at":"2s","expect":"L_P_AGV.P2"},
                                {"at":"3s","set":{"L_P_AGV_O_P2":false}},{"at":"3s","expect":{"L_P_AGV_O_P2":false}})";
@@ -106,7 +106,7 @@ TEST_CASE("what the end of the run comes before was not reached, what is at the 
   CHECK(Play(tables, steps, 9 * kSecond).outcomes() == "dhdh");
 }
 
-TEST_CASE("in real time a step falls into the cycle at or after its time, and plus counts from the time itself") {
+TEST_CASE("In real time a step acts in the cycle at or after its time, and plus counts from the time itself") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"105ms","set":{"L_P_AGV_O_P2":true}},{"plus":"10ms","expect":"L_P_AGV.moving"},
                              {"wait":"L_P_AGV.P2"},{"plus":"1ms","set":{"L_P_AGV_O_P2":false}})",

@@ -1,4 +1,4 @@
-// Scenarios as text, read against a plant made of names, and played on it.
+// Scenarios as text, read for a plant made of names, and played on it.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace symplant::test {
 
 using tables::kSecond;
 
-/// `steps` between the brackets of a scenario, begun at line 1.
+/// `steps` between the brackets of a scenario, starting at line 1.
 inline std::string scenario_text(const std::string& steps) {
   return R"({"symplant-scenario":1,"steps":[)" + steps + "]}";
 }
 
-/// Faults as "column: message", a line each.
+/// Faults as "column: message", one per line.
 inline std::string faults_text(std::string_view text, const std::vector<json::Placed>& faults) {
   std::string all;
   for (const json::Placed& fault : faults) {
@@ -56,14 +56,14 @@ class Play {
 
   /// "500:AGV_I_P1=0 ...": every change in its order, times in ms; a bar between two instants of one time.
   const std::string& changes() const { return changes_; }
-  /// A letter a step: d(one), h(eld), f(ailed), u(nreached).
+  /// One letter per step: d(one), h(eld), f(ailed), u(nreached).
   std::string outcomes() const {
     std::string text;
     for (const scenario::Outcome& outcome : player_.outcomes()) text += "pdhfu"[static_cast<int>(outcome.kind)];
     return text;
   }
   tables::Time time_of(std::size_t step) const { return player_.outcomes()[step].time / kMs; }
-  /// Sentences of failed steps, a line each.
+  /// Messages of failed steps, one per line.
   const std::string& failures() const { return failures_; }
 
  private:
@@ -127,7 +127,7 @@ class Play {
   bool ended_ = false;
 };
 
-/// The paper's vehicle; names go without L_P_ where a test speaks of symbols.
+/// The paper's vehicle; tests omit L_P_ in symbol names.
 inline const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"};
 
 }  // namespace symplant::test

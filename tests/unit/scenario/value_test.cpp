@@ -1,4 +1,4 @@
-// Values as a scenario writes them: every type, its bounds, and what is none of it.
+// Values in scenarios: every type, its bounds, and invalid values.
 #include "symplant/scenario/value.hpp"
 
 #include <bit>
@@ -14,21 +14,21 @@ namespace {
 
 using tables::DataType;
 
-/// As a trace would write it, or the message.
+/// The value as a trace writes it, or the message.
 std::string read(DataType type, const char* text) {
   const auto value = scenario::read_value(type, nlohmann::json::parse(text));
   if (const auto* message = std::get_if<std::string>(&value)) return *message;
   return trace::json_value(type, std::get<std::uint64_t>(value));
 }
 
-TEST_CASE("a BOOL is true or false and nothing else") {
+TEST_CASE("A BOOL is true or false and nothing else") {
   CHECK(read(DataType::boolean, "true") == "true");
   CHECK(read(DataType::boolean, "false") == "false");
-  CHECK(contains(read(DataType::boolean, "1"), "`1` stands here, a BOOL is true or false"));
+  CHECK(contains(read(DataType::boolean, "1"), "expected true or false for a BOOL, but found `1`"));
   CHECK(contains(read(DataType::boolean, "\"true\""), "a BOOL is"));
 }
 
-TEST_CASE("integers keep to the range of their type") {
+TEST_CASE("Integers must be in the range of their type") {
   struct Range {
     DataType type;
     const char* least;
@@ -55,22 +55,22 @@ TEST_CASE("integers keep to the range of their type") {
     INFO(range.most);
     CHECK(read(range.type, range.least) == range.least);
     CHECK(read(range.type, range.most) == range.most);
-    CHECK(contains(read(range.type, range.below), "is beyond what "));
-    CHECK(contains(read(range.type, range.above), "is beyond what "));
+    CHECK(contains(read(range.type, range.below), "is out of range for "));
+    CHECK(contains(read(range.type, range.above), "is out of range for "));
   }
   CHECK(contains(read(DataType::int_, "40000"), "INT holds, -32768 to 32767"));
 }
 
-TEST_CASE("an integer is whole, and may be a text in any base") {
+TEST_CASE("An integer is whole, and may be a text in any base") {
   CHECK(read(DataType::int_, "5.0") == "5");
   CHECK(read(DataType::word, "\"16#FFFF\"") == "65535");
   CHECK(read(DataType::byte, "\"2#1010_1010\"") == "170");
-  CHECK(contains(read(DataType::int_, "5.5"), "is no whole number"));
-  CHECK(contains(read(DataType::int_, "\"five\""), "is no number"));
+  CHECK(contains(read(DataType::int_, "5.5"), "is not a whole number"));
+  CHECK(contains(read(DataType::int_, "\"five\""), "is not a number"));
   CHECK(contains(read(DataType::int_, "true"), "INT is a number"));
 }
 
-TEST_CASE("REAL and LREAL take the nearest value that they have, and what a trace writes") {
+TEST_CASE("REAL and LREAL take the nearest value, and what a trace writes") {
   CHECK(read(DataType::real, "0.1") == "0.1");
   CHECK(std::get<std::uint64_t>(scenario::read_value(DataType::real, 0.1)) ==
         std::bit_cast<std::uint64_t>(double{0.1F}));
@@ -80,9 +80,9 @@ TEST_CASE("REAL and LREAL take the nearest value that they have, and what a trac
   CHECK(read(DataType::real, "\"-inf\"") == "\"-inf\"");
   CHECK(read(DataType::real, "-0.0") == "-0");
   CHECK(read(DataType::lreal, "\"-0\"") == "-0");
-  CHECK(contains(read(DataType::real, "1e300"), "is beyond what REAL holds"));
-  CHECK(contains(read(DataType::lreal, "\"1e999\""), "is beyond what LREAL holds"));
-  CHECK(contains(read(DataType::lreal, "\"many\""), "is no number"));
+  CHECK(contains(read(DataType::real, "1e300"), "is out of range for REAL"));
+  CHECK(contains(read(DataType::lreal, "\"1e999\""), "is out of range for LREAL"));
+  CHECK(contains(read(DataType::lreal, "\"many\""), "is not a number"));
   CHECK(contains(read(DataType::lreal, "false"), "is a number"));
 }
 

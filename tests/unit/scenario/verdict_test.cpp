@@ -1,10 +1,10 @@
-// What a failed expectation says: what was expected, what was there, since when, and which operations led to it.
+// The message of a failed expectation: expected value, actual value, since when, and the operations that led to it.
 #include "scenario_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("a failed expectation tells each symbol that differs, its device and the operations that led to it") {
+TEST_CASE("A failed expectation reports each wrong symbol, its device and the operations that led to it") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},{"at":"0.7s","set":{"L_P_AGV_O_P2":false}},
                              {"at":"1.4s","expect":{"L_P_AGV_I_P2":true,"L_P_AGV_I_P1":false}})");
@@ -14,7 +14,7 @@ TEST_CASE("a failed expectation tells each symbol that differs, its device and t
         "0.7 s\n");
 }
 
-TEST_CASE("a failed condition tells what it names") {
+TEST_CASE("A failed condition reports what it names") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","expect":"L_P_AGV.P2 or L_P_AGV_O_P1"})");
   CHECK(play.failures() ==
@@ -22,24 +22,24 @@ TEST_CASE("a failed condition tells what it names") {
         "P1 of L_P_AGV (symbols.csv:5); L_P_AGV is in P1 since the start, none of its operations has been on\n");
 }
 
-TEST_CASE("a wait for several things tells those that did not come, and who disables their devices") {
+TEST_CASE("A wait for several values reports those that did not come, and what disables their devices") {
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "DOOR_I_OPEN1", "DOOR_I_SHUT2"},
                            Reported().disables("DOOR", "OPEN1", "AGV"));
   const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},
                              {"wait":"L_P_DOOR.OPEN1 and L_P_AGV.P2","within":"2s"})");
   CHECK(play.failures() ==
-        "waited 2 s for `L_P_DOOR.OPEN1 and L_P_AGV.P2`, in vain until 2.5 s; L_P_AGV is in P1, disabled by L_P_DOOR "
+        "waited 2 s for `L_P_DOOR.OPEN1 and L_P_AGV.P2`, not met by 2.5 s; L_P_AGV is in P1, disabled by L_P_DOOR "
         "in OPEN1 since the start, %QX2 (operation P2, symbols.csv:4) is on since 0.5 s\n");
 }
 
-TEST_CASE("a symbol of no device tells itself alone") {
+TEST_CASE("A symbol of no device reports only itself") {
   const BenchTables tables(Reported(), {{"SPEED", "D1", "INT", "7", "%IW9"}});
   const Play play(tables, R"({"at":"1s","expect":{"SPEED":8}})");
   CHECK(play.failures() ==
         "expected SPEED 8 at 1 s; SPEED is 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");
 }
 
-TEST_CASE("a symbol that a step forces is said to be forced, and so are those of a device that does not move") {
+TEST_CASE("A forced symbol is reported as forced, and so are those of a device that does not move") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"0.5s","force":{"L_P_AGV_O_P2":false}},
                              {"at":"0.6s","set":{"L_P_AGV_O_P2":true},"force":{"L_P_AGV_I_P1":false}},
@@ -55,7 +55,7 @@ TEST_CASE("a symbol that a step forces is said to be forced, and so are those of
       "2 s\n");
 }
 
-TEST_CASE("a verdict counts steps that expect something") {
+TEST_CASE("A verdict counts the steps with an expectation") {
   const BenchTables tables(kAgv);
   const trace::PlantNames names(tables.rows);
   const auto read = scenario::read_scenario(

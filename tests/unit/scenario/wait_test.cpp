@@ -1,10 +1,10 @@
-// Waiting: when it is met, when it fails, and what counts from it.
+// Waiting: when a wait is met, when it fails, and what counts from it.
 #include "scenario_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("a wait is met at the end of the first instant at which its condition holds, the present one included") {
+TEST_CASE("A wait is met at the end of the first instant at which its condition holds, including the current one") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"wait":"L_P_AGV.P1"},{"plus":"500ms","set":{"L_P_AGV_O_P2":true}},
                              {"wait":"not L_P_AGV_I_P1"},{"wait":"L_P_AGV.P2"},{"plus":"100ms","set":{"L_P_AGV_O_P2":false}})");
@@ -15,7 +15,7 @@ TEST_CASE("a wait is met at the end of the first instant at which its condition 
   CHECK(play.time_of(4) == 1600);
 }
 
-TEST_CASE("a wait without within fails after 10 s, and plus counts from the end of the waiting") {
+TEST_CASE("A wait without within fails after 10 s, and plus counts from the end of the waiting") {
   const BenchTables tables(kAgv);
   const Play play(tables,
                   R"({"at":"1s","expect":"L_P_AGV.P1"},{"wait":"L_P_AGV.P2"},{"plus":"1s","set":{"L_P_AGV_O_P2":true}},
@@ -24,21 +24,21 @@ TEST_CASE("a wait without within fails after 10 s, and plus counts from the end 
   CHECK(play.time_of(1) == 11000);
   CHECK(play.changes() == "0:AGV_I_P1=1 12000:AGV_I_P1=0 12000:AGV_O_P2=1");
   CHECK(contains(play.failures(),
-                 "waited 10 s for `L_P_AGV.P2`, in vain until 11 s; L_P_AGV is in P1 since the start, none"));
+                 "waited 10 s for `L_P_AGV.P2`, not met by 11 s; L_P_AGV is in P1 since the start, none"));
   CHECK(contains(play.failures(),
-                 "waited 0.999 s for `L_P_AGV.P2`, in vain until 12.999 s; L_P_AGV is in P1->P2 since 12 s"));
+                 "waited 0.999 s for `L_P_AGV.P2`, not met by 12.999 s; L_P_AGV is in P1->P2 since 12 s"));
 }
 
-TEST_CASE("what comes in the very instant in which the time is over still meets it") {
+TEST_CASE("A change in the last instant of the time still meets the wait") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV.P2","within":"1s"})");
   CHECK(play.outcomes() == "dh");
   CHECK(play.time_of(1) == 2000);
 }
 
-TEST_CASE("a condition that holds only between two steps of a plant is seen by the instant") {
+TEST_CASE("A condition that holds only between two steps of a plant is seen by the instant") {
   const BenchTables tables(kAgv);
-  // The move takes a second, and is seen in the instant of its end although another one begins there.
+  // The move takes 1 s, and is seen in the instant of its end although another one starts there.
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV_I_P2"},
                              {"plus":"0s","set":{"L_P_AGV_O_P2":false,"L_P_AGV_O_P1":true}},{"wait":"not L_P_AGV_I_P2"})");
   CHECK(play.outcomes() == "dhdh");
@@ -47,7 +47,7 @@ TEST_CASE("a condition that holds only between two steps of a plant is seen by t
       "0:AGV_I_P1=1 1000:AGV_I_P1=0 1000:AGV_O_P2=1 2000:AGV_I_P2=1 | 2000:AGV_I_P2=0 2000:AGV_O_P2=0 2000:AGV_O_P1=1");
 }
 
-TEST_CASE("an at that is past because a wait took long acts at once, and plus counts from that moment") {
+TEST_CASE("An at that is past because of a long wait acts at once, and plus counts from that time") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV.P2"},
                              {"at":"1.5s","set":{"L_P_AGV_O_P2":false}},{"plus":"250ms","set":{"L_P_AGV_O_P1":true}})");
@@ -55,7 +55,7 @@ TEST_CASE("an at that is past because a wait took long acts at once, and plus co
   CHECK(play.time_of(3) == 2250);
 }
 
-TEST_CASE("a wait that the end of the run cuts off was not reached") {
+TEST_CASE("A wait cut off by the end of the run is not reached") {
   const BenchTables tables(kAgv);
   const std::string steps =
       R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"wait":"L_P_AGV.P2"},{"plus":"0s","expect":"L_P_AGV.P2"})";
@@ -63,7 +63,7 @@ TEST_CASE("a wait that the end of the run cuts off was not reached") {
   CHECK(Play(tables, steps, 2 * kSecond).outcomes() == "dhh");
 }
 
-TEST_CASE("in real time a wait is met at its own instant between two cycles, and not after its time") {
+TEST_CASE("In real time a wait is met at its own instant between two cycles, and not after its time") {
   const BenchTables tables(kAgv);
   const std::string steps = R"({"at":"0s","state":{"L_P_AGV":"P1"}},{"at":"100ms","set":{"L_P_AGV_O_P2":true}},)";
   const Play met(tables, steps + R"({"wait":"L_P_AGV.P2","within":"1150ms"})", 5 * kSecond, 300 * kMs);

@@ -1,4 +1,4 @@
-// The shared image: what was touched arrives, whole, whatever was skipped in between.
+// The shared image: every touched word arrives complete, whatever was skipped in between.
 #include "symplant/share/shared_words.hpp"
 
 #include <algorithm>
@@ -17,19 +17,19 @@ std::vector<std::uint64_t> copy(std::span<const std::uint64_t> words) { return {
 
 }  // namespace
 
-TEST_CASE("both sides of an image start alike") {
+TEST_CASE("Both sides of an image start equal") {
   const SharedWords image({1, 2, 3});
   CHECK(copy(image.latest()) == std::vector<std::uint64_t>{1, 2, 3});
 }
 
-TEST_CASE("an image of no words can be handed over") {
+TEST_CASE("An image without words can be handed over") {
   SharedWords image({});
   image.publish();
   CHECK(image.update());
   CHECK(image.latest().empty());
 }
 
-TEST_CASE("words written in earlier images are not lost when the reader skipped those") {
+TEST_CASE("Words written in earlier images are not lost if the reader skipped those") {
   SharedWords image({0, 0, 0, 0, 0, 0});
   for (std::size_t word = 0; word < 6; ++word) {
     image.words()[word] = word + 10;
@@ -40,7 +40,7 @@ TEST_CASE("words written in earlier images are not lost when the reader skipped 
   CHECK(copy(image.latest()) == std::vector<std::uint64_t>{10, 11, 12, 13, 14, 15});
 }
 
-TEST_CASE("at any pace of reading the image equals what the writer had when it published") {
+TEST_CASE("The image equals the published one at any rate of reading") {
   std::mt19937 random(1);
   SharedWords image(std::vector<std::uint64_t>(40, 0));
   std::vector<std::uint64_t> published(40, 0);
@@ -61,12 +61,12 @@ TEST_CASE("at any pace of reading the image equals what the writer had when it p
   }
 }
 
-TEST_CASE("two threads hand over whole images of words, of which only some are touched") {
+TEST_CASE("Two threads hand over complete images of words, of which only some are touched") {
   constexpr std::uint64_t kLast = 100'000;
   SharedWords image(std::vector<std::uint64_t>(16, 0));
   std::thread writer([&image] {
     for (std::uint64_t value = 1; value <= kLast; ++value) {
-      // Word 0 counts; one other word takes the count too. The image is whole when one of them equals it.
+      // Word 0 counts; one other word takes the count too. The image is complete if one of them equals it.
       image.words()[0] = value;
       image.words()[1 + value % 15] = value;
       image.touch(0);

@@ -1,4 +1,4 @@
-// The triple buffer: latest wins, whole values only.
+// The triple buffer: the latest value wins, complete values only.
 #include "symplant/share/triple_buffer.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@
 
 using symplant::share::TripleBuffer;
 
-TEST_CASE("a reader sees the first value until something is published") {
+TEST_CASE("A reader sees the first value until another one is published") {
   TripleBuffer<int> buffer(7);
   CHECK(buffer.front() == 7);
   CHECK_FALSE(buffer.update());
@@ -19,7 +19,7 @@ TEST_CASE("a reader sees the first value until something is published") {
   CHECK(buffer.front() == 7);
 }
 
-TEST_CASE("a published value is taken once") {
+TEST_CASE("A published value is taken once") {
   TripleBuffer<int> buffer(0);
   buffer.back() = 1;
   buffer.publish();
@@ -30,7 +30,7 @@ TEST_CASE("a published value is taken once") {
   CHECK(buffer.front() == 1);
 }
 
-TEST_CASE("of several published values the latest wins") {
+TEST_CASE("The latest of several published values wins") {
   TripleBuffer<int> buffer(0);
   for (int value = 1; value <= 5; ++value) {
     buffer.back() = value;
@@ -41,7 +41,7 @@ TEST_CASE("of several published values the latest wins") {
   CHECK_FALSE(buffer.update());
 }
 
-TEST_CASE("the writer never gets the slot that the reader holds") {
+TEST_CASE("The writer never gets the slot that the reader holds") {
   TripleBuffer<int> buffer(0);
   buffer.back() = 1;
   buffer.publish();
@@ -55,7 +55,7 @@ TEST_CASE("the writer never gets the slot that the reader holds") {
   CHECK(*held == 1);
 }
 
-TEST_CASE("two threads hand over whole images only, in order, and the last one arrives") {
+TEST_CASE("Two threads hand over only complete images, in order, and the last one arrives") {
   using Image = std::array<std::uint64_t, 64>;
   constexpr std::uint64_t kLast = 100'000;
   TripleBuffer<Image> buffer(Image{});

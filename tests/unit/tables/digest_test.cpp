@@ -1,4 +1,4 @@
-// model_hash: equal for equal tables, another as soon as anything differs.
+// model_hash: equal for equal tables, different if anything differs.
 #include "symplant/tables/digest.hpp"
 
 #include <functional>
@@ -94,7 +94,7 @@ struct Sample {
   }
 };
 
-TEST_CASE("every field of every row counts for the hash") {
+TEST_CASE("Every field of every row changes the hash") {
   const std::vector<std::function<void(Sample&)>> changes{
       [](Sample& s) { s.transitions[0].from = 1; },
       [](Sample& s) { s.transitions[0].to = 0; },
@@ -200,7 +200,7 @@ TEST_CASE("every field of every row counts for the hash") {
       [](Sample& s) { s.initial.clear(); },
       [](Sample& s) { s.random.clear(); },
       [](Sample& s) { s.disables.clear(); },
-      [](Sample& s) { s.operation_watches.clear(); },  // one watch, on the one side or on the other
+      [](Sample& s) { s.operation_watches.clear(); },  // one watch, on one side or on the other
       [](Sample& s) { s.event_watches.clear(); },
       [](Sample& s) { std::swap(s.operation_values, s.event_values); },
   };
@@ -213,7 +213,7 @@ TEST_CASE("every field of every row counts for the hash") {
   }
 }
 
-TEST_CASE("whose addresses symbols have counts, and how their lists are cut does not") {
+TEST_CASE("The controllers of symbols change the hash, and the division into lists does not") {
   Sample two;
   two.symbols.push_back(two.symbols[0]);
   two.symbols.push_back(two.symbols[0]);
@@ -235,7 +235,7 @@ TEST_CASE("whose addresses symbols have counts, and how their lists are cut does
   CHECK(named.hash() != before);
 }
 
-TEST_CASE("where the list lies and in which line a symbol stands do not count") {
+TEST_CASE("The path of the list and the lines of symbols do not change the hash") {
   Sample sample;
   const std::uint64_t before = sample.hash();
   sample.list_names = {"other.csv\0", 10};

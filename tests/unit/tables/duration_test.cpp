@@ -1,4 +1,4 @@
-// Durations as people write them.
+// Durations in their written form.
 #include "symplant/tables/duration.hpp"
 
 #include "support/catch.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using tables::parse_duration;
 
-TEST_CASE("durations are read exactly") {
+TEST_CASE("Durations are read exactly") {
   CHECK(parse_duration("500ms") == 500'000'000);
   CHECK(parse_duration("1.5 s") == 1'500'000'000);
   CHECK(parse_duration("  2h ") == 7'200'000'000'000);
@@ -24,7 +24,7 @@ TEST_CASE("durations are read exactly") {
   CHECK(parse_duration("9223372036854775806ns") == tables::kNever - 1);
 }
 
-TEST_CASE("what is no duration is refused") {
+TEST_CASE("An invalid duration is rejected") {
   for (const char* text : {"",
                            "s",
                            "5",

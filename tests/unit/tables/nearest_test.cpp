@@ -19,7 +19,7 @@ TEST_CASE("The name with the fewest slips is the nearest, the first of several")
   CHECK(nearest("clamp", {"CLAMPED", "CLAMP"}) == "CLAMP");
 }
 
-TEST_CASE("What is too far is no nearest name") {
+TEST_CASE("A name that is too different is not the nearest") {
   CHECK(nearest("RUN2", {"IDLE1"}) == "");
   CHECK(nearest("AB", {"CD"}) == "");
   CHECK(nearest("", {"ABC"}) == "");

@@ -15,7 +15,7 @@ namespace {
 
 const std::string kText = "Class;Name\r\nVAR_GLOBAL;\xC3\x84\xEC\x9A\xB4\xF0\x9F\x98\x80\n";
 
-/// UTF-16 of UTF-8, high byte first or last.
+/// Converts UTF-8 to UTF-16, high or low byte first.
 std::string utf16(const std::string& text, bool big) {
   std::string bytes;
   const auto unit = [&](char32_t value) {
@@ -51,21 +51,21 @@ TEST_CASE("UTF-8 is read with and without a byte order mark") {
   check_decodes("\xEF\xBB\xBF" + kText, Encoding::utf8);
 }
 
-TEST_CASE("UTF-16 is read both ways, with and without a byte order mark") {
+TEST_CASE("UTF-16 is read in both byte orders, with and without a byte order mark") {
   check_decodes("\xFF\xFE" + utf16(kText, false), Encoding::utf16le);
   check_decodes("\xFE\xFF" + utf16(kText, true), Encoding::utf16be);
   check_decodes(utf16(kText, false), Encoding::utf16le);
   check_decodes(utf16(kText, true), Encoding::utf16be);
 }
 
-TEST_CASE("UTF-16 in which only the delimiters are ASCII is still recognised") {
+TEST_CASE("UTF-16 in which only the delimiters are ASCII is still recognized") {
   const std::string korean = "\xEC\x9A\xB4\xEC\xA0\x84,\xEC\x9A\xB4,\xEC\xA0\x84\r\n";
   const auto decoded = decode(utf16(korean, false));
   REQUIRE(decoded);
   CHECK(decoded->text == korean);
 }
 
-TEST_CASE("A long UTF-16 text is whole, across the decoder's own blocks") {
+TEST_CASE("A long UTF-16 text is complete across the decoder's blocks") {
   std::string text;
   for (int i = 0; i < 20000; ++i) text += i % 37 == 0 ? "\xC3\x84" : "a";
   const auto decoded = decode("\xFE\xFF" + utf16(text, true));
@@ -73,7 +73,7 @@ TEST_CASE("A long UTF-16 text is whole, across the decoder's own blocks") {
   CHECK(decoded->text == text);
 }
 
-TEST_CASE("An encoding that is asked for is taken instead of the sniffed one") {
+TEST_CASE("A given encoding overrides the detected one") {
   const Encoding forced = Encoding::utf16be;
   const auto decoded = decode(utf16("AB", true), &forced);
   REQUIRE(decoded);
@@ -82,7 +82,7 @@ TEST_CASE("An encoding that is asked for is taken instead of the sniffed one") {
   CHECK_FALSE(decode(utf16("AB", true), &wrong));
 }
 
-TEST_CASE("Text of another code page is refused, with the place and what to do") {
+TEST_CASE("Text in another code page is rejected, with its location and a hint") {
   const auto decoded = decode("abc\nde\xE4xyz\nmore");
   REQUIRE_FALSE(decoded);
   CHECK(decoded.error().line == 2);
@@ -93,13 +93,13 @@ TEST_CASE("Text of another code page is refused, with the place and what to do")
   CHECK(decoded.error().shown_offset == 6);
 }
 
-TEST_CASE("Ill-formed UTF-8 is refused") {
+TEST_CASE("Invalid UTF-8 is rejected") {
   const auto bytes = GENERATE(as<std::string>(), "\xC0\x80", "\xC1\xBF", "\xE0\x80\x80", "\xED\xA0\x80",
                               "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\x80", "\xE2\x82", "\xC3", "12345678\xC3");
   CHECK_FALSE(decode("a,b\n" + bytes));
 }
 
-TEST_CASE("A NUL character is refused with its place") {
+TEST_CASE("A NUL character is rejected with its location") {
   const auto decoded = decode("abc,def\r\ng\0h"s);
   REQUIRE_FALSE(decoded);
   CHECK(decoded.error().line == 2);
@@ -107,7 +107,7 @@ TEST_CASE("A NUL character is refused with its place") {
   CHECK(test::contains(decoded.error().what, "U+0000"));
 }
 
-TEST_CASE("One NUL or Ctrl-Z after the last line is the end mark of some tools") {
+TEST_CASE("One NUL or Ctrl-Z after the last line is accepted as the end mark of some tools") {
   for (const std::string& mark : {"\0"s, "\x1A"s}) {
     const auto decoded = decode("abc\n" + mark);
     REQUIRE(decoded);
@@ -116,7 +116,7 @@ TEST_CASE("One NUL or Ctrl-Z after the last line is the end mark of some tools")
   CHECK_FALSE(decode("abc\0"s));
 }
 
-TEST_CASE("A binary file is refused as such") {
+TEST_CASE("A binary file is rejected as such") {
   const auto elf = decode(
       "\x7F"
       "ELF\x02\x01\x01\0\0\0\0\0\0\0\0\0\x03\0>\0\x01\0\0\0"s);
@@ -130,11 +130,11 @@ TEST_CASE("A binary file is refused as such") {
   CHECK(test::contains(zip.error().what, "workbook"));
 }
 
-TEST_CASE("A stray control character in a long text is let through") {
+TEST_CASE("A stray control character in a long text is accepted") {
   CHECK(decode(std::string(1000, 'a') + "\x07" + std::string(1000, 'b')));
 }
 
-TEST_CASE("Ill-formed UTF-16 is refused with its place") {
+TEST_CASE("Invalid UTF-16 is rejected with its location") {
   const auto lone = decode("\xFF\xFE" + utf16("ab\nc", false) + "\x00\xD8"s + utf16("d", false));
   REQUIRE_FALSE(lone);
   CHECK(lone.error().line == 2);

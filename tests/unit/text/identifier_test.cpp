@@ -1,4 +1,4 @@
-// From names to identifiers.
+// Turns names into identifiers.
 #include "text/identifier.hpp"
 
 #include <array>
@@ -23,7 +23,7 @@ bool is_legal(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("A name that is called plain reads as it is behind a prefix, and no other does") {
+TEST_CASE("A plain name is unchanged after a prefix, and no other name is") {
   std::mt19937 random(1);
   for (int i = 0; i < 20'000; ++i) {
     std::string name;
@@ -55,7 +55,7 @@ TEST_CASE("Underscores are single, and neither lead nor end") {
   CHECK(identifier("__") == "u005F_u005F");
 }
 
-TEST_CASE("A digit does not lead, and nothing is no name") {
+TEST_CASE("An identifier does not start with a digit and is not empty") {
   CHECK(identifier("21010") == "n21010");
   CHECK(identifier("") == "unnamed");
 }
@@ -67,7 +67,7 @@ TEST_CASE("Keywords, alternative tokens and macros get an underscore") {
   CHECK(identifier("CLASS") == "CLASS");
 }
 
-TEST_CASE("A prefix leaves nothing else to mend") {
+TEST_CASE("A prefix leaves nothing else to fix") {
   CHECK(enumerator("P1") == "kP1");
   CHECK(enumerator("RUN2") == "kRUN2");
   CHECK(enumerator("class") == "kclass");
@@ -76,7 +76,7 @@ TEST_CASE("A prefix leaves nothing else to mend") {
   CHECK(enumerator("") == "kunnamed");
 }
 
-TEST_CASE("A long name is cut, and its hash keeps it apart from others") {
+TEST_CASE("A long name is cut, and its hash distinguishes it from others") {
   const std::string name(500, 'a');
   const std::string first = identifier(name + "x");
   CHECK(first.size() == 109);
@@ -85,7 +85,7 @@ TEST_CASE("A long name is cut, and its hash keeps it apart from others") {
   CHECK(identifier(std::string(100, 'a')) == std::string(100, 'a'));
 }
 
-TEST_CASE("Whatever the bytes, the identifier is legal") {
+TEST_CASE("Any bytes give a legal identifier") {
   std::mt19937 random(1);
   const std::string alphabet = "_aA09 \t\n\\\"*/\xC3\x84\xEC\x9A\xB4\xFF\x80?";
   for (int i = 0; i < 20000; ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("Whatever the bytes, the identifier is legal") {
   }
 }
 
-TEST_CASE("Identifiers of a scope differ, whatever their case") {
+TEST_CASE("Identifiers of a scope differ, ignoring case") {
   IdentifierScope scope;
   CHECK(scope.unique("RUN") == "RUN");
   CHECK(scope.unique("run") == "run_2");

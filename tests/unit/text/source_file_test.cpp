@@ -42,7 +42,7 @@ TEST_CASE("Columns count characters and not bytes, and stay within a character")
   CHECK(file.position(6).column == 3);
 }
 
-TEST_CASE("An offset beyond the text is its end") {
+TEST_CASE("An offset after the text is its end") {
   const SourceFile file("list.csv", "abc");
   CHECK(file.position(100).column == 4);
   CHECK(file.line_at(100) == "abc");

@@ -1,4 +1,4 @@
-// Findings as a PLC programmer speaks of them: a sentence each kind.
+// Findings in the words of a PLC programmer: one sentence for each kind.
 #include "symplant/trace/finding_words.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace symplant::test {
 namespace {
 
-/// A plant whose records are told as sentences, "2 s: ..." a line each.
+/// A plant whose records become sentences, "2 s: ...", one per line.
 class Reporter {
  public:
   explicit Reporter(const BenchTables& tables)
@@ -27,7 +27,7 @@ class Reporter {
   }
   Reporter& to(tables::Time milliseconds) {
     plant.advance_to(milliseconds * kMs, &recorder_);
-    std::vector<trace::FoundThing> found;  // of one instant: told as the plant stood at its end
+    std::vector<trace::FoundThing> found;  // of one instant: reported with the plant's state at its end
     bool more = false;
     recorder_.drain([&](const trace::Record& record) {
       history_.apply(record);
@@ -61,22 +61,22 @@ class Reporter {
 
 const std::vector<std::string> kAgv = {"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "AGV_O_P1"};
 
-TEST_CASE("a finding of a unit tells its state and its operations, one of an operation its address and row") {
+TEST_CASE("A unit's finding shows its state and its operations, an operation's shows its address and row") {
   const BenchTables tables(kAgv);
   Reporter reporter(tables);
   reporter.set("AGV_O_P2", true).set("AGV_O_P1", true).to(500);
   CHECK(reporter.reported ==
-        "0.5 s: conflicting operations: L_P_AGV (P1) is sent to several states at once and obeys none of them; "
-        "operations: %QX2 (P2 of L_P_AGV) on since 0.5 s, %QX3 (P1 of L_P_AGV) on since 0.5 s; look for an interlock "
-        "that is missing between these outputs\n");
+        "0.5 s: conflicting operations: L_P_AGV (P1) has commands to several states at once and obeys none of them; "
+        "operations: %QX2 (P2 of L_P_AGV) on since 0.5 s, %QX3 (P1 of L_P_AGV) on since 0.5 s; check for a missing "
+        "interlock between these outputs\n");
   reporter.reported.clear();
   reporter.set("AGV_O_P2", false).to(700);
   CHECK(contains(reporter.reported,
                  "0.7 s: lost command: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), on since "
-                 "0.5 s, went off before L_P_AGV (P1) moved on it"));
+                 "0.5 s, went off before L_P_AGV (P1) moved; check"));
 }
 
-TEST_CASE("a command that leads nowhere, and one to a disabled device, say why") {
+TEST_CASE("A command without effect, and one to a disabled device, report the reason") {
   Reported reported;
   reported.disables("DOOR", "SHUT2", "AGV").on_command("AGV", "P1", "P2", fixed(100 * kMs));
   reported.device("AGV").only = true;
@@ -96,31 +96,31 @@ TEST_CASE("a command that leads nowhere, and one to a disabled device, say why")
   reporter.to(400).set("AGV_O_P2", false).to(500).set("AGV_O_P1", true).to(600);
   CHECK(contains(reporter.reported,
                  "0.6 s: command without effect: PLC output %QX3, operation P1 of L_P_AGV (symbols.csv:5), "
-                 "came on while L_P_AGV is in P2, from where it leads nowhere"));
+                 "came on while L_P_AGV is in P2, from where it has no transition"));
 }
 
-TEST_CASE("a held device that is stopped says which command is on instead") {
+TEST_CASE("A stopped held device reports which command is on instead") {
   Reported reported;
   reported.device("AGV").actuation = tables::Actuation::held;
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_I_P3", "AGV_O_P1", "AGV_O_P2", "AGV_O_P3"}, reported);
   Reporter reporter(tables);
   reporter.set("AGV_O_P2", true).to(100).set("AGV_O_P2", false).set("AGV_O_P3", true).to(200);
   CHECK(contains(reporter.reported,
-                 "0.2 s: stopped under another command: L_P_AGV (P1->P2, standing still midway) stands still"));
+                 "0.2 s: stopped under another command: L_P_AGV (P1->P2, stopped midway) has stopped, since"));
   CHECK(contains(reporter.reported,
                  "%QX5 (P3 of L_P_AGV) on since 0.2 s, %QX4 (P2 of L_P_AGV) on at 0.1 s, off since 0.2 s"));
 }
 
-TEST_CASE("an instantaneous loop names its units in one finding") {
+TEST_CASE("An instantaneous loop names its units in one finding") {
   const BenchTables tables({"A_I_P1", "A_I_P2"},
                            Reported().by_itself("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(0)));
   Reporter reporter(tables);
   CHECK(contains(reporter.reported,
-                 "0 s: instantaneous loop: L_P_A goes round without time passing and is frozen until the run ends"));
+                 "0 s: instantaneous loop: L_P_A loops through states without time passing and is frozen until the run ends"));
   CHECK(contains(reporter.names, "L_P_A\n"));
 }
 
-TEST_CASE("an event that comes and goes within an instant is too short for a PLC") {
+TEST_CASE("An event within one instant is too short for a PLC") {
   const BenchTables tables({"A_I_P1", "A_I_P2", "A_I_P3", "A_O_P2"}, Reported().by_itself("A", "P2", "P3", fixed(0)));
   Reporter reporter(tables);
   reporter.set("A_O_P2", true).to(100).to(2000);
@@ -130,19 +130,19 @@ TEST_CASE("an event that comes and goes within an instant is too short for a PLC
   CHECK(contains(reporter.reported, "L_P_A is in P3; operations: %QX3 (P2 of L_P_A) on since 0.1 s"));
 }
 
-TEST_CASE("a requirement tells the devices that it looks at, and what they were told") {
+TEST_CASE("A requirement reports the devices that it checks, and their commands") {
   Reported reported;
   reported.description.requirements.push_back({"soon", "", "L_P_AGV_O_P2", "L_P_AGV.P2", 500 * kMs});
   const BenchTables tables(kAgv, reported);
   Reporter reporter(tables);
   reporter.to(100).set("AGV_O_P2", true).to(200).to(1000);
   CHECK(reporter.reported ==
-        "0.7 s: requirement violated: `soon`, what was expected within 0.5 s has not come; L_P_AGV is in P1->P2 since "
+        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV is in P1->P2 since "
         "0.2 s, %QX2 (operation P2, symbols.csv:4) is on since 0.2 s\n");
 }
 
 TEST_CASE(
-    "of several devices of a requirement the last to change is told first, with the operation that led it there") {
+    "The last device of a requirement to change is reported first, with the operation that caused it") {
   Reported reported;
   reported.description.requirements.push_back({"apart", "L_P_AGV.moving and L_P_MC.RUN2", "", "", 0});
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "MC_I_IDLE1", "MC_I_RUN2", "MC_O_IDLE1", "MC_O_RUN2"},
@@ -151,12 +151,12 @@ TEST_CASE(
   reporter.set("MC_O_IDLE1", true).to(50).set("MC_O_IDLE1", false).set("MC_O_RUN2", true).to(100).to(1200);
   reporter.set("MC_O_RUN2", false).to(1300).set("AGV_O_P2", true).to(1400);
   CHECK(contains(reporter.reported,
-                 "requirement violated: `apart`, what must never hold begins to hold; "
+                 "requirement violated: `apart`, its condition must never hold and now holds; "
                  "L_P_AGV is in P1->P2 since 1.4 s, %QX2 (operation P2, symbols.csv:4) is on since 1.4 s; "
                  "L_P_MC is in RUN2 since 1.1 s, %QX6 (operation RUN2, symbols.csv:8) was on from 0.1 s to 1.3 s\n"));
 }
 
-TEST_CASE("times are told exactly, without zeros at their end") {
+TEST_CASE("Times are printed exactly, without trailing zeros") {
   CHECK(trace::seconds(0) == "0 s");
   CHECK(trace::seconds(1) == "0.000000001 s");
   CHECK(trace::seconds(2'500'000'000) == "2.5 s");

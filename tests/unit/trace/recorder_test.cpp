@@ -1,4 +1,4 @@
-// The recorder: what it keeps, in which order, and what it does when its ring is full.
+// The recorder: what it keeps, in which order, and what it does if its ring is full.
 #include "symplant/trace/recorder.hpp"
 
 #include <thread>
@@ -15,7 +15,7 @@ using tables::AddressForm;
 using tables::DataType;
 using tables::Direction;
 
-/// Free symbols alone: two BOOL operations whose rows stand the other way round than their bits, and an INT between.
+/// Free symbols only: two BOOL operations with rows in reverse order of their bits, and an INT in between.
 struct FreePlant {
   std::vector<tables::SymbolRow> symbols{
       {1, tables::kNoUnit, 0, 2,
@@ -33,7 +33,7 @@ std::vector<trace::Record> drained(trace::Recorder& recorder) {
   return changes;
 }
 
-TEST_CASE("within an instant changes stand in the order of the list") {
+TEST_CASE("Changes within an instant are in the order of the list") {
   FreePlant p;
   trace::Recorder recorder(p.tables, 16);
   recorder.attach(p.plant);
@@ -51,7 +51,7 @@ TEST_CASE("within an instant changes stand in the order of the list") {
   CHECK(drained(recorder).empty());
 }
 
-TEST_CASE("what does not fit into the ring is counted, and what came first is kept") {
+TEST_CASE("Changes that do not fit into the ring are counted, and the first ones are kept") {
   FreePlant p;
   trace::Recorder recorder(p.tables, 4);
   recorder.attach(p.plant);
@@ -65,10 +65,10 @@ TEST_CASE("what does not fit into the ring is counted, and what came first is ke
   CHECK(recorder.lost_changes() == 6);
   p.plant.set_operation(0, true);
   p.plant.advance_to(20, &recorder);
-  CHECK(drained(recorder).size() == 1);  // there is room again
+  CHECK(drained(recorder).size() == 1);  // there is space again
 }
 
-TEST_CASE("a thread may drain while the plant runs: every change comes once, in order") {
+TEST_CASE("A thread may drain while the plant runs: every change comes once, in order") {
   FreePlant p;
   trace::Recorder recorder(p.tables, 1 << 12);
   recorder.attach(p.plant);

@@ -21,7 +21,7 @@ using trace::json_value;
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-TEST_CASE("values are written so that they read back") {
+TEST_CASE("Written values read back the same") {
   CHECK(json_value(DataType::boolean, 1) == "true");
   CHECK(json_value(DataType::boolean, 0) == "false");
   CHECK(json_value(DataType::int_, static_cast<std::uint64_t>(-3)) == "-3");
@@ -39,7 +39,7 @@ TEST_CASE("values are written so that they read back") {
   }
 }
 
-TEST_CASE("the file is a header and a line a change, whatever the names hold") {
+TEST_CASE("The file is a header and one line per change, for any names") {
   const auto folder = std::filesystem::temp_directory_path() / "symplant_trace_test";
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "trace.jsonl").string();
@@ -69,7 +69,7 @@ TEST_CASE("the file is a header and a line a change, whatever the names hold") {
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("a full disk ends the file and is told once") {
+TEST_CASE("A full disk ends the file and is reported once") {
   if (!std::filesystem::exists("/dev/full")) return;
   const tables::PlantTables tables = bare_tables("p", 64, 64);
   trace::TraceFile file({"trace", "/dev/full"}, tables, 0, 0);
@@ -77,7 +77,7 @@ TEST_CASE("a full disk ends the file and is told once") {
   CHECK(file.error().find("/dev/full") != std::string::npos);
 }
 
-TEST_CASE("a file that cannot be opened says why") {
+TEST_CASE("A file that cannot be opened reports the reason") {
   const tables::PlantTables tables = bare_tables("p", 64, 64);
   const trace::TraceFile file({"trace", "/no/such/folder/trace.jsonl"}, tables, 0, 0);
   CHECK(file.error().find("/no/such/folder/trace.jsonl") != std::string::npos);

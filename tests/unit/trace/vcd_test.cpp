@@ -20,7 +20,7 @@ tables::SymbolRow symbol(DataType type, std::uint32_t index, std::uint32_t unit)
   return {index, unit, 0, 2, tables::symbol_kind(type, tables::Direction::event, tables::AddressForm::none, false)};
 }
 
-/// Two units of one type, one with a bit; numbers that no unit has.
+/// Two units of one type, one with a bit; numbers without a unit.
 struct Tables {
   std::vector<tables::EventMasks> masks{{1, 0}, {0, 1}};
   std::vector<tables::TypeRow> types{{0, 1, 2, tables::kNoState, tables::Actuation::latched, {}, masks, masks, {}}};
@@ -45,14 +45,14 @@ struct Tables {
   }
 };
 
-TEST_CASE("every variable has its scope, its type and its width; names and states cannot break a reader") {
+TEST_CASE("Every variable has its scope, its type and its width; names and states cannot break a reader") {
   const Tables tables;
   const trace::PlantNames names(tables.rows);
   trace::History history(names);
   std::ostringstream out;
   trace::VcdFile file({"VCD file", out}, names);
   using Record = trace::Record;
-  file.write({0, 1, 0});  // before the first values: is in them
+  file.write({0, 1, 0});  // before the first values: included in them
   file.begin(0, history);
   file.write({5, static_cast<std::uint64_t>(-3), 1});
   file.write({5, std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity()), 2});
@@ -75,7 +75,7 @@ TEST_CASE("every variable has its scope, its type and its width; names and state
   CHECK(vcd.last_time == "9");
 }
 
-TEST_CASE("identifiers are short, printable and each another one") {
+TEST_CASE("Identifiers are short, printable and unique") {
   std::set<std::string> seen;
   for (std::size_t i = 0; i < 20'000; ++i) {
     const std::string id = trace::vcd_identifier(i);

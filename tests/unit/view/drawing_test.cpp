@@ -1,4 +1,4 @@
-// Drawings: Graphviz and XML readers take them, and no name gets out of its place.
+// Drawings: Graphviz and XML readers accept them, and every name stays in its element.
 #include <map>
 
 #include "base/process.hpp"
@@ -10,7 +10,7 @@ namespace {
 using base::ProcessCall;
 using base::ProcessError;
 
-/// Notes what it is asked for; answers as it was told.
+/// Records its requests; answers as set up.
 class FakeRunner final : public base::ProcessRunner {
  public:
   explicit FakeRunner(base::Result<std::string, ProcessError> answer) : answer_(std::move(answer)) {}
@@ -36,7 +36,7 @@ bool installed(const std::string& program, std::vector<std::string> arguments) {
   return false;
 }
 
-/// Whether an XML reader takes a text; without one, yes.
+/// Whether an XML reader accepts a text; yes if there is no reader.
 bool is_xml(const std::string& text) {
   static const bool has_python = installed("python3", {"-c", "import xml.dom.minidom"});
   if (!has_python) return true;
@@ -45,7 +45,7 @@ bool is_xml(const std::string& text) {
       runner.run({"python3", {"-c", "import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.stdin)"}, text}));
 }
 
-TEST_CASE("SVG comes from Graphviz where it answers, and it is told so") {
+TEST_CASE("SVG comes from Graphviz if it works, with a message") {
   FakeRunner runner(std::string("<svg>by Graphviz</svg>"));
   const CompiledText cell = described_cell();
   const view::View view = render(cell, "svg", &runner);
@@ -56,7 +56,7 @@ TEST_CASE("SVG comes from Graphviz where it answers, and it is told so") {
   CHECK(runner.input == render(cell, "dot").text);
 }
 
-TEST_CASE("SVG is drawn by symplant itself where Graphviz is not there, fails or gives no picture") {
+TEST_CASE("symplant draws SVG itself if Graphviz is missing, fails or gives no picture") {
   const CompiledText cell = described_cell();
   const std::string own = render(cell, "svg").text;
   FakeRunner absent(ProcessError{ProcessError::Kind::absent, "`dot` is not on the path"});
@@ -68,7 +68,7 @@ TEST_CASE("SVG is drawn by symplant itself where Graphviz is not there, fails or
   CHECK(render(cell, "svg", &mute).text == own);
 }
 
-TEST_CASE("Graphviz itself takes what is written for it, hostile names too") {
+TEST_CASE("Graphviz accepts its input, including hostile names") {
   if (!installed("dot", {"-V"})) return;
   base::SystemProcessRunner runner;
   for (const CompiledText& plant : {described_cell(), hostile_cell()}) {
@@ -81,7 +81,7 @@ TEST_CASE("Graphviz itself takes what is written for it, hostile names too") {
   }
 }
 
-TEST_CASE("SVG and SCXML are sound XML, hostile names too") {
+TEST_CASE("SVG and SCXML are valid XML, including hostile names") {
   CHECK_FALSE(is_xml("<a><b></a>"));
   for (const char* format : {"svg", "scxml"}) {
     INFO(format);
@@ -102,7 +102,7 @@ TEST_CASE("In Mermaid a hostile name stays in its line and its quotes") {
   CHECK_FALSE(contains(text, "%%\n"));
 }
 
-TEST_CASE("Where every state has the same way to another, one arrow stands for all") {
+TEST_CASE("One arrow replaces those of all states with the same transition") {
   const CompiledText cell = described_cell();
   const view::Chart chart = view::chart_of(cell.plant().units[4], cell.plant());
   REQUIRE(chart.edges.size() == 6);
@@ -111,7 +111,7 @@ TEST_CASE("Where every state has the same way to another, one arrow stands for a
   CHECK(contains(dot, "u4_every -> u4_s0 [label=\"O_A1, takes 1 s\"]"));
 }
 
-TEST_CASE("A chart shows commanded ways, automatic ones, conditions and times") {
+TEST_CASE("A chart shows commanded and automatic transitions, conditions and times") {
   const CompiledText cell = described_cell();
   const std::string dot = render(cell, "dot").text;
   for (const char* part : {
@@ -128,13 +128,13 @@ TEST_CASE("A chart shows commanded ways, automatic ones, conditions and times") 
   }
 }
 
-TEST_CASE("A chart shows a spring's own way, also where nobody described it") {
+TEST_CASE("A chart shows a spring return, also without a description") {
   const CompiledText cylinder = compile_rows(bits({"L_P_C_O_ADV", "L_P_C_I_ADV", "L_P_C_I_RET"}));
   CHECK(contains(render(cylinder, "dot").text, "u0_s0 -> u0_s1 [label=\"spring, takes 1 s\"]"));
   CHECK(contains(render(cylinder, "scxml").text, "<symplant:spring-way from=\"ADV\" to=\"RET\" takes=\"1 s\"/>"));
 }
 
-TEST_CASE("SCXML holds conditions as expressions, delays as sends, and the rest in its own namespace") {
+TEST_CASE("SCXML has conditions as expressions, delays as sends, and the rest in a separate namespace") {
   const std::string scxml = render(described_cell(), "scxml").text;
   for (const char* part : {
            "cond=\"!(In(&#39;L_P_MC.RUN2&#39;) || In(&#39;L_Q_DOOR.OPEN1&#39;)) &amp;&amp; value_LEVEL &lt; 2.5\"",

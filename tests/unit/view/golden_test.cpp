@@ -1,10 +1,10 @@
-// Every format of a plant in which everything is described.
+// Every format, for a plant that uses every feature of descriptions.
 #include "view_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("Each view of the described cell is as it was") {
+TEST_CASE("Each view of the described cell equals its golden") {
   const CompiledText cell = described_cell();
   check_view_golden(cell, "table", "cell.txt");
   check_view_golden(cell, "json", "cell.json");
@@ -21,7 +21,7 @@ TEST_CASE("A view is the same each time") {
   }
 }
 
-TEST_CASE("A view of no device is a sound file") {
+TEST_CASE("A view of no device is a valid file") {
   const CompiledText none = compile_rows({{"START", "X1"}});
   for (const view::Format& format : view::formats()) {
     INFO(format.name);

@@ -1,4 +1,4 @@
-// The page for browsers: what it carries, and that no name gets out of its place.
+// The page for browsers: its content, and that every name stays in its element.
 #include <nlohmann/json.hpp>
 
 #include "view_support.hpp"
@@ -25,7 +25,7 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
   return count;
 }
 
-TEST_CASE("The page needs nothing beside it and may not ask for anything") {
+TEST_CASE("The page needs no other file and may not load anything") {
   const std::string page = render(described_cell(), "html").text;
   CHECK(contains(page,
                  "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
@@ -60,7 +60,7 @@ TEST_CASE("The title of the page is text, too") {
   CHECK(contains(render(compiled, "html").text, "<title>a&amp;&lt;b&gt;</title>"));
 }
 
-TEST_CASE("The page carries the whole model") {
+TEST_CASE("The page contains the whole model") {
   const Json data = data_of(render(described_cell(), "html").text);
   const Json& agv = data.at("units")[0];
   CHECK(agv.at("path") == "L_P_AGV");
@@ -82,7 +82,7 @@ TEST_CASE("The page carries the whole model") {
   CHECK(data.at("requirements")[0][1] == "never L_P_MC.RUN2 and not L_P_AGV.P2");
 }
 
-TEST_CASE("Devices of one structure share what the page draws, whatever conditions they have") {
+TEST_CASE("Devices of one structure share the page's drawing, with any conditions") {
   std::vector<std::string> names;
   for (int i = 0; i < 50; ++i) {
     for (const char* end : {"_O_ADV1", "_I_ADV1", "_O_RET2", "_I_RET2"})
@@ -102,7 +102,7 @@ TEST_CASE("Devices of one structure share what the page draws, whatever conditio
   CHECK(data.at("layouts").size() == 2);
 }
 
-TEST_CASE("A page of some devices holds their symbols alone") {
+TEST_CASE("A page of some devices contains only their symbols") {
   const CompiledText cell = described_cell();
   const std::string page = view::find_format("html")->render({cell.plant(), cell.tables(), {2}, nullptr}).text;
   const Json data = data_of(page);

@@ -1,4 +1,4 @@
-// The JSON form against its published schema.
+// Compares the JSON form with its published schema.
 #include <nlohmann/json.hpp>
 
 #include "base/process.hpp"
@@ -20,13 +20,13 @@ std::string faults(const Json& value) {
   return text;
 }
 
-TEST_CASE("What --format json writes fits its schema") {
+TEST_CASE("The output of --format json matches its schema") {
   CHECK(faults(Json::parse(render(described_cell(), "json").text)) == "");
   CHECK(faults(Json::parse(render(hostile_cell(), "json").text)) == "");
   CHECK(faults(Json::parse(render(compile_rows({{"START", "X1"}}), "json").text)) == "");
 }
 
-TEST_CASE("The schema refuses another version, an unknown key and a missing one") {
+TEST_CASE("The schema rejects another version, an unknown key and a missing one") {
   const Json good = Json::parse(render(described_cell(), "json").text);
   Json bad = good;
   bad["symplant-model"] = 2;
@@ -51,13 +51,13 @@ void collect_keys(const Json& schema, std::string& keys) {
   }
 }
 
-TEST_CASE("The schema keeps to keywords that no checker chokes on") {
+TEST_CASE("The schema uses only keywords that every checker supports") {
   std::string keys;
   collect_keys(Json::parse(read_bytes(kSchemaFile)), keys);
   for (const char* keyword : {" pattern ", " patternProperties ", " format "}) CHECK_FALSE(contains(keys, keyword));
 }
 
-TEST_CASE("Python's jsonschema agrees, where it is installed") {
+TEST_CASE("Python's jsonschema agrees, if it is installed") {
   base::SystemProcessRunner runner;
   if (!runner.run({"python3", {"-c", "import jsonschema"}})) {
     WARN("python3-jsonschema is not installed");
@@ -75,7 +75,7 @@ TEST_CASE("Python's jsonschema agrees, where it is installed") {
   CHECK_FALSE(runner.run({"python3", {"-c", program, kSchemaFile}, "{}", std::chrono::seconds(60)}));
 }
 
-TEST_CASE("The JSON form is complete: what a description says is in it, exactly") {
+TEST_CASE("The JSON form contains everything in a description, exactly") {
   const Json model = Json::parse(render(described_cell(), "json").text);
   const Json& agv = model.at("units")[0];
   CHECK(agv.at("line") == "L");

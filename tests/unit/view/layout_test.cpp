@@ -1,4 +1,4 @@
-// The tool's own layout: what must not lie on what.
+// The tool's own layout: which elements must not overlap.
 #include "view/layout.hpp"
 
 #include <cstdlib>
@@ -35,7 +35,7 @@ LayoutKey star(std::uint32_t states) {
   return key;
 }
 
-/// Any operation leads anywhere, and the states follow each other, too.
+/// Any operation leads anywhere, and the states also follow each other.
 LayoutKey every(std::uint32_t states) {
   LayoutKey key = ring(states);
   for (std::uint32_t s = 0; s < states; ++s) key.arrows.push_back({view::kEveryOther, s, 1, 20});
@@ -78,7 +78,7 @@ void check_clear(const LayoutKey& key) {
   }
 }
 
-TEST_CASE("Of two to eight states no label lies on a state or on another label") {
+TEST_CASE("With two to eight states no label overlaps a state or another label") {
   for (std::uint32_t states = 2; states <= 8; ++states) {
     check_clear(ring(states));
     check_clear(star(states));
@@ -87,7 +87,7 @@ TEST_CASE("Of two to eight states no label lies on a state or on another label")
   }
 }
 
-TEST_CASE("Arrows begin and end at the edges of their states, there and back apart") {
+TEST_CASE("Arrows begin and end at the edges of their states, with both directions separate") {
   const view::Layout layout = view::lay_out(complete(3));
   const LayoutKey key = complete(3);
   for (std::size_t i = 0; i < layout.arrows.size(); ++i) {
@@ -109,7 +109,7 @@ TEST_CASE("One state, many states and very many arrows have a layout too") {
   CHECK(view::lay_out(complete(60)).arrows.size() == 60 * 59);
 }
 
-TEST_CASE("Devices of one structure share a layout, whatever their names") {
+TEST_CASE("Devices of one structure share a layout, with any names") {
   const CompiledText plant = compile_rows(
       bits({"A_B_C_O_RUN", "A_B_C_I_RUN", "A_B_C_O_STOP", "X_YY_ZZ_O_MOV", "X_YY_ZZ_I_MOV", "X_YY_ZZ_O_HALT"}));
   const auto key = [&](std::size_t unit) {

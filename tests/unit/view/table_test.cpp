@@ -1,10 +1,10 @@
-// The table: what of a model stands in it.
+// The table: which parts of a model it shows.
 #include "view_support.hpp"
 
 namespace symplant::test {
 namespace {
 
-TEST_CASE("The table shows all that a description says") {
+TEST_CASE("The table shows everything in a description") {
   const std::string table = render(described_cell(), "table").text;
   for (const char* row : {
            "L_P_AGV: latched, starts in P1 (as the description says)\n",
@@ -36,7 +36,7 @@ TEST_CASE("The table shows all that a description says") {
   }
 }
 
-TEST_CASE("The table says how a spring gets back, also where nobody described it") {
+TEST_CASE("The table shows how a spring returns, also without a description") {
   const std::string table = render(compile_rows(bits({"L_P_C_O_ADV", "L_P_C_I_ADV", "L_P_C_I_RET"})), "table").text;
   CHECK(contains(table, "spring      (ADV) -> RET, takes 1 s\n"));
 }

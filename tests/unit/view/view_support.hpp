@@ -1,4 +1,4 @@
-// What the tests of views share: a plant in which everything is described, and one whose names would do harm.
+// Shared parts of the tests of views: a plant with every feature of descriptions, and one with hostile names.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ inline description::GivenTransition transition(std::string from, std::string to)
   return given;
 }
 
-/// A cell: a vehicle that docks, a machine that it feeds, a stopper with a behaviour, a door, a table of six places;
-/// every kind of thing that a description can say stands in it.
+/// A cell: a vehicle that docks, a machine that it feeds, a stopper with a behavior, a door, a table of six positions;
+/// every feature of descriptions is in it.
 inline CompiledText described_cell() {
   using description::Duration;
   std::vector<Row> rows{{"L_P_AGV_O_P1", "Y1", "BOOL", "FALSE", "%QX1"},
@@ -88,7 +88,7 @@ inline CompiledText described_cell() {
   return compiled;
 }
 
-/// Names that would end a string, an element, a comment or a line, wherever a name can stand.
+/// Names that would end a string, an element, a comment or a line, everywhere a name can be.
 inline const std::string kHarm = "</script><img src=x onerror=\"a('&')\">]]>--\\N;\xE2\x80\xAE%%\n";
 
 inline CompiledText hostile_cell() {

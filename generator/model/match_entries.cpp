@@ -1,5 +1,5 @@
-// Entries of the description matched with devices and joined.
-#include "model/describe.hpp"
+// Matches entries of the description with devices, and joins them.
+#include "model/match_entries.hpp"
 
 #include <algorithm>
 #include <map>
@@ -17,15 +17,17 @@ namespace {
 /// An entry whose name is a pattern.
 struct Pattern {
   const description::DeviceDescription* entry;
-  std::size_t literals;  ///< how specific it is
+  std::size_t literals;  ///< characters other than `*` and `?`: how specific it is
   std::size_t matched = 0;
 };
 
-class Describer {
+class EntryMatcher {
  public:
-  Describer(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {}
+  EntryMatcher(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {}
 
-  void run() {
+  /// How many devices each pattern matches, in words.
+  std::vector<std::string> run() {
+    std::vector<std::string> decisions;
     std::vector<const description::DeviceDescription*> exact(plant_.units.size());
     find_exact(exact);
     find_patterns();
@@ -41,7 +43,7 @@ class Describer {
       unit.described = joined(unit, exact[u], entries);
     }
     for (const Pattern& pattern : patterns_) {
-      plant_.description_decisions.push_back(description::ticked(pattern.entry->path) + " speaks of " +
+      decisions.push_back(description::ticked(pattern.entry->path) + " matches " +
                                              std::to_string(pattern.matched) +
                                              (pattern.matched == 1 ? " device" : " devices"));
       if (pattern.matched != 0) continue;
@@ -49,6 +51,7 @@ class Describer {
                    description::ticked(pattern.entry->path) + " matches no device",
                    description::FaultKind::matches_nothing);
     }
+    return decisions;
   }
 
  private:
@@ -67,7 +70,7 @@ class Describer {
                     description::FaultKind::unknown_name);
       } else if (exact[found->second] != nullptr) {
         description::DescriptionFault fault{description::device_pointer(device).text(),
-                                            description::ticked(device.path) + " is described twice, join both"};
+                                            description::ticked(device.path) + " is described twice; merge both"};
         fault.related = description::device_pointer(*exact[found->second]).text();
         fault.related_message = "the other description";
         faults_.add(std::move(fault));
@@ -77,7 +80,7 @@ class Describer {
     }
   }
 
-  /// The most specific first, of equal ones in the order of the file.
+  /// Sorts patterns: the most specific first, equal ones in the order of the file.
   void find_patterns() {
     for (const description::DeviceDescription& device : plant_.description->devices) {
       if (device.is_pattern()) patterns_.push_back({&device, text::literal_characters(device.path)});
@@ -116,7 +119,7 @@ class Describer {
     return all;
   }
 
-  /// The first that gives the key. Others as specific as it must agree.
+  /// The first pattern that gives the key; equally specific ones must agree with it.
   const description::DeviceDescription* best_of(const Unit& unit,
                                                 const std::vector<const description::DeviceDescription*>& patterns,
                                                 description::DeviceKey key) {
@@ -149,7 +152,7 @@ class Describer {
         description::key_pointer(second, key).text(),
         description::ticked(second.path) + " and " + description::ticked(first.path) +
             " are equally specific and give `" + std::string(description::device_key_name(key)) + "` of " +
-            description::ticked(unit.path) + " different values, make one more specific or name the device"};
+            description::ticked(unit.path) + " different values; make one more specific or name the device"};
     fault.kind = description::FaultKind::patterns;
     fault.at_key = true;
     fault.related = description::key_pointer(first, key).text();
@@ -161,14 +164,15 @@ class Describer {
   description::Faults& faults_;
   std::vector<Pattern> patterns_;
   std::map<std::vector<const description::DeviceDescription*>, const description::DeviceDescription*>
-      by_patterns_;  // never walked
+      by_patterns_;  // never iterated
   std::set<std::pair<std::string, std::string>> contradictions_;
 };
 
 }  // namespace
 
-void describe_units(PlantModel& plant, description::Faults& faults) {
-  if (!plant.description->devices.empty()) Describer(plant, faults).run();
+std::vector<std::string> match_entries(PlantModel& plant, description::Faults& faults) {
+  if (plant.description->devices.empty()) return {};
+  return EntryMatcher(plant, faults).run();
 }
 
 namespace {

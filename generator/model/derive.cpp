@@ -1,13 +1,13 @@
-// From named symbols to the plant model.
-#include "model/build_plant.hpp"
+// The two stages of the derivation.
+#include "model/derive.hpp"
 
-#include <unordered_map>
+#include <utility>
 
 #include "base/index_table.hpp"
 #include "base/large_memory.hpp"
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
-#include "model/describe.hpp"
+#include "model/match_entries.hpp"
 #include "model/links.hpp"
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
@@ -17,13 +17,13 @@
 namespace symplant::model {
 namespace {
 
-constexpr std::size_t kFew = 6;  ///< as many as the smallest piece of memory holds
+constexpr std::size_t kFew = 6;  ///< as many as fit in the smallest allocation
 
-/// Puts every BOOL symbol with a name by the rule into its device's unit.
+/// Adds every BOOL symbol whose name follows the rule to the unit of its device.
 void gather_units(PlantModel& plant) {
   base::IndexTable by_path(plant.symbols.size() / 4);
   base::reserve_large(plant.units, plant.symbols.size() / 4);
-  std::uint32_t last = kNone;  // rows of one device mostly stand together
+  std::uint32_t last = kNone;  // rows of one device are mostly adjacent
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
     if (symbol.type != tables::DataType::boolean) {
@@ -54,7 +54,7 @@ void gather_units(PlantModel& plant) {
   }
 }
 
-/// Of several symbols with one task and direction the first stays.
+/// Of several symbols with one task and direction only the first is kept.
 void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& symbols) {
   if (side.size() < 2) return;
   const auto taken = [&](std::size_t index) {
@@ -88,8 +88,9 @@ void drop_taken_tasks(std::vector<std::uint32_t>& side, std::vector<Symbol>& sym
   });
 }
 
-/// False where the unit is larger than a unit may be; its symbols are unmodelled then.
-bool within_limits(Unit& unit, PlantModel& plant, description::Faults& faults) {
+/// False if the unit exceeds the limits; then its symbols become unmodelled.
+bool within_limits(Unit& unit, Derived& derived, description::Faults& faults) {
+  PlantModel& plant = derived.plant;
   const std::size_t symbols = unit.operations.size() + unit.events.size();
   if (unit.operations.size() <= tables::kMaxOperations && unit.events.size() <= tables::kMaxEvents &&
       symbols <= tables::kMaxStates) {
@@ -106,24 +107,25 @@ bool within_limits(Unit& unit, PlantModel& plant, description::Faults& faults) {
     plant.symbols[symbol].unmodelled = Unmodelled::unit_too_large;
     plant.symbols[symbol].unit = kNone;
   }
-  plant.too_large.push_back(std::move(large));
+  derived.evidence.too_large.push_back(std::move(large));
   if (unit.described != nullptr && !unit.described->is_pattern()) {
-    faults.add(
-        description::device_pointer(*unit.described),
-        description::ticked(unit.path) + " is described, but has too many symbols for a device and stays unmodelled");
+    faults.add(description::device_pointer(*unit.described),
+               description::ticked(unit.path) +
+                   " has too many symbols for a device and is not modelled; remove its description");
   }
   return false;
 }
 
-void derive_units(PlantModel& plant, description::Faults& faults) {
+void derive_units(Derived& derived, description::Faults& faults) {
+  PlantModel& plant = derived.plant;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
     drop_taken_tasks(unit.operations, plant.symbols);
     drop_taken_tasks(unit.events, plant.symbols);
-    if (!within_limits(unit, plant, faults)) continue;
+    if (!within_limits(unit, derived, faults)) continue;
     if (unit.described != nullptr) faults.describes(*unit.described);
-    derive_unit(unit, plant.symbols, plant.description->defaults, faults);
+    derived.evidence.units.push_back(derive_unit(unit, plant.symbols, plant.description->defaults, faults));
     if (kept != i) {
       for (const auto* side : {&unit.operations, &unit.events}) {
         for (const std::uint32_t symbol : *side) plant.symbols[symbol].unit = static_cast<std::uint32_t>(kept);
@@ -137,23 +139,31 @@ void derive_units(PlantModel& plant, description::Faults& faults) {
 
 }  // namespace
 
-PlantModel build_plant(const std::vector<ListInput>& lists, const BuildOptions& options) {
-  PlantModel plant;
-  plant.name = options.plant_name;
+Derived derive(const std::vector<ListInput>& lists, std::string plant_name) {
+  Derived derived;
+  derived.plant.name = std::move(plant_name);
+  derived.plant.rule = lists.front().named.rule;
+  collect_symbols(derived, lists);
+  gather_units(derived.plant);
+  return derived;
+}
+
+Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
+                 std::shared_ptr<const text::SourceFile> source) {
+  PlantModel& plant = derived.plant;
+  Evidence& evidence = derived.evidence;
   plant.description =
-      options.description != nullptr ? options.description : std::make_shared<const description::Description>();
-  plant.rule = lists.front().named.rule;
-  collect_symbols(plant, lists);
-  gather_units(plant);
-  description::Faults faults(plant.description_faults, plant.description_warnings);
+      description != nullptr ? std::move(description) : std::make_shared<const description::Description>();
+  plant.description_source = std::move(source);
+  description::Faults faults(evidence.faults, evidence.warnings);
   const std::vector<const description::LinkDescription*> links = check_links(plant, faults);
-  describe_units(plant, faults);
-  derive_units(plant, faults);
+  evidence.decisions = match_entries(plant, faults);
+  derive_units(derived, faults);
   add_relations(plant, faults);
   report_lacks(plant, faults);
-  find_shared_addresses(plant);
+  evidence.driven_twice = find_shared_addresses(plant);
   resolve_links(plant, links, faults);
-  return plant;
+  return derived;
 }
 
 }  // namespace symplant::model

@@ -1,4 +1,4 @@
-// Sets of places of a Modbus table, by ranges.
+// A set of addresses of a Modbus table, changed and queried by ranges.
 #pragma once
 
 #include <bit>
@@ -8,15 +8,15 @@
 
 namespace symplant::link::modbus {
 
-/// A set of places below a size. All memory is taken by the constructor; a range costs a step for each 64 places.
-class PlaceSet {
+/// A set of addresses below a size. Only the constructor allocates; a range costs one step for each 64 addresses.
+class AddressSet {
  public:
-  explicit PlaceSet(std::uint32_t size = 0) : words_((size + kBits - 1) / kBits) {}
+  explicit AddressSet(std::uint32_t size = 0) : words_((size + kBits - 1) / kBits) {}
 
   void add(std::uint32_t first, std::uint32_t count) noexcept {
     over(first, count, [this](std::size_t word, std::uint64_t mask) { words_[word] |= mask; });
   }
-  /// Returns how many of them were in it.
+  /// Returns the number of removed addresses.
   std::uint32_t remove(std::uint32_t first, std::uint32_t count) noexcept {
     std::uint32_t removed = 0;
     over(first, count, [&](std::size_t word, std::uint64_t mask) {
@@ -42,8 +42,8 @@ class PlaceSet {
     for (const std::uint64_t word : words_) size += static_cast<std::uint32_t>(std::popcount(word));
     return size;
   }
-  /// Takes the places that two sets of the same size have in common.
-  void assign_common(const PlaceSet& one, const PlaceSet& other) noexcept {
+  /// Becomes the intersection of two sets of the same size.
+  void assign_common(const AddressSet& one, const AddressSet& other) noexcept {
     for (std::size_t word = 0; word < words_.size(); ++word) words_[word] = one.words_[word] & other.words_[word];
   }
 

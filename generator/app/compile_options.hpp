@@ -1,0 +1,21 @@
+// What a command says of the plant to be compiled.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "address/address.hpp"
+#include "findings/selection.hpp"
+#include "read/readers.hpp"
+
+namespace symplant::app {
+
+struct CompileOptions {
+  std::string plant;                    ///< a plant.json, or a symbol list
+  read::ReadOptions read;               ///< for lists whose entry in plant.json does not say otherwise
+  std::optional<address::Radix> xy;     ///< the same
+  std::string today = {};               ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
+  findings::Selection selection = {};   ///< which findings are reported
+};
+
+}  // namespace symplant::app

@@ -1,0 +1,94 @@
+// SP415 no-device: the plant has I/O symbols and no device.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "check/rules.hpp"
+
+namespace symplant::check {
+namespace {
+
+constexpr std::string_view kNoDevicePage =
+    R"(The lists have I/O symbols, but none of them is in a device. Devices are made from BOOL symbols whose names have the form of
+the naming rule, `LINE_PROC_DEV_I|O_TASK`: `EXLINE_MB_AGV_O_P1` and `EXLINE_MB_AGV_I_P1` are an operation and an event of the
+device `EXLINE_MB_AGV`. The message counts the symbols by reason.
+
+**What the model loses.** All behavior. The symbols would be on the links, but nothing drives an input and no output has an
+effect.
+
+**How to fix it.** Rename the symbols by the rule; the other findings show each name that does not follow it. If you want a
+plant of plain signals without devices, set `"check": { "severity": { "no-device": "note" } }` in plant.json.
+)";
+
+/// Why symbols are in no device, and how many of them.
+struct Outside {
+  std::size_t count = 0;
+  std::string_view one;
+  std::string_view several;
+  std::string_view advice;
+};
+
+/// Indexes in reasons_outside().
+enum OutsideBy : std::size_t { kByLevels, kByEmpty, kByDirection, kByCharacter, kByNumber, kBySize };
+
+OutsideBy outside_by(const model::Symbol& symbol) {
+  if (symbol.unmodelled == model::Unmodelled::numeric) return kByNumber;
+  switch (symbol.reading.fault) {
+    case name::NameFault::wrong_number_of_levels:
+      return kByLevels;
+    case name::NameFault::empty_level:
+      return kByEmpty;
+    case name::NameFault::direction_not_io:
+      return kByDirection;
+    case name::NameFault::illegal_character:
+      return kByCharacter;
+    case name::NameFault::none:
+      break;
+  }
+  return kBySize;
+}
+
+std::vector<Outside> reasons_outside(const model::PlantModel& plant) {
+  constexpr std::string_view kRename = "rename them by";
+  std::vector<Outside> reasons{
+      {0, "name has another number of levels", "names have another number of levels", kRename},
+      {0, "name has an empty level", "names have an empty level", kRename},
+      {0, "name has no direction", "names have no direction", kRename},
+      {0, "name has a character that is neither letter nor digit",
+       "names have characters that are neither letter nor digit", kRename},
+      {0, "is a number", "are numbers", "add BOOL symbols named by"},
+      {0, "is in a device that is too large", "are in devices that are too large",
+       "check the device level of the names in"},
+  };
+  for (const model::Symbol& symbol : plant.symbols) ++reasons[outside_by(symbol)].count;
+  std::erase_if(reasons, [](const Outside& reason) { return reason.count == 0; });
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const Outside& a, const Outside& b) { return a.count > b.count; });
+  return reasons;
+}
+
+void check_no_device(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
+  const model::PlantModel& plant = subject.plant;
+  if (plant.symbols.empty() || !plant.units.empty()) return;
+  const std::vector<Outside> reasons = reasons_outside(plant);
+  std::string text;
+  for (const Outside& reason : reasons) {
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", reason.count, reason.count == 1 ? reason.one : reason.several);
+  }
+  diagnostics.add(rule.info,
+                  fmt::format("none of {} I/O symbol{} is in a device: {}; {} `{}`", plant.symbols.size(),
+                              plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice, plant.rule->pattern),
+                  location_of(plant, plant.symbols.front()));
+}
+
+}  // namespace
+
+const Rule kNoDevice{
+    {"SP415", "no-device", diag::Severity::error, "the plant has I/O symbols and no device", kNoDevicePage},
+    check_no_device};
+
+}  // namespace symplant::check

@@ -1,0 +1,25 @@
+// From named symbols to the plant model, in two stages: what the names say, then what the description adds.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/derived.hpp"
+#include "model/list_input.hpp"
+
+namespace symplant::model {
+
+/// The first stage: classifies the rows and groups the symbols by device. Units have operations and events and no
+/// states yet. `lists` holds at least one list, and one naming rule has parsed all of them. Names of controllers compare
+/// without regard to the case of ASCII letters. O(rows).
+Derived derive(const std::vector<ListInput>& lists, std::string plant_name);
+
+/// The second stage: matches the description's entries with devices, derives each unit's model, resolves relations,
+/// shared addresses and links. A null `description` means that there is none; `source` is its file, null without one.
+/// Errors of the description are in Evidence::faults. O(rows), O(states squared) within a unit, and O(entries) of the
+/// description, where a `*` counts as one entry a state.
+Derived describe(Derived derived, std::shared_ptr<const description::Description> description,
+                 std::shared_ptr<const text::SourceFile> source = nullptr);
+
+}  // namespace symplant::model
