@@ -34,7 +34,10 @@ std::optional<std::uint64_t> number_of(std::string_view digits, int base) {
 class Key {
  public:
   void add(std::uint64_t part) {
-    for (int byte = 0; byte < 8; ++byte, part >>= 8U) value_ = (value_ ^ (part & 0xFFU)) * 0x100000001B3U;
+    for (int byte = 0; byte < 8; ++byte) {
+      value_ = (value_ ^ (part & 0xFFU)) * 0x100000001B3U;
+      part >>= 8U;
+    }
   }
   void add(std::string_view text) {
     for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(upper(c))));

@@ -1,7 +1,11 @@
 // Adds the commands to the option tree. Each command has a source file.
 #pragma once
 
-#include "app/tool.hpp"
+#include "app/context.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace symplant::app {
 

@@ -66,8 +66,14 @@ Excerpt cut_out(std::string_view line, text::Span location) {
   bool begun = false;
   bool ended = false;
   for (;;) {
-    if (!begun && at >= location.begin) excerpt.begin = column, begun = true;
-    if (!ended && at >= location.end) excerpt.end = column, ended = true;
+    if (!begun && at >= location.begin) {
+      excerpt.begin = column;
+      begun = true;
+    }
+    if (!ended && at >= location.end) {
+      excerpt.end = column;
+      ended = true;
+    }
     if (at >= line.size()) break;
     if (column >= kWindow) {
       excerpt.shown += kEllipsis;

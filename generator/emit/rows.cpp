@@ -127,7 +127,7 @@ void symbol_rows(RowWriter& rows, const lower::EngineTables& tables, const model
     }
     const tables::SymbolRow& row = tables.symbols[i];
     rows.text("    {").number(row.index).text(", ");
-    if (row.unit == tables::kNoUnit) {
+    if (row.unit == tables::kNone) {
       rows.text("kFree");
     } else {
       rows.number(row.unit);

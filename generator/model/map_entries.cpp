@@ -145,7 +145,7 @@ class LinkResolver {
         text::upper(meant.entry->text.back()) >= 'A' && text::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;
     faults_.add(meant.pointer / "area", description::ticked(meant.entry->text) +
-                                          " is not an area of inputs or outputs; write " + std::string(kAreas));
+                                            " is not an area of inputs or outputs; write " + std::string(kAreas));
     return false;
   }
 
@@ -283,10 +283,10 @@ class LinkResolver {
       if (own == own_.end()) continue;
       const auto [found, added] = numbers.try_emplace(leader(row.symbol), row.number, row.symbol);
       if (added || found->second.first == row.number) continue;
-      faults_.add(own->second->pointer / "number", description::ticked(plant_.symbols[row.symbol].name()) +
-                                                     " has the same address as " +
-                                                     description::ticked(plant_.symbols[found->second.second].name()) +
-                                                     ", which has another `number`; give both the same");
+      faults_.add(own->second->pointer / "number",
+                  description::ticked(plant_.symbols[row.symbol].name()) + " has the same address as " +
+                      description::ticked(plant_.symbols[found->second.second].name()) +
+                      ", which has another `number`; give both the same");
     }
     if (numbers.empty()) return;
     for (link::MapRow& row : rows) {

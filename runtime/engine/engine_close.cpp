@@ -87,7 +87,7 @@ bool Engine::may_be_finding(const WordChange& change) const noexcept {
   for (std::uint64_t bits = change.bits & on & ~served[change.word]; bits != 0; bits &= bits - 1) {
     const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
     const std::uint32_t unit = index.unit_of_operation[bit];
-    if (unit == tables::kNoUnit || (units[unit].flags & (kMoving | kHalted)) == kMoving) continue;
+    if (unit == tables::kNone || (units[unit].flags & (kMoving | kHalted)) == kMoving) continue;
     const tables::UnitRow& row = tables.units[unit];
     const std::uint64_t starts = index.types[row.type].starts[units[unit].state] << (row.operation_bit % 64);
     if ((units[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;

@@ -76,7 +76,7 @@ void Engine::report_operations(tables::FindingKind kind) noexcept {
     for (; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t unit = index.unit_of_operation[bit];
-      if (unit == tables::kNoUnit || !is_operation_finding(kind, unit, bit)) continue;
+      if (unit == tables::kNone || !is_operation_finding(kind, unit, bit)) continue;
       if (!lost) reported[change.word] |= bit_in_word(bit);
       marks_.mark(index.symbol_of_operation[bit]);
     }
@@ -89,8 +89,8 @@ void Engine::report_short_events() noexcept {
     for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t symbol = index.symbol_of_event[bit];
-      const std::uint32_t unit = tables.symbols.empty() ? tables::kNoUnit : tables.symbols[symbol].unit;
-      if (unit == tables::kNoUnit || (units[unit].flags & kFrozen) == 0) marks_.mark(symbol);
+      const std::uint32_t unit = tables.symbols.empty() ? tables::kNone : tables.symbols[symbol].unit;
+      if (unit == tables::kNone || (units[unit].flags & kFrozen) == 0) marks_.mark(symbol);
     }
   }
   short_events_.size = 0;
@@ -100,14 +100,14 @@ void Engine::report_short_events() noexcept {
 /// Reports the loops frozen in this instant, in the order of their first units.
 void Engine::report_loops() noexcept {
   std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit in table order
-  first.fill(tables::kNoUnit);
+  first.fill(tables::kNone);
   for (const std::uint32_t unit : touched_.view()) {
     if ((units[unit].flags & kFrozenNow) != 0) first[units[unit].steps] = std::min(first[units[unit].steps], unit);
   }
   for (;;) {
     const auto next = std::min_element(first.begin(), first.end());
-    if (*next == tables::kNoUnit) break;
-    *next = tables::kNoUnit;
+    if (*next == tables::kNone) break;
+    *next = tables::kNone;
     const auto loop = static_cast<std::uint8_t>(next - first.begin());
     for (const std::uint32_t unit : touched_.view()) {
       if ((units[unit].flags & kFrozenNow) != 0 && units[unit].steps == loop) marks_.mark(unit);

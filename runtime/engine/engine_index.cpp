@@ -107,14 +107,14 @@ void UnitOfOperation::build(const tables::PlantTables& tables, Arena& arena) noe
   auto* first = arena.take<std::uint32_t>(tables.operation_bits / 64);
   auto* steps = arena.take<std::uint8_t>(tables.operation_bits);
   if (first == nullptr || steps == nullptr) return;
-  std::fill(first, first + tables.operation_bits / 64, tables::kNoUnit);
-  std::fill(steps, steps + tables.operation_bits, kNone);
+  std::fill(first, first + tables.operation_bits / 64, tables::kNone);
+  std::fill(steps, steps + tables.operation_bits, kNoStep);
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
     const tables::UnitRow& row = tables.units[unit];
     const std::uint8_t count = tables.types[row.type].operations;
     if (count == 0) continue;
     std::uint32_t& begin = first[row.operation_bit / 64];
-    if (begin == tables::kNoUnit) begin = unit;
+    if (begin == tables::kNone) begin = unit;
     std::fill_n(steps + row.operation_bit, count, static_cast<std::uint8_t>(unit - begin));
   }
   first_ = first;
@@ -133,7 +133,7 @@ void GeneralUnits::build(const tables::PlantTables& tables, const TypeIndex* typ
   if (types == nullptr || size_ == 0) return;
   std::uint32_t position = 0;
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
-    positions[unit] = tables.units[unit].general != 0 ? position++ : kNoPosition;
+    positions[unit] = tables.units[unit].general != 0 ? position++ : tables::kNone;
   }
   rows_ = rows;
   positions_ = positions;
@@ -149,7 +149,7 @@ void GeneralUnits::fill(const tables::PlantTables& tables, const TypeIndex* type
   const auto size_of = [](const auto& rows) { return static_cast<std::uint32_t>(rows.size()); };
   for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
     if (tables.units[unit].general == 0) continue;
-    *row = {unit, 0, record, watch, watch, disable, disable, kNoPosition};
+    *row = {unit, 0, record, watch, watch, disable, disable, tables::kNone};
     record += types[tables.units[unit].type].records;
     while (watch < size_of(tables.unit_watches) && tables.unit_watches[watch].unit == unit) ++watch;
     row->watch_end = watch;

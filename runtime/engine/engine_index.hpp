@@ -12,7 +12,6 @@
 namespace symplant::engine {
 
 inline constexpr std::uint16_t kNoRecord = 0xFFFF;
-inline constexpr std::uint32_t kNoPosition = 0xFFFF'FFFF;
 
 /// A type's transitions by the state from which they start, and its operations as masks (bit o: operation o).
 struct TypeIndex {
@@ -45,16 +44,16 @@ struct TypeIndex {
 class UnitOfOperation {
  public:
   void build(const tables::PlantTables& tables, Arena& arena) noexcept;
-  /// kNoUnit if the operation belongs to no unit. O(1).
+  /// kNone if the operation belongs to no unit. O(1).
   std::uint32_t operator[](std::uint32_t bit) const noexcept {
     const std::uint8_t step = steps_[bit];
-    return step == kNone ? tables::kNoUnit : first_[bit / 64] + step;
+    return step == kNoStep ? tables::kNone : first_[bit / 64] + step;
   }
 
  private:
-  static constexpr std::uint8_t kNone = 0xFF;
+  static constexpr std::uint8_t kNoStep = 0xFF;
   const std::uint32_t* first_ = nullptr;  ///< a word -> the first unit that has a bit in it
-  const std::uint8_t* steps_ = nullptr;   ///< a bit -> the index of its unit minus that first unit, or kNone
+  const std::uint8_t* steps_ = nullptr;   ///< a bit -> the index of its unit minus that first unit, or kNoStep
 };
 
 /// Indexes of a general unit's rows in other tables.
@@ -66,7 +65,7 @@ struct GeneralRow {
   std::uint32_t watch_end;
   std::uint32_t disable_begin;  ///< in PlantTables::disables
   std::uint32_t disable_end;
-  std::uint32_t behaviour;  ///< in PlantTables::behaviour_units, or kNoPosition
+  std::uint32_t behaviour;  ///< in PlantTables::behaviour_units, or tables::kNone
 };
 
 /// The general units (UnitRow::general). Needs no memory if a plant has none, else four bytes for every unit.

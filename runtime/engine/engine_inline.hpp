@@ -131,7 +131,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state,
 }
 
 inline const Behaviour* Engine::behaviour_of(const GeneralRow& general) const noexcept {
-  if (general.behaviour == kNoPosition) return nullptr;
+  if (general.behaviour == tables::kNone) return nullptr;
   const std::uint32_t name = tables.behaviour_units[general.behaviour].name;
   return name < behaviours.size() ? &behaviours[name] : nullptr;
 }

@@ -38,7 +38,7 @@ void Engine::change_operations(std::uint32_t word) noexcept {
   const UnitOfOperation unit_of = index.unit_of_operation;  // a copy, so that touch() cannot alias it
   for (std::uint64_t bits = changed; bits != 0; bits &= bits - 1) {
     const std::uint32_t unit = unit_of[word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (unit != tables::kNoUnit) touch(unit);
+    if (unit != tables::kNone) touch(unit);
   }
   if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
 }

@@ -77,7 +77,7 @@ void Engine::halt_times(std::uint32_t unit) noexcept {
     if (record.holds != 0 && record.ready != tables::kNever)
       record.ready = std::max<tables::Time>(0, record.ready - head->now);
   }
-  if (general.behaviour == kNoPosition) return;
+  if (general.behaviour == tables::kNone) return;
   clear_wheel(wheel_entry_of_behaviour(general.behaviour));
   tables::Time& wake = behaviour_states[general.behaviour].wake;
   if (wake != tables::kNever) wake -= head->now;
@@ -97,7 +97,7 @@ void Engine::resume_times(std::uint32_t unit) noexcept {
     Record& record = records[general.first_record + r];
     if (record.holds != 0) record.ready = later(head->now, record.ready);  // the next round puts it in the wheel
   }
-  if (general.behaviour == kNoPosition) return;
+  if (general.behaviour == tables::kNone) return;
   BehaviourState& behaviour = behaviour_states[general.behaviour];
   if (behaviour.wake != tables::kNever) wake_at(general.behaviour, later(head->now, behaviour.wake));
 }

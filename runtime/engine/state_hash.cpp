@@ -107,7 +107,7 @@ std::uint64_t Engine::state_hash() const noexcept {
     hash_behaviour(hash, unit);
   }
   for (const tables::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit == tables::kNoUnit) hash_free_symbol(hash, symbol);
+    if (symbol.unit == tables::kNone) hash_free_symbol(hash, symbol);
   }
   for (std::size_t r = 0; r < tables.requirements.size(); ++r) {
     hash.byte(monitors[r].running != 0 ? 1 : 0);

@@ -10,18 +10,18 @@ void Wheel::clear() noexcept {
   bound_ = tables::kNever;
   words_ = 0;
   occupied_.fill(0);
-  heads_.fill(kNone);
+  heads_.fill(tables::kNone);
 }
 
 void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
-  if (state.next != kNone) units[state.next].previous = state.previous;
-  if (state.previous != kNone) {
+  if (state.next != tables::kNone) units[state.next].previous = state.previous;
+  if (state.previous != tables::kNone) {
     units[state.previous].next = state.next;
   } else {
     const std::uint32_t bucket = bucket_of(state.due);  // still its bucket after every cut
     heads_[bucket] = state.next;
-    if (state.next == kNone) vacate(bucket);
+    if (state.next == tables::kNone) vacate(bucket);
   }
   state.flags &= static_cast<std::uint16_t>(~kTimed);
 }
@@ -29,7 +29,7 @@ void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
 Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept {
   std::uint32_t unit = heads_[bucket];
   Range range{units[unit].due, units[unit].due};
-  while ((unit = units[unit].next) != kNone) {
+  while ((unit = units[unit].next) != tables::kNone) {
     range.first = std::min(range.first, units[unit].due);
     range.last = std::max(range.last, units[unit].due);
   }
@@ -40,7 +40,7 @@ void Wheel::redistribute(UnitState* units, std::uint32_t bucket) noexcept {
   std::uint32_t unit = heads_[bucket];
   vacate(bucket);
   const std::uint32_t now = digit_of(last_, 0);
-  while (unit != kNone) {
+  while (unit != tables::kNone) {
     const std::uint32_t next = units[unit].next;
     link(units, unit, units[unit].due == last_ ? now : bucket_of(units[unit].due));
     unit = next;

@@ -20,8 +20,6 @@ namespace symplant::engine {
 /// Lies in the flat block: it has indexes and no pointers.
 class Wheel {
  public:
-  static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
-
   void clear() noexcept;
 
   /// `due` must not be before any time that earliest() has returned.
@@ -42,10 +40,10 @@ class Wheel {
   /// Removes all units that are due at `time`, which earliest() has just returned. Returns the first of them; the
   /// others are chained by `next`. Their kTimed flags stay set.
   std::uint32_t take(tables::Time time) noexcept;
-  /// The only unit due at `time`, which earliest() has just returned, or kNone if there are several.
+  /// The only unit due at `time`, which earliest() has just returned, or tables::kNone if there are several.
   std::uint32_t sole(const UnitState* units, tables::Time time) const noexcept {
     const std::uint32_t first = heads_[digit_of(time, 0)];
-    return units[first].next == kNone ? first : kNone;
+    return units[first].next == tables::kNone ? first : tables::kNone;
   }
 
  private:
@@ -65,9 +63,9 @@ class Wheel {
   void link(UnitState* units, std::uint32_t unit, std::uint32_t bucket) noexcept {
     const std::uint32_t head = heads_[bucket];
     units[unit].next = head;
-    units[unit].previous = kNone;
+    units[unit].previous = tables::kNone;
     heads_[bucket] = unit;
-    if (head != kNone) {
+    if (head != tables::kNone) {
       units[head].previous = unit;
     } else {
       occupy(bucket);
@@ -79,7 +77,7 @@ class Wheel {
   }
   /// Marks a bucket as empty.
   void vacate(std::uint32_t bucket) noexcept {
-    heads_[bucket] = kNone;
+    heads_[bucket] = tables::kNone;
     occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
     if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint32_t{1} << (bucket / 64));
   }

@@ -18,16 +18,16 @@ constexpr tables::Time kStopped = tables::kNever;
 
 class Run {
  public:
-  Run(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-      CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer, Stepper* stepper) noexcept
+  Run(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
+      const CycleParts& parts) noexcept
       : plant_(plant),
         links_(links),
         options_(options),
-        clock_(clock),
-        meter_(meter),
-        stop_(stop),
-        observer_(observer),
-        stepper_(stepper),
+        clock_(parts.clock),
+        meter_(parts.meter),
+        stop_(parts.stop),
+        observer_(parts.observer),
+        stepper_(parts.stepper),
         cycle_(std::max(options.cycle, tables::Time{1})),
         spin_(std::clamp(options.spin, tables::Time{0}, cycle_)),
         most_(std::max(options.max_catch_up, std::int64_t{0})),
@@ -129,10 +129,9 @@ class Run {
 
 }  // namespace
 
-void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-                CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer,
-                Stepper* stepper) noexcept {
-  Run(plant, links, options, clock, meter, stop, observer, stepper).all();
+void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
+                const CycleParts& parts) noexcept {
+  Run(plant, links, options, parts).all();
   for (Exchange* link : links) link->leave();
 }
 

@@ -21,7 +21,16 @@ struct CycleOptions {
   tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };
 
-/// Runs the plant in real time from its current time until `stop` or `options.until`.
+/// The parts of a real-time run next to the plant and its links. They must outlive the run.
+struct CycleParts {
+  Clock& clock;
+  CycleMeter& meter;              ///< gets the results; any thread may read it meanwhile
+  const std::atomic<bool>& stop;  ///< ends the run within 0.1 s; any thread or a signal handler may set it
+  engine::Observer* observer = nullptr;
+  Stepper* stepper = nullptr;  ///< advances the plant in place of run_cycles()
+};
+
+/// Runs the plant in real time from its current time until `parts.stop` or `options.until`.
 ///
 /// First it runs the plant's instant at now() and writes the events to every link. Then, in each cycle, at plant time
 /// T: it reads the operations from every link, advances the plant to T, writes the events to every link, and calls
@@ -31,14 +40,10 @@ struct CycleOptions {
 ///
 /// While a link freezes the plant, cycles continue with the links only; plant time does not run and is not caught up.
 ///
-/// A `stepper` advances the plant in place of run_cycles(); without `options.until` the run ends with the cycle in
-/// which stepper->over() becomes true. Any thread or a signal handler may set `stop`; it takes effect within 0.1 s. No
+/// With a stepper and without `options.until` the run ends with the cycle in which stepper->over() becomes true. No
 /// heap and no locks; the only system calls are those of the clock. Everything except the links' leave() is guarded
 /// (guard/guard.hpp), so that a run under the trap verifies this.
-///
-/// The results are added to `meter`, which any thread may read meanwhile.
-void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options, Clock& clock,
-                CycleMeter& meter, const std::atomic<bool>& stop, engine::Observer* observer = nullptr,
-                Stepper* stepper = nullptr) noexcept;
+void run_cycles(plant::Plant& plant, std::span<Exchange* const> links, const CycleOptions& options,
+                const CycleParts& parts) noexcept;
 
 }  // namespace symplant::exec

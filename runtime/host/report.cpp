@@ -106,7 +106,7 @@ void Report::report_disarmed(const plant::Plant& plant, std::ostream& out) const
   const auto disarmed = plant.disarmed();
   for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
     const tables::SymbolRow& row = names_.tables().symbols[symbol];
-    if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNoUnit)
+    if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNone)
       continue;
     if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !plant.operation(row.index)) continue;
     out << fmt::format("on but without effect until it has been off: {}\n", shown(trace::symbol_words(symbol, names_)));

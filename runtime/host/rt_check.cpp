@@ -95,7 +95,8 @@ bool run_rt_check(Stage& stage, const RunOptions& options, const Links& links, s
   const exec::GuardReport report = exec::run_watched([&] {
     exec::set_up_real_time({});
     const exec::ThreadFaults before = exec::thread_faults();
-    exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, *meter, stop_requested(), nullptr, &draining);
+    exec::run_cycles(stage.plant, watched.exchanges(), cycle,
+                     {.clock = clock, .meter = *meter, .stop = stop_requested(), .stepper = &draining});
     faults = exec::thread_faults() - before - draining.drained();
   });
   const std::uint64_t cycles = meter->cycles.value();

@@ -123,54 +123,65 @@ bool times_fit(const RunOptions& options, std::ostream& err) {
   return true;
 }
 
-/// Runs the plant from time 0 to the end. Returns the exit code. `report_to_user` takes the texts of the run.
-int play(Stage& stage, const PlantProgram& program, const RunOptions& options, trace::PlantNames& names,
-         const scenario::Scenario* scenario, const LinkChoices& chosen, bool real, LastResort& resort, Console& console,
-         std::ostream& out, std::ostream& report_to_user, std::ostream& err) {
+/// What a run plays.
+struct Played {
+  const PlantProgram& program;
+  const RunOptions& options;
+  trace::PlantNames& names;
+  const scenario::Scenario* scenario;  ///< null: none
+  const LinkChoices& links;
+  bool real;  ///< in real time
+};
+
+/// Runs the plant from time 0 to the end. Returns the exit code.
+int play(Stage& stage, const Played& played, LastResort& resort, const RunStreams& streams) {
+  const PlantProgram& program = played.program;
+  const RunOptions& options = played.options;
   stage.advance_to(0);  // so that links answer from the plant's initial state
   Links links;
-  const int opened = open_links(chosen, program.tables, stage.plant, links, err);
+  const int opened = open_links(played.links, program.tables, stage.plant, links, streams.err);
   if (opened != kGood) return opened;
   std::vector<trace::PlantNames::Link> named;
   for (const OpenLink& open : links) named.push_back({open.text(), open.silence()});
-  names.name_links(std::move(named));
-  LastFiles last(options, out);
-  if (!stage.outputs.open(stage.plant.model_hash(), err) || !last.are_well(err)) return kEnvironment;
+  played.names.name_links(std::move(named));
+  LastFiles last(options, streams.out);
+  if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
   resort.begun();
-  report_to_user << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
+  streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
                  << absent_behaviours(program.tables, program.behaviours);
-  if (scenario != nullptr) report_to_user << scenario_summary(options.scenario, *scenario);
+  if (played.scenario != nullptr) streams.report << scenario_summary(options.scenario, *played.scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {
-    report_to_user << "links of the plant are not opened in virtual time: --clock real opens them\n";
+    streams.report << "links of the plant are not opened in virtual time: --clock real opens them\n";
   }
 
   const auto begin = std::chrono::steady_clock::now();
   std::optional<RealRun> real_run;
   bool clean = true;
-  if (real) {
-    real_run = run_real(stage, options, links, console, report_to_user, err);
-    clean = !report_missing_cycles(real_run->cycles.cycles, options, report_to_user) && real_run->clean;
+  if (played.real) {
+    real_run = run_real(stage, options, links, streams.console, streams.report, streams.err);
+    clean = !report_missing_cycles(real_run->cycles.cycles, options, streams.report) && real_run->clean;
   } else if (options.rt_check) {
-    clean = run_rt_check(stage, options, links, report_to_user);
+    clean = run_rt_check(stage, options, links, streams.report);
   } else {
-    run_virtual(stage, options, report_to_user);
+    run_virtual(stage, options, streams.report);
   }
   const std::chrono::nanoseconds wall = std::chrono::steady_clock::now() - begin;
 
   if (stage.player) stage.player->end();
   const auto outcomes = stage.player ? stage.player->outcomes() : std::span<const scenario::Outcome>();
-  stage.outputs.finish(stage.plant.now(), err);
-  stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), report_to_user);
+  stage.outputs.finish(stage.plant.now(), streams.err);
+  stage.report.sum_up(stage.plant, outcomes, stage.recorder.lost_findings(), streams.report);
   std::optional<scenario::Verdict> verdict;
-  if (scenario != nullptr) verdict = scenario::verdict_of(*scenario, outcomes);
-  last.junit(
-      [&] { return junit_text(stage.plant, names, scenario, outcomes, stage.report, options.fail_on_findings); });
+  if (played.scenario != nullptr) verdict = scenario::verdict_of(*played.scenario, outcomes);
+  last.junit([&] {
+    return junit_text(stage.plant, played.names, played.scenario, outcomes, stage.report, options.fail_on_findings);
+  });
   last.stats([&] {
     return stats_text(
         {stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, links, tables::Time{wall.count()}});
   });
-  if (!last.are_well(err)) return kEnvironment;
+  if (!last.are_well(streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
 }
 
@@ -204,11 +215,11 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
-  std::ostream& report_to_user = uses_standard_output(options) ? err : out;
-  Console console(report_to_user, err);
-  Stage stage(staged, options, names, played, real, out, console);
-  const int code =
-      play(stage, program, options, names, played, chosen, real, resort, console, out, report_to_user, err);
+  std::ostream& report = uses_standard_output(options) ? err : out;
+  Console console(report, err);
+  const RunStreams streams{out, err, report, console};
+  Stage stage(staged, options, names, played, real, streams);
+  const int code = play(stage, {program, options, names, played, chosen, real}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

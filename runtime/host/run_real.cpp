@@ -119,8 +119,12 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
   exec::MonotonicClock clock;
   exec::CycleMeter meter;
   const auto cycles = [&] {
-    exec::run_cycles(stage.plant, watched.exchanges(), cycle, clock, meter, stop_requested(), &stage.recorder,
-                     stage.player ? &*stage.player : nullptr);
+    exec::run_cycles(stage.plant, watched.exchanges(), cycle,
+                     {.clock = clock,
+                      .meter = meter,
+                      .stop = stop_requested(),
+                      .observer = &stage.recorder,
+                      .stepper = stage.player ? &*stage.player : nullptr});
   };
   CycleThread thread(options.real_time, cycles, options.rt_check.has_value());
   RealRun run;

@@ -15,12 +15,12 @@ std::size_t capacity(const tables::PlantTables& tables, bool real_time) {
 }  // namespace
 
 Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
-             const scenario::Scenario* scenario, bool real_time, std::ostream& out, Console& console)
+             const scenario::Scenario* scenario, bool real_time, const RunStreams& streams)
     : plant(program.tables, program.behaviours),
       recorder(program.tables, capacity(program.tables, real_time)),
       history(names),
-      report(names, history, scenario, options.scenario, console),
-      outputs(names, options, recorder, history, report, out) {
+      report(names, history, scenario, options.scenario, streams.console),
+      outputs(names, options, recorder, history, report, streams.out) {
   plant.reset(options.seed, real_time ? options.cycle : 0);
   recorder.attach(plant);
   if (scenario != nullptr) player.emplace(*scenario, plant, recorder);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 
+#include "symplant/host/console.hpp"
 #include "symplant/host/outputs.hpp"
 #include "symplant/host/plant_program.hpp"
 #include "symplant/host/report.hpp"
@@ -16,13 +18,21 @@
 
 namespace symplant::host {
 
+/// The streams of a run.
+struct RunStreams {
+  std::ostream& out;  ///< standard output, for files with the path `-`
+  std::ostream& err;
+  std::ostream& report;  ///< for the texts of the run: `out`, or `err` if a file goes to `out`
+  Console& console;      ///< writes to `report` and `err`
+};
+
 /// All parts of a run but its links. The arguments of the constructor must outlive it. Its members refer to each other,
 /// so it cannot be copied or moved.
 class Stage {
  public:
-  /// `scenario` may be null. `out` is standard output, for files with the path `-`.
+  /// `scenario` may be null.
   Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
-        const scenario::Scenario* scenario, bool real_time, std::ostream& out, Console& console);
+        const scenario::Scenario* scenario, bool real_time, const RunStreams& streams);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 

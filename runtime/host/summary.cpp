@@ -49,7 +49,7 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   const std::size_t events = tables.symbols.size() - operations;
   std::vector<bool> moves(tables.units.size());
   for (const tables::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit != tables::kNoUnit && symbol.moved()) moves[symbol.unit] = true;
+    if (symbol.unit != tables::kNone && symbol.moved()) moves[symbol.unit] = true;
   }
 
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),

@@ -14,7 +14,7 @@ std::vector<std::uint32_t> behaviours_of(std::uint32_t controller, const tables:
   std::vector<bool> carried(tables.units.size());
   for (std::uint32_t symbol = 0; symbol < tables.symbols.size(); ++symbol) {
     const tables::SymbolRow& row = tables.symbols[symbol];
-    if (row.unit == tables::kNoUnit || row.direction() != tables::Direction::operation) continue;
+    if (row.unit == tables::kNone || row.direction() != tables::Direction::operation) continue;
     if (controller == link::kAllControllers || tables::controller_of(tables, symbol) == controller) {
       carried[row.unit] = true;
     }

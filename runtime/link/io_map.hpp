@@ -17,7 +17,7 @@ struct IoPoint {
   std::uint32_t symbol;
   Table table;
   std::uint16_t number;  ///< protocol address, counted from 0; the first of several registers
-  std::uint8_t width;   ///< coils or registers: 1; a number of 32 bits takes 2 registers, one of 64 bits 4
+  std::uint8_t width;    ///< coils or registers: 1; a number of 32 bits takes 2 registers, one of 64 bits 4
   WordOrder word_order;  ///< which of several registers comes first
   OnLoss on_loss;        ///< of operations
 

@@ -175,7 +175,7 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   if (!moved_[symbol]) return {};
   const std::uint32_t unit = names_.tables().symbols[symbol].unit;
   return name + " is driven by " +
-         (unit == tables::kNoUnit ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
+         (unit == tables::kNone ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
          "; set that device with `state`, or the symbol with `force`";
 }
 

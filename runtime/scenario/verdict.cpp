@@ -116,7 +116,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
                                 trace::since_words(history.since(symbol)),
                                 force == forces.end() ? "" : fmt::format(", forced in line {}", force->second.line),
                                 trace::symbol_words(symbol, names)));
-    if (row.unit != tables::kNoUnit) things.units.insert(row.unit);
+    if (row.unit != tables::kNone) things.units.insert(row.unit);
   }
   for (const std::uint32_t unit : things.units) {
     parts.push_back(trace::unit_words(unit, names, history));

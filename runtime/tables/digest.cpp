@@ -145,7 +145,7 @@ void add_controllers(Fnv1a64& hash, const PlantTables& tables) noexcept {
     hash.u32(list.controller);
     before = list.controller;
   }
-  hash.u32(kNoUnit);  // end of the list: no symbol has this index
+  hash.u32(kNone);  // end of the list: no symbol has this index
 }
 
 /// A table's size is hashed before its rows, so that no row can be read as one of the next table.

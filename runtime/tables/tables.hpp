@@ -17,7 +17,7 @@ inline constexpr std::uint8_t kNoState = 0xFF;
 inline constexpr std::uint8_t kNoOperation = 0xFF;   ///< Transition::on of an automatic transition
 inline constexpr std::uint8_t kSpringReturn = 0xFE;  ///< Transition::on of a spring return: its cause never holds
 inline constexpr std::uint16_t kNoCondition = 0xFFFF;
-inline constexpr std::uint32_t kNoUnit = 0xFFFF'FFFF;
+inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;  ///< an index of nothing: a symbol's unit, if it is in none
 
 inline constexpr std::size_t kMaxOperations = 64;       ///< of one unit: they share one word of the image
 inline constexpr std::size_t kMaxEvents = 64;           ///< of one unit: they share one word of the image
@@ -216,7 +216,7 @@ constexpr SymbolKind symbol_kind(DataType type, Direction direction, AddressForm
 /// lines.
 struct SymbolRow {
   std::uint32_t index;   ///< BOOL: its bit in its direction's bit plane; else its slot in that direction's value plane
-  std::uint32_t unit;    ///< the unit that it is an operation or event of, or kNoUnit
+  std::uint32_t unit;    ///< the unit that it is an operation or event of, or kNone
   std::uint32_t number;  ///< of its address; valid only with AddressForm::number
   std::uint32_t row;     ///< line in the symbol list, counted from 1
   SymbolKind kind;

@@ -111,7 +111,7 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   std::string text = fmt::format("event too short: {}, changed and changed back too quickly for a PLC to see it",
                                  symbol_words(symbol, names));
-  if (unit != tables::kNoUnit) {
+  if (unit != tables::kNone) {
     text += fmt::format(", {} is in {}", names.unit(unit), state_words(unit, names, history));
     text += led(unit, names, history);
   }
@@ -192,14 +192,14 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
   if (is_of_link(found.kind)) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
-  return unit == tables::kNoUnit ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
+  return unit == tables::kNone ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
 }
 
 std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   const bool operation = names.is_operation(symbol);
   const std::uint32_t unit = names.tables().symbols[symbol].unit;
   std::string text = fmt::format("PLC {} {}, ", operation ? "output" : "input", index(symbol, names));
-  if (unit == tables::kNoUnit) {
+  if (unit == tables::kNone) {
     text += fmt::format("symbol {}", names.symbol(symbol));
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));

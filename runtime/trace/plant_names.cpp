@@ -24,14 +24,14 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
   }
   states_.resize(states);
   for (const tables::SymbolRow& symbol : tables.symbols) {
-    if (symbol.unit != tables::kNoUnit) ++first_of_[symbol.unit + 1];
+    if (symbol.unit != tables::kNone) ++first_of_[symbol.unit + 1];
   }
   for (std::size_t u = 1; u < first_of_.size(); ++u) first_of_[u] += first_of_[u - 1];
   by_unit_.resize(first_of_.back());
   std::vector<std::uint32_t> at(first_of_.begin(), first_of_.end() - 1);
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) {
     const std::uint32_t unit = tables.symbols[s].unit;
-    if (unit != tables::kNoUnit) by_unit_[at[unit]++] = s;
+    if (unit != tables::kNone) by_unit_[at[unit]++] = s;
   }
 }
 
@@ -44,7 +44,7 @@ std::string_view PlantNames::state(std::uint32_t unit, std::uint8_t state) const
 
 std::string_view PlantNames::task(std::uint32_t symbol) const {
   const tables::SymbolRow& row = tables_.symbols[symbol];
-  if (row.unit != tables::kNoUnit && row.type() == tables::DataType::boolean && is_operation(symbol)) {
+  if (row.unit != tables::kNone && row.type() == tables::DataType::boolean && is_operation(symbol)) {
     const tables::UnitRow& unit = tables_.units[row.unit];
     const std::uint32_t position = row.index - unit.operation_bit;
     const auto targets = tables_.types[unit.type].operation_targets;

@@ -20,10 +20,10 @@ std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
 
 Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)
     : tables_(tables),
-      symbol_of_operation_(tables.operation_bits, tables::kNoUnit),
-      symbol_of_event_(tables.event_bits, tables::kNoUnit),
-      symbol_of_operation_slot_(tables.operation_slots, tables::kNoUnit),
-      symbol_of_event_slot_(tables.event_slots, tables::kNoUnit),
+      symbol_of_operation_(tables.operation_bits, tables::kNone),
+      symbol_of_event_(tables.event_bits, tables::kNone),
+      symbol_of_operation_slot_(tables.operation_slots, tables::kNone),
+      symbol_of_event_slot_(tables.event_slots, tables::kNone),
       changed_(tables.symbols.size()),
       ring_(std::bit_ceil(std::max<std::size_t>(capacity, 2))),
       mask_(ring_.size() - 1),
@@ -43,7 +43,7 @@ Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)
 void Recorder::note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept {
   for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
     const std::uint32_t symbol = symbol_of_bit[change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (symbol != tables::kNoUnit) changed_[changed_count_++] = symbol;
+    if (symbol != tables::kNone) changed_[changed_count_++] = symbol;
   }
 }
 

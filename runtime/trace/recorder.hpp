@@ -52,7 +52,7 @@ class Recorder final : public engine::Observer {
 
   const tables::PlantTables& tables_;
   const plant::Plant* plant_ = nullptr;
-  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or tables::kNoUnit for an unused bit
+  std::vector<std::uint32_t> symbol_of_operation_;  ///< bit -> symbol, or tables::kNone for an unused bit
   std::vector<std::uint32_t> symbol_of_event_;
   std::vector<std::uint32_t> symbol_of_operation_slot_;
   std::vector<std::uint32_t> symbol_of_event_slot_;

@@ -6,12 +6,12 @@
 namespace symplant::trace {
 namespace {
 
-/// The requirement that a condition belongs to; kNoUnit if it belongs to no requirement.
+/// The requirement that a condition belongs to; kNone if it belongs to no requirement.
 std::uint32_t reader_of(const tables::PlantTables& tables, std::uint32_t condition) {
   for (;;) {
     const tables::ConditionRow& row = tables.conditions[condition];
     if (row.reader_kind == tables::ReaderKind::requirement) return row.reader;
-    if (row.reader_kind != tables::ReaderKind::condition) return tables::kNoUnit;
+    if (row.reader_kind != tables::ReaderKind::condition) return tables::kNone;
     condition = row.reader;
   }
 }
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, 
     if (reads(watch.condition)) events.insert(watch.bit);
   }
   for (const tables::SymbolRow& symbol : tables.symbols) {
-    if (symbol.type() != tables::DataType::boolean || symbol.unit == tables::kNoUnit) continue;
+    if (symbol.type() != tables::DataType::boolean || symbol.unit == tables::kNone) continue;
     const auto& bits = symbol.direction() == tables::Direction::operation ? operations : events;
     if (bits.contains(symbol.index)) units.insert(symbol.unit);
   }

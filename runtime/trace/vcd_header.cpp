@@ -58,7 +58,7 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
     for (const std::uint32_t symbol : names.symbols_of(unit)) write_symbol(text, names, symbol);
   }
   for (std::uint32_t symbol = 0; is_root && symbol < symbols; ++symbol) {
-    if (names.tables().symbols[symbol].unit == tables::kNoUnit) write_symbol(text, names, symbol);
+    if (names.tables().symbols[symbol].unit == tables::kNone) write_symbol(text, names, symbol);
   }
   for (const Scope& child : scope.children) write_scope(text, names, child, false);
   text += "$upscope $end\n";

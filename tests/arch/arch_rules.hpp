@@ -24,6 +24,13 @@ Tree read_tree(const std::string& root, const std::vector<std::string>& folders)
 /// the runtime layers that the rules allow. Checks generator/ and runtime/ only.
 Faults climbing_includes(const Tree& tree);
 
+/// Units (a header and its source of one name) that include each other in a circle, each circle once, its units sorted.
+Faults include_loops(const Tree& tree);
+
+/// The layers of generator/ and runtime/ as a Mermaid chart. An arrow means "includes"; arrows that follow from others
+/// are left out.
+std::string layer_chart(const Tree& tree);
+
 /// Includes of a third party in layers that must not use it. Checks generator/ and runtime/ only.
 Faults stray_third_parties(const Tree& tree);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The controller is killed midway: the current move ends, then nothing changes. usage: killed.sh TIMELINE CONTROLLER PLANT...
+# The controller is killed midway: the current move ends, then all stops. usage: killed.sh TIMELINE CONTROLLER PLANT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 timeline=$1 program=$2

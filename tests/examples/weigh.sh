@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The scenario of the scales passes with their code, its trace is the golden one, the guard finds nothing; without the code the
+# The scenario of the scales passes with their code, with the golden trace and a clean guard; without the code the
 # plant reports it, and the scenario fails. Without the guard if a sanitizer breaks what it checks.
 # usage: weigh.sh PLANT SYMPLANT EXAMPLE GOLDEN [SANITIZER]
 set -euo pipefail

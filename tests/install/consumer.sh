@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A project outside the tree builds a plant and a program around it. usage: consumer.sh CMAKE SOURCE CONFIGURE-ARGUMENT...
+# A project outside the tree builds a plant and a program with it. usage: consumer.sh CMAKE SOURCE CONFIGURE-ARGUMENT...
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cmake=$1 source=$2

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a second build does: nothing; after touching a list: generates; after changing it: compiles. usage: as consumer.sh
+# What a second build does: nothing; after touching a list: generates; after a change: compiles. usage: as consumer.sh
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cmake=$1 source=$2

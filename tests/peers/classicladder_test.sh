@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A real soft PLC in the loop: LinuxCNC's Classic Ladder, a Modbus TCP master, runs the paper's cell by a ladder program. Three
+# A real soft PLC in the loop: LinuxCNC's Classic Ladder, a Modbus TCP master, runs the paper's cell by a program. Three
 # cycles; then a sensor is forced off, which must stop the cycle and raise the PLC's alarm; released, it continues.
 #
 # usage: classicladder_test.sh as-it-is|one-off EXAMPLE PLANT [ARGUMENT]...
@@ -28,7 +28,7 @@ fi
 addresses=$1 example=$(realpath "$2")
 shift 2
 
-# --- The soft PLC, in $work/plc. Its real-time part does not run as root: it runs as the user nobody.
+# --- The soft PLC, in $work/plc. Its real-time part does not run as root: it runs as an unprivileged user.
 
 number=$((20000 + RANDOM)) # of the display
 chmod 711 "$work"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Under load: a planted fault of each kind is found in the cycle, then the guard finds nothing in a minute at 1 ms, with two
+# Under load: the guard finds a planted fault of each kind in the cycle, then nothing in a minute at 1 ms, with two
 # links whose PLCs exchange 10,000 devices. usage: minute.sh SYMPLANT TEST_RT MASTERS SECONDS
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

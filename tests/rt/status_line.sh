@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The status line: drawn each second on a terminal, but not in a file or on a dumb terminal. usage: status_line.sh SYMPLANT LIST
+# The status line: drawn each second, but only on a capable terminal. usage: status_line.sh SYMPLANT LIST
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 command -v script >/dev/null || skip "script, which gives a program a terminal, is not installed"

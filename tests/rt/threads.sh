@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# All threads of a run, for the thread sanitizer: two links with unsteady PLCs, a trace, findings, a terminal with
+# All threads of a run, for the thread sanitizer: two unsteady links, a trace, findings, a terminal with
 # its status line, SIGUSR1. usage: threads.sh SYMPLANT MASTERS
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

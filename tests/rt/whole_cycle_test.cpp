@@ -74,7 +74,8 @@ Watched watched(std::vector<exec::Exchange*> links, engine::Observer* observer =
   result.report = exec::run_watched([&] {
     exec::set_up_real_time({});
     const exec::ThreadFaults before = exec::thread_faults();
-    exec::run_cycles(plant, links, {.cycle = kMillisecond, .until = 20 * kMillisecond}, clock, *meter, stop, observer);
+    exec::run_cycles(plant, links, {.cycle = kMillisecond, .until = 20 * kMillisecond},
+                     {.clock = clock, .meter = *meter, .stop = stop, .observer = observer});
     result.faults = exec::thread_faults() - before;
   });
   result.statistics = meter->statistics();

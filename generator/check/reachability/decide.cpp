@@ -242,14 +242,6 @@ bool is_plainly_open(const Tree& tree, const model::PlantModel& plant, const Pos
 
 }  // namespace
 
-bool travels(const model::Unit& unit) {
-  if (unit.has_behaviour() || unit.actuation == tables::Actuation::spring) return true;
-  return std::any_of(unit.transitions.begin(), unit.transitions.end(),
-                     [](const model::Transition& transition) { return !transition.takes.is_zero(); });
-}
-
-bool AllStates::moving(std::uint32_t unit) const { return travels(plant_.units[unit]); }
-
 Verdict decide(const condition::Tree& tree, const model::PlantModel& plant, const Possible& possible) {
   if (is_plainly_open(tree, plant, possible)) return {Answer::yes, Answer::yes};
   if (atoms_of(tree) > kMostAtoms) return {};

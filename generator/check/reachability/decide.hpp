@@ -4,32 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "check/reachability/possible.hpp"
 #include "model/plant_model.hpp"
 #include "symplant/condition/tree.hpp"
 
 namespace symplant::check {
-
-/// What a plant's units may be found in, as the one who asks sees it.
-class Possible {
- public:
-  virtual ~Possible() = default;
-  virtual bool settled(std::uint32_t unit, std::uint32_t state) const = 0;
-  virtual bool moving(std::uint32_t unit) const = 0;
-};
-
-/// Every state of every unit is possible, moving is where something moves the unit for some time.
-class AllStates final : public Possible {
- public:
-  explicit AllStates(const model::PlantModel& plant) : plant_(plant) {}
-  bool settled(std::uint32_t, std::uint32_t) const override { return true; }
-  bool moving(std::uint32_t unit) const override;
-
- private:
-  const model::PlantModel& plant_;
-};
-
-/// Whether a unit ever stands between two states.
-bool travels(const model::Unit& unit);
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "check/reachability/decide.hpp"
+#include "check/reachability/possible.hpp"
 #include "symplant/condition/tree.hpp"
 
 namespace symplant::check {

@@ -26,7 +26,8 @@
 #include <cstdint>
 
 extern "C" {
-long symplant_guard_forward(long number, long a, long b, long c, long d, long e, long f) noexcept;
+/// `call` is the number of the system call and its six arguments.
+long symplant_guard_forward(const long* call) noexcept;
 extern const char symplant_guard_forward_return[];  // NOLINT: an address in code
 }
 
@@ -36,13 +37,13 @@ __asm__(R"(
   .globl symplant_guard_forward_return
   .type symplant_guard_forward, @function
 symplant_guard_forward:
-  movq %rdi, %rax
-  movq %rsi, %rdi
-  movq %rdx, %rsi
-  movq %rcx, %rdx
-  movq %r8, %r10
-  movq %r9, %r8
-  movq 8(%rsp), %r9
+  movq 0(%rdi), %rax
+  movq 16(%rdi), %rsi
+  movq 24(%rdi), %rdx
+  movq 32(%rdi), %r10
+  movq 40(%rdi), %r8
+  movq 48(%rdi), %r9
+  movq 8(%rdi), %rdi
   syscall
 symplant_guard_forward_return:
   ret
@@ -95,8 +96,14 @@ void on_trap(int, siginfo_t* info, void* raw) noexcept {
                  reinterpret_cast<std::uint64_t*>(registers[REG_RDX]));
     // NOLINTEND(performance-no-int-to-ptr)
   } else {
-    registers[REG_RAX] = symplant_guard_forward(number, registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
-                                                registers[REG_R10], registers[REG_R8], registers[REG_R9]);
+    const long call[] = {number,
+                         registers[REG_RDI],
+                         registers[REG_RSI],
+                         registers[REG_RDX],
+                         registers[REG_R10],
+                         registers[REG_R8],
+                         registers[REG_R9]};
+    registers[REG_RAX] = symplant_guard_forward(call);
   }
 }
 

@@ -70,8 +70,9 @@ Answer read_bits(Request request, Reply reply, Table table, TableView<const std:
   for (std::uint32_t done = 0; done < quantity; done += kBitsPerWord) {
     std::uint64_t bits = get_bits(view.words, first + done);
     if (quantity - done < kBitsPerWord) bits &= (std::uint64_t{1} << (quantity - done)) - 1;
-    for (std::uint32_t i = done / 8; i < std::min(bytes, done / 8 + 8); ++i, bits >>= 8) {
+    for (std::uint32_t i = done / 8; i < std::min(bytes, done / 8 + 8); ++i) {
       reply[2 + i] = static_cast<std::uint8_t>(bits);
+      bits >>= 8;
     }
   }
   return reported(2 + bytes, table, first, quantity);

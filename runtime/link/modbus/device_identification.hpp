@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "symplant/link/modbus/codec.hpp"
+#include "symplant/link/modbus/pdu.hpp"
 
 namespace symplant::link::modbus {
 

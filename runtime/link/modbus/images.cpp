@@ -51,7 +51,8 @@ Images::ByAddress Images::by_address(const IoMap& map, Table table) {
     }
   };
   each([&](std::uint32_t, std::size_t address) { ++result.first[address + 1]; });
-  for (std::size_t address = 1; address < result.first.size(); ++address) result.first[address] += result.first[address - 1];
+  for (std::size_t address = 1; address < result.first.size(); ++address)
+    result.first[address] += result.first[address - 1];
   result.rows.resize(result.first.back());
   std::vector<std::uint32_t> next = result.first;
   each([&](std::uint32_t i, std::size_t address) { result.rows[next[address]++] = i; });

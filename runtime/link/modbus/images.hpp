@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/address_set.hpp"
 #include "symplant/link/modbus/codec.hpp"
 #include "symplant/link/modbus/numbers.hpp"
-#include "symplant/link/modbus/address_set.hpp"
-#include "symplant/link/modbus/table_view.hpp"
 #include "symplant/link/modbus/rewriting.hpp"
 #include "symplant/link/modbus/status_block.hpp"
+#include "symplant/link/modbus/table_view.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/share/shared_words.hpp"
 
@@ -94,9 +94,9 @@ class Images {
   ByAddress coils_;
   ByAddress holding_registers_;
   std::vector<std::uint32_t> address_of_event_;  ///< by event bit: its discrete input, or kUnmapped
-  std::vector<std::uint64_t> applied_;         ///< the operations of the plant, as in the image
-  std::vector<std::uint64_t> zeroed_;          ///< bits that go to zero when the link is lost
-  std::vector<std::uint64_t> scratch_;         ///< memory of zero_operations()
+  std::vector<std::uint64_t> applied_;           ///< the operations of the plant, as in the image
+  std::vector<std::uint64_t> zeroed_;            ///< bits that go to zero when the link is lost
+  std::vector<std::uint64_t> scratch_;           ///< memory of zero_operations()
   std::array<AddressSet, kTables> mapped_;       ///< addresses of symbols and of the watchdog
   std::optional<std::uint32_t> status_block_;
   std::optional<std::uint32_t> watchdog_;

@@ -224,7 +224,10 @@ bool Server::read_from(Client& client) {
   if (room.empty()) return true;
   const ssize_t count = ::recv(client.socket.get(), room.data(), room.size(), 0);
   if (count < 0) return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
-  if (count == 0) return client.ended = true;
+  if (count == 0) {
+    client.ended = true;
+    return true;
+  }
   SocketSink sink(client.socket.get());
   return client.connection.received(static_cast<std::size_t>(count), responder_, sink) == Connection::State::open;
 }

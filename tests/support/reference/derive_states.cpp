@@ -78,7 +78,7 @@ std::uint32_t single_solenoid_rest(const UnitRules& unit) {
   return kNone;
 }
 
-/// The only state whose event has Initial TRUE; kNone if there is none or more than one.
+/// The only state whose event has Initial TRUE; kNone without such a state or with several.
 std::uint32_t initial_by_column(const Rules& rules, const UnitRules& unit) {
   std::uint32_t found = kNone;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace symplant::reference {
 
-/// The first difference as text; empty if there is none.
+/// The first difference as text; empty if both are equal.
 std::string difference(const Rules& rules);
 
 }  // namespace symplant::reference

@@ -1,4 +1,4 @@
-// A moving unit: the table of four actuations (docs/model.md, "A move under way").
+// A moving unit: the table of four actuations (docs/model.md, "Commands during a move").
 #include <algorithm>
 
 #include "support/reference/round.hpp"

@@ -1,4 +1,4 @@
-// The naive reference: a second plant, written from docs/model.md alone, as simple as possible. The engine must match it.
+// The naive reference: a second plant, written from docs/model.md alone, as simple as possible. The engine equals it.
 //
 // It shares with engine and generator only PlantModel, and of that only the symbols, the description and the
 // condition trees. It derives states, transitions, actuation and all else itself (difference_from_model() reports
@@ -56,7 +56,7 @@ class Plant {
   Plant& operator=(const Plant&) = delete;
 
   /// The first difference between what the reference derived from names and description and the model, as
-  /// text; empty if there is none. Do not run a plant with a difference.
+  /// text; empty if both agree. Do not run a plant with a difference.
   std::string difference_from_model() const;
 
   void reset(std::uint64_t seed = 0, Time cycle = 0);

@@ -63,7 +63,7 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
   return again;
 }
 
-/// Freezes the units that stepped often in the second half of the rounds. False if there are none.
+/// Freezes the units that stepped often in the second half of the rounds. False if no unit did.
 bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
   std::vector<std::uint32_t> loop;
   for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {

@@ -8,7 +8,7 @@ std::uint8_t View::state() const noexcept { return round_.next.units[unit_].stat
 std::uint8_t View::target() const noexcept { return round_.next.units[unit_].target; }
 bool View::moving() const noexcept { return round_.next.units[unit_].moving; }
 
-// Its own arming is current, as are all other values of its own unit.
+// Its own arming is current, as are all other values of the unit.
 bool View::operation(std::uint8_t operation) const noexcept {
   const std::uint32_t symbol = round_.of(unit_).operations[operation];
   return effective(round_.old.symbols[symbol]) != 0 && round_.next.units[unit_].operations[operation].armed;

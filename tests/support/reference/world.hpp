@@ -45,7 +45,7 @@ struct UnitWorld {
   bool stopped = false;
   std::uint32_t own_draws = 0;
   Time until_woken = -1;              ///< -1: never
-  std::vector<std::uint64_t> memory;  ///< of its behaviour
+  std::vector<std::uint64_t> memory;  ///< of its behavior
 };
 
 struct SymbolWorld {

@@ -142,8 +142,7 @@ TEST_CASE("generate --behaviours: The user file is written once, and never overw
   CHECK(files.files["mine/SlowCylinder_behavior.hpp"] == "mine");
 }
 
-TEST_CASE(
-    "generate --behaviours: An unwritable file gives 3, an invalid class gives 2, both without a plant") {
+TEST_CASE("generate --behaviours: An unwritable file gives 3, an invalid class gives 2, both without a plant") {
   MemoryFileSystem files = described(kBehaving);
   files.faults["mine/SlowCylinder_behavior.hpp"] = "no permission";
   CHECK(run_tool({"generate", "plant.json", "-o", "out", "--behaviours", "mine"}, files).code == 3);

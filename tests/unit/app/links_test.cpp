@@ -55,7 +55,7 @@ TEST_CASE("map: Sizes, watchdog and policies are those of the description") {
   CHECK(contains(map_of(R"("on-loss": "zero")"), "operations go to zero, "));
 }
 
-TEST_CASE("map --link: The map of that link's controller is shown, or the reason why there is none") {
+TEST_CASE("map --link: The map of that link's controller is shown, or the reason why it has no map") {
   CHECK(map_of(R"("status": 20)", {"--link", "modbus-tcp-server://:1502"}) == map_of(R"("status": 20)"));
   MemoryFileSystem files = plant(R"("status": 20)");
   const ToolRun loop = run_tool({"map", "plant.json", "--link", "loop:"}, files);
@@ -80,8 +80,7 @@ TEST_CASE("Every command rejects a plant whose symbols overlap on a link") {
   CHECK(run_tool({"check", "plant.json"}, files).code == 1);
 }
 
-TEST_CASE(
-    "run: Settings apply to a link for every URL of the command line, and --on-loss overrides them") {
+TEST_CASE("run: Settings apply to a link for every URL of the command line, and --on-loss overrides them") {
   MemoryFileSystem files = plant(R"("plant-on-loss": "freeze", "loss-after": "2s", "on-loss": "zero")");
   const std::vector<std::string> words{"run",     "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0",
                                        "--until", "20ms"};

@@ -39,7 +39,7 @@ TEST_CASE("A finding shows its row and underlines its location") {
         "      |            ^~~\n");
 }
 
-TEST_CASE("Related places follow as notes") {
+TEST_CASE("Related locations follow as notes") {
   const auto source = source_of("A,X1\nA,X2\n");
   Diagnostics found;
   std::vector<diag::Related> related(1);

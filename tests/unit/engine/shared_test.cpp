@@ -10,7 +10,7 @@ namespace {
 using tables::AddressForm;
 using tables::DataType;
 using tables::Direction;
-using tables::kNoUnit;
+using tables::kNone;
 
 /// A double solenoid (operations and events 0 and 1), free bits 2 and 3 that follow its bits 1, two numeric operations
 /// on one address, a free event that starts on, and a numeric event that starts at 7.
@@ -25,13 +25,13 @@ struct SharedPlant {
   std::vector<tables::TransitionTimes> times{{0, 10}, {0, 10}, {0, 10}};
   std::vector<tables::SymbolRow> symbols{
       {1, 0, 1, 1, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, true)},
-      {2, kNoUnit, 1, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, false)},
+      {2, kNone, 1, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, false)},
       {1, 0, 1, 3, tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, true)},
-      {2, kNoUnit, 1, 4, tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
-      {3, kNoUnit, 2, 5, tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
-      {0, kNoUnit, 5, 6, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
-      {1, kNoUnit, 5, 7, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
-      {0, kNoUnit, 6, 8, tables::symbol_kind(DataType::int_, Direction::event, AddressForm::number, false)}};
+      {2, kNone, 1, 4, tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
+      {3, kNone, 2, 5, tables::symbol_kind(DataType::boolean, Direction::event, AddressForm::number, false)},
+      {0, kNone, 5, 6, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
+      {1, kNone, 5, 7, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::number, false)},
+      {0, kNone, 6, 8, tables::symbol_kind(DataType::int_, Direction::event, AddressForm::number, false)}};
   std::vector<tables::InitialValue> initial{{4, 1}, {7, 7}};
   std::vector<tables::SharedAddress> shared{{1, 0}, {3, 2}, {6, 5}};
   tables::PlantTables tables = rows();

@@ -95,7 +95,7 @@ struct Bench {
 
   exec::CycleStatistics run(const exec::CycleOptions& options) {
     const std::array<exec::Exchange*, 1> links = {&link};
-    exec::run_cycles(*plant, links, options, clock, meter, stop);
+    exec::run_cycles(*plant, links, options, {.clock = clock, .meter = meter, .stop = stop});
     return meter.statistics();
   }
 };

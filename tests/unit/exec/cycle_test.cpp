@@ -79,7 +79,8 @@ TEST_CASE("Every link has its turn in every cycle") {
   Bench bench;
   FakeLink other;
   const std::array<exec::Exchange*, 2> links = {&bench.link, &other};
-  exec::run_cycles(*bench.plant, links, {.until = 50 * kMillisecond}, bench.clock, bench.meter, bench.stop);
+  exec::run_cycles(*bench.plant, links, {.until = 50 * kMillisecond},
+                   {.clock = bench.clock, .meter = bench.meter, .stop = bench.stop});
   CHECK(other.written() == every_10_ms(0, 5));
   CHECK(bench.link.written() == every_10_ms(0, 5));
 }

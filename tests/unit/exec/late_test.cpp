@@ -14,7 +14,7 @@ void work_once(Bench& bench, Time at, Time work) {
   };
 }
 
-TEST_CASE("A cycle that takes exactly the cycle time is one overrun, a nanosecond less is none") {
+TEST_CASE("A cycle that takes exactly the cycle time is one overrun, a nanosecond less is no overrun") {
   Bench exact;
   work_once(exact, 30 * kMillisecond, 10 * kMillisecond);
   CHECK(exact.run({.until = 100 * kMillisecond}).overruns == 1);
@@ -33,8 +33,7 @@ TEST_CASE("A cycle of three cycle times is three overruns: its own and those of 
   CHECK(statistics.lateness.max == 20 * kMillisecond);
 }
 
-TEST_CASE(
-    "Cycles of three cycle times each overrun, run late by at most the catch-up, and lose the rest") {
+TEST_CASE("Cycles of three cycle times each overrun, run late by at most the catch-up, and lose the rest") {
   Bench bench;
   const Time begin = bench.clock.now();
   bench.link.on_write = [&](const plant::Plant&) { bench.clock.pass(30 * kMillisecond); };

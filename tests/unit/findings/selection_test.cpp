@@ -15,7 +15,7 @@ std::string fault(const Words& select, const Words& ignore) {
   return selection ? "" : selection.error();
 }
 
-/// "told", "not selected" or "ignored".
+/// The verdict on a rule as text.
 std::string verdict(const Words& select, const Words& ignore, std::string_view rule) {
   const auto selection = Selection::of(select, ignore);
   REQUIRE(selection);

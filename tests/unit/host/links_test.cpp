@@ -98,7 +98,7 @@ TEST_CASE("A scenario omits them, too, unless real time is requested") {
 TEST_CASE("A link carries only the operations of its controller, and the loop carries none") {
   const auto kind =
       tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, false);
-  const std::array<tables::SymbolRow, 2> symbols{{{0, tables::kNoUnit, 1, 1, kind}, {1, tables::kNoUnit, 1, 1, kind}}};
+  const std::array<tables::SymbolRow, 2> symbols{{{0, tables::kNone, 1, 1, kind}, {1, tables::kNone, 1, 1, kind}}};
   const std::array<tables::SymbolListRow, 2> lists{{{0, 0}, {1, 1}}};
   tables::PlantTables tables = tables_of(kTwo);
   tables.symbols = symbols;

@@ -40,7 +40,7 @@ class FakeManager {
   FakeManager(const FakeManager&) = delete;
   FakeManager& operator=(const FakeManager&) = delete;
 
-  /// The next datagram; empty if there is none yet.
+  /// The next datagram; empty if no datagram has arrived yet.
   std::string next() {
     std::array<char, 256> text{};
     const ssize_t size = ::recv(socket_, text.data(), text.size(), 0);

@@ -25,7 +25,7 @@ TEST_CASE("The summary shows what can move and names the events that no device d
       {0, 0, 0, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, true)},
       event(0, 0, true),
       event(1, 1, false),
-      event(2, tables::kNoUnit, false)};
+      event(2, tables::kNone, false)};
   const std::string names{"OP\0\0EV\0\0PB\0\0\x1b[31m\xE2\x80\xAE!\0\0", 24};
   tables::PlantTables tables = bare_tables("cell", 64, 64, 0, symbols);
   tables.units = units;

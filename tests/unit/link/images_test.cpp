@@ -63,8 +63,7 @@ TEST_CASE("A coil of several operations writes them all") {
   CHECK(bench.plant->operations()[0] == 0);
 }
 
-TEST_CASE(
-    "Numbers at one register start at the value of the leading one, and another type gets a separate reading") {
+TEST_CASE("Numbers at one register start at the value of the leading one, and another type gets a separate reading") {
   SymbolList list;
   const std::uint32_t first = list.add("A", SymbolList::kOut, 3, DataType::int_);
   list.share(list.add("B", SymbolList::kOut, 3, DataType::int_), first);

@@ -114,9 +114,9 @@ TEST_CASE("A status block or watchdog that overlaps a symbol is a fault") {
 TEST_CASE("A status block or watchdog outside its table is a fault") {
   LinkSettings settings;
   settings.status_block = 65'525;
-  CHECK(faults(SymbolList(), settings) ==
-        Texts{"the status block has 12 registers and does not fit from input register 65525 on, since the last one is 65535: "
-              "give `status` a lower register, or `\"off\"`"});
+  CHECK(faults(SymbolList(), settings) == Texts{"the status block has 12 registers and does not fit from input "
+                                                "register 65525 on, since the last one is 65535: "
+                                                "give `status` a lower register, or `\"off\"`"});
   settings.status_block = 65'524;
   CHECK(faults(SymbolList(), settings).empty());
   settings.sizes[kHolding] = 32;
@@ -130,9 +130,8 @@ TEST_CASE("Two symbols that overlap are a fault that names both") {
   list.add("SPEED", kOperation, 5, DataType::dint);  // 10 and 11
   list.add("MODE", kOperation, 11, DataType::int_);
   list.add("OTHER", kEvent, 11, DataType::int_);  // in another table
-  CHECK(faults(list) ==
-        Texts{"`SPEED` on holding registers 10 to 11 and `MODE` on holding register 11 overlap: "
-              "give one of them another number, in the list or in `links`"});
+  CHECK(faults(list) == Texts{"`SPEED` on holding registers 10 to 11 and `MODE` on holding register 11 overlap: "
+                              "give one of them another number, in the list or in `links`"});
 }
 
 TEST_CASE("One address with two types of one size is valid, but not two addresses with one given number") {

@@ -198,7 +198,7 @@ TEST_CASE("A failed accept never closes an active client, and at most one silent
   for (RawClient& client : asking) CHECK(client.ask(kAsked) == kAsked);
 }
 
-TEST_CASE("A server closes a client only for lack of its own descriptors, and no fault ends its listening") {
+TEST_CASE("A server closes a client only if its own descriptors run out, and no fault ends its listening") {
   CHECK(after_accept(EMFILE) == AfterAccept::give_way);
   CHECK(after_accept(EAGAIN) == AfterAccept::serve);
   for (const int error : {ENFILE, ENOMEM, ENOBUFS, EBADF}) CHECK(after_accept(error) == AfterAccept::pause);

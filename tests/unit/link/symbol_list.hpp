@@ -28,7 +28,7 @@ class SymbolList {
     std::uint32_t& next = direction == kOut ? (bit ? bits_out_ : slots_out_) : (bit ? bits_in_ : slots_in_);
     const auto row = static_cast<std::uint32_t>(rows_.size());
     rows_.push_back({.index = next++,
-                     .unit = tables::kNoUnit,
+                     .unit = tables::kNone,
                      .number = number,
                      .row = row + 1,
                      .kind = tables::symbol_kind(type, direction, form, false)});

@@ -106,8 +106,7 @@ TEST_CASE("Numbers of different types on one address are not kept equal bit by b
   CHECK(text.tables().initial_values.size() == 2);
 }
 
-TEST_CASE(
-    "The first of several numbers of one type on an address leads, for any first symbol of the address") {
+TEST_CASE("The first of several numbers of one type on an address leads, for any first symbol of the address") {
   const CompiledText text = compile_rows({{"N1", "", "INT", "", "%QW5"},
                                           {"N2", "", "WORD", "", "%QW5"},
                                           {"N3", "", "WORD", "", "%QW5"},

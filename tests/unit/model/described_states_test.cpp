@@ -80,8 +80,7 @@ TEST_CASE("A device with too many symbols cannot be described") {
 
 // Commands and events that are not states.
 
-TEST_CASE(
-    "An operation without event that only commands given transitions is no state and derives nothing") {
+TEST_CASE("An operation without event that only commands given transitions is no state and derives nothing") {
   DeviceDescription d = device();
   d.transitions = {transition("P1", "P2", "index"), transition("P2", "P1", "INDEX")};
   const Analysed list = described({"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_O_INDEX"}, {d});

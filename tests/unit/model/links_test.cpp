@@ -136,8 +136,7 @@ TEST_CASE("A range moves the symbols from its first address to its last, so that
   CHECK(numbers(R"({"range": ["%QW30", "%QW30"], "number": 1})") == Numbers{{"MODE", 1}});
 }
 
-TEST_CASE(
-    "A symbol is at its given number, also without an address, and so are others of its address") {
+TEST_CASE("A symbol is at its given number, also without an address, and so are others of its address") {
   CHECK(numbers(R"({"symbol": "speed", "number": 100}, {"symbol": "X_Y_Z_O_NOWHERE", "number": 3})") ==
         Numbers{{"SPEED", 100}, {"X_Y_Z_O_NOWHERE", 3}});
   CHECK(numbers(R"({"symbol": "LEVEL2", "number": 20})") == Numbers{{"LEVEL", 20}, {"LEVEL2", 20}});

@@ -73,7 +73,7 @@ TEST_CASE("A fault in a condition is reported at its location in the text, in ev
   CHECK(all[2].column == 9);
 }
 
-TEST_CASE("A condition may name added states, and an error explains why a mere command or event is none") {
+TEST_CASE("A condition may name added states, and an error explains why a mere command or event is not a state") {
   DeviceDescription d = device();
   d.states = {"DOCK"};
   d.transitions = {transition("P1", "DOCK", "GO")};

@@ -26,8 +26,7 @@ TEST_CASE("Steps of one time act in their order before the instant's rounds") {
   CHECK(play.changes() == "0:AGV_I_P1=1");  // the pulse is gone at the end of the instant
 }
 
-TEST_CASE(
-    "An expect reads the images after the rounds, and a later set acts in another instant of that time") {
+TEST_CASE("An expect reads the images after the rounds, and a later set acts in another instant of that time") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},
                              {"plus":"0s","expect":{"L_P_AGV_O_P2":true,"L_P_AGV_I_P1":false}},

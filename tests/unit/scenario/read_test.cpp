@@ -54,7 +54,7 @@ TEST_CASE("Unknown keys and wrong shapes are reported at their locations, and th
 TEST_CASE("A step gives its time once") {
   CHECK(step_faults(R"({"set":{}})") == "2:1 `{` this step has no time; add `at`, `plus` or `wait`\n");
   CHECK(contains(step_faults(R"({"at":"1s","plus":"2s"})"), "2:12 `\"plus\"` `at` already sets the time of this step"));
-  CHECK(contains(step_faults(R"({"wait":"START","plus":"2s"})"), "`plus` says already"));
+  CHECK(contains(step_faults(R"({"wait":"START","plus":"2s"})"), "`plus` already sets the time"));
   CHECK(
       contains(step_faults(R"({"at":"1s","within":"2s"})"), "2:12 `\"within\"` `within` is allowed only with `wait`"));
 }
@@ -84,7 +84,7 @@ TEST_CASE("Names ignore the case of ASCII letters, and an unknown one gives the 
   CHECK(contains(step_faults(R"({"at":"0s","state":{"L_P_AGV":"P3"}})"),
                  "2:31 `\"P3\"` state `P3` of `L_P_AGV` not found; did you mean `P1`?"));
   CHECK(contains(step_faults(R"({"at":"0s","state":{"START":"P3"}})"), "is a symbol and has no states"));
-  CHECK(contains(step_faults(R"({"at":"0s","force":{"L_P_AGV":true}})"), "is a device, name one of its symbols"));
+  CHECK(contains(step_faults(R"({"at":"0s","force":{"L_P_AGV":true}})"), "is a device; name one of its symbols"));
   CHECK(
       contains(step_faults(R"({"at":"0s","set":{"START":true,"Start":false}})"), "is repeated in another letter case"));
 }
@@ -101,7 +101,7 @@ TEST_CASE("A step cannot set what a unit or PLC drives, but may force it") {
                  "2:19 `\"L_P_AGV_I_P1\"` `L_P_AGV_I_P1` is driven by the device `L_P_AGV`"));
   CHECK(step_faults(R"({"at":"0s","force":{"L_P_AGV_I_P1":true}})") == "");
   CHECK(step_faults(R"({"at":"0s","set":{"L_P_AGV_O_P2":true}})") == "");
-  CHECK(contains(step_faults(R"({"at":"0s","set":{"L_P_AGV_O_P2":true}})", true), "hold it by `force` instead"));
+  CHECK(contains(step_faults(R"({"at":"0s","set":{"L_P_AGV_O_P2":true}})", true), "use `force` instead"));
   CHECK(step_faults(R"({"at":"0s","force":{"L_P_AGV_O_P2":true},"expect":{"L_P_AGV_O_P2":true}})", true) == "");
 }
 

@@ -122,7 +122,7 @@ TEST_CASE("Every field of every row changes the hash") {
       [](Sample& s) { s.random[0].a = 0; },
       [](Sample& s) { s.random[0].b = 3; },
       [](Sample& s) { s.symbols[0].index = 1; },
-      [](Sample& s) { s.symbols[0].unit = tables::kNoUnit; },
+      [](Sample& s) { s.symbols[0].unit = tables::kNone; },
       [](Sample& s) { s.symbols[0].number = 4; },
       [](Sample& s) {
         s.symbols[0].kind = tables::symbol_kind(tables::DataType::int_, tables::Direction::operation,

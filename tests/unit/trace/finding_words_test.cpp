@@ -115,8 +115,9 @@ TEST_CASE("An instantaneous loop names its units in one finding") {
   const BenchTables tables({"A_I_P1", "A_I_P2"},
                            Reported().by_itself("A", "P1", "P2", fixed(0)).by_itself("A", "P2", "P1", fixed(0)));
   Reporter reporter(tables);
-  CHECK(contains(reporter.reported,
-                 "0 s: instantaneous loop: L_P_A loops through states without time passing and is frozen until the run ends"));
+  CHECK(contains(
+      reporter.reported,
+      "0 s: instantaneous loop: L_P_A loops through states without time passing and is frozen until the run ends"));
   CHECK(contains(reporter.names, "L_P_A\n"));
 }
 
@@ -137,12 +138,12 @@ TEST_CASE("A requirement reports the devices that it checks, and their commands"
   Reporter reporter(tables);
   reporter.to(100).set("AGV_O_P2", true).to(200).to(1000);
   CHECK(reporter.reported ==
-        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV is in P1->P2 since "
+        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV is in "
+        "P1->P2 since "
         "0.2 s, %QX2 (operation P2, symbols.csv:4) is on since 0.2 s\n");
 }
 
-TEST_CASE(
-    "The last device of a requirement to change is reported first, with the operation that caused it") {
+TEST_CASE("The last device of a requirement to change is reported first, with the operation that caused it") {
   Reported reported;
   reported.description.requirements.push_back({"apart", "L_P_AGV.moving and L_P_MC.RUN2", "", "", 0});
   const BenchTables tables({"AGV_I_P1", "AGV_I_P2", "AGV_O_P2", "MC_I_IDLE1", "MC_I_RUN2", "MC_O_IDLE1", "MC_O_RUN2"},

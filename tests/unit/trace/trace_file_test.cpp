@@ -44,7 +44,7 @@ TEST_CASE("The file is a header and one line per change, for any names") {
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "trace.jsonl").string();
   const std::vector<tables::SymbolRow> symbols{
-      {0, tables::kNoUnit, 0, 2,
+      {0, tables::kNone, 0, 2,
        tables::symbol_kind(DataType::boolean, tables::Direction::event, tables::AddressForm::none, false)}};
   const std::string names{"a \"q\"\\\n\xC3\xA4\0\0", 12};
   tables::PlantTables tables = bare_tables("p\"1", 64, 64, 0, symbols);

@@ -25,8 +25,8 @@ struct Tables {
   std::vector<tables::EventMasks> masks{{1, 0}, {0, 1}};
   std::vector<tables::TypeRow> types{{0, 1, 2, tables::kNoState, tables::Actuation::latched, {}, masks, masks, {}}};
   std::vector<tables::UnitRow> units{{0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}};
-  std::vector<tables::SymbolRow> symbols{symbol(DataType::boolean, 0, 0), symbol(DataType::int_, 0, tables::kNoUnit),
-                                         symbol(DataType::lreal, 1, tables::kNoUnit)};
+  std::vector<tables::SymbolRow> symbols{symbol(DataType::boolean, 0, 0), symbol(DataType::int_, 0, tables::kNone),
+                                         symbol(DataType::lreal, 1, tables::kNone)};
   std::string symbol_names{"L_A_I_X\0\0A B\0\0W\xC3\xBC\0\0", 18};
   std::string unit_names{"L_A\0L_B.F\0", 10};
   std::string state_names{"P 1\0\xC3\x9C\\\0", 8};

@@ -21,7 +21,7 @@ namespace {
 namespace tables = symplant::tables;
 namespace link = symplant::link;
 
-[[maybe_unused]] constexpr auto kFree = tables::kNoUnit;
+[[maybe_unused]] constexpr auto kFree = tables::kNone;
 
 // The device types: their rows are in their classes.
 constexpr std::array<tables::TypeRow, 3> kTypes{{

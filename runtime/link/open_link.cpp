@@ -1,10 +1,9 @@
 // Links by URL: the table of schemes.
-#include "symplant/link/link.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "symplant/link/link.hpp"
 #include "symplant/link/loop_link.hpp"
 #include "symplant/link/modbus/server_link.hpp"
 
