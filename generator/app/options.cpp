@@ -100,6 +100,9 @@ std::string count_text(const diag::Diagnostics& diagnostics, diag::Severity leas
   }
   if (text.empty()) text = "no findings";
   if (!diagnostics.ignored().empty()) text += fmt::format(", {} ignored by plant.json", diagnostics.ignored().size());
+  std::size_t consequences = 0;
+  for (const diag::Ignored& ignored : diagnostics.ignored()) consequences += ignored.finding.shown_consequences;
+  if (consequences != 0) text += fmt::format(" and {} that follow from them", consequences);
   return text;
 }
 

@@ -15,8 +15,7 @@
 #include "app/url_findings.hpp"
 #include "check/check_plant.hpp"
 #include "description/description_rules.hpp"
-#include "findings/causes.hpp"
-#include "findings/settings.hpp"
+#include "findings/finish.hpp"
 #include "lower/limits.hpp"
 #include "lower/lower.hpp"
 #include "model/derive.hpp"
@@ -85,18 +84,12 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
   if (!diagnostics.has_errors() && symbols_can_overlap(plant)) add_map_findings(plant, tables, diagnostics);
 }
 
-/// Prepares the findings for the user: settings, selection, folding, locations, order.
+/// Prepares the findings for the user: folding, settings, selection, locations, order.
 void finish(const Inputs& inputs, const model::PlantModel& plant, const CompileOptions& options,
             diag::Diagnostics& diagnostics) {
-  if (const description::GivenCheck& settings = plant.description->check;
-      inputs.readable && (!settings.severity.empty() || !settings.ignore.empty())) {
-    diagnostics = findings::apply_settings(diagnostics, settings, options.today);
-  }
-  diagnostics = findings::select(std::move(diagnostics), options.selection);
-  if (inputs.readable) {
-    findings::fold_consequences(plant, diagnostics);
-    locate(inputs.source, diagnostics);
-  }
+  const description::GivenCheck settings = inputs.readable ? plant.description->check : description::GivenCheck();
+  diagnostics = findings::finish(std::move(diagnostics), settings, options.today, options.selection);
+  if (inputs.readable) locate(inputs.source, diagnostics);
   diagnostics.sort_by_location(plant.sources());
 }
 

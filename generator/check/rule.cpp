@@ -2,8 +2,15 @@
 #include "check/rule.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "text/utf8.hpp"
+
+#include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
+
+using Kind = diag::Subject::Kind;
 
 diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell) {
   const auto& source = plant.lists[plant.list_of(row)].table->source;
@@ -73,21 +80,99 @@ const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model
   return plant.symbols[first];
 }
 
-std::vector<std::string> about(const model::Symbol& symbol) {
-  std::vector<std::string> names{std::string(symbol.name())};
-  if (symbol.reading.fault == name::NameFault::none) names.emplace_back(symbol.reading.device_path);
-  return names;
+diag::Subjects about(const model::Symbol& symbol) {
+  diag::Subjects subjects{{symbol_named(symbol.name())}, {}, {}};
+  if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path));
+  return subjects;
 }
 
-std::vector<std::string> about(const model::Symbol& symbol, const model::Symbol& other) {
-  std::vector<std::string> names = about(symbol);
-  names.emplace(names.begin() + 1, other.name());
-  return names;
+diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other) {
+  diag::Subjects subjects = about(symbol);
+  subjects.about.insert(subjects.about.begin() + 1, symbol_named(other.name()));
+  return subjects;
 }
 
-std::vector<std::string> about(const model::Unit& unit) { return {std::string(unit.path)}; }
+diag::Subjects about(const model::Unit& unit) { return {{device(unit.path)}, {}, {}}; }
 
-std::vector<std::string> about(const read::ListRow& row) { return {std::string(row.name)}; }
+diag::Subjects about(const read::ListRow& row) { return {{symbol_named(row.name)}, {}, {}}; }
+
+diag::Subject device(std::string_view path) { return {Kind::device, std::string(path)}; }
+
+diag::Subject model_of(std::string_view path) { return {Kind::model, std::string(path)}; }
+
+diag::Subject sequence_of(std::string_view path) { return {Kind::sequence, std::string(path)}; }
+
+diag::Subject symbol_named(std::string_view name) { return {Kind::symbol, std::string(name)}; }
+
+diag::Subject address_of(std::string_view symbol) { return {Kind::address, std::string(symbol)}; }
+
+diag::Subject missing(std::string name) { return {Kind::missing, std::move(name)}; }
+
+diag::Subject missing(const model::PlantModel& plant, std::string_view path, tables::Direction direction,
+                      std::string_view task) {
+  const bool operation = direction == tables::Direction::operation;
+  const auto& words = plant.rule->directions;
+  const auto word = std::find_if(words.begin(), words.end(), [&](const name::DirectionWord& known) {
+    return (known.direction == name::Direction::operation) == operation;
+  });
+  std::string separator;
+  text::append_utf8(separator, plant.rule->separator);
+  return missing(std::string(path) + separator + word->word + separator + std::string(task));
+}
+
+diag::Subject side_of(std::string_view path, tables::Direction direction) {
+  return {direction == tables::Direction::operation ? Kind::operations : Kind::events, std::string(path)};
+}
+
+void explain_missing(diag::Subjects& subjects, std::string name, std::string_view path, tables::Direction direction) {
+  subjects.explains.push_back(missing(std::move(name)));
+  subjects.explains.push_back(side_of(path, direction));
+  subjects.explains.push_back(model_of(path));
+}
+
+std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit) {
+  std::vector<diag::Subject> subjects;
+  for (const model::State& state : unit.states) {
+    if ((state.operation == model::kNone) == (state.event == model::kNone)) continue;
+    const auto direction =
+        state.operation == model::kNone ? tables::Direction::operation : tables::Direction::event;
+    subjects.push_back(missing(plant, unit.path, direction, state.name));
+  }
+  return subjects;
+}
+
+diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit) {
+  diag::Subjects subjects = about(unit);
+  subjects.follows = missing_sides(plant, unit);
+  subjects.follows.push_back(device(unit.path));
+  subjects.follows.push_back(model_of(unit.path));
+  return subjects;
+}
+
+diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& unit, diag::Subjects subjects) {
+  for (diag::Subject& side : missing_sides(plant, unit)) {
+    subjects.explains.push_back(side);
+    subjects.follows.push_back(std::move(side));
+  }
+  const bool no_events = unit.events.empty();
+  subjects.follows.push_back(
+      side_of(unit.path, no_events ? tables::Direction::event : tables::Direction::operation));
+  subjects.follows.push_back(device(unit.path));
+  return subjects;
+}
+
+diag::Alike alike(const model::Unit& unit, const model::Symbol& symbol) {
+  return {class_name(unit.device), std::string(symbol.name())};
+}
+
+const model::Symbol* symbol_of(const model::PlantModel& plant, const read::ListRow& row) {
+  const std::uint32_t list = plant.list_of(row);
+  const auto symbol = std::lower_bound(plant.symbols.begin(), plant.symbols.end(), &row,
+                                       [&](const model::Symbol& a, const read::ListRow* wanted) {
+                                         return a.list != list ? a.list < list : a.row < wanted;
+                                       });
+  return symbol != plant.symbols.end() && symbol->row == &row ? &*symbol : nullptr;
+}
 
 std::string_view direction_text(tables::Direction direction) {
   return direction == tables::Direction::operation ? "operation" : "event";

@@ -60,12 +60,38 @@ const model::Symbol& operation_of(const model::PlantModel& plant, const model::U
 const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
 /// The first symbol of a unit in list order.
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
-/// What a finding is about, as the user may name it in his settings: a symbol and its device, or a device.
-std::vector<std::string> about(const model::Symbol& symbol);
-/// Of two on one address: the other's name stands behind the symbol's.
-std::vector<std::string> about(const model::Symbol& symbol, const model::Symbol& other);
-std::vector<std::string> about(const model::Unit& unit);
-std::vector<std::string> about(const read::ListRow& row);
+/// The subjects of a finding, as the user may name them in the settings: a symbol and its device, or a device.
+diag::Subjects about(const model::Symbol& symbol);
+/// Of two symbols with one address: the other's name is second.
+diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);
+diag::Subjects about(const model::Unit& unit);
+diag::Subjects about(const read::ListRow& row);
+/// Findings on symbols of devices that are named alike become one finding.
+diag::Alike alike(const model::Unit& unit, const model::Symbol& symbol);
+
+// Subjects that connect a finding with its cause and its consequences.
+diag::Subject device(std::string_view path);
+diag::Subject model_of(std::string_view path);
+diag::Subject sequence_of(std::string_view path);
+diag::Subject symbol_named(std::string_view name);
+diag::Subject address_of(std::string_view symbol);
+diag::Subject missing(std::string name);
+/// The symbol that a device has not, for a task and a direction.
+diag::Subject missing(const model::PlantModel& plant, std::string_view path, tables::Direction direction,
+                      std::string_view task);
+/// The operations, or the events, of a device.
+diag::Subject side_of(std::string_view path, tables::Direction direction);
+/// Adds what the lack of a symbol explains: the symbol itself, a device without operations or events, and its model.
+void explain_missing(diag::Subjects& subjects, std::string name, std::string_view path, tables::Direction direction);
+/// For each state of the unit that has only one side, the symbol of the other side.
+std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit);
+/// A device; the finding is about what was derived for it, and follows from whatever the device lacks.
+diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit);
+/// Adds to the subjects of a device without events, or without operations, the symbols that it lacks. The finding
+/// explains what else follows from them.
+diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& unit, diag::Subjects subjects);
+/// The symbol of a row; null if the row is left out. O(log symbols).
+const model::Symbol* symbol_of(const model::PlantModel& plant, const read::ListRow& row);
 /// "operation" or "event".
 std::string_view direction_text(tables::Direction direction);
 

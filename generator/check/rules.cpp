@@ -2,9 +2,13 @@
 #include "check/rules.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
+#include "check/spelling/bent_words.hpp"
 #include "text/ascii.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::check {
 
@@ -19,11 +23,31 @@ std::string_view faulty_part(const model::Symbol& symbol) {
   return symbol.name().substr(part.begin, part.end - part.begin);
 }
 
+diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol) {
+  diag::Subjects subjects = about(symbol).explaining({diag::Subject::Kind::name, std::string(symbol.name())});
+  if (symbol.reading.fault == name::NameFault::wrong_number_of_levels) return subjects;
+  std::string separator;
+  text::append_utf8(separator, plant.rule->separator);
+  const auto& levels = plant.rule->levels;
+  const auto direction = std::find(levels.begin(), levels.end(), name::Level::direction);
+  std::size_t end = 0;
+  for (auto level = levels.begin(); level != direction && end != std::string_view::npos; ++level) {
+    end = symbol.name().find(separator, level == levels.begin() ? 0 : end + separator.size());
+  }
+  if (end >= symbol.reading.where.begin) return subjects;
+  const std::string_view path = symbol.name().substr(0, end);
+  return std::move(subjects).explaining(side_of(path, symbol.direction)).explaining(model_of(path));
+}
+
 std::string_view consequence(const model::Symbol& symbol) {
   return symbol.direction == tables::Direction::event ? "nothing moves it" : "it moves nothing";
 }
 
 namespace {
+
+/// Tasks of operations that have no feedback by nature. The page of SP401 lists them.
+constexpr std::array<std::string_view, 9> kNoFeedback{"ACK", "BUZZER", "BYPASS", "HORN", "LAMP",
+                                                      "LED", "MUTE",   "RESET",  "RST"};
 
 bool overruled(const model::Symbol& symbol) {
   if (!symbol.address || symbol.reading.fault != name::NameFault::none) return false;
@@ -82,6 +106,16 @@ bool OverruledNames::has(const model::Unit& unit, const model::State& state, nam
   return !names_.empty() && names_.count(task_key(unit.path, state.name, direction == name::Direction::operation)) != 0;
 }
 
+bool is_one_word_twice(const Subject& subject, const model::Unit& unit) {
+  return evidence_of(subject, unit).two_words && bent_alike(unit.states[0].name, unit.states[1].name);
+}
+
+bool needs_no_feedback(std::string_view task) {
+  while (!task.empty() && text::is_digit(task.back())) task.remove_suffix(1);
+  return std::any_of(kNoFeedback.begin(), kNoFeedback.end(),
+                     [&](std::string_view word) { return text::equal_ignoring_case(word, task); });
+}
+
 Unled unled(const Subject& subject, const model::Unit& unit, std::uint32_t state) {
   const model::State& of = unit.states[state];
   if (unit.operations.empty() || of.event == model::kNone || of.operation != model::kNone) return Unled::no;
@@ -89,7 +123,7 @@ Unled unled(const Subject& subject, const model::Unit& unit, std::uint32_t state
   // Its description says the ways, and the list is not to blame.
   if (unit.described != nullptr && unit.described->only) return Unled::no;
   const model::UnitEvidence& evidence = evidence_of(subject, unit);
-  if (evidence.two_words) return Unled::two_words;
+  if (evidence.two_words && !needs_no_feedback(unit.states[1 - state].name)) return Unled::two_words;
   if (subject.overruled.has(unit, of, name::Direction::operation)) return Unled::overruled;
   const auto& ambiguous = evidence.ambiguous_sequence;
   if (std::find(ambiguous.begin(), ambiguous.end(), state) != ambiguous.end()) return Unled::ambiguous;

@@ -131,6 +131,9 @@ inline constexpr std::array kRules{
 /// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
+/// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model of
+/// its device if the fault is behind the device's levels.
+diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol);
 /// What a symbol loses that is in no device: "nothing moves it", "it moves nothing".
 std::string_view consequence(const model::Symbol& symbol);
 
@@ -157,10 +160,16 @@ class OverruledNames {
   std::set<std::string> names_;
 };
 
+/// Whether the only two tasks of a unit look like forms of one word, such as START and STARTED: SP405 reports them.
+bool is_one_word_twice(const Subject& subject, const model::Unit& unit);
+
+/// Whether operations of this task have no feedback by nature, such as RESET: SP401 does not expect an event.
+bool needs_no_feedback(std::string_view task);
+
 /// Which rule about the list tells that nothing leads to a state.
 enum class Unled : std::uint8_t {
   no,            ///< none: something leads there, or it is not for want of a symbol
-  two_words,     ///< SP405
+  two_words,     ///< SP405, or SP401 of the only other task
   overruled,     ///< SP305 or SP407
   ambiguous,     ///< SP409
   no_operation,  ///< SP402

@@ -33,9 +33,10 @@ void Diagnostics::add(const RuleInfo& rule, std::string message, Location locati
   add(rule, {}, std::move(message), std::move(location), std::move(related));
 }
 
-void Diagnostics::add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Location location,
-                      std::vector<Related> related) {
-  add({&rule, rule.severity, std::move(message), std::move(location), std::move(related), std::move(about)});
+Diagnostic& Diagnostics::add(const RuleInfo& rule, Subjects subjects, std::string message, Location location,
+                             std::vector<Related> related) {
+  add({&rule, rule.severity, std::move(message), std::move(location), std::move(related), std::move(subjects)});
+  return all_.back();
 }
 
 void Diagnostics::add(Diagnostic finding) {
@@ -50,22 +51,43 @@ void Diagnostics::ignore(Diagnostic finding, std::string why) {
 void Diagnostics::fold(std::span<const std::uint32_t> into) {
   for (std::size_t i = 0; i < all_.size(); ++i) {
     if (into[i] == i) continue;
-    Diagnostic& root = all_[into[i]];
-    Diagnostic& folded = all_[i];
-    root.severity = std::max(root.severity, folded.severity);
-    root.related.push_back({std::move(folded.location), "follows from this (" + std::string(folded.rule->slug) +
-                                                            "): " + std::move(folded.message)});
-    std::move(folded.related.begin(), folded.related.end(), std::back_inserter(root.related));
+    std::vector<Diagnostic>& consequences = all_[into[i]].consequences;
+    std::vector<Diagnostic> further = std::move(all_[i].consequences);
+    all_[i].consequences.clear();
+    consequences.push_back(std::move(all_[i]));
+    std::move(further.begin(), further.end(), std::back_inserter(consequences));
   }
   counts_ = {};
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    if (into[i] != i) continue;
-    ++counts_[static_cast<std::size_t>(all_[i].severity)];
-    if (kept != i) all_[kept] = std::move(all_[i]);
-    ++kept;
+  std::vector<Diagnostic> all = std::move(all_);
+  all_.clear();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (into[i] == i) add(std::move(all[i]));
   }
-  all_.resize(kept);
+}
+
+namespace {
+
+void show(Diagnostic& finding) {
+  for (Diagnostic& consequence : finding.consequences) {
+    finding.severity = std::max(finding.severity, consequence.severity);
+    finding.related.push_back(
+        {std::move(consequence.location), "follows from this (" + std::string(consequence.rule->slug) +
+                                              "): " + std::move(consequence.message)});
+    std::move(consequence.related.begin(), consequence.related.end(), std::back_inserter(finding.related));
+  }
+  finding.shown_consequences += finding.consequences.size();
+  finding.consequences.clear();
+}
+
+}  // namespace
+
+void Diagnostics::show_consequences() {
+  counts_ = {};
+  for (Diagnostic& finding : all_) {
+    show(finding);
+    ++counts_[static_cast<std::size_t>(finding.severity)];
+  }
+  for (Ignored& ignored : ignored_) show(ignored.finding);
 }
 
 std::vector<std::string> Diagnostics::pointers() const {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "text/source_file.hpp"
@@ -19,6 +20,21 @@ enum class Severity { note, warning, error };
 
 std::string_view severity_name(Severity severity);
 
+/// What a rule is about, causes first: a finding follows only from one of a lower rank.
+enum class Rank : std::uint8_t {
+  address,    ///< the addresses of a row
+  name,       ///< the spelling of a name
+  row,        ///< rows and symbols that the model leaves out
+  direction,  ///< a name and an address of different directions
+  value,      ///< an initial value
+  words,      ///< two words for one state
+  repeated,   ///< a sequence number twice
+  gap,        ///< a sequence number missing
+  siblings,   ///< what similar devices have
+  sides,      ///< an operation without event, an event without operation
+  last,       ///< all others: they explain nothing
+};
+
 /// The properties of a rule. Ids and slugs are never reused.
 struct RuleInfo {
   std::string_view id;    ///< "SP201"
@@ -26,6 +42,7 @@ struct RuleInfo {
   Severity severity;
   std::string_view summary;  ///< one line, for the catalogue
   std::string_view page;     ///< the manual page, Markdown: meaning, what the model loses, how to fix it
+  Rank rank = Rank::last;
 };
 
 /// The severity of "note", "warning" or "error"; nothing for any other word.
@@ -45,6 +62,49 @@ struct Related {
   std::string message;
 };
 
+/// Findings of one rule and one kind become one finding: see findings::join_alike().
+struct Alike {
+  std::string kind;  ///< the type of the devices, such as `CLAMP#`; empty if the finding stays single
+  std::string name;  ///< of the symbol, to list it as an example
+};
+
+/// What a finding is about. Names compare without regard to case.
+struct Subject {
+  enum class Kind : std::uint8_t {
+    device,       ///< a device, by its path
+    symbol,       ///< a symbol of the list
+    missing,      ///< a symbol that the list does not have, by the name that it would have
+    address,      ///< the address of the symbol of this name
+    operations,   ///< whether the device of this path has operations
+    events,       ///< whether it has events
+    model,        ///< what is derived for the device of this path: states, transitions
+    sequence,     ///< the sequence numbers of the device of this path
+    name,         ///< a symbol whose name breaks the naming rule: it may be any missing one with a similar name
+    requirement,  ///< a requirement of the plant description
+  };
+  Kind kind;
+  std::string name;
+
+  bool operator==(const Subject&) const = default;
+};
+inline constexpr std::size_t kSubjectKinds = 10;
+
+/// The subjects of a finding.
+struct Subjects {
+  std::vector<Subject> about;     ///< what the user may name to ignore the finding; they make its fingerprint
+  std::vector<Subject> explains;  ///< a finding that follows any of these may follow from this one
+  std::vector<Subject> follows;   ///< what the finding may be a consequence of
+
+  Subjects&& explaining(Subject subject) && {
+    explains.push_back(std::move(subject));
+    return std::move(*this);
+  }
+  Subjects&& following(Subject subject) && {
+    follows.push_back(std::move(subject));
+    return std::move(*this);
+  }
+};
+
 /// Wording of messages: lower case, no full stop, back-ticks round user text; what is wrong, then what to do.
 struct Diagnostic {
   const RuleInfo* rule = nullptr;
@@ -52,7 +112,11 @@ struct Diagnostic {
   std::string message;
   Location location;
   std::vector<Related> related;
-  std::vector<std::string> about;  ///< the symbols and devices (paths) by which the user can ignore the finding
+  Subjects subjects;
+  /// Findings that follow from this one, until show_consequences() makes related rows of them.
+  std::vector<Diagnostic> consequences = {};
+  std::size_t shown_consequences = 0;  ///< how many of the related rows were findings
+  Alike alike = {};
 };
 
 /// A finding that plant.json ignores, and the reason given there.
@@ -65,14 +129,18 @@ struct Ignored {
 struct LeftOutByOption {
   std::size_t not_selected = 0;
   std::size_t ignored = 0;
+  std::size_t consequences = 0;  ///< that follow from the ignored ones
+
+  std::size_t total() const { return not_selected + ignored + consequences; }
 };
 
 /// The findings so far.
 class Diagnostics {
  public:
   void add(const RuleInfo& rule, std::string message, Location location, std::vector<Related> related = {});
-  void add(const RuleInfo& rule, std::vector<std::string> about, std::string message, Location location,
-           std::vector<Related> related = {});
+  /// The finding is valid until the next one is added.
+  Diagnostic& add(const RuleInfo& rule, Subjects subjects, std::string message, Location location,
+                  std::vector<Related> related = {});
   void add(Diagnostic finding);
   void ignore(Diagnostic finding, std::string why);
 
@@ -91,11 +159,14 @@ class Diagnostics {
   void leave_out(const LeftOutByOption& more) {
     left_out_.not_selected += more.not_selected;
     left_out_.ignored += more.ignored;
+    left_out_.consequences += more.consequences;
   }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
-  /// Makes findings related rows of others: `into[i]` is the index of the finding that absorbs the i-th, or i. A
-  /// finding that absorbs others must not be absorbed itself. It gets the highest severity of them.
+  /// Makes findings consequences of others: `into[i]` is the index of the one that takes the i-th, or i itself. One that
+  /// takes others is taken by none.
   void fold(std::span<const std::uint32_t> into);
+  /// Makes related rows of all consequences. A finding becomes as severe as the most severe of them.
+  void show_consequences();
 
   bool has_errors() const { return count(Severity::error) != 0; }
 

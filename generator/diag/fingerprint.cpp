@@ -49,8 +49,8 @@ std::string Fingerprints::next(const Diagnostic& finding, std::string_view file)
   Digest digest;
   digest.add(finding.rule->id);
   digest.add(file);
-  for (const std::string& name : finding.about) digest.add(text::to_upper(name));
-  if (finding.about.empty()) {
+  for (const Subject& subject : finding.subjects.about) digest.add(text::to_upper(subject.name));
+  if (finding.subjects.about.empty()) {
     digest.add(without_numbers(finding.message));
     digest.add(text_at(finding.location));
   }

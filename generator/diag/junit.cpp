@@ -79,7 +79,7 @@ class SuiteRenderer {
 
   void begin(const Diagnostic& finding) {
     std::string name = finding.location.source ? finding.location.source->path() : report_.plant;
-    if (!finding.about.empty()) name = finding.about.front();
+    if (!finding.subjects.about.empty()) name = finding.subjects.about.front().name;
     const std::size_t seen = ++seen_[{finding.rule, name}];
     if (seen > 1) name += " (" + std::to_string(seen) + ")";
     begin(*finding.rule, name);

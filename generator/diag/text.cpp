@@ -143,11 +143,17 @@ class TextRenderer {
     text_.append(" [").append(finding.rule->id).append(" ").append(finding.rule->slug).append("]\n");
     row(finding.location);
     const Location* shown = &finding.location;
-    for (const Related& related : finding.related) {
+    const std::size_t most = options_.fold_after == 0 ? finding.related.size() : options_.fold_related_after;
+    for (std::size_t i = 0; i < std::min(most, finding.related.size()); ++i) {
+      const Related& related = finding.related[i];
       head(related.location, Severity::note, related.message);
       text_ += '\n';
       if (!same(*shown, related.location)) row(related.location);
       shown = &related.location;
+    }
+    if (finding.related.size() > most) {
+      text_ +=
+          "... and " + std::to_string(finding.related.size() - most) + " more related rows; --format json lists all\n";
     }
   }
 

@@ -1,4 +1,4 @@
-// Which rules the user wants to hear of in one run.
+// Which rules a run reports.
 #include "findings/selection.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool names_exactly(std::string_view word, const diag::RuleInfo& rule) {
          text::equal_ignoring_case(check::slug_now(word), rule.slug);
 }
 
-/// How exactly a word means a rule; 0: not at all.
+/// How exactly a word matches a rule; 0 if it does not.
 std::size_t weight(std::string_view word, const diag::RuleInfo& rule) {
   if (names_exactly(word, rule)) return kIdSize;
   const bool begins = word.size() >= kShortestWord && word.size() < rule.id.size() &&
@@ -35,9 +35,9 @@ std::size_t weight(const std::vector<std::string>& words, const diag::RuleInfo& 
   return most;
 }
 
-/// What is wrong with a word of `option`; nothing where all is well.
+/// What is wrong with a word of an option; nothing if it is valid.
 std::optional<std::string> fault_of(const std::string& word, bool ignores) {
-  if (word.empty()) return "a rule is missing beside a comma: write ids, slugs or beginnings of ids, such as SP4";
+  if (word.empty()) return "a rule is missing next to a comma: write ids, slugs or beginnings of ids, such as SP4";
   bool known = false;
   for (const diag::RuleInfo* rule : check::catalogue()) {
     known = known || weight(word, *rule) != 0;
@@ -83,33 +83,78 @@ Selection::Verdict Selection::verdict(const diag::RuleInfo& rule) const {
   return ignored != 0 && ignored >= selected ? Verdict::ignored : Verdict::reported;
 }
 
-diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection) {
-  if (selection.takes_all()) return findings;
-  diag::Diagnostics result;
-  diag::LeftOutByOption left_out = findings.left_out();
-  std::unordered_map<const diag::RuleInfo*, Selection::Verdict> verdicts;
-  const auto verdict = [&](const diag::RuleInfo* rule) {
-    const auto known = verdicts.find(rule);
-    return known != verdicts.end() ? known->second : verdicts[rule] = selection.verdict(*rule);
-  };
-  for (const diag::Diagnostic& finding : findings.all()) {
-    switch (verdict(finding.rule)) {
-      case Selection::Verdict::reported:
-        result.add(finding);
-        break;
-      case Selection::Verdict::not_selected:
-        ++left_out.not_selected;
-        break;
-      case Selection::Verdict::ignored:
-        ++left_out.ignored;
-        break;
+namespace {
+
+/// Leaves out what is not selected, and counts it.
+class Selecting {
+ public:
+  explicit Selecting(const Selection& selection, const diag::LeftOutByOption& before)
+      : selection_(selection), left_out_(before) {}
+
+  void pass_on(diag::Diagnostic finding) {
+    const Verdict verdict = verdict_of(finding);
+    finding.consequences = reported_of(std::move(finding.consequences));
+    if (verdict == Verdict::reported) {
+      result_.add(std::move(finding));
+      return;
     }
+    leave_out(verdict);
+    const bool all = verdict == Verdict::not_selected;  // such a finding is not ignored, only not selected
+    for (diag::Diagnostic& each : all ? finding.consequences : take_independent(finding)) result_.add(std::move(each));
+    if (!all) left_out_.consequences += finding.consequences.size();
   }
-  for (const diag::Ignored& each : findings.ignored()) {
-    if (verdict(each.finding.rule) == Selection::Verdict::reported) result.ignore(each.finding, each.why);
+
+  /// What plant.json ignores is not counted if it is not selected.
+  void pass_on(diag::Ignored ignored) {
+    if (verdict_of(ignored.finding) != Verdict::reported) return;
+    result_.ignore(std::move(ignored.finding), std::move(ignored.why));
   }
-  result.leave_out(left_out);
-  return result;
+
+  diag::Diagnostics take() {
+    result_.leave_out(left_out_);
+    return std::move(result_);
+  }
+
+ private:
+  using Verdict = Selection::Verdict;
+
+  Verdict verdict_of(const diag::Diagnostic& finding) {
+    const auto known = verdicts_.find(finding.rule);
+    if (known != verdicts_.end()) return known->second;
+    const Verdict verdict = selection_.verdict(*finding.rule);
+    verdicts_.emplace(finding.rule, verdict);
+    return verdict;
+  }
+
+  std::vector<diag::Diagnostic> reported_of(std::vector<diag::Diagnostic> consequences) {
+    std::vector<diag::Diagnostic> reported;
+    for (diag::Diagnostic& consequence : consequences) {
+      const Verdict verdict = verdict_of(consequence);
+      if (verdict == Verdict::reported) {
+        reported.push_back(std::move(consequence));
+      } else {
+        leave_out(verdict);
+      }
+    }
+    return reported;
+  }
+
+  void leave_out(Verdict verdict) { ++(verdict == Verdict::ignored ? left_out_.ignored : left_out_.not_selected); }
+
+  const Selection& selection_;
+  diag::LeftOutByOption left_out_;
+  std::unordered_map<const diag::RuleInfo*, Verdict> verdicts_;
+  diag::Diagnostics result_;
+};
+
+}  // namespace
+
+diag::Diagnostics select(const diag::Diagnostics& findings, const Selection& selection) {
+  if (selection.takes_all()) return findings;
+  Selecting selecting(selection, findings.left_out());
+  for (const diag::Diagnostic& finding : findings.all()) selecting.pass_on(finding);
+  for (const diag::Ignored& ignored : findings.ignored()) selecting.pass_on(ignored);
+  return selecting.take();
 }
 
 }  // namespace symplant::findings

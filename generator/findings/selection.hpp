@@ -1,4 +1,4 @@
-// Which rules the user wants to hear of in one run: `--select` and `--ignore`.
+// Which rules a run reports: `--select` and `--ignore`.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@
 namespace symplant::findings {
 
 /// Rules chosen by id, slug or the beginning of an id. The more exact word counts: `SP401` more than `SP40`, that more
-/// than `SP4`; of equal ones `--ignore` counts. Errors after which nothing sound is left (is_binding) are told whatever
-/// is chosen.
+/// than `SP4`; of equally exact words `--ignore` counts. Errors that make a valid plant impossible (is_binding) are
+/// always reported.
 class Selection {
  public:
   enum class Verdict { reported, not_selected, ignored };
@@ -21,8 +21,8 @@ class Selection {
   /// Every rule.
   Selection() = default;
 
-  /// Of the words behind the two options; an empty `select` takes every rule. Else what is wrong with a word, for a
-  /// message: no rule has it, or it ignores an error that cannot be ignored.
+  /// From the words of the two options; an empty `select` takes every rule. On error, the text of a message: no rule has
+  /// the word, or it ignores an error that cannot be ignored.
   static base::Result<Selection, std::string> of(std::span<const std::string> select,
                                                  std::span<const std::string> ignore);
 
@@ -39,9 +39,10 @@ class Selection {
   std::vector<std::string> renamed_;
 };
 
-/// What is left of the findings, and how many were left out; of those that plant.json ignores none is counted where it
-/// goes. Comes after apply_settings(), so that an entry of plant.json has hidden something whatever is chosen, and
-/// before fold_consequences(), so that nothing is hidden under a finding that is not told. O(findings).
-diag::Diagnostics select(diag::Diagnostics findings, const Selection& selection);
+/// The selected findings, and how many are left out. The consequences of an ignored finding go with it, except those of
+/// take_independent(); those of one that is not selected are reported separately if they are selected. Findings that
+/// plant.json ignores are not counted if they are left out. Comes after apply_settings(), so that an entry of plant.json
+/// is used whatever is selected. O(findings).
+diag::Diagnostics select(const diag::Diagnostics& findings, const Selection& selection);
 
 }  // namespace symplant::findings

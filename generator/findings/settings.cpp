@@ -19,10 +19,10 @@
 namespace symplant::findings {
 namespace {
 
-/// Errors that leave a sound plant: of two rows of one name the first counts; a plant without devices has its symbols.
+/// Errors that leave a valid plant: of two rows of one name the first counts; a plant without devices has its symbols.
 constexpr std::array<std::string_view, 2> kErrorsToChooseFrom{"SP302", "SP415"};
 
-/// The number that two digits make; nothing where they are none.
+/// The value of a text of digits; nothing if it has other characters.
 std::optional<int> number(std::string_view text) {
   int value = 0;
   for (const char c : text) {
@@ -46,7 +46,7 @@ bool is_date(std::string_view text) {
   return year && month && day && *month >= 1 && *month <= 12 && *day >= 1 && *day <= days_of(*year, *month);
 }
 
-/// Of a key of the i-th entry of `ignore`, or of the entry.
+/// The location of the entry of `ignore` at an index, or of a key in it.
 diag::Location location_of_ignore(std::size_t index, std::string_view key = {}) {
   const description::Pointer here = description::Pointer("/check/ignore") / index;
   return check::location_of({}, key.empty() ? here : here / key);
@@ -67,7 +67,7 @@ class Settings {
 
  private:
   struct Ignoring {
-    std::size_t entry;  ///< a place in GivenCheck::ignore
+    std::size_t entry;  ///< an index in GivenCheck::ignore
     const diag::RuleInfo* rule;
     bool over = false;
     bool used = false;
@@ -97,7 +97,7 @@ class Settings {
     const diag::Location location = check::location_of({}, description::Pointer("/check/severity") / name);
     const diag::RuleInfo* rule = rule_of(name, location);
     const auto level = diag::severity_of_name(text);
-    if (rule == nullptr || !level) return;  // another word is against the schema, and told
+    if (rule == nullptr || !level) return;  // a description with another word does not fit the schema
     if (is_binding(*rule) && *level != diag::Severity::error) {
       refuse(*rule, "lowered", location);
     } else {
@@ -110,7 +110,7 @@ class Settings {
     const diag::RuleInfo* rule = rule_of(entry.rule, location_of_ignore(index, "rule"));
     if (!entry.until.empty() && !is_date(entry.until)) {
       result_.add(check::kDateNotUnderstood.info,
-                  fmt::format("`{}` is no date: write it like `2027-06-30`", entry.until),
+                  fmt::format("`{}` is not a date: write it as `2027-06-30`", entry.until),
                   location_of_ignore(index, "until"));
       return;
     }
@@ -123,39 +123,63 @@ class Settings {
     ignoring_.push_back({index, rule, over});
   }
 
+  /// Ignores a finding, or its consequences, or keeps them.
   void pass_on(diag::Diagnostic finding) {
+    set_severity(finding);
+    std::vector<diag::Diagnostic> kept;
+    for (diag::Diagnostic& consequence : finding.consequences) {
+      set_severity(consequence);
+      if (const Ignoring* entry = entry_of(consequence)) {
+        result_.ignore(std::move(consequence), settings_.ignore[entry->entry].why);
+      } else {
+        kept.push_back(std::move(consequence));
+      }
+    }
+    finding.consequences = std::move(kept);
+    if (const Ignoring* entry = entry_of(finding)) {
+      for (diag::Diagnostic& consequence : take_independent(finding)) result_.add(std::move(consequence));
+      result_.ignore(std::move(finding), settings_.ignore[entry->entry].why);
+    } else {
+      result_.add(std::move(finding));
+    }
+  }
+
+  void set_severity(diag::Diagnostic& finding) const {
     const auto level =
         std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.rule == finding.rule; });
     if (level != levels_.end()) finding.severity = level->level;
+  }
+
+  /// The first entry that ignores the finding; null if none does.
+  const Ignoring* entry_of(const diag::Diagnostic& finding) {
     for (Ignoring& ignoring : ignoring_) {
       if (!fits(ignoring, finding)) continue;
       ignoring.used = true;
-      if (ignoring.over) continue;
-      result_.ignore(std::move(finding), settings_.ignore[ignoring.entry].why);
-      return;
+      if (!ignoring.over) return &ignoring;
     }
-    result_.add(std::move(finding));
+    return nullptr;
   }
 
   bool fits(const Ignoring& ignoring, const diag::Diagnostic& finding) const {
     if (ignoring.rule != finding.rule) return false;
     const std::string& pattern = settings_.ignore[ignoring.entry].symbols;
-    return pattern.empty() || std::any_of(finding.about.begin(), finding.about.end(), [&](const std::string& name) {
-             return text::matches_pattern(name, pattern);
+    const std::vector<diag::Subject>& about = finding.subjects.about;
+    return pattern.empty() || std::any_of(about.begin(), about.end(), [&](const diag::Subject& subject) {
+             return text::matches_pattern(subject.name, pattern);
            });
   }
 
-  /// An entry that hides nothing: it is over, or there is nothing to hide.
+  /// Reports an entry that ignores nothing: it has expired, or no finding matches it.
   void report_idle(const Ignoring& ignoring) {
     const description::GivenCheck::Ignore& entry = settings_.ignore[ignoring.entry];
     if (!ignoring.used) {
       result_.add(check::kIgnoreWithoutFinding.info,
-                  fmt::format("nothing is found by `{}`{}: take this entry out", entry.rule,
+                  fmt::format("`{}`{} has no finding: remove this entry", entry.rule,
                               entry.symbols.empty() ? "" : fmt::format(" of `{}`", entry.symbols)),
                   location_of_ignore(ignoring.entry));
     } else if (ignoring.over) {
       result_.add(check::kIgnoreIsOver.info,
-                  fmt::format("this entry counted until {}, what it hid is told again: mend it, or set a new date",
+                  fmt::format("this entry was valid until {}, its findings are reported again: fix them, or set a new date",
                               entry.until),
                   location_of_ignore(ignoring.entry, "until"));
     }
@@ -177,8 +201,19 @@ bool is_binding(const diag::RuleInfo& rule) {
          std::find(kErrorsToChooseFrom.begin(), kErrorsToChooseFrom.end(), rule.id) == kErrorsToChooseFrom.end();
 }
 
+std::vector<diag::Diagnostic> take_independent(diag::Diagnostic& ignored) {
+  std::vector<diag::Diagnostic> all = std::move(ignored.consequences);
+  ignored.consequences.clear();
+  std::vector<diag::Diagnostic> independent;
+  for (diag::Diagnostic& consequence : all) {
+    const bool stays = consequence.severity > ignored.severity || is_binding(*consequence.rule);
+    (stays ? independent : ignored.consequences).push_back(std::move(consequence));
+  }
+  return independent;
+}
+
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {
-  return fmt::format("`{}` cannot be {}: after this error there is nothing sound to go on with, mend its cause",
+  return fmt::format("`{}` cannot be {}: this error makes a valid plant impossible, fix its cause",
                      rule.slug, wish);
 }
 

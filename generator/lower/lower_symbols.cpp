@@ -37,7 +37,7 @@ class SymbolLowering {
       const model::Symbol& symbol = plant_.symbols[i];
       tables::SymbolRow row{};
       row.index = index_of(i);
-      row.unit = symbol.unit == kNone ? tables::kNone : symbol.unit;
+      row.unit = symbol.unit;
       const tables::AddressForm form = form_of(symbol);
       row.number = form == tables::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
       row.row = symbol.row->line;

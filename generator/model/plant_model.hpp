@@ -20,7 +20,7 @@
 
 namespace symplant::model {
 
-inline constexpr std::uint32_t kNone = 0xFFFF'FFFF;
+using tables::kNone;
 
 /// Why a row of the list is not an I/O symbol. Such rows are only counted.
 enum class InternalReason : std::uint8_t {
@@ -117,14 +117,13 @@ struct Unit {
   tables::Actuation actuation = tables::Actuation::latched;
   std::uint32_t rest = kNone;  ///< given or inferred; a `spring` returns to it
   std::uint32_t initial = 0;
-  tables::Time travel = tables::kSecond;    ///< the default travel time
-  std::vector<condition::Tree> conditions;  ///< of transitions, by Transition::when, then the behavior's inputs
-  std::uint32_t first_input = 0;            ///< index of the behavior's first input in `conditions`
+  tables::Time travel = tables::kSecond;      ///< the default travel time
+  std::vector<condition::Tree> conditions;    ///< of transitions, by Transition::when, then the behavior's inputs
+  std::uint32_t first_input = 0;              ///< index of the behavior's first input in `conditions`
   std::vector<std::string_view> input_names;  ///< of the behavior's inputs, sorted by bytes
   std::vector<Outputs> outputs;               ///< one for each state; empty if no state has any
-  std::vector<std::vector<std::uint32_t>>
-      disables;                       ///< for each state: units, ascending; empty if no state has any
-  std::vector<std::uint32_t> values;  ///< numeric symbols of its device, if it has a behavior
+  std::vector<std::vector<std::uint32_t>> disables;  ///< for each state: units, ascending; empty if no state has any
+  std::vector<std::uint32_t> values;                 ///< numeric symbols of its device, if it has a behavior
   /// The description of its device, by name and by patterns; null without one. Points into PlantModel::description or
   /// PlantModel::joined.
   const description::DeviceDescription* described = nullptr;
@@ -133,8 +132,8 @@ struct Unit {
 
   // Decisions of the derivation, for reports to the user.
   InitialFrom initial_from = InitialFrom::sequence;
-  bool rest_added = false;                        ///< inference 1: NOT_X
-  bool single_solenoid = false;                   ///< inference 2
+  bool rest_added = false;       ///< inference 1: NOT_X
+  bool single_solenoid = false;  ///< inference 2
 
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
   bool moves() const { return !transitions.empty() || actuation == tables::Actuation::spring || has_behaviour(); }
@@ -169,8 +168,7 @@ struct PlantModel {
   std::shared_ptr<const description::Description> description;  ///< never null
   /// The file of the description; null if there is none.
   std::shared_ptr<const text::SourceFile> description_source;
-  std::vector<std::shared_ptr<const description::DeviceDescription>>
-      joined;                            ///< of devices that several entries match
+  std::vector<std::shared_ptr<const description::DeviceDescription>> joined;  ///< of devices that several entries match
   std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;

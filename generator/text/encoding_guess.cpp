@@ -32,7 +32,7 @@ bool is_high(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 /// True between words. None of these bytes is part of a character in any of the code pages.
 bool parts_words(char c) { return static_cast<unsigned char>(c) < 0x30 || c == ';'; }
 
-/// The first word at or after `offset` that is not ASCII; empty if there is none.
+/// The first word at or after `offset` that is not ASCII; empty if not found.
 Span next_word(std::string_view bytes, std::size_t offset) {
   const auto high = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.end(), is_high);
   const auto at = static_cast<std::size_t>(high - bytes.begin());

@@ -1,8 +1,7 @@
 // Runs the instants between two calls.
-#include "symplant/engine/engine.hpp"
-
 #include <algorithm>
 
+#include "symplant/engine/engine.hpp"
 #include "symplant/engine/engine_inline.hpp"
 
 namespace symplant::engine {
@@ -33,7 +32,7 @@ void Engine::start() noexcept {
 /// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
 SYMPLANT_ALWAYS_INLINE void Engine::queue_due(tables::Time time) noexcept {
   const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
-  for (std::uint32_t entry = head->wheel.take(time); entry != Wheel::kNone; entry = units[entry].next) {
+  for (std::uint32_t entry = head->wheel.take(time); entry != tables::kNone; entry = units[entry].next) {
     const std::uint16_t flags = units[entry].flags;
     units[entry].flags = static_cast<std::uint16_t>(flags & ~kTimed) | (entry < unit_count ? kTouched : 0);
     if (entry < unit_count) {

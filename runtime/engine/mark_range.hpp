@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "symplant/engine/arena.hpp"
+#include "symplant/tables/tables.hpp"
 
 namespace symplant::engine {
 
@@ -15,7 +16,7 @@ class MarkRange {
  public:
   void take(Arena& arena, std::size_t numbers) noexcept {
     words_ = arena.take<std::uint64_t>((numbers + 63) / 64);
-    begin_ = kNone;
+    begin_ = tables::kNone;
     end_ = 0;
   }
   void mark(std::uint32_t number) noexcept {
@@ -34,12 +35,11 @@ class MarkRange {
       }
       words_[word] = 0;
     }
-    begin_ = kNone;
+    begin_ = tables::kNone;
     end_ = 0;
   }
 
  private:
-  static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
   std::uint64_t* words_;
   std::uint32_t begin_;  ///< first word that may have a mark
   std::uint32_t end_;

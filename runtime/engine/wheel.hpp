@@ -1,4 +1,4 @@
-// The due times of units: an exact monotone radix wheel, 256-way, with one intrusive entry per unit.
+// The due times of units: an exact monotone radix wheel, 256 buckets per level, one intrusive entry per unit.
 //
 // The bucket of a due time depends on the highest group of eight bits in which it differs from `last`, and on its digit
 // in that group (a radix heap: Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem",
@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "symplant/engine/unit_state.hpp"
+#include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::engine {

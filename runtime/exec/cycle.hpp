@@ -27,7 +27,7 @@ struct CycleParts {
   CycleMeter& meter;              ///< gets the results; any thread may read it meanwhile
   const std::atomic<bool>& stop;  ///< ends the run within 0.1 s; any thread or a signal handler may set it
   engine::Observer* observer = nullptr;
-  Stepper* stepper = nullptr;  ///< advances the plant in place of run_cycles()
+  Stepper* stepper = nullptr;  ///< advances the plant instead of run_cycles()
 };
 
 /// Runs the plant in real time from its current time until `parts.stop` or `options.until`.

@@ -38,13 +38,13 @@ std::string known(const Names& names) {
 LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
 
 LinkError unknown(const Names& names, const LinkRequest& request) {
-  const std::string what = "there is no controller `" + request.controller + "`, ";
+  const std::string what = "controller `" + request.controller + "` not found; ";
   tables::NearestName nearest(request.controller);
   for (const std::string_view name : names) nearest.offer(name);
-  if (!nearest.name().empty()) return usage(what + "the nearest is `" + std::string(nearest.name()) + "`");
+  if (!nearest.name().empty()) return usage(what + "did you mean `" + std::string(nearest.name()) + "`?");
   const std::string there = known(names);
   if (!there.empty()) return usage(what + "this plant has " + there);
-  return usage(what + "this plant's controller has no name: give the URL alone");
+  return usage(what + "this plant's controller has no name, give only the URL");
 }
 
 std::variant<LinkChoice, LinkError> choose(const Names& names, const LinkRequest& request) {

@@ -12,7 +12,6 @@ namespace {
 constexpr std::uint32_t kAddresses = 65'536;  ///< size of a full table: protocol addresses have 16 bits
 constexpr std::uint32_t kRounding = 16;
 constexpr std::uint32_t kStatusRounding = 100;
-constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
 bool is_8_bits(tables::DataType type) {
   return type == tables::DataType::sint || type == tables::DataType::usint || type == tables::DataType::byte;
@@ -24,11 +23,11 @@ Table table_of(const tables::SymbolRow& symbol) {
   return bit ? Table::discrete_input : Table::input_register;
 }
 
-/// The number that a symbol's own address gives it, or kNone.
+/// The number that a symbol's own address gives it, or tables::kNone.
 std::uint32_t own_number(const tables::SymbolRow& symbol) {
-  if (symbol.form() != tables::AddressForm::number) return kNone;
+  if (symbol.form() != tables::AddressForm::number) return tables::kNone;
   const std::uint64_t number = std::uint64_t{symbol.number} * width_of(symbol.type());
-  return number + width_of(symbol.type()) <= kAddresses ? static_cast<std::uint32_t>(number) : kNone;
+  return number + width_of(symbol.type()) <= kAddresses ? static_cast<std::uint32_t>(number) : tables::kNone;
 }
 
 class MapMaker {
@@ -38,7 +37,7 @@ class MapMaker {
         controller_(controller),
         settings_(settings),
         leader_(tables.symbols.size()),
-        position_(tables.symbols.size(), kNone) {
+        position_(tables.symbols.size(), tables::kNone) {
     for (std::uint32_t symbol = 0; symbol < leader_.size(); ++symbol) leader_[symbol] = symbol;
     for (const tables::SharedAddress& shared : tables.shared_addresses) {
       if (table_of(tables.symbols[shared.symbol]) == table_of(tables.symbols[shared.leader])) {
@@ -49,7 +48,7 @@ class MapMaker {
 
   IoMap run() {
     sort_out();
-    std::stable_partition(carried_.begin(), carried_.end(), [](const Carried& c) { return c.number != kNone; });
+    std::stable_partition(carried_.begin(), carried_.end(), [](const Carried& c) { return c.number != tables::kNone; });
     for (const Carried& carried : carried_) assign(carried);
     std::sort(map_.points.begin(), map_.points.end(),
               [](const IoPoint& a, const IoPoint& b) { return a.symbol < b.symbol; });
@@ -63,7 +62,7 @@ class MapMaker {
  private:
   struct Carried {
     std::uint32_t symbol;
-    std::uint32_t number;  ///< kNone: yet to be packed
+    std::uint32_t number;  ///< tables::kNone: yet to be packed
     bool given;            ///< the number comes from the settings
     WordOrder word_order;
     OnLoss on_loss;
@@ -85,14 +84,14 @@ class MapMaker {
         map_.of_8_bits.push_back(index);
       } else {
         const std::uint32_t number = given ? row.number : own_number(symbol);
-        if (number == kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
+        if (number == tables::kNone) map_.packed[static_cast<std::size_t>(table_of(symbol))] = true;
         const OnLoss on_loss = row.on_loss == OnLoss::as_link ? settings_.on_loss : row.on_loss;
         carried_.push_back({index, number, given, row.word_order, on_loss});
       }
     }
     for (Carried& carried : carried_) {
       const Table table = table_of(tables_.symbols[carried.symbol]);
-      if (map_.packed[static_cast<std::size_t>(table)] && !carried.given) carried.number = kNone;
+      if (map_.packed[static_cast<std::size_t>(table)] && !carried.given) carried.number = tables::kNone;
     }
   }
 
@@ -100,8 +99,9 @@ class MapMaker {
     const tables::SymbolRow& symbol = tables_.symbols[carried.symbol];
     const Table table = table_of(symbol);
     const std::uint8_t width = width_of(symbol.type());
-    const std::uint32_t number = carried.number != kNone ? carried.number : packed(carried.symbol, table, width);
-    if (number == kNone) {
+    const std::uint32_t number =
+        carried.number != tables::kNone ? carried.number : packed(carried.symbol, table, width);
+    if (number == tables::kNone) {
       map_.too_many.push_back(carried.symbol);
     } else if (number >= kAddresses || number + width > kAddresses) {
       fault(MapFault::Kind::beyond_end, carried.symbol);
@@ -111,21 +111,21 @@ class MapMaker {
     }
   }
 
-  /// The next free number of a packed table; symbols of one address get the same. kNone if the table is full.
+  /// The next free number of a packed table; symbols of one address get the same. tables::kNone if the table is full.
   std::uint32_t packed(std::uint32_t symbol, Table table, std::uint8_t width) {
     std::uint32_t first = symbol;
     while (leader_[first] != first) first = leader_[first];
-    if (position_[first] != kNone) return position_[first];
+    if (position_[first] != tables::kNone) return position_[first];
     std::uint32_t& next = next_[static_cast<std::size_t>(table)];
     const auto& owners = owners_[static_cast<std::size_t>(table)];
     const auto is_free = [&](std::uint32_t number) {
       for (std::uint32_t i = number; i < number + width && i < owners.size(); ++i) {
-        if (owners[i] != kNone) return false;
+        if (owners[i] != tables::kNone) return false;
       }
       return true;
     };
     while (next + width <= kAddresses && !is_free(next)) ++next;
-    if (next + width > kAddresses) return kNone;
+    if (next + width > kAddresses) return tables::kNone;
     position_[first] = next;
     next += width;
     return position_[first];
@@ -133,11 +133,12 @@ class MapMaker {
 
   void occupy(const IoPoint& point) {
     auto& owners = owners_[static_cast<std::size_t>(point.table)];
-    if (owners.size() <= point.last()) owners.resize(std::max<std::size_t>(point.last() + 1, 2 * owners.size()), kNone);
-    std::uint32_t reported = kNone;
+    if (owners.size() <= point.last())
+      owners.resize(std::max<std::size_t>(point.last() + 1, 2 * owners.size()), tables::kNone);
+    std::uint32_t reported = tables::kNone;
     for (std::uint32_t number = point.number; number <= point.last(); ++number) {
       const std::uint32_t other = owners[number];
-      if (other == kNone) {
+      if (other == tables::kNone) {
         owners[number] = point.symbol;
       } else if (other != reported && !may_share(point, other)) {
         fault(MapFault::Kind::overlap, other, point.symbol);
@@ -160,9 +161,9 @@ class MapMaker {
   std::uint32_t owner_of(Table table, std::uint32_t first, std::uint32_t count) const {
     const auto& owners = owners_[static_cast<std::size_t>(table)];
     for (std::uint32_t i = first; i < first + count && i < owners.size(); ++i) {
-      if (owners[i] != kNone) return owners[i];
+      if (owners[i] != tables::kNone) return owners[i];
     }
-    return kNone;
+    return tables::kNone;
   }
 
   std::uint32_t end_of(Table table) const {
@@ -176,7 +177,7 @@ class MapMaker {
     if (settings_.watchdog >= end) return fault(MapFault::Kind::watchdog_beyond, settings_.watchdog, end);
     map_.watchdog = settings_.watchdog;
     const std::uint32_t owner = owner_of(Table::holding_register, settings_.watchdog, 1);
-    if (owner != kNone) fault(MapFault::Kind::watchdog_overlap, owner);
+    if (owner != tables::kNone) fault(MapFault::Kind::watchdog_overlap, owner);
   }
 
   void add_status_block() {
@@ -196,7 +197,7 @@ class MapMaker {
     }
     map_.status_block = settings_.status_block;
     const std::uint32_t owner = owner_of(Table::input_register, settings_.status_block, kStatusRegisters);
-    if (owner != kNone) fault(MapFault::Kind::status_overlap, owner);
+    if (owner != tables::kNone) fault(MapFault::Kind::status_overlap, owner);
   }
 
   void set_sizes() {
@@ -220,7 +221,7 @@ class MapMaker {
     }
   }
 
-  void fault(MapFault::Kind kind, std::uint32_t symbol, std::uint32_t other = kNone) {
+  void fault(MapFault::Kind kind, std::uint32_t symbol, std::uint32_t other = tables::kNone) {
     map_.faults.push_back({kind, symbol, other});
   }
 
@@ -232,7 +233,7 @@ class MapMaker {
   std::vector<std::uint32_t> leader_;
   std::vector<std::uint32_t> position_;  ///< in a packed table: the number of a leader and its followers
   std::array<std::uint32_t, kTables> next_{};
-  std::array<std::vector<std::uint32_t>, kTables> owners_;  ///< by table and number: the first symbol, or kNone
+  std::array<std::vector<std::uint32_t>, kTables> owners_;  ///< by table and number: the first symbol, or tables::kNone
   std::uint64_t highest_ = 0;                               ///< the highest number of all tables, counted from 1
 };
 

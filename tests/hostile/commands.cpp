@@ -65,7 +65,7 @@ std::span<const Misuse> misuses() {
       {"a full disk: the depfile", {"generate", "symbols.csv", "-o", "../out/new", "--depfile", "/dev/full"}},
       {"generated code into a file", {"generate", "symbols.csv", "-o", "symbols.csv"}},
       {"generated code below a file", {"generate", "symbols.csv", "-o", "symbols.csv/below"}},
-      {"generated code where nobody may write", {"generate", "symbols.csv", "-o", "/proc/generated"}},
+      {"generated code in a folder without write permission", {"generate", "symbols.csv", "-o", "/proc/generated"}},
       {"a result into a folder", {"model", "symbols.csv", "-o", "."}},
       {"a result over the input", {"model", "symbols.csv", "-o", "symbols.csv"}},
       {"a result over the input, by another name", {"init", "symbols.csv", "-o", "../in/symbols.csv"}},

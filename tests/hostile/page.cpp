@@ -11,49 +11,48 @@ namespace {
 constexpr const char* kBegin =
     R"(# Reliability
 
-<!-- Written by tests/hostile; SYMPLANT_UPDATE_GOLDENS=1 writes it anew. -->
+<!-- Written by tests/hostile; SYMPLANT_UPDATE_GOLDENS=1 regenerates it. -->
 
-Symbol lists come out of other programs, pass through spreadsheets and mail, and are cut, joined and typed over on the way. Whatever a
-file holds, symplant either answers or refuses it, and says where the fault is.
+Other programs export symbol lists. Then the lists pass through spreadsheets and mail, and are cut, joined and retyped. For any content of a
+file, symplant returns a result or refuses the file and reports the location of the fault.
 
-What is promised, and tried on every input below:
+The following holds for every input below, and is tested:
 
 - Each command ends within 10 s and 1 GB.
-- It ends with one of the exit codes of [the command line](command-line.md): 0 good, 1 findings, 2 refused. It never ends in a crash.
-- A refusal names the file and, where it has one, the place. See [checking](checking.md) for what each name in the tables means, or ask
-  `symplant explain`.
-- After a refusal nothing is written: no new file is there, and an old one is as it was.
-- What it writes to a terminal cannot steer the terminal.
-- What it generates is printable ASCII, compiles without a warning with g++ and clang, and gives every name back in traces, byte for
-  byte.
+- It ends with one of the exit codes of [the command line](command-line.md): 0 good, 1 findings, 2 refused. It never crashes.
+- A refusal names the file and, if there is one, the location. [Checking](checking.md) and `symplant explain` describe each rule in the
+  tables.
+- A refused command writes nothing: it creates no file, and it does not change an existing one.
+- Output to a terminal contains no control sequences.
+- Generated code is printable ASCII and compiles without a warning with g++ and clang. Traces contain every name byte for byte.
 
-## How it is tried
+## How it is tested
 
-Five ways, all of them in `.ci/run`:
+There are five kinds of tests, all of them in `.ci/run`:
 
 | what | how to repeat it |
 |---|---|
 | the tables of this page | `ctest --test-dir build/release -R hostile` |
-| the fuzz targets: symbol lists, plant.json, conditions, names; each checks its answers as well | `scripts/fuzz --seconds 120` |
-| the tests under the address and the undefined-behaviour sanitizer, with the assertions of the library | `scripts/test --sanitize` |
-| links, cycle and the running program, all threads at once, under the thread sanitizer | `scripts/test --threads` |
-| inputs that once broke something, and a small list cut at every byte | `ctest --test-dir build/release -R 'fuzz:\|cut'` |
+| the fuzz targets: symbol lists, plant.json, conditions, names, Modbus; each also checks its results | `scripts/fuzz --seconds 120` |
+| the tests with the address and the undefined-behavior sanitizer and the assertions of the library | `scripts/test --sanitize` |
+| links, cycle and the running program, all threads at once, with the thread sanitizer | `scripts/test --threads` |
+| inputs that caused a fault before, and a small list cut at every byte | `ctest --test-dir build/release -R 'fuzz:\|cut'` |
 
-An input that breaks something becomes a file in `tests/fuzz/crashes`, which every build tries.
+An input that causes a fault becomes a file in `tests/fuzz/crashes`, which every build tests.
 
-## A plant that runs
+## A running plant
 
 | what happens | what holds | how to repeat it |
 |---|---|---|
-| memory, a lock, `write(2)`, an untouched page within a cycle | `--rt-check` finds each | `ctest --test-dir build/release -R 'rt: under load'` |
-| 60 s at 1 ms beside a busy program, 10,000 devices, two PLCs (10 minutes with `--campaign`) | the guard finds nothing: no memory taken, no lock, no system call but the sleep, no page fault | the same test, behind the planted faults |
-| priority, processor or locked memory is refused; memory at its limit | one warning each with what to do, the plant runs, `"rt":"degraded"` | `ctest --test-dir build/release -R 'rt: what the system refuses'` |
-| a cycle takes once, three times, always longer than it may | overruns are counted to the one, plant time catches up or slips, never a spiral | `build/release/tests/unit/exec/test_exec` |
-| the process stands still for 5 s | ten cycles are made up for, the rest is lost and counted | `ctest --test-dir build/release -R 'rt: a process that stood still'` |
-| the time of day jumps by an hour and a day at every look (a clock of the test's own, put before the system's) | cycles, plant time and what is lost are the same | `ctest --test-dir build/release -R 'rt: jumps'` |
-| SIGTERM, SIGINT, SIGHUP: waiting, in a cycle of an hour, awake before one, in a long catch-up | it ends within a second, with its statistics; where nobody takes its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: a signal'` |
-| nobody reads its output any more | the plant runs on, and ends with exit code 3 | the same test |
-| the cycle hangs under systemd | no sign of life is given, so that systemd starts it anew | `build/release/tests/unit/host/test_host` |
+| heap, a lock, `write(2)`, an untouched page within a cycle | `--rt-check` reports each | `ctest --test-dir build/release -R 'rt: Under load'` |
+| 60 s at 1 ms next to a busy program, 10,000 devices, two PLCs (10 minutes with `--campaign`) | the guard finds nothing: no heap, no lock, no system call except the sleep, no page fault | the same test, after the planted faults |
+| priority, processor or locked memory is refused; memory is at its limit | one warning each with what to do, the plant runs, `"rt":"degraded"` | `ctest --test-dir build/release -R 'rt: '` |
+| a cycle takes longer than its period: once, three times, always | every overrun is counted, plant time catches up or slips, overruns do not accumulate | `build/release/tests/unit/exec/test_exec` |
+| the process is stopped for 5 s | ten cycles are caught up, the other ones are skipped and counted | `ctest --test-dir build/release -R 'rt: A process'` |
+| the time of day jumps by an hour and a day at every call (a test clock replaces the system's) | cycles, plant time and skipped cycles are the same | `ctest --test-dir build/release -R 'rt: '` |
+| SIGTERM, SIGINT, SIGHUP: while waiting, in a cycle of an hour, shortly before a cycle, in a long catch-up | the run ends within a second, with its statistics; if no program reads its output, within a second with exit code 3 | `ctest --test-dir build/release -R 'rt: A signal'` |
+| no program reads its output any more | the plant continues, and ends with exit code 3 | the same test |
+| the cycle hangs under systemd | the program sends no keep-alive, so that systemd restarts it | `build/release/tests/unit/host/test_host` |
 
 )";
 
@@ -97,13 +96,13 @@ std::string page(const Trials& trials) {
   std::string text = kBegin;
   text +=
       "## Symbol lists\n\n"
-      "`check` is tried as text and JSON, `model` in every `--format`. `good` is exit code 0, `findings` 1, "
+      "`check` runs with text and JSON output, `model` with every `--format`. `good` is exit code 0, `findings` 1, "
       "`refused` 2, with the errors that\n"
       "`check` finds.\n\n" +
       table(trials, Input::Kind::list) +
-      "\n## Plant descriptions\n\nEach beside a small symbol list without a fault.\n\n" +
+      "\n## Plant descriptions\n\nEach with a small symbol list without a fault.\n\n" +
       table(trials, Input::Kind::plant) + "\n## Scenarios\n\n" + table(trials, Input::Kind::scenario) +
-      "\n## Wrong files, wrong words\n\n| what | exit code | what is said |\n|---|---|---|\n";
+      "\n## Wrong files, wrong arguments\n\n| what | exit code | message |\n|---|---|---|\n";
   for (const auto& [misuse, outcome] : trials.misuses) {
     const std::size_t bar = outcome.cell.find(" | ");
     text += fmt::format("| {} | {} | {} |\n", escaped(misuse.what), outcome.cell.substr(0, bar),

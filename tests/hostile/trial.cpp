@@ -153,7 +153,7 @@ std::vector<Outcome> try_out(const std::string& tool, const Input& input, const 
     if (run.code == 2 && for_people) {
       const std::string said = run.err + run.out;
       if (said.find(input.index == nullptr ? file_of(input.kind) : input.index) == said.npos)
-        outcome.faults.push_back("no place is named: " + said.substr(0, 200));
+        outcome.faults.push_back("no location is named: " + said.substr(0, 200));
     }
     if (command.column == "check" && command.arguments.size() == 2) {
       const std::string errors = errors_in(run.out + run.err);

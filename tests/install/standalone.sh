@@ -10,4 +10,4 @@ shift 3
 build "$cmake" "$work/build.log"
 name=$(sed -n 's/^project(\([^ ]*\) .*/\1/p' "$work/plant/CMakeLists.txt")
 "$work/build/$name" --until 1s --clock virtual >"$work/run.log" || fail "the plant does not run" "$work/run.log"
-if grep absent "$work/run.log"; then fail "a behaviour is absent" "$work/run.log"; fi
+if grep "has no code" "$work/run.log"; then fail "a behavior has no code" "$work/run.log"; fi

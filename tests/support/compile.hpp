@@ -11,8 +11,7 @@
 
 #include "app/pipeline.hpp"
 #include "check/check_plant.hpp"
-#include "findings/causes.hpp"
-#include "findings/settings.hpp"
+#include "findings/finish.hpp"
 #include "lower/lower.hpp"
 #include "model/derive.hpp"
 #include "name/named_table.hpp"
@@ -112,7 +111,7 @@ struct GivenList {
 /// Reads lists and their names, builds their plant with a description, checks it: compile() with what plant.json would
 /// say.
 inline Analysed analyse_lists(const std::vector<GivenList>& given, description::Description description = {},
-                              std::string_view today = {}) {
+                              std::string_view today = {}, const findings::Selection& selection = {}) {
   MemoryFileSystem files;
   Analysed result;
   std::vector<model::ListInput> lists;
@@ -126,8 +125,8 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
                                    std::make_shared<const description::Description>(std::move(description)));
   const model::PlantModel& plant = result.model();
   check::check_plant(plant, result.evidence(), result.diagnostics);
-  result.diagnostics = findings::apply_settings(result.diagnostics, plant.description->check, today);
-  findings::fold_consequences(plant, result.diagnostics);
+  result.diagnostics =
+      findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);
   result.diagnostics.sort_by_location(plant.sources());
   return result;
 }

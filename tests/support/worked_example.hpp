@@ -1,4 +1,4 @@
-// The worked example of docs/model.md, "The paper's Figure 6": PLC commands, the plant's answers, and the states of
+// The worked example of docs/model.md, "The paper's cell": PLC commands, the plant's answers, and the states of
 // its devices. For any plant made from examples/excell/excell.csv, generated or not.
 #pragma once
 

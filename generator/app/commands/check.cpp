@@ -53,6 +53,7 @@ std::string selected_text(const diag::Diagnostics& findings) {
   const diag::LeftOutByOption& left_out = findings.left_out();
   if (left_out.not_selected != 0) text += fmt::format(", {} left out by --select", left_out.not_selected);
   if (left_out.ignored != 0) text += fmt::format(", {} left out by --ignore", left_out.ignored);
+  if (left_out.consequences != 0) text += fmt::format(" and {} that follow from them", left_out.consequences);
   return text;
 }
 
@@ -100,7 +101,7 @@ class Check {
     if (compiled && options_.plant.verbose) report_decisions(context_, *compiled);
     if (options_.plant.verbose) report_ignored(context_, diagnostics);
     left_out_.by_description += diagnostics.ignored().size();
-    left_out_.by_options += diagnostics.left_out().not_selected + diagnostics.left_out().ignored;
+    left_out_.by_options += diagnostics.left_out().total();
     int code = reaches(diagnostics, fail_on_) ? host::kFindings : host::kGood;
     if (!compiled) code = host::kBadInput;
     context_.exit_code = std::max(context_.exit_code, code);

@@ -28,7 +28,8 @@ void check_address_used_twice(const Rule& rule, const Subject& subject, diag::Di
                                         [](const auto& pair, std::uint32_t i) { return pair[0] < i; });
     if (found != subject.evidence.driven_twice.end() && (*found)[0] == index) continue;  // SP304 tells
     diagnostics.add(
-        rule.info, about(symbol, leader),
+        rule.info,
+        about(symbol, leader).following(address_of(symbol.name())).following(address_of(leader.name())),
         fmt::format("`{}` stands on `{}` as `{}` does: they are kept equal; correct the address if they are two "
                     "signals",
                     symbol.name(), symbol.address_cell, leader.name()),

@@ -1,8 +1,6 @@
 // SP315 addresses-contradict: the MELSEC and the IEC address of a row name different places.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -74,13 +72,12 @@ bool reported_of_list(const model::PlantModel& plant, const model::AddressContra
          agree_otherwise(plant, found);
 }
 
-/// The symbol and its device, so that what follows from the address is known to follow.
-std::vector<std::string> about_row(const model::PlantModel& plant, const model::AddressContradiction& found) {
-  const auto symbol = std::lower_bound(plant.symbols.begin(), plant.symbols.end(), found,
-                                       [](const model::Symbol& a, const model::AddressContradiction& b) {
-                                         return a.list != b.list ? a.list < b.list : a.row < b.row;
-                                       });
-  return symbol != plant.symbols.end() && symbol->row == found.row ? about(*symbol) : about(*found.row);
+/// The symbol and its device, or the row if it is left out.
+diag::Subjects about_row(const model::PlantModel& plant, const read::ListRow& row) {
+  const model::Symbol* symbol = symbol_of(plant, row);
+  diag::Subjects subjects = symbol != nullptr ? about(*symbol) : about(row);
+  subjects.explains.push_back(address_of(row.name));
+  return subjects;
 }
 
 void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -108,7 +105,7 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
       related.push_back({location_of(plant, *list.radix.proof, list.radix.proof->vendor_address),
                          "this row proves how X and Y are counted"});
     }
-    diagnostics.add(rule.info, about_row(plant, found),
+    diagnostics.add(rule.info, about_row(plant, row),
                     fmt::format("{}: the IEC address counts; correct one of them", difference(plant, found)),
                     std::move(location), std::move(related));
   }
@@ -118,7 +115,7 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
 
 const Rule kAddressesContradict{
     {"SP315", "addresses-contradict", diag::Severity::warning,
-     "the MELSEC and the IEC address of a row name different places", kAddressesContradictPage},
+     "the MELSEC and the IEC address of a row name different places", kAddressesContradictPage, diag::Rank::address},
     check_addresses_contradict};
 
 }  // namespace symplant::check

@@ -92,13 +92,13 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
     const std::vector<std::uint32_t> circle = circle_through(part.front(), edges);
     std::string text;
     std::vector<diag::Related> others;
-    std::vector<std::string> names;
+    diag::Subjects subjects;
     diag::Location location;
     for (std::size_t i = 0; i < circle.size(); ++i) {
       const std::uint32_t next = circle[(i + 1) % circle.size()];
       const model::Unit& unit = plant.units[circle[i]];
       Step step = step_of(plant, circle[i], next);
-      names.emplace_back(unit.path);
+      subjects.about.push_back(device(unit.path));
       text += fmt::format("{}`{}` in `{}` disables `{}`", i == 0 ? "" : ", ", unit.path, step.state,
                           plant.units[next].path);
       if (i == 0) {
@@ -109,7 +109,7 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
       }
     }
     const std::size_t more = part.size() - circle.size();
-    diagnostics.add(rule.info, std::move(names),
+    diagnostics.add(rule.info, std::move(subjects),
                     fmt::format("{}: once all stand so none can leave{}; take one of these out", text,
                                 more == 0 ? "" : fmt::format(" ({} more devices are in circles with them)", more)),
                     std::move(location), std::move(others));

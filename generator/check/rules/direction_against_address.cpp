@@ -26,7 +26,11 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
     if (name_says_operation == (symbol.direction == tables::Direction::operation)) continue;
     if (reported.count(&symbol) != 0) continue;
     diagnostics.add(
-        rule.info, about(symbol),
+        rule.info,
+        about(symbol)
+            .explaining(device(symbol.reading.device_path))
+            .explaining(address_of(symbol.name()))
+            .following(address_of(symbol.name())),
         fmt::format("`{}` is an {} by its name and an {} by its address `{}`: the address counts; correct one of "
                     "them",
                     symbol.name(), name_says_operation ? "operation" : "event", direction_text(symbol.direction),
@@ -38,7 +42,7 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
 }  // namespace
 
 const Rule kDirectionAgainstAddress{{"SP305", "direction-against-address", diag::Severity::warning,
-                                     "a name says one direction, its address the other", kDirectionAgainstAddressPage},
+                                     "a name says one direction, its address the other", kDirectionAgainstAddressPage, diag::Rank::direction},
                                     check_direction_against_address};
 
 }  // namespace symplant::check

@@ -20,7 +20,7 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
     if (symbol.reading.fault != name::NameFault::empty_level) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
-    diagnostics.add(rule.info, about(symbol),
+    diagnostics.add(rule.info, about_name(plant, symbol),
                     fmt::format("`{}` has an empty level: its device is unknown, {}; write the missing word or take "
                                 "the surplus separator away",
                                 symbol.name(), consequence(symbol)),
@@ -30,7 +30,7 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
 
 }  // namespace
 
-const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kEmptyLevelPage},
+const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kEmptyLevelPage, diag::Rank::name},
                        check_empty_level};
 
 }  // namespace symplant::check

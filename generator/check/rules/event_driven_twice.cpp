@@ -21,7 +21,7 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
     const model::Symbol& a = plant.symbols[first];
     const model::Symbol& b = plant.symbols[second];
     diagnostics.add(
-        rule.info, about(b, a),
+        rule.info, about(b, a).following(address_of(b.name())).following(address_of(a.name())),
         fmt::format("`{}` stands on `{}` as `{}` does, and different devices move them: correct one address", b.name(),
                     b.address_cell, a.name()),
         location_of(plant, *b.row, b.address_cell), {{location_of(plant, *a.row, a.address_cell), "the other one"}});

@@ -67,14 +67,15 @@ void check_event_not_driven(const Rule& rule, const Subject& subject, diag::Diag
           "write Initial TRUE",
           symbol.name(), why);
     }
-    diagnostics.add(rule.info, about(symbol), std::move(message), location_of(plant, symbol));
+    diagnostics.add(rule.info, about_sides(plant, unit, about(symbol).following(symbol_named(symbol.name()))), std::move(message), location_of(plant, symbol));
   }
 }
 
 }  // namespace
 
 const Rule kEventNotDriven{
-    {"SP404", "event-not-driven", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage},
+    {"SP404", "event-not-driven", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage,
+     diag::Rank::sides},
     check_event_not_driven};
 
 }  // namespace symplant::check

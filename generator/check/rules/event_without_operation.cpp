@@ -1,4 +1,4 @@
-// SP402 event-without-operation: a device reports a state that it can never reach.
+// SP402 event-without-operation: no operation leads to the state of an event.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -8,12 +8,14 @@ namespace {
 
 constexpr std::string_view kEventWithoutOperationPage =
     R"(A device has an event for a task, but no operation for it, and nothing else that was inferred leads there: it is neither
-the rest state of a spring nor the next one of a numbered sequence.
+the rest state of a spring nor the next one of a numbered sequence. Devices of one type (`CLAMP1`, `CLAMP2`) make one finding;
+its related rows are the other symbols.
 
-**What the model loses.** The event never comes on by itself. A program that waits for it waits for ever.
+**What the model loses.** The event never comes on by itself. A program that waits for it waits forever.
 
 **How to fix it.** Add the operation, spell both tasks alike, or number the tasks in their order (`IDLE1`, `RUN2`) if the
-device goes on to this one by itself. In plant.json a transition to the state says what else leads there.
+device goes on to this one by itself. Or describe a transition to the state in plant.json. For a further
+sensor of a position that has one (`ADV1`, `ADV2`), switch its event on with `outputs`.
 )";
 
 void check_event_without_operation(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -23,13 +25,17 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
       const model::State& state = unit.states[s];
       if (unled(subject, unit, s) != Unled::no_operation) continue;
       const model::Symbol& symbol = event_of(plant, unit, state.event);
-      diagnostics.add(
-          rule.info, about(symbol),
+      diag::Diagnostic& finding = diagnostics.add(
+          rule.info,
+          about(symbol)
+              .following(device(unit.path))
+              .following(missing(plant, unit.path, tables::Direction::operation, state.name)),
           fmt::format("`{}` reports `{}` of `{}`, but no operation leads there: add an operation with task `{}`, or "
                       "number the tasks if it comes by itself{}",
                       symbol.name(), state.name, unit.path, state.name,
                       unit.described == nullptr ? "" : ", or describe a transition"),
           location_of(plant, symbol));
+      finding.alike = alike(unit, symbol);
     }
   }
 }
@@ -37,7 +43,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
 }  // namespace
 
 const Rule kEventWithoutOperation{{"SP402", "event-without-operation", diag::Severity::warning,
-                                   "a device reports a state that it can never reach", kEventWithoutOperationPage},
+                                   "no operation leads to the state of an event", kEventWithoutOperationPage},
                                   check_event_without_operation};
 
 }  // namespace symplant::check

@@ -23,7 +23,7 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
     if (symbol.reading.fault != name::NameFault::illegal_character) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
-    diagnostics.add(rule.info, about(symbol),
+    diagnostics.add(rule.info, about_name(plant, symbol),
                     fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: {}; "
                                 "take it away or write `_` for it",
                                 symbol.name(), faulty_part(symbol), consequence(symbol)),
@@ -34,7 +34,7 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
 }  // namespace
 
 const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning,
-                              "a name holds a character that no level may hold", kIllegalCharacterPage},
+                              "a name holds a character that no level may hold", kIllegalCharacterPage, diag::Rank::name},
                              check_illegal_character};
 
 }  // namespace symplant::check

@@ -25,7 +25,7 @@ void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::D
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.rest_added) continue;
-    diagnostics.add(rule.info, about(unit),
+    diagnostics.add(rule.info, about_model(plant, unit),
                     fmt::format("`{}` has the one task `{}`: it was given the {}state `{}`{} (inference 1)", unit.path,
                                 unit.states[1].name, unit.rest == 0 ? "rest " : "", unit.states[0].name, more(unit)),
                     location_of(plant, first_symbol_of(plant, unit)));

@@ -18,7 +18,7 @@ void check_inferred_sequence(const Rule& rule, const Subject& subject, diag::Dia
     for (const model::Transition& transition : unit.transitions) {
       if (transition.origin != model::Origin::inferred) continue;
       const model::State& to = unit.states[transition.to];
-      diagnostics.add(rule.info, about(unit),
+      diagnostics.add(rule.info, about_model(plant, unit),
                       fmt::format("`{}` has no operation for `{}`: it goes there by itself from `{}` (inference 3)",
                                   unit.path, to.name, unit.states[transition.from].name),
                       location_of(plant, event_of(plant, unit, to.event)));

@@ -31,7 +31,7 @@ void check_inferred_single_solenoid(const Rule& rule, const Subject& subject, di
     if (!unit.single_solenoid) continue;
     const std::string taken = taken_as(unit);
     if (taken.empty()) continue;
-    diagnostics.add(rule.info, about(unit),
+    diagnostics.add(rule.info, about_model(plant, unit),
                     fmt::format("`{}` has an operation for `{}` alone: it {} (inference 2)", unit.path,
                                 unit.states[unit.states[0].operation == model::kNone ? 1 : 0].name, taken),
                     location_of(plant, first_symbol_of(plant, unit)));

@@ -15,13 +15,20 @@ whose symbol comes first in the list.
 **How to fix it.** Write Initial TRUE with the event that is on when the plant starts, number the tasks, or say `initial` in plant.json.
 )";
 
+/// The device, and the events whose Initial could decide.
+diag::Subjects about_start(const model::PlantModel& plant, const model::Unit& unit) {
+  diag::Subjects subjects = about(unit).following(device(unit.path)).following(model_of(unit.path));
+  for (const std::uint32_t event : unit.events) subjects.follows.push_back(symbol_named(plant.symbols[event].name()));
+  return subjects;
+}
+
 void check_initial_by_row_order(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     // Without an event there is nothing to write TRUE with; of several that are TRUE, SP408 tells.
     if (unit.initial_from != model::InitialFrom::row_order || unit.events.empty()) continue;
     if (evidence_of(subject, unit).initial_candidates > 1) continue;
-    diagnostics.add(rule.info, about(unit),
+    diagnostics.add(rule.info, about_start(plant, unit),
                     fmt::format("`{}` starts in `{}`, only because its row comes first: {}", unit.path,
                                 unit.states[unit.initial].name,
                                 has_description(plant) ? "say `initial` in plant.json"

@@ -21,7 +21,7 @@ void check_initial_not_understood(const Rule& rule, const Subject& subject, diag
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.initial_known) continue;
-    diagnostics.add(rule.info, about(symbol),
+    diagnostics.add(rule.info, about(symbol).explaining(symbol_named(symbol.name())),
                     fmt::format("`{}` is no value of type {}: `{}` starts {}; correct it or leave it empty",
                                 symbol.row->initial, model::data_type_name(symbol.type), symbol.name(),
                                 symbol.type == tables::DataType::boolean ? "off" : "at 0"),
@@ -32,7 +32,7 @@ void check_initial_not_understood(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kInitialNotUnderstood{{"SP310", "initial-not-understood", diag::Severity::warning,
-                                  "an initial value cannot be read", kInitialNotUnderstoodPage},
+                                  "an initial value cannot be read", kInitialNotUnderstoodPage, diag::Rank::value},
                                  check_initial_not_understood};
 
 }  // namespace symplant::check

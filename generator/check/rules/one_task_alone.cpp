@@ -26,14 +26,12 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
     const model::Unit& unit = plant.units[odd.device];
     const model::Symbol& symbol = first_symbol_of(plant, unit);
     const Lacking* other = nullptr;  // of a task that it lacks altogether
-    std::vector<std::string> names{std::string(unit.path)};
     for (const Lacking& lacking : odd.lacks) {
-      names.push_back(lacking.name);
       const bool elsewhere = !text::equal_ignoring_case(lacking.others->reading.task, symbol.reading.task);
       if (other == nullptr && elsewhere) other = &lacking;
     }
     if (other == nullptr) continue;
-    diagnostics.add(rule.info, std::move(names),
+    diagnostics.add(rule.info, about(odd),
                     fmt::format("`{}` has the one task `{}`, where {} of {} devices named like it have `{}`, too: add "
                                 "its rows",
                                 unit.path, symbol.reading.task, other->having, odd.of, other->others->reading.task),
@@ -44,7 +42,7 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kOneTaskAlone{{"SP413", "one-task-alone", diag::Severity::warning,
-                          "a device has one task, where those named like it have more", kOneTaskAlonePage},
+                          "a device has one task, where those named like it have more", kOneTaskAlonePage, diag::Rank::siblings},
                          check_one_task_alone};
 
 }  // namespace symplant::check

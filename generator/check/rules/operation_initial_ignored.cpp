@@ -20,7 +20,7 @@ void check_operation_initial_ignored(const Rule& rule, const Subject& subject, d
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.direction != tables::Direction::operation || symbol.type != tables::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
-    diagnostics.add(rule.info, about(symbol),
+    diagnostics.add(rule.info, about(symbol).following(address_of(symbol.name())),
                     fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",
                                 symbol.name()),
                     location_of(plant, *symbol.row, symbol.row->initial));

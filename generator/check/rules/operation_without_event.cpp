@@ -1,4 +1,4 @@
-// SP401 operation-without-event: the PLC commands a state and is never told that it is reached.
+// SP401 operation-without-event: no event reports a state that the PLC commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,13 +9,16 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kOperationWithoutEventPage =
-    R"(A device has an operation for a task and reports on other tasks, but has no event for this one: `O_P2` without `I_P2`.
+    R"(A device has an operation for a task and events for other tasks, but no event for this one: `O_P2` without `I_P2`. Devices
+of one type (`CLAMP1`, `CLAMP2`) make one finding; its related rows are the other symbols.
 
-**What the model loses.** The device moves to that state and nothing tells the PLC. A program that waits for the report
-waits for ever. Most often the event is missing in the list, or its task is spelled in another way.
+The rule does not apply to devices without any event (lamps, plain motors), nor to operations that have no feedback by nature:
+ACK, BUZZER, BYPASS, HORN, LAMP, LED, MUTE, RESET and RST, with or without a number.
 
-**How to fix it.** Add the event, or spell both tasks alike; or let `outputs` in plant.json switch an event in that state. Devices without any event (lamps, plain motors) are not
-meant by this rule.
+**What the model loses.** The device goes to that state and no input reports it. A program that waits for the event waits
+forever. Most often the event is missing in the list, or its task has another spelling.
+
+**How to fix it.** Add the event, or spell both tasks alike. In plant.json, `outputs` can switch another event on in that state.
 )";
 
 /// Whether the state switches an event on that is not its own.
@@ -28,28 +31,31 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
 void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.events.empty() || evidence_of(subject, unit).two_words || unit.has_behaviour()) continue;  // the user's code reports
+    if (unit.events.empty() || is_one_word_twice(subject, unit) || unit.has_behaviour()) continue;  // the user's code reports
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
-      if (state.operation == model::kNone || state.event != model::kNone) continue;
+      if (state.operation == model::kNone || state.event != model::kNone || needs_no_feedback(state.name)) continue;
       if (reports_by_outputs(unit, s) || (s != unit.initial && !unit.reaches(s))) continue;
       if (subject.overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407 tells
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
-      diagnostics.add(
-          rule.info, about(symbol),
-          fmt::format("`{}` commands `{}` of `{}`, but no event tells the PLC that it is reached: add an event with "
-                      "task `{}`",
-                      symbol.name(), state.name, unit.path, state.name),
-          location_of(plant, symbol));
+      diag::Diagnostic& finding =
+          diagnostics.add(rule.info,
+                          about(symbol)
+                              .following(device(unit.path))
+                              .following(missing(plant, unit.path, tables::Direction::event, state.name)),
+                          fmt::format("`{}` commands `{}` of `{}`, but no event reports that state: add an event with "
+                                      "task `{}`",
+                                      symbol.name(), state.name, unit.path, state.name),
+                          location_of(plant, symbol));
+      finding.alike = alike(unit, symbol);
     }
   }
 }
 
 }  // namespace
 
-const Rule kOperationWithoutEvent{
-    {"SP401", "operation-without-event", diag::Severity::warning,
-     "the PLC commands a state and is never told that it is reached", kOperationWithoutEventPage},
-    check_operation_without_event};
+const Rule kOperationWithoutEvent{{"SP401", "operation-without-event", diag::Severity::warning,
+                                   "no event reports a state that the PLC commands", kOperationWithoutEventPage},
+                                  check_operation_without_event};
 
 }  // namespace symplant::check

@@ -63,7 +63,7 @@ class Requirements {
     const bool by_states = verdict.never() && !decide(tree, plant_, AllStates(plant_)).never();
     const std::string& name = plant_.requirements[index].name;
     diagnostics_.add(
-        rule_.info, {name},
+        rule_.info, {{{diag::Subject::Kind::requirement, name}}, {}, {}},
         fmt::format("requirement `{}`: `{}` {}{}: {}", name, text, verdict.never() ? "can never hold" : "always holds",
                     by_states ? ", since nothing leads to a state that it names" : "", consequence),
         location_of({}, description::Pointer("/requirements") / index / key));

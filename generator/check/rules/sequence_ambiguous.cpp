@@ -22,7 +22,11 @@ void check_sequence_ambiguous(const Rule& rule, const Subject& subject, diag::Di
       if (unit.reaches(state)) continue;  // by what the description says
       const model::Symbol& symbol = event_of(plant, unit, unit.states[state].event);
       diagnostics.add(
-          rule.info, about(symbol),
+          rule.info,
+          about(symbol)
+              .following(device(unit.path))
+              .following(model_of(unit.path))
+              .following(missing(plant, unit.path, tables::Direction::operation, unit.states[state].name)),
           fmt::format("several states of `{}` could come before `{}`: nothing leads there; give each a number of its "
                       "own",
                       unit.path, unit.states[state].name),

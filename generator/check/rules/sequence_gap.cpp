@@ -52,7 +52,12 @@ void check_sequence_gap(const Rule& rule, const Subject& subject, diag::Diagnost
       const std::uint64_t first = before.number + step;
       const std::uint64_t last = after.number - step;
       diagnostics.add(
-          rule.info, about(symbol),
+          rule.info,
+          about(symbol)
+              .explaining(sequence_of(unit.path))
+              .explaining(model_of(unit.path))
+              .following(device(unit.path))
+              .following(model_of(unit.path)),
           fmt::format("`{}` steps from `{}` to `{}`: {}; add the missing rows, or number the tasks without a gap",
                       unit.path, unit.states[before.state].name, unit.states[after.state].name,
                       first == last ? fmt::format("number {} is missing", first)
@@ -65,7 +70,7 @@ void check_sequence_gap(const Rule& rule, const Subject& subject, diag::Diagnost
 }  // namespace
 
 const Rule kSequenceGap{
-    {"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing", kSequenceGapPage},
+    {"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing", kSequenceGapPage, diag::Rank::gap},
     check_sequence_gap};
 
 }  // namespace symplant::check

@@ -43,7 +43,11 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
     if (second == nullptr) continue;
     const NumberedState* first = second - 1;
     const model::Symbol& symbol = plant.symbols[second->symbol];
-    diagnostics.add(rule.info, about(symbol),
+    diagnostics.add(rule.info,
+                    about(symbol)
+                        .explaining(device(unit.path))
+                        .following(device(unit.path))
+                        .following(model_of(unit.path)),
                     fmt::format("`{}` and `{}` of `{}` have one number: their rows alone say which comes first; give "
                                 "each a number of its own",
                                 unit.states[first->state].name, unit.states[second->state].name, unit.path),
@@ -54,7 +58,7 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
 }  // namespace
 
 const Rule kSequenceRepeated{{"SP412", "sequence-repeated", diag::Severity::warning,
-                              "two tasks of a sequence have one number", kSequenceRepeatedPage},
+                              "two tasks of a sequence have one number", kSequenceRepeatedPage, diag::Rank::repeated},
                              check_sequence_repeated};
 
 }  // namespace symplant::check

@@ -41,14 +41,12 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
   for (const OddDevice& odd : odd_devices(subject)) {
     if (odd.one_task) continue;  // SP413 tells
     const Lacking& first = odd.lacks.front();
-    std::vector<std::string> names{std::string(odd.path)};
     std::vector<diag::Related> as_there;
     for (const Lacking& lacking : odd.lacks) {
-      names.push_back(lacking.name);
       as_there.push_back({location_of(plant, *lacking.others), "one that has it"});
     }
     diagnostics.add(
-        rule.info, std::move(names),
+        rule.info, about(odd),
         fmt::format("`{}`{} missing: {} of {} devices named like `{}` have it; add {}, or spell the task as "
                     "they do",
                     first.name,
@@ -61,7 +59,7 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
 }  // namespace
 
 const Rule kShapeLacksSymbol{{"SP414", "shape-lacks-symbol", diag::Severity::warning,
-                              "a device lacks a symbol that those named like it have", kShapeLacksSymbolPage},
+                              "a device lacks a symbol that those named like it have", kShapeLacksSymbolPage, diag::Rank::siblings},
                              check_shape_lacks_symbol};
 
 }  // namespace symplant::check

@@ -16,6 +16,14 @@ ASCII letters, as PLC tools do.
 **How to fix it.** Rename one of the symbols, or delete the row that is wrong.
 )";
 
+/// The second row, and the device that both rows name.
+diag::Subjects about_second(const model::PlantModel& plant, const model::Duplicate& duplicate) {
+  diag::Subjects subjects = about(*duplicate.second).explaining(address_of(duplicate.first->name));
+  const model::Symbol* first = symbol_of(plant, *duplicate.first);
+  if (first != nullptr) subjects.explains.push_back(device(first->reading.device_path));
+  return subjects;
+}
+
 void check_symbol_declared_differently(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Duplicate& duplicate : subject.evidence.duplicates) {
@@ -23,7 +31,7 @@ void check_symbol_declared_differently(const Rule& rule, const Subject& subject,
     const auto controller = [&](const read::ListRow& row) { return plant.lists[plant.list_of(row)].controller; };
     const bool other = controller(*duplicate.first) != controller(*duplicate.second);
     diagnostics.add(
-        rule.info, about(*duplicate.second),
+        rule.info, about_second(plant, duplicate),
         fmt::format(
             "`{}` is declared again {}: rename it, or delete the row that is wrong", duplicate.second->name,
             other ? "for another controller, and names are unique across a plant" : "with another address or type"),
@@ -36,7 +44,7 @@ void check_symbol_declared_differently(const Rule& rule, const Subject& subject,
 
 const Rule kSymbolDeclaredDifferently{
     {"SP302", "symbol-declared-differently", diag::Severity::error,
-     "a symbol is declared twice with different addresses or types", kSymbolDeclaredDifferentlyPage},
+     "a symbol is declared twice with different addresses or types", kSymbolDeclaredDifferentlyPage, diag::Rank::row},
     check_symbol_declared_differently};
 
 }  // namespace symplant::check

@@ -23,7 +23,11 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
     const model::Symbol& other = plant.symbols[claim.other];
     const std::string_view direction = direction_text(symbol.direction);
     diagnostics.add(
-        rule.info, about(symbol),
+        rule.info,
+        about(symbol)
+            .explaining(device(symbol.reading.device_path))
+            .explaining(address_of(symbol.name()))
+            .following(address_of(symbol.name())),
         claim.other_dropped
             ? fmt::format("`{}` is an {} by its address `{}`, and takes the task from `{}`, which is in no device now: "
                           "correct its name or its address",
@@ -39,7 +43,7 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
 }  // namespace
 
 const Rule kTaskClaimedTwice{{"SP407", "task-claimed-twice", diag::Severity::warning,
-                              "two symbols of a device claim one task and direction", kTaskClaimedTwicePage},
+                              "two symbols of a device claim one task and direction", kTaskClaimedTwicePage, diag::Rank::direction},
                              check_task_claimed_twice};
 
 }  // namespace symplant::check

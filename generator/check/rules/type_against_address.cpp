@@ -17,6 +17,13 @@ might be another symbol's place.
 32-bit ones with `%ID`, `%QD`.
 )";
 
+/// The symbol, which its device lacks.
+diag::Subjects about_lost(const model::Symbol& symbol) {
+  diag::Subjects subjects = about(symbol).explaining(address_of(symbol.name()));
+  explain_missing(subjects, std::string(symbol.name()), symbol.reading.device_path, symbol.direction);
+  return subjects;
+}
+
 void check_type_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
@@ -24,7 +31,7 @@ void check_type_against_address(const Rule& rule, const Subject& subject, diag::
     const int bits = model::data_type_bits(symbol.type);
     if (bits == static_cast<int>(symbol.address->size)) continue;
     diagnostics.add(
-        rule.info, about(symbol),
+        rule.info, about_lost(symbol),
         fmt::format("`{}` is {}, {} bit{}, but its address `{}` has {}: it is on no link; correct type or address",
                     symbol.name(), model::data_type_name(symbol.type), bits, bits == 1 ? "" : "s", symbol.address_cell,
                     static_cast<int>(symbol.address->size)),
@@ -36,7 +43,7 @@ void check_type_against_address(const Rule& rule, const Subject& subject, diag::
 }  // namespace
 
 const Rule kTypeAgainstAddress{{"SP306", "type-against-address", diag::Severity::warning,
-                                "a type needs another size of address", kTypeAgainstAddressPage},
+                                "a type needs another size of address", kTypeAgainstAddressPage, diag::Rank::row},
                                check_type_against_address};
 
 }  // namespace symplant::check

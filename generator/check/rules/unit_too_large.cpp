@@ -19,7 +19,7 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
   const model::PlantModel& plant = subject.plant;
   for (const model::TooLarge& large : subject.evidence.too_large) {
     diagnostics.add(
-        rule.info, {std::string(large.path)},
+        rule.info, {{device(large.path)}, {device(large.path)}, {}},
         fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "
                     "symbols are in no device; see whether the device level of their names tells devices apart",
                     large.path, large.operations, large.events, large.states, tables::kMaxOperations,
@@ -31,7 +31,7 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kUnitTooLarge{{"SP406", "unit-too-large", diag::Severity::warning,
-                          "a device has more symbols or states than a device may have", kUnitTooLargePage},
+                          "a device has more symbols or states than a device may have", kUnitTooLargePage, diag::Rank::row},
                          check_unit_too_large};
 
 }  // namespace symplant::check

@@ -18,7 +18,7 @@ void check_unit_without_events(const Rule& rule, const Subject& subject, diag::D
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
     if (!unit.events.empty()) continue;
-    diagnostics.add(rule.info, about(unit),
+    diagnostics.add(rule.info, about_sides(plant, unit, about(unit)),
                     fmt::format("`{}` has operations and no event: the PLC is told nothing of it", unit.path),
                     location_of(plant, first_symbol_of(plant, unit)));
   }
@@ -27,7 +27,7 @@ void check_unit_without_events(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kUnitWithoutEvents{
-    {"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kUnitWithoutEventsPage},
+    {"SP403", "unit-without-events", diag::Severity::note, "a device gives no feedback", kUnitWithoutEventsPage, diag::Rank::sides},
     check_unit_without_events};
 
 }  // namespace symplant::check

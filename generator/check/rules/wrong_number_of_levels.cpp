@@ -25,7 +25,7 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(
-        rule.info, about(symbol),
+        rule.info, about_name(plant, symbol),
         fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
                     symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
                     consequence(symbol),
@@ -37,7 +37,7 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning,
-                                 "a name has more or fewer levels than the rule", kWrongNumberOfLevelsPage},
+                                 "a name has more or fewer levels than the rule", kWrongNumberOfLevelsPage, diag::Rank::name},
                                 check_wrong_number_of_levels};
 
 }  // namespace symplant::check

@@ -11,6 +11,21 @@ constexpr std::size_t kFewestLetters = 2;
 
 bool is_letter(char32_t c) { return !(c >= '0' && c <= '9') && c != '#'; }
 
+constexpr std::size_t kLongestCode = 4;
+
+std::size_t first_difference(std::u32string_view a, std::u32string_view b) {
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+}
+
+/// The length of the run of letters at an index.
+std::size_t run_at(std::u32string_view word, std::size_t index) {
+  std::size_t begin = index;
+  std::size_t end = index;
+  while (begin > 0 && is_letter(word[begin - 1])) --begin;
+  while (end < word.size() && is_letter(word[end])) ++end;
+  return end - begin;
+}
+
 constexpr std::uint64_t kFactor = 0x0000'0100'0000'01B3;
 
 std::uint64_t step(std::uint64_t hash, char32_t c) { return hash * kFactor + std::uint64_t{c} + 1; }
@@ -63,6 +78,29 @@ bool differ_by_ending(std::u32string_view a, std::u32string_view b) {
   const std::u32string_view ending = b.substr(a.size());
   constexpr std::array<std::u32string_view, 5> kEndings{U"D", U"ED", U"S", U"ING", U"N"};
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+bool differ_by_another_letter(std::u32string_view a, std::u32string_view b) {
+  if (a.size() != b.size() || a == b) return false;
+  const std::size_t first = first_difference(a, b);
+  return is_letter(a[first]) && is_letter(b[first]) && a.substr(first + 1) == b.substr(first + 1);
+}
+
+bool differ_by_class_letter(std::u32string_view a, std::u32string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (a.size() == b.size() && !differ_by_another_letter(a, b)) return false;
+  return run_at(b, first_difference(a, b)) <= kLongestCode;
+}
+
+bool differ_by_axis(std::u32string_view a, std::u32string_view b) {
+  if (!differ_by_another_letter(a, b)) return false;
+  const std::size_t first = first_difference(a, b);
+  const auto both_in = [&](std::u32string_view letters) {
+    return letters.find(a[first]) != letters.npos && letters.find(b[first]) != letters.npos;
+  };
+  if (both_in(U"XYZ")) return true;
+  const bool at_end = first + 1 == a.size() || !is_letter(a[first + 1]);
+  return at_end && (both_in(U"ABCD") || both_in(U"LR"));
 }
 
 NearWords::NearWords(const std::vector<Word>& words) : words_(words) {

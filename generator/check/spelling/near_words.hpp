@@ -22,6 +22,18 @@ std::size_t letters_in(std::u32string_view word);
 /// Whether one word is the other with an ending (`CLOSE`, `CLOSED`): two words for one thing, and no slip.
 bool differ_by_ending(std::u32string_view a, std::u32string_view b);
 
+/// Whether two words that differ by a slip differ in one letter of a short code, where one letter often tells two
+/// classes apart: `PB#` and `PL#` (button and lamp), `PB#` and `PBL#`. The letter is another one, more or less, not
+/// exchanged with its neighbor, in a run of at most four letters. O(length).
+bool differ_by_class_letter(std::u32string_view a, std::u32string_view b);
+
+/// Whether two words of one length differ in a letter that names an axis or a side: X, Y and Z anywhere, or, at the end
+/// of a run of letters, A to D, or L and R. O(length).
+bool differ_by_axis(std::u32string_view a, std::u32string_view b);
+
+/// Whether two words of one length differ in one letter, another one. O(length).
+bool differ_by_another_letter(std::u32string_view a, std::u32string_view b);
+
 /// The words of a level with how often each is there, to ask for the common ones near a word. Each word is filed under
 /// itself and under itself without each of its letters (the deletion neighbourhood of Mor and Fraenkel, 1982); of each
 /// such file only the kBest commonest words are kept, so that any number of words that are all near each other cost no

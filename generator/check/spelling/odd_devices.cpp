@@ -110,6 +110,16 @@ class OddSearch {
 
 }  // namespace
 
+diag::Subjects about(const OddDevice& odd) {
+  diag::Subjects subjects{{device(odd.path)}, {}, {device(odd.path), sequence_of(odd.path)}};
+  for (const Lacking& lacking : odd.lacks) {
+    subjects.about.push_back(missing(lacking.name));
+    subjects.follows.push_back(missing(lacking.name));
+    explain_missing(subjects, lacking.name, odd.path, lacking.others->direction);
+  }
+  return subjects;
+}
+
 std::vector<OddDevice> odd_devices(const Subject& subject) { return OddSearch(subject).find(); }
 
 }  // namespace symplant::check

@@ -26,6 +26,9 @@ struct OddDevice {
   bool one_task;               ///< it has one task only, and lacks every symbol of another
 };
 
+/// Subjects of a finding about the device: the device and what it lacks.
+diag::Subjects about(const OddDevice& odd);
+
 /// By place of the device. Three quarters of a class must have a symbol, three devices at least; where more than one in
 /// eight lack it, and more than one, that counts as meant. The device must have half of what is common in its class, or
 /// the one task. Numeric symbols count as the others do. O(symbols).

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "check/spelling/near_words.hpp"
+#include "check/spelling/split_devices.hpp"
 #include "text/ascii.hpp"
 #include "text/utf8.hpp"
 
@@ -80,7 +81,13 @@ class Vocabulary {
       last_location_ = found->second;
     }
     words_[last_location_].count += count;
+    uses_.resize(words_.size());
     return last_location_;
+  }
+
+  /// Counts symbols that have the word.
+  void use(std::uint32_t location, tables::Direction direction, std::uint32_t symbols) {
+    (direction == tables::Direction::operation ? uses_[location].operations : uses_[location].events) += symbols;
   }
 
   /// Fills `meant`: for each word the commoner ones near it.
@@ -97,9 +104,20 @@ class Vocabulary {
   const std::vector<std::uint32_t>& meant(std::uint32_t location) const { return meant_[location]; }
   const NearWords::Word& word(std::uint32_t location) const { return words_[location]; }
   std::string_view shown(std::uint32_t location) const { return shown_[location]; }
+  /// Whether just one symbol has the word.
+  bool is_single(std::uint32_t location) const { return uses_[location].operations + uses_[location].events == 1; }
+  bool has(std::uint32_t location, tables::Direction direction) const {
+    return (direction == tables::Direction::operation ? uses_[location].operations : uses_[location].events) != 0;
+  }
 
  private:
+  struct Uses {
+    std::uint64_t operations = 0;
+    std::uint64_t events = 0;
+  };
+
   std::unordered_map<std::string, std::uint32_t> locations_;
+  std::vector<Uses> uses_;
   std::vector<NearWords::Word> words_;
   std::vector<std::string_view> shown_;  ///< as the first symbol writes it
   std::vector<std::vector<std::uint32_t>> meant_;
@@ -128,6 +146,7 @@ class SlipSearch {
       any = any || vocabulary.any();
     }
     for (std::uint32_t symbol = 0; any && symbol < plant_.symbols.size(); ++symbol) look_at(symbol);
+    add_split_devices();
     return std::move(slips_);
   }
 
@@ -145,10 +164,53 @@ class SlipSearch {
         locations.push_back(vocabulary(level).add(word_at(first.reading, level), 1));
       }
     }
+    for (std::uint32_t symbol = 0; symbol < plant_.symbols.size(); ++symbol) {
+      const std::uint32_t device = classes_.device_of(symbol);
+      if (device == kNone) continue;
+      for (const Level level : {Level::line, Level::process, Level::device}) {
+        const std::uint32_t location = locations_[static_cast<std::size_t>(level)][device];
+        vocabulary(level).use(location, plant_.symbols[symbol].direction, 1);
+      }
+    }
     tasks_.reserve(classes_.parts().size());
     for (std::uint32_t part = 0; part < classes_.parts().size(); ++part) {
-      tasks_.push_back(vocabulary(Level::task).add(classes_.parts()[part].task, classes_.count(part)));
+      const DeviceClasses::Part& of = classes_.parts()[part];
+      tasks_.push_back(vocabulary(Level::task).add(of.task, classes_.count(part)));
+      vocabulary(Level::task).use(tasks_.back(), of.direction, classes_.count(part));
     }
+  }
+
+  /// Devices that two spellings of a line or process divide, unless one of their symbols has a slip already.
+  void add_split_devices() {
+    const std::vector<SplitDevice> splits = split_devices(plant_);
+    if (splits.empty()) return;
+    std::vector<bool> slipped(classes_.devices());
+    for (const Slip& slip : slips_) {
+      for (const std::uint32_t symbol : slip.symbols) slipped[classes_.device_of(symbol)] = true;
+      if (slip.meant_device != kNone) slipped[slip.meant_device] = true;
+    }
+    for (const SplitDevice& split : splits) {
+      if (slipped[split.part] || slipped[split.whole]) continue;
+      const std::uint32_t first = classes_.first_symbol(split.part);
+      const std::uint32_t first_of_whole = classes_.first_symbol(split.whole);
+      Slip slip{split.level,
+                Slip::Why::complements,
+                word_at(plant_.symbols[first].reading, split.level),
+                {},
+                {},
+                split.whole,
+                0,
+                {}};
+      slip.meant = word_at(plant_.symbols[first_of_whole].reading, split.level);
+      slip.meant_path = plant_.units[split.whole].path;
+      const model::Unit& part = plant_.units[split.part];
+      slip.symbols = part.operations;
+      slip.symbols.insert(slip.symbols.end(), part.events.begin(), part.events.end());
+      std::sort(slip.symbols.begin(), slip.symbols.end());
+      slips_.push_back(std::move(slip));
+    }
+    std::sort(slips_.begin(), slips_.end(),
+              [](const Slip& a, const Slip& b) { return a.symbols.front() < b.symbols.front(); });
   }
 
   /// The word's place in its vocabulary.
@@ -173,9 +235,11 @@ class SlipSearch {
   bool try_slip(std::uint32_t symbol, Level level, std::uint32_t written, std::uint32_t meant) {
     const NearWords::Word& word = vocabulary(level).word(written);
     const NearWords::Word& other = vocabulary(level).word(meant);
-    if (level == Level::task && differ_by_ending(word.text, other.text)) return false;  // SP405 tells
+    if (level == Level::task && differ_by_ending(word.text, other.text)) return false;  // SP405 reports it
     const bool long_enough = std::min(letters_in(word.text), letters_in(other.text)) >= kShortestRare;
-    const bool rare = long_enough && other.count >= word.count * (level == Level::task ? kCommonTask : kCommonName);
+    const bool common = other.count >= word.count * (level == Level::task ? kCommonTask : kCommonName);
+    if (are_two_words(symbol, level, written, meant, common)) return false;
+    const bool rare = long_enough && common;
     const bool stray = is_stray(symbol);
     if (!rare && !stray) return false;
     const Meant as = renamed(symbol, level, vocabulary(level).shown(meant));
@@ -190,7 +254,19 @@ class SlipSearch {
     return true;
   }
 
-  /// Nobody expects the symbol where it stands: not its siblings, and it is no pair with one of the other direction.
+  /// Whether two near words are most likely two classes: they differ in an axis, or in a letter of a short code and the
+  /// first is more than a single symbol; or the other one has no symbol of this direction at all.
+  bool are_two_words(std::uint32_t symbol, Level level, std::uint32_t written, std::uint32_t meant, bool common) {
+    const Vocabulary& words = vocabulary(level);
+    const std::u32string& word = words.word(written).text;
+    const std::u32string& other = words.word(meant).text;
+    if (differ_by_axis(word, other)) return true;
+    if (level == Level::task && !differ_by_another_letter(word, other)) return false;
+    if (differ_by_class_letter(word, other) && !(common && words.is_single(written))) return true;
+    return !words.has(meant, plant_.symbols[symbol].direction);
+  }
+
+  /// The symbol is not expected in its device: its siblings do not have it, and it has no other side.
   bool is_stray(std::uint32_t symbol) const {
     const model::Symbol& of = plant_.symbols[symbol];
     const std::uint32_t device = classes_.device_of(symbol);

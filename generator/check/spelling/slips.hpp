@@ -13,8 +13,9 @@ namespace symplant::check {
 /// A word at one level of some symbols' names that was most likely meant to be another.
 struct Slip {
   enum class Why : std::uint8_t {
-    lacks,   ///< the device that is meant lacks just these symbols
-    common,  ///< the word that is meant is far more common, and nothing stands there yet
+    complements,  ///< the device that is meant has just the other sides of these symbols
+    lacks,        ///< the device that is meant lacks just these symbols
+    common,       ///< the word that is meant is far more common, and nothing stands there yet
   };
   name::Level level{};
   Why why{};

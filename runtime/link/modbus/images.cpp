@@ -9,7 +9,6 @@ namespace symplant::link::modbus {
 
 namespace {
 
-constexpr std::uint32_t kUnmapped = 0xFFFF'FFFF;
 constexpr std::uint32_t kPlaneWordBits = 64;
 
 // Words after the tables of operations: the losses seen, and whether all is written again.
@@ -26,7 +25,7 @@ std::vector<std::uint64_t> with_control_words(std::vector<std::uint64_t> image) 
 std::uint32_t size_of(const IoMap& map, Table table) { return map.sizes[static_cast<std::size_t>(table)]; }
 
 std::vector<std::uint32_t> addresses_of_events(const tables::PlantTables& tables, const IoMap& map) {
-  std::vector<std::uint32_t> addresses(tables.event_bits, kUnmapped);
+  std::vector<std::uint32_t> addresses(tables.event_bits, tables::kNone);
   for (const IoPoint& point : map.points) {
     if (point.table == Table::discrete_input) addresses[tables.symbols[point.symbol].index] = point.number;
   }
@@ -75,7 +74,7 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
       watchdog_(map.watchdog),
       word_order_(word_order),
       events_written_(tables.event_bits / kPlaneWordBits, 0),
-      point_of_slot_(tables.event_slots, kUnmapped),
+      point_of_slot_(tables.event_slots, tables::kNone),
       rewriting_(size_of(map, Table::coil), size_of(map, Table::holding_register)),
       operations_(with_control_words(applied_)),
       events_(std::vector<std::uint64_t>(discrete_words_ + register_words(size_of(map, Table::input_register)), 0)) {
@@ -207,7 +206,7 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
   for (; changed != 0; changed &= changed - 1) {
     const auto bit = static_cast<std::uint32_t>(std::countr_zero(changed));
     const std::uint32_t address = address_of_event_[word * kPlaneWordBits + bit];
-    if (address == kUnmapped) continue;
+    if (address == tables::kNone) continue;
     set_bit(events_.words(), address, (bits >> bit & 1) != 0);
     events_.touch(address / kBitsPerWord);
   }
@@ -215,7 +214,7 @@ void Images::write_event_word(std::uint32_t word, std::uint64_t bits) noexcept {
 
 void Images::write_input_register(std::uint32_t slot, std::uint64_t value) noexcept {
   const std::uint32_t row = point_of_slot_[slot];
-  if (row == kUnmapped) return;
+  if (row == tables::kNone) return;
   const IoPoint& point = points_[row];
   set_number(events_.words().subspan(discrete_words_), number_layout(point), value);
   for (std::uint32_t word = point.number / kRegistersPerWord; word <= point.last() / kRegistersPerWord; ++word) {

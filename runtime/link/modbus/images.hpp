@@ -93,7 +93,7 @@ class Images {
   std::size_t discrete_words_;  ///< input registers follow them
   ByAddress coils_;
   ByAddress holding_registers_;
-  std::vector<std::uint32_t> address_of_event_;  ///< by event bit: its discrete input, or kUnmapped
+  std::vector<std::uint32_t> address_of_event_;  ///< by event bit: its discrete input, or tables::kNone
   std::vector<std::uint64_t> applied_;           ///< the operations of the plant, as in the image
   std::vector<std::uint64_t> zeroed_;            ///< bits that go to zero when the link is lost
   std::vector<std::uint64_t> scratch_;           ///< memory of zero_operations()
@@ -102,7 +102,7 @@ class Images {
   std::optional<std::uint32_t> watchdog_;
   WordOrder word_order_;
   std::vector<std::uint64_t> events_written_;  ///< event bits of the plant, as in the image
-  std::vector<std::uint32_t> point_of_slot_;   ///< by slot of a numeric event: its index in points_, or kUnmapped
+  std::vector<std::uint32_t> point_of_slot_;   ///< by slot of a numeric event: its index in points_, or tables::kNone
   bool first_write_ = true;
   bool behind_ = false;  ///< the taken image may differ from the operations of the plant
   Rewriting rewriting_;  ///< used by the server's thread

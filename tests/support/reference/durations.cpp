@@ -1,4 +1,4 @@
-// How long a transition waits and travels: fixed, drawn, or asked of a behavior (docs/model.md, "Random times").
+// How long a transition waits and travels: fixed, drawn, or asked of a behavior (docs/model.md, "One instant").
 #include <algorithm>
 
 #include "support/reference/round.hpp"

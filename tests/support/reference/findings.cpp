@@ -1,4 +1,4 @@
-// Findings at run time and requirements (docs/model.md, "Findings at run time").
+// Findings at run time and requirements (docs/model.md, "What the plant finds").
 #include "support/reference/findings.hpp"
 
 #include <algorithm>

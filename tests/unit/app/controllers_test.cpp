@@ -75,7 +75,7 @@ TEST_CASE("run: A link names its controller, and is reported with its port") {
   CHECK(contains(unsaid.err, "write `PRESS=modbus-tcp-server://127.0.0.1:0`"));
   const ToolRun unknown = run_two({"run", "plant.json", "--link", "ROBOTER=loop:"});
   CHECK(unknown.code == 2);
-  CHECK(contains(unknown.err, "there is no controller `ROBOTER`, the nearest is `ROBOT`"));
+  CHECK(contains(unknown.err, "controller `ROBOTER` not found; did you mean `ROBOT`?"));
 }
 
 TEST_CASE("generate: The main program has the links of the description") {

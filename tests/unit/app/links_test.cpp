@@ -66,7 +66,7 @@ TEST_CASE("map --link: The map of that link's controller is shown, or the reason
   CHECK(contains(other.err, "`modbus:` is not a link with a map: give `modbus-tcp-server://HOST:PORT`"));
   const ToolRun unknown = run_tool({"map", "plant.json", "--link", "PLC9=modbus-tcp-server://:1502"}, files);
   CHECK(unknown.code == 2);
-  CHECK(contains(unknown.err, "there is no controller `PLC9`"));
+  CHECK(contains(unknown.err, "controller `PLC9` not found; "));
 }
 
 TEST_CASE("Every command rejects a plant whose symbols overlap on a link") {

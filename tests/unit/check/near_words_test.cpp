@@ -38,6 +38,24 @@ TEST_CASE("A word with an ending is another word, not a slip") {
   CHECK_FALSE(differ_by_ending(U"CLOSE", U"CLOSER"));
 }
 
+TEST_CASE("A letter of a short code, an axis or a side tells two classes apart") {
+  using check::differ_by_axis;
+  using check::differ_by_class_letter;
+  CHECK(differ_by_class_letter(U"PB#", U"PL#"));
+  CHECK(differ_by_class_letter(U"PB#", U"PBL#"));
+  CHECK(differ_by_class_letter(U"PBLX", U"PBLY"));
+  CHECK(differ_by_class_letter(U"#P#", U"#U#"));
+  CHECK_FALSE(differ_by_class_letter(U"PB#", U"BP#"));  // exchanged
+  CHECK_FALSE(differ_by_class_letter(U"CLAMP#", U"CLANP#"));
+  CHECK_FALSE(differ_by_class_letter(U"CLAMP#", U"CLMP#"));
+  CHECK(differ_by_axis(U"DRIVEX", U"DRIVEY"));
+  CHECK(differ_by_axis(U"XAXIS#", U"YAXIS#"));
+  CHECK(differ_by_axis(U"CLAMPL#", U"CLAMPR#"));
+  CHECK(differ_by_axis(U"VALVEA", U"VALVEB"));
+  CHECK_FALSE(differ_by_axis(U"BALVE", U"DALVE"));
+  CHECK_FALSE(differ_by_axis(U"DRIVEX", U"DRIVE"));
+}
+
 TEST_CASE("A word gives its more common near words, the most common first") {
   const std::vector<NearWords::Word> words{{U"RTE", 1}, {U"RET", 200}, {U"RATE", 300}, {U"ADV", 200}, {U"RTED", 1}};
   const NearWords near(words);

@@ -15,6 +15,12 @@ std::vector<Row> device_with(const std::vector<std::string>& tasks) {
   return bits(names);
 }
 
+std::vector<std::string> names_of(const diag::Diagnostic& finding) {
+  std::vector<std::string> names;
+  for (const diag::Subject& subject : finding.subjects.about) names.push_back(subject.name);
+  return names;
+}
+
 std::size_t subject(const std::vector<Row>& rows, std::string_view slug) { return analyse_rows(rows).count(slug); }
 
 TEST_CASE("A gap is one or a few missing numbers among regular steps") {
@@ -66,7 +72,7 @@ TEST_CASE("The finding names the missing symbol, and is at the other symbol of i
   REQUIRE(list.fired() == "shape-lacks-symbol");
   const diag::Diagnostic& finding = list.diagnostics.all()[0];
   CHECK(finding.message.find("`L_P_CLAMP5_O_CLOSE` is missing: 4 of 5 devices") == 0);
-  CHECK(finding.about == std::vector<std::string>{"L_P_CLAMP5", "L_P_CLAMP5_O_CLOSE"});
+  CHECK(names_of(finding) == std::vector<std::string>{"L_P_CLAMP5", "L_P_CLAMP5_O_CLOSE"});
   CHECK(finding.location.source->line_at(finding.location.span.begin).find("L_P_CLAMP5_I_CLOSE") !=
         std::string_view::npos);
 }
@@ -89,7 +95,7 @@ TEST_CASE("A missing number is reported like a missing bit, also for devices wit
   REQUIRE(list.fired() == "shape-lacks-symbol shape-lacks-symbol");
   CHECK_THAT(list.diagnostics.all()[0].message, Catch::StartsWith("`L_P_DRIVE2_I_SPEED` is missing: 4 of 5 devices"));
   CHECK_THAT(list.diagnostics.all()[1].message, Catch::StartsWith("`L_P_TANK4_I_HEAT` is missing: 4 of 5 devices"));
-  CHECK(list.diagnostics.all()[1].about == std::vector<std::string>{"L_P_TANK4", "L_P_TANK4_I_HEAT"});
+  CHECK(names_of(list.diagnostics.all()[1]) == std::vector<std::string>{"L_P_TANK4", "L_P_TANK4_I_HEAT"});
 }
 
 TEST_CASE("A device with too many bits is not reported to lack them if it has numbers") {
@@ -136,6 +142,74 @@ TEST_CASE("Two forms of one word are reported for a device with further tasks, t
   CHECK(reported({"L_P_D_O_OPEN", "L_P_D_I_OPEN", "L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
   CHECK(reported({"L_P_D_O_HOME1", "L_P_D_I_HOME1", "L_P_D_O_WELD2", "L_P_D_I_WELDED2"}) == "two-words-one-state");
   CHECK(reported({"L_P_D_O_CLAMP", "L_P_D_I_CLAMPED"}) == "two-words-one-state");
+}
+
+TEST_CASE("Two words of one state explain nothing of the device's other tasks") {
+  const Analysed list =
+      analyse_rows(bits({"L_P_D_O_START", "L_P_D_I_STARTED", "L_P_D_I_HOME", "L_P_D_I_FAULT", "L_P_D_O_RESET"}));
+  REQUIRE(list.fired(diag::Severity::warning) == "two-words-one-state event-without-operation");
+  for (const diag::Related& related : list.diagnostics.all()[0].related) {
+    INFO(related.message);
+    for (const char* other : {"HOME", "FAULT", "RESET"}) CHECK(related.message.find(other) == std::string::npos);
+  }
+  // The only two tasks of a device may be unrelated words, too.
+  CHECK(analyse_rows(bits({"L_P_D_O_RUN", "L_P_D_I_FAULT"})).count("two-words-one-state") == 0);
+  CHECK(analyse_rows(bits({"L_P_D_O_RUN", "L_P_D_I_FAULT"})).fired(diag::Severity::warning) ==
+        "operation-without-event");
+  CHECK(analyse_rows(bits({"L_P_D_O_RESET", "L_P_D_I_FAULT"})).fired(diag::Severity::warning) ==
+        "event-without-operation");
+}
+
+/// `count` clamps with a coil and three sensors of the position ADV, a second one of RET, and a command `more`.
+Analysed clamps_with(int count, const std::string& more) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) {
+    const std::string device = "L_P_CLAMP" + std::to_string(i);
+    for (const char* part : {"_O_ADV", "_I_ADV*", "_I_ADVL", "_I_ADVR", "_O_RET", "_I_RET", "_I_RETL"}) {
+      names.push_back(device + part);
+    }
+    names.push_back(device + "_O_" + more);
+  }
+  return analyse_rows(bits(names));
+}
+
+TEST_CASE("Alike findings in devices named alike are one finding with their number and three examples") {
+  const Analysed list = clamps_with(4, "BLOW");
+  REQUIRE(list.fired(diag::Severity::warning) == "event-without-operation operation-without-event");
+  const diag::Diagnostic& events = list.diagnostics.all()[0];
+  CHECK_THAT(events.message, Catch::StartsWith("`L_P_CLAMP1_I_ADVL` reports `ADVL` of `L_P_CLAMP1`"));
+  CHECK_THAT(events.message,
+             Catch::Matchers::EndsWith("; the same of 11 more in devices named `CLAMP#`: `L_P_CLAMP1_I_ADVR`, "
+                                       "`L_P_CLAMP1_I_RETL`, `L_P_CLAMP2_I_ADVL` and 8 more"));
+  REQUIRE(events.related.size() == 11);
+  CHECK(events.related[10].message == "the same of `L_P_CLAMP4_I_RETL`");
+  const diag::Diagnostic& commands = list.diagnostics.all()[1];
+  CHECK_THAT(commands.message,
+             Catch::Matchers::EndsWith("; the same of 3 more in devices named `CLAMP#`: `L_P_CLAMP2_O_BLOW`, "
+                                       "`L_P_CLAMP3_O_BLOW`, `L_P_CLAMP4_O_BLOW`"));
+}
+
+TEST_CASE("Each symbol of alike findings is ignored by itself") {
+  std::vector<std::string> names{"L_P_C1_O_A", "L_P_C1_I_A*", "L_P_C1_O_B", "L_P_C1_I_B", "L_P_C1_O_X",
+                                 "L_P_C2_O_A", "L_P_C2_I_A*", "L_P_C2_O_B", "L_P_C2_I_B", "L_P_C2_O_X"};
+  description::Description description;
+  description.check.ignore = {{"SP401", "L_P_C1_O_X", "blows", ""}};
+  const Analysed list = analyse_lists({{"symbols.csv", list_text(bits(names))}}, std::move(description));
+  REQUIRE(list.count("operation-without-event") == 1);
+  CHECK(list.diagnostics.ignored().size() == 1);
+  CHECK_THAT(list.diagnostics.all()[0].message, Catch::StartsWith("`L_P_C2_O_X` commands"));
+  CHECK(list.diagnostics.all()[0].related.empty());
+}
+
+TEST_CASE("A command without feedback by nature has no finding") {
+  for (const char* word : {"RESET", "reset", "RST", "ACK", "BYPASS", "LAMP", "LAMP2"}) {
+    INFO(word);
+    CHECK(clamps_with(1, word).count("operation-without-event") == 0);
+  }
+  for (const char* word : {"PRESET", "BLOW", "START", "RESETTING"}) {
+    INFO(word);
+    CHECK(clamps_with(1, word).count("operation-without-event") == 1);
+  }
 }
 
 }  // namespace

@@ -35,6 +35,25 @@ TEST_CASE("An extra row with a slip in its name gives one finding") {
   CHECK(with_more(event("L_S1_RBT-I_WORK3")) == "illegal-character");
 }
 
+TEST_CASE("A word of the name is not replaced by a direction: the direction is missing") {
+  const auto message = [](Row row) {
+    std::vector<Row> rows = sound();
+    rows.push_back(std::move(row));
+    const Analysed list = analyse_rows(rows);
+    REQUIRE(list.count("direction-not-io") == 1);
+    return list.diagnostics.all().back().message;
+  };
+  const std::string curtain = message(event("EXTN_PLT1_FRT_Light_Curtain1"));
+  CHECK_THAT(curtain, Catch::StartsWith("`EXTN_PLT1_FRT_Light_Curtain1` has no direction"));
+  CHECK_THAT(curtain, Catch::Matchers::EndsWith("; add `I`, as its address `%IX50` says, and join words, for example "
+                                                "`EXTN_PLT1_FRT_I_LightCurtain1`"));
+  for (const char* word : {"X", "0", "IN", "Input", "DI"}) {
+    INFO(word);
+    CHECK_THAT(message(event("EXTN_PLT1_FRT_" + std::string(word) + "_RUN")),
+               Catch::Matchers::EndsWith("; write `I`, as its address `%IX50` says"));
+  }
+}
+
 TEST_CASE("A copied and unchanged row gives one finding") {
   CHECK(with_more(sound()[0]) == "duplicate-symbol");
   Row elsewhere = sound()[0];

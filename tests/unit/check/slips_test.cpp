@@ -101,6 +101,55 @@ TEST_CASE("Two lines, two words of one unit, and near words of different devices
   CHECK(slips_of(names).empty());
 }
 
+TEST_CASE("A lamp and a button, two axes and two types of one code are no slips") {
+  std::vector<std::string> panel;
+  for (const char* n : {"1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
+    panel.push_back("L_P_PB" + std::string(n) + "_I_START");
+    panel.push_back("L_P_PL" + std::string(n) + "_O_START");
+  }
+  panel.push_back("L_P_PL10_O_START");  // its button is elsewhere
+  panel.push_back("L_P_PB11_I_START");
+  CHECK(slips_of(panel).empty());
+  CHECK(slips_of({"L_P_PB1_I_START", "L_P_PL1_O_START"}).empty());
+  CHECK(slips_of({"L_P_PBLX_I_ON", "L_P_PBLX_O_OFF", "L_P_PBLY_O_ON", "L_P_PBLY_I_OFF"}).empty());
+  CHECK(slips_of({"L_P_AXISX_O_HOME", "L_P_AXISX_O_WORK", "L_P_AXISX_I_WORK", "L_P_AXISY_I_HOME"}).empty());
+  CHECK(slips_of({"L_P_4P303A_O_ON", "L_P_4U303A_I_ON", "L_P_4P304A_I_ON", "L_P_4U304A_O_ON"}).empty());
+  // In long words, too, an operation has no event's word: no LIGHT is commanded, no NIGHT is reported.
+  CHECK(slips_of({"L_P_NIGHT1_O_ON", "L_P_LIGHT1_I_ON", "L_P_LIGHT2_I_ON"}).empty());
+}
+
+TEST_CASE("Two devices that differ in their line and complement each other are one warning with both spellings") {
+  const auto messages = [](const std::vector<std::string>& names) {
+    std::vector<std::string> found;
+    const Analysed list = analyse_rows(bits(names));
+    for (const diag::Diagnostic& finding : list.diagnostics.all()) {
+      if (finding.severity != diag::Severity::note) found.push_back(finding.message);
+    }
+    return found;
+  };
+  CHECK(messages({"EXCELL_MB_AGV_I_P1", "EXCELL_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
+        std::vector<std::string>{"`EXLINE_MB_AGV` has just the operations that `EXCELL_MB_AGV` lacks: if they are one "
+                                 "device, write `EXCELL` or `EXLINE` in all names"});
+  CHECK(messages({"EXCELL_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
+        std::vector<std::string>{"`EXCELL_MB_AGV_I_P1` is the only symbol of `EXCELL_MB_AGV`, and just the one that "
+                                 "`EXLINE_MB_AGV` lacks: if they are one device, write `EXLINE` or `EXCELL` in all names"});
+  // A process, too, but not one with another number; not a device, since `PB` and `PL` are a button and its lamp.
+  CHECK(slips_of({"L_MB_AGV_I_P1", "L_MB_AGV_I_P2", "L_MAIN_AGV_O_P1", "L_MAIN_AGV_O_P2"}).size() == 1);
+  CHECK(slips_of({"L_ST1_AGV_I_P1", "L_ST1_AGV_I_P2", "L_ST2_AGV_O_P1", "L_ST2_AGV_O_P2"}).empty());
+  CHECK(slips_of({"L_P_PB_I_START", "L_P_PB_I_STOP", "L_P_PL_O_START", "L_P_PL_O_STOP"}).empty());
+  // One task each is no evidence, other tasks are none, and of three lines it is not known which belong together.
+  CHECK(slips_of({"A_P_PB_I_ON", "B_P_PB_O_ON"}).empty());
+  CHECK(slips_of({"A_P_D_I_P1", "A_P_D_I_P2", "B_P_D_O_P1", "B_P_D_O_P3"}).empty());
+  CHECK(slips_of({"A_P_D_I_P1", "A_P_D_I_P2", "B_P_D_O_P1", "B_P_D_O_P2", "C_P_D_O_P1", "C_P_D_O_P2"}).empty());
+}
+
+TEST_CASE("A single symbol with another letter in a short code is still a slip") {
+  std::vector<std::string> names = clamps(9);
+  for (std::string& name : names) name.replace(name.find("CLAMP"), 5, "PIN");
+  names[9].replace(names[9].find("PIN"), 3, "PUN");
+  CHECK(slips_of(names).size() == 1);
+}
+
 TEST_CASE("Complete devices that differ in a letter are no slips") {
   CHECK(slips_of({"L_P_VALVEA_O_OPEN", "L_P_VALVEA_I_OPEN", "L_P_VALVEB_O_OPEN", "L_P_VALVEB_I_OPEN"}).empty());
 }

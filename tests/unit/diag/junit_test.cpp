@@ -2,9 +2,11 @@
 #include "diag/junit.hpp"
 
 #include "support/catch.hpp"
+#include "support/findings.hpp"
 #include "support/strings.hpp"
 
 using namespace symplant;
+using test::about;
 using test::contains;
 
 namespace {
@@ -16,11 +18,11 @@ constexpr diag::RuleInfo kTwice{"SP302", "symbol-declared-differently", diag::Se
 std::vector<diag::Report> one_plant(bool readable = true) {
   const auto source = std::make_shared<const text::SourceFile>("list.csv", "A<B,X1\nSTART,X2\n");
   diag::Diagnostics findings;
-  findings.add(kNames, {"A<B"}, "say `A<B`", {source, {0, 3}});
-  findings.add(kNames, {"START"}, "say more", {source, {7, 12}});
-  findings.add(kNames, {"START"}, "say it again", {source, {7, 12}});
-  findings.add(kRest, {"L_P_D"}, "given", {source, {7, 12}});
-  findings.ignore({&kTwice, diag::Severity::error, "hidden", {source, {0, 1}}, {}, {"A"}}, "wired \"next\" year");
+  findings.add(kNames, about({"A<B"}), "say `A<B`", {source, {0, 3}});
+  findings.add(kNames, about({"START"}), "say more", {source, {7, 12}});
+  findings.add(kNames, about({"START"}), "say it again", {source, {7, 12}});
+  findings.add(kRest, about({"L_P_D"}), "given", {source, {7, 12}});
+  findings.ignore({&kTwice, diag::Severity::error, "hidden", {source, {0, 1}}, {}, about({"A"})}, "wired \"next\" year");
   std::vector<diag::Report> reports;
   reports.push_back({"line1/list.csv", std::move(findings), readable});
   return reports;

@@ -7,6 +7,7 @@
 #include "diag/encode.hpp"
 #include "diag/uri.hpp"
 #include "support/catch.hpp"
+#include "support/findings.hpp"
 
 using namespace symplant;
 using nlohmann::json;
@@ -61,7 +62,7 @@ std::vector<diag::Report> about_rows(const std::vector<std::string>& rows) {
   diag::Diagnostics findings;
   std::size_t begin = 0;
   for (const std::string& row : rows) {
-    findings.add(kSarifNames, {row}, "`" + row + "` in row " + std::to_string(begin),
+    findings.add(kSarifNames, about({row}), "`" + row + "` in row " + std::to_string(begin),
                  {source, {begin, begin + row.size()}});
     begin += row.size() + 1;
   }
@@ -73,7 +74,7 @@ std::vector<diag::Report> about_rows(const std::vector<std::string>& rows) {
 TEST_CASE("SARIF has rule, level, location and related locations of each finding, with columns in characters") {
   const auto source = list("\xC3\x84\xC3\x96,X1\nAB,X2\n");
   diag::Diagnostics findings;
-  findings.add(kSarifNames, {"AB"}, "say `AB`", at(source, "AB"), {{at(source, "X1"), "first"}});
+  findings.add(kSarifNames, about({"AB"}), "say `AB`", at(source, "AB"), {{at(source, "X1"), "first"}});
   const json run = run_of(report_of(std::move(findings)));
   const json& result = run["results"][0];
   CHECK(result["ruleId"] == "SP201");
@@ -109,9 +110,9 @@ TEST_CASE("SARIF describes the rules that have results, with their manual pages"
 TEST_CASE("SARIF lists errors first, and findings ignored by plant.json last, with their reason") {
   const auto source = list("A\n");
   diag::Diagnostics findings;
-  findings.add(kSarifRest, {"A"}, "note", at(source, "A"));
-  findings.add(kSarifTwice, {"A"}, "error", at(source, "A"));
-  findings.ignore({&kSarifTwice, diag::Severity::error, "hidden", at(source, "A"), {}, {"A"}}, "wired next year");
+  findings.add(kSarifRest, about({"A"}), "note", at(source, "A"));
+  findings.add(kSarifTwice, about({"A"}), "error", at(source, "A"));
+  findings.ignore({&kSarifTwice, diag::Severity::error, "hidden", at(source, "A"), {}, about({"A"})}, "wired next year");
   const json run = run_of(report_of(std::move(findings)));
   const json& results = run["results"];
   REQUIRE(results.size() == 3);
@@ -147,13 +148,13 @@ TEST_CASE("Fingerprints of different findings differ: by symbol, rule, file, and
   const auto source = list("A,B\n");
   const auto other = list("A,B\n", "other.csv");
   diag::Diagnostics findings;
-  findings.add(kSarifNames, {"A"}, "x", at(source, "A"));
-  findings.add(kSarifNames, {"A"}, "x", at(source, "A"));
-  findings.add(kSarifNames, {"B"}, "x", at(source, "A"));
-  findings.add(kSarifNames, {"A", "B"}, "x", at(source, "A"));
-  findings.add(kSarifNames, {"AB"}, "x", at(source, "A"));
-  findings.add(kSarifRest, {"A"}, "x", at(source, "A"));
-  findings.add(kSarifNames, {"A"}, "x", at(other, "A"));
+  findings.add(kSarifNames, about({"A"}), "x", at(source, "A"));
+  findings.add(kSarifNames, about({"A"}), "x", at(source, "A"));
+  findings.add(kSarifNames, about({"B"}), "x", at(source, "A"));
+  findings.add(kSarifNames, about({"A", "B"}), "x", at(source, "A"));
+  findings.add(kSarifNames, about({"AB"}), "x", at(source, "A"));
+  findings.add(kSarifRest, about({"A"}), "x", at(source, "A"));
+  findings.add(kSarifNames, about({"A"}), "x", at(other, "A"));
   findings.add(kSarifNames, "x", at(source, "A"));
   findings.add(kSarifNames, "x", at(source, "B"));
   findings.add(kSarifNames, "x `1`", at(source, "A"));
@@ -175,7 +176,7 @@ TEST_CASE("The fingerprint of a finding without a symbol ignores numbers in its 
 TEST_CASE("Several plants make one run, each result names its plant") {
   std::vector<diag::Report> reports = about_rows({"A"});
   diag::Diagnostics findings;
-  findings.add(kSarifTwice, {"B"}, "x", {});
+  findings.add(kSarifTwice, about({"B"}), "x", {});
   reports.push_back({"line2.json", std::move(findings)});
   const json run = run_of(reports);
   CHECK(run["results"][0]["properties"]["plant"] == "line2.json");
@@ -184,8 +185,8 @@ TEST_CASE("Several plants make one run, each result names its plant") {
 
 TEST_CASE("Results above the limit of a run are counted, the most severe stay") {
   diag::Diagnostics findings;
-  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kSarifRest, {std::to_string(i)}, "x", {});
-  findings.add(kSarifTwice, {"A"}, "x", {});
+  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kSarifRest, about({std::to_string(i)}), "x", {});
+  findings.add(kSarifTwice, about({"A"}), "x", {});
   const json run = run_of(report_of(std::move(findings)));
   CHECK(run["results"].size() == diag::kMostSarifResults);
   CHECK(run["results"][0]["ruleId"] == "SP302");
@@ -197,7 +198,7 @@ TEST_CASE("Results above the limit of a run are counted, the most severe stay") 
 TEST_CASE("User text in SARIF is no link, no argument and no control character") {
   CHECK(diag::sarif_text("A](1) B{0} C[0] {x}\n") == "A<U+005D>(1) B<U+007B>0} C[0] {x}<U+000A>");
   diag::Diagnostics findings;
-  findings.add(kSarifNames, {"\xFF"}, "bad \xFF \xE2\x80\xAE", at(list("\xE2\x80\xAE\n"), "\xE2\x80\xAE"));
+  findings.add(kSarifNames, about({"\xFF"}), "bad \xFF \xE2\x80\xAE", at(list("\xE2\x80\xAE\n"), "\xE2\x80\xAE"));
   const json run = run_of(report_of(std::move(findings)));
   CHECK(run["results"][0]["message"]["text"] == "bad \xEF\xBF\xBD <U+202E>");
   CHECK_FALSE(run["results"][0]["locations"][0]["physicalLocation"]["region"].contains("snippet"));

@@ -162,6 +162,16 @@ TEST_CASE("Fewer notes than other findings are shown before the rest are counted
   CHECK(render_text(found.all(), {.fold_after = 0}).find("more of") == std::string::npos);
 }
 
+TEST_CASE("Of many related rows the first are shown and the rest counted") {
+  const auto source = source_of("abc");
+  Diagnostics found;
+  std::vector<diag::Related> related(12, {{source, {0, 1}}, "the same"});
+  found.add(kRule, "odd", {source, {0, 1}}, related);
+  CHECK_THAT(render_text(found.all()),
+             Catch::Matchers::EndsWith("... and 2 more related rows; --format json lists all\n"));
+  CHECK(render_text(found.all(), {.fold_after = 0}).find("more related") == std::string::npos);
+}
+
 TEST_CASE("Findings are counted by severity") {
   Diagnostics found;
   CHECK_FALSE(found.has_errors());

@@ -17,7 +17,7 @@ using tables::Time;
 
 std::set<std::uint32_t> taken(Wheel& wheel, std::vector<engine::UnitState>& units, Time time) {
   std::set<std::uint32_t> result;
-  for (std::uint32_t unit = wheel.take(time); unit != Wheel::kNone; unit = units[unit].next) {
+  for (std::uint32_t unit = wheel.take(time); unit != tables::kNone; unit = units[unit].next) {
     units[unit].flags = 0;
     result.insert(unit);
   }

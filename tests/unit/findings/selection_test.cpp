@@ -68,7 +68,7 @@ TEST_CASE("An error that leaves no valid plant is always reported, and cannot be
   CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "told");
   CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "told");
   CHECK(fault({}, {"SP304"}) ==
-        "`event-driven-twice` cannot be ignored: after this error there is nothing sound to go on with, mend its cause");
+        "`event-driven-twice` cannot be ignored: this error makes a valid plant impossible, fix its cause");
   CHECK(fault({"SP304"}, {}).empty());
   CHECK(verdict({}, {"SP302"}, "SP302") == "ignored");  // the first of two rows counts
 }
@@ -82,7 +82,7 @@ TEST_CASE("An unknown word is rejected with the nearest one") {
     CHECK_FALSE(fault({}, {"SP4", word}).empty());
   }
   CHECK(fault({"SP4", ""}, {}) ==
-        "a rule is missing beside a comma: write ids, slugs or beginnings of ids, such as SP4");
+        "a rule is missing next to a comma: write ids, slugs or beginnings of ids, such as SP4");
 }
 
 TEST_CASE("Hidden findings are counted by option; those that plant.json ignores by rule") {

@@ -50,11 +50,11 @@ TEST_CASE("An entry counts through its last day, and is reported after it") {
 
 TEST_CASE("An entry without effect is reported, also after its day") {
   CHECK(reported(with({{"SP402", "*_MOTOR*", "later", ""}}), "ignore-without-finding") ==
-        "/check/ignore/0: nothing is found by `SP402` of `*_MOTOR*`: take this entry out");
+        "/check/ignore/0: `SP402` of `*_MOTOR*` has no finding: remove this entry");
   CHECK(with({{"SP402", "*_MOTOR*", "later", "2026-01-01"}}).count("ignore-without-finding") == 1);
   // Of two entries that match, the first hides; the second has no effect.
   CHECK(reported(with({{"SP402", "*", "a", ""}, {"SP402", "*_HOT", "b", ""}}), "ignore-without-finding") ==
-        "/check/ignore/1: nothing is found by `SP402` of `*_HOT`: take this entry out");
+        "/check/ignore/1: `SP402` of `*_HOT` has no finding: remove this entry");
 }
 
 TEST_CASE("An unknown rule and an invalid date are reported, the rule with the nearest one") {
@@ -90,8 +90,8 @@ TEST_CASE("A changed severity changes counts and errors") {
 
 TEST_CASE("Errors that leave no valid plant are neither lowered nor ignored") {
   CHECK(reported(with({}, {{"event-driven-twice", "note"}}), "binding-rule") ==
-        "/check/severity/event-driven-twice: `event-driven-twice` cannot be lowered: after this error there is nothing "
-        "sound to go on with, mend its cause");
+        "/check/severity/event-driven-twice: `event-driven-twice` cannot be lowered: this error makes a valid plant "
+        "impossible, fix its cause");
   CHECK(with({{"SP101", "*", "x", ""}}).count("binding-rule") == 1);
   CHECK(with({}, {{"event-driven-twice", "error"}}).count("binding-rule") == 0);
   CHECK_FALSE(findings::is_binding(*check::find_rule("SP302")));

@@ -67,7 +67,7 @@ TEST_CASE("A link with an unknown controller is reported") {
   host::PlantProgram program{.tables = tables};
   host::RunOptions options;
   options.links = {"PLC3=loop:"};
-  CHECK(chosen(program, options) == "there is no controller `PLC3`, the nearest is `PLC1`");
+  CHECK(chosen(program, options) == "controller `PLC3` not found; did you mean `PLC1`?");
 }
 
 TEST_CASE("Virtual time omits the links of the plant, but not the requested ones") {

@@ -74,11 +74,11 @@ TEST_CASE("A link without a name belongs to the lists without a name") {
 
 TEST_CASE("An unknown controller is reported with the nearest one, or with the known ones") {
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"PLC12=" + kServer}) ==
-        "there is no controller `PLC12`, the nearest is `PLC1`");
+        "controller `PLC12` not found; did you mean `PLC1`?");
   CHECK(chosen(plant_of({"PLC1", "PLC2"}), {"robot=" + kServer}) ==
-        "there is no controller `robot`, this plant has `PLC1`, `PLC2`");
+        "controller `robot` not found; this plant has `PLC1`, `PLC2`");
   CHECK(chosen(plant_of({""}), {"PLC1=" + kServer}) ==
-        "there is no controller `PLC1`, this plant's controller has no name: give the URL alone");
+        "controller `PLC1` not found; this plant's controller has no name, give only the URL");
 }
 
 TEST_CASE("Two links to PLCs of one controller are rejected, since both would write its operations") {

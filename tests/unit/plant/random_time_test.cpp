@@ -1,4 +1,4 @@
-// Random times: compares draws with numbers computed separately in Python from docs/model.md ("Random times").
+// Random times: compares draws with numbers computed separately in Python from docs/model.md.
 #include <limits>
 
 #include "support/plant_bench.hpp"
