@@ -25,8 +25,7 @@ text::Encoding encoding_of(const std::string& name) {
 }  // namespace
 
 void add_plant_options(CLI::App& command, PlantOptions& options) {
-  command
-      .add_option("--input-format", options.read.input_format, "the format of the list (default: detected): gx-iec")
+  command.add_option("--input-format", options.read.input_format, "the format of the list (default: detected): gx-iec")
       ->type_name("FORMAT");
   command
       .add_option_function<std::string>(
@@ -125,8 +124,7 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
   if (options.verbose) report_ignored(context, diagnostics);
   if (compiled && options.verbose) report_decisions(context, *compiled);
-  const std::string counts =
-      count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
+  const std::string counts = count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
   if (!compiled || diagnostics.has_errors()) {
     compiled.reset();
     context.err << diag::visible(plant) << ": " << counts << "; fix the errors first\n";

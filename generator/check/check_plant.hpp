@@ -1,4 +1,4 @@
-// Looks a plant model over by every rule.
+// Checks a plant model by every rule.
 #pragma once
 
 #include "diag/diagnostic.hpp"

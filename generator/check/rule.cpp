@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "text/utf8.hpp"
-
 #include "check/spelling/device_classes.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::check {
 
@@ -132,10 +131,10 @@ void explain_missing(diag::Subjects& subjects, std::string name, std::string_vie
 
 std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit) {
   std::vector<diag::Subject> subjects;
+  subjects.reserve(unit.states.size() + 2);  // callers add the device and its model
   for (const model::State& state : unit.states) {
     if ((state.operation == model::kNone) == (state.event == model::kNone)) continue;
-    const auto direction =
-        state.operation == model::kNone ? tables::Direction::operation : tables::Direction::event;
+    const auto direction = state.operation == model::kNone ? tables::Direction::operation : tables::Direction::event;
     subjects.push_back(missing(plant, unit.path, direction, state.name));
   }
   return subjects;
@@ -150,13 +149,11 @@ diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& un
 }
 
 diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& unit, diag::Subjects subjects) {
-  for (diag::Subject& side : missing_sides(plant, unit)) {
-    subjects.explains.push_back(side);
-    subjects.follows.push_back(std::move(side));
-  }
+  subjects.explains = missing_sides(plant, unit);
+  subjects.follows.reserve(subjects.follows.size() + subjects.explains.size() + 2);
+  subjects.follows.insert(subjects.follows.end(), subjects.explains.begin(), subjects.explains.end());
   const bool no_events = unit.events.empty();
-  subjects.follows.push_back(
-      side_of(unit.path, no_events ? tables::Direction::event : tables::Direction::operation));
+  subjects.follows.push_back(side_of(unit.path, no_events ? tables::Direction::event : tables::Direction::operation));
   subjects.follows.push_back(device(unit.path));
   return subjects;
 }

@@ -1,4 +1,4 @@
-// A rule: what is known of it, and how it looks for its fault.
+// A rule: its description, and the function that checks it.
 #pragma once
 
 #include <string>
@@ -27,40 +27,40 @@ struct Subject {
 
 struct Rule {
   diag::RuleInfo info;
-  /// Adds a finding for every place where the rule is broken: one root cause, one finding. Null for rules about the
+  /// Adds a finding for each violation of the rule: one root cause, one finding. Null for rules about the
   /// settings, which are no part of the plant.
   void (*check)(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) = nullptr;
 };
 
-/// Where a cell of a row stands: the cell itself, or the whole row where the cell is not in the file as it is.
+/// The location of a cell: the cell itself, or the whole row if the file has the cell in another form (escaped).
 diag::Location location_of(const model::PlantModel& plant, const read::ListRow& row, std::string_view cell);
 /// A symbol's name.
 diag::Location location_of(const model::PlantModel& plant, const model::Symbol& symbol);
-/// A place in the plant description, by JSON pointer; until it is located, or where there is no file, `fallback` stands
-/// for it.
+/// A location in the plant description, by JSON pointer. `fallback` is used until it is resolved, or if there is no
+/// file.
 diag::Location location_of(diag::Location fallback, const description::Pointer& pointer);
-/// What the description says of a unit at one of its keys; the unit's first symbol stands for it. The unit must be
+/// The location of a key in the description of a unit, with the unit's first symbol as fallback. The unit must be
 /// described.
 diag::Location described_location(const model::PlantModel& plant, const model::Unit& unit,
                                   const description::Pointer& pointer);
-/// An entry that speaks of a unit's device; its `only` where that is what takes its ways away.
+/// An entry for a unit's device; its `only` if that removes the derived transitions.
 description::Pointer entry_pointer(const model::Unit& unit);
 description::Pointer transitions_pointer(const model::Unit& unit);
-/// Where a given transition stands, or one of its keys.
+/// Where a transition is given, or one of its keys.
 description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& transition,
                                         std::string_view key = {});
 /// Whether the plant has a description at all.
 bool has_description(const model::PlantModel& plant);
-/// Whether it says something of devices or has requirements, and is without faults, so that it can be looked at.
+/// Whether it has devices or requirements, and no faults, so that it can be examined.
 bool is_described(const Subject& subject);
 /// What the derivation noticed about a unit of the plant.
 const model::UnitEvidence& evidence_of(const Subject& subject, const model::Unit& unit);
-/// The symbol at a place of a unit's operations or events.
+/// The symbol at an index of a unit's operations or events.
 const model::Symbol& operation_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
 const model::Symbol& event_of(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t location);
 /// The first symbol of a unit in list order.
 const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model::Unit& unit);
-/// The subjects of a finding, as the user may name them in the settings: a symbol and its device, or a device.
+/// The subjects of a finding, as the user can name them in the settings: a symbol and its device, or a device.
 diag::Subjects about(const model::Symbol& symbol);
 /// Of two symbols with one address: the other's name is second.
 diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);

@@ -40,7 +40,7 @@ diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& s
 }
 
 std::string_view consequence(const model::Symbol& symbol) {
-  return symbol.direction == tables::Direction::event ? "nothing moves it" : "it moves nothing";
+  return symbol.direction == tables::Direction::event ? "no device drives it" : "it drives no device";
 }
 
 namespace {
@@ -120,7 +120,7 @@ Unled unled(const Subject& subject, const model::Unit& unit, std::uint32_t state
   const model::State& of = unit.states[state];
   if (unit.operations.empty() || of.event == model::kNone || of.operation != model::kNone) return Unled::no;
   if (unit.reaches(state) || switched_by_outputs(unit, of.event)) return Unled::no;
-  // Its description says the ways, and the list is not to blame.
+  // The description gives the transitions: the list is not the cause.
   if (unit.described != nullptr && unit.described->only) return Unled::no;
   const model::UnitEvidence& evidence = evidence_of(subject, unit);
   if (evidence.two_words && !needs_no_feedback(unit.states[1 - state].name)) return Unled::two_words;

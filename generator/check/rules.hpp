@@ -128,16 +128,17 @@ inline constexpr std::array kRules{
     &kRuleRenamed,
 };
 
-/// For the rules about names: narrows the place of a symbol's name to the part at fault, where the name is in the file.
+/// For the rules about names: narrows the location of a symbol's name to the faulty part, if the name is in the file as
+/// it is.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
-/// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model of
-/// its device if the fault is behind the device's levels.
+/// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model
+/// of its device if the fault is behind the device's levels.
 diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol);
-/// What a symbol loses that is in no device: "nothing moves it", "it moves nothing".
+/// What a symbol loses that is in no device: "no device drives it", "it drives no device".
 std::string_view consequence(const model::Symbol& symbol);
 
-/// Whether the description has a state of the unit switch an event, by place in Unit::events.
+/// Whether a state of the unit switches an event by `outputs`. `event` is an index in Unit::events.
 bool switched_by_outputs(const model::Unit& unit, std::uint32_t event);
 
 /// Two symbols of one device with one task and direction: since names are unique, the address of one overruled its
@@ -149,8 +150,8 @@ struct TaskClaim {
 };
 std::vector<TaskClaim> task_claims(const model::PlantModel& plant);
 
-/// Whether the name of a symbol that its address overruled says this task and direction of a unit: a fault that SP305
-/// or SP407 tells, so that nobody else need miss the symbol. O(symbols) to make.
+/// The names that addresses overrule: whether such a name gives this task and direction of a unit. SP305 or SP407
+/// reports it, so no other rule needs to report the symbol as missing. Construction: O(symbols).
 class OverruledNames {
  public:
   explicit OverruledNames(const model::PlantModel& plant);
@@ -166,7 +167,7 @@ bool is_one_word_twice(const Subject& subject, const model::Unit& unit);
 /// Whether operations of this task have no feedback by nature, such as RESET: SP401 does not expect an event.
 bool needs_no_feedback(std::string_view task);
 
-/// Which rule about the list tells that nothing leads to a state.
+/// Which rule about the list reports that nothing leads to a state.
 enum class Unled : std::uint8_t {
   no,            ///< none: something leads there, or it is not for want of a symbol
   two_words,     ///< SP405, or SP401 of the only other task

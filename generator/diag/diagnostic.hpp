@@ -162,8 +162,8 @@ class Diagnostics {
     left_out_.consequences += more.consequences;
   }
   std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
-  /// Makes findings consequences of others: `into[i]` is the index of the one that takes the i-th, or i itself. One that
-  /// takes others is taken by none.
+  /// Makes findings consequences of others: `into[i]` is the index of the one that takes the i-th, or i itself. One
+  /// that takes others is taken by none.
   void fold(std::span<const std::uint32_t> into);
   /// Makes related rows of all consequences. A finding becomes as severe as the most severe of them.
   void show_consequences();

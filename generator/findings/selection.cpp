@@ -68,9 +68,8 @@ base::Result<Selection, std::string> Selection::of(std::span<const std::string> 
 void Selection::use_current_slug(std::string& word) {
   const std::string_view now = check::slug_now(word);
   if (now.empty()) return;
-  const bool known = std::any_of(renamed_.begin(), renamed_.end(), [&](const std::string& each) {
-    return text::equal_ignoring_case(each, word);
-  });
+  const bool known = std::any_of(renamed_.begin(), renamed_.end(),
+                                 [&](const std::string& each) { return text::equal_ignoring_case(each, word); });
   if (!known) renamed_.push_back(word);
   word = now;
 }

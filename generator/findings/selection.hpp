@@ -21,8 +21,8 @@ class Selection {
   /// Every rule.
   Selection() = default;
 
-  /// From the words of the two options; an empty `select` takes every rule. On error, the text of a message: no rule has
-  /// the word, or it ignores an error that cannot be ignored.
+  /// From the words of the two options; an empty `select` takes every rule. On error, the text of a message: no rule
+  /// has the word, or it ignores an error that cannot be ignored.
   static base::Result<Selection, std::string> of(std::span<const std::string> select,
                                                  std::span<const std::string> ignore);
 
@@ -41,8 +41,8 @@ class Selection {
 
 /// The selected findings, and how many are left out. The consequences of an ignored finding go with it, except those of
 /// take_independent(); those of one that is not selected are reported separately if they are selected. Findings that
-/// plant.json ignores are not counted if they are left out. Comes after apply_settings(), so that an entry of plant.json
-/// is used whatever is selected. O(findings).
+/// plant.json ignores are not counted if they are left out. Comes after apply_settings(), so that an entry of
+/// plant.json is used whatever is selected. O(findings).
 diag::Diagnostics select(const diag::Diagnostics& findings, const Selection& selection);
 
 }  // namespace symplant::findings

@@ -178,10 +178,11 @@ class Settings {
                               entry.symbols.empty() ? "" : fmt::format(" of `{}`", entry.symbols)),
                   location_of_ignore(ignoring.entry));
     } else if (ignoring.over) {
-      result_.add(check::kIgnoreIsOver.info,
-                  fmt::format("this entry was valid until {}, its findings are reported again: fix them, or set a new date",
-                              entry.until),
-                  location_of_ignore(ignoring.entry, "until"));
+      result_.add(
+          check::kIgnoreIsOver.info,
+          fmt::format("this entry was valid until {}, its findings are reported again: fix them, or set a new date",
+                      entry.until),
+          location_of_ignore(ignoring.entry, "until"));
     }
   }
 
@@ -213,8 +214,7 @@ std::vector<diag::Diagnostic> take_independent(diag::Diagnostic& ignored) {
 }
 
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {
-  return fmt::format("`{}` cannot be {}: this error makes a valid plant impossible, fix its cause",
-                     rule.slug, wish);
+  return fmt::format("`{}` cannot be {}: this error makes a valid plant impossible, fix its cause", rule.slug, wish);
 }
 
 diag::Diagnostics apply_settings(const diag::Diagnostics& findings, const description::GivenCheck& settings,

@@ -1,6 +1,7 @@
 // From a list as text to the results of each stage, in memory.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -125,8 +126,7 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
                                    std::make_shared<const description::Description>(std::move(description)));
   const model::PlantModel& plant = result.model();
   check::check_plant(plant, result.evidence(), result.diagnostics);
-  result.diagnostics =
-      findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);
+  result.diagnostics = findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);
   result.diagnostics.sort_by_location(plant.sources());
   return result;
 }
@@ -137,6 +137,14 @@ inline Analysed analyse_described(const std::string& text, description::Descript
 
 inline Analysed analyse_described(const std::vector<Row>& rows, description::Description description) {
   return analyse_described(list_text(rows), std::move(description));
+}
+
+/// Errors other than `no-device`: many a test needs a plant of plain signals.
+inline bool has_other_errors(const diag::Diagnostics& diagnostics) {
+  const auto all = diagnostics.all();
+  return std::any_of(all.begin(), all.end(), [](const diag::Diagnostic& finding) {
+    return finding.severity == diag::Severity::error && finding.rule->slug != "no-device";
+  });
 }
 
 struct CompiledText {
@@ -154,7 +162,7 @@ inline CompiledText compile_text(const std::string& text, const std::string& nam
   app::Progress progress(err, false);
   CompiledText result;
   result.compiled = app::compile({name, {}, {}}, files, progress, result.diagnostics);
-  if (result.diagnostics.has_errors()) result.compiled.reset();
+  if (has_other_errors(result.diagnostics)) result.compiled.reset();
   return result;
 }
 
@@ -164,7 +172,7 @@ inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_
 inline CompiledText lower_analysed(Analysed analysed) {
   CompiledText result;
   result.diagnostics = std::move(analysed.diagnostics);
-  if (result.diagnostics.has_errors() || !analysed.evidence().faults.empty()) return result;
+  if (has_other_errors(result.diagnostics) || !analysed.evidence().faults.empty()) return result;
   lower::EngineTables tables = lower::lower(analysed.model());
   result.compiled =
       app::Compiled{std::move(analysed.derived->plant), std::move(analysed.derived->evidence), std::move(tables)};

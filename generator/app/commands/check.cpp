@@ -93,7 +93,7 @@ class Check {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
     auto compiled = compile({file, options_.plant.read, options_.plant.xy, context_.today, selection_}, context_.files,
-                         progress, diagnostics);
+                            progress, diagnostics);
     if (compiled) {
       const std::vector<std::string> read = compiled->plant.input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());
@@ -164,8 +164,7 @@ class Check {
 void add_check(CLI::App& app, Context& context) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Check names and models; show what the model loses by each fault");
-  command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a separate plant")
-      ->required();
+  command->add_option("PLANT", options->plants, "plant.json files or symbol lists, each a separate plant")->required();
   command
       ->add_option("--format", options->format,
                    "text for people, json for programs, sarif for code scanning, junit for the tests of a build server "

@@ -1,4 +1,4 @@
-// The conditions of a plant with the places where they are written.
+// The conditions of a plant with their locations in the description.
 #include "check/reachability/conditions.hpp"
 
 namespace symplant::check {

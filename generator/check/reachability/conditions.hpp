@@ -1,4 +1,4 @@
-// The conditions of a plant with the places where they are written.
+// The conditions of a plant with their locations in the description.
 #pragma once
 
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace symplant::check {
 
-/// A condition of a device, written out: `when` of a transition, or an input of a behaviour.
+/// A condition of a device, written out: `when` of a transition, or an input of a behavior.
 struct WrittenCondition {
   const model::Unit* unit;
   const condition::Tree* tree;
   std::string_view text;
   bool is_when;
-  description::Pointer pointer;  ///< of the first place where the device has this text
+  description::Pointer pointer;  ///< of the first location where the device has this text
 };
 
 /// Those of devices, in the order of their devices. O(transitions).

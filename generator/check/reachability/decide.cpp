@@ -1,4 +1,4 @@
-// Whether a condition can hold: parts without anything in common are looked at one by one, others in all combinations.
+// Whether a condition can hold: parts without anything in common are examined one by one, others in all combinations.
 #include "check/reachability/decide.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace {
 using condition::Atom;
 using condition::Tree;
 
-/// A tree whose atoms are places among things.
+/// A tree whose atoms are indexes of things.
 struct Node {
   Tree::Kind kind = Tree::Kind::constant;
   bool value = false;
   std::uint32_t thing = 0;
   std::uint32_t atom = 0;
   std::vector<Node> children;
-  std::vector<std::uint32_t> things;  ///< all that it looks at, ascending
+  std::vector<std::uint32_t> things;  ///< all that it tests, ascending
 };
 
 Answer either(Answer a, Answer b) {
@@ -224,7 +224,7 @@ bool may_be_either(const Atom& atom, const model::PlantModel& plant, const Possi
   return false;
 }
 
-/// The most common kind of condition, looked at without a store: a few atoms of different things, each of which may be
+/// The most common kind of condition, examined without a store: a few atoms of different things, each of which may be
 /// true and false. Such a condition may be both, too.
 bool is_plainly_open(const Tree& tree, const model::PlantModel& plant, const Possible& possible) {
   std::array<const Atom*, kFewAtoms> atoms{};

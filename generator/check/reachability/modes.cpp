@@ -1,4 +1,4 @@
-// In which ways the atoms that look at one thing can be true together.
+// The combinations in which the atoms about one unit, bit or number can be true together.
 #include "check/reachability/modes.hpp"
 
 #include <algorithm>
@@ -59,7 +59,8 @@ bool meets(tables::Comparison comparison, std::size_t value, std::size_t operand
   return value > operand;
 }
 
-/// The numbers that are compared with cut the line: place 2i + 1 is the i-th of them, the even ones lie between.
+/// The numbers that are compared with divide the line: index 2i + 1 is the i-th of them, the even indexes are between
+/// them.
 Modes number_modes(const Thing& thing) {
   std::vector<Atom> cuts = thing.atoms;
   std::sort(cuts.begin(), cuts.end(), less);

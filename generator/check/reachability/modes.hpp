@@ -1,4 +1,4 @@
-// In which ways the atoms that look at one thing can be true together.
+// The combinations in which the atoms about one unit, bit or number can be true together.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace symplant::check {
 /// Each says which of a thing's atoms are true.
 using Modes = std::vector<std::vector<bool>>;
 
-/// A unit, a bit or a number that a condition looks at, and all that it asks of it.
+/// A unit, a bit or a number that a condition tests, and all that it tests about it.
 struct Thing {
   condition::Atom::Kind kind = condition::Atom::Kind::settled;  ///< of a unit always `settled`
   std::uint32_t location = 0;                                   ///< the unit or symbol
@@ -20,7 +20,7 @@ struct Thing {
   Modes modes;
 
   static Thing of(const condition::Atom& atom);  ///< without the atom itself
-  bool has(const condition::Atom& atom) const;   ///< the atom looks at it
+  bool has(const condition::Atom& atom) const;   ///< the atom tests it
 };
 
 /// At least one. O(atoms, squared, and the unit's states).

@@ -1,4 +1,4 @@
-// Whether units move.
+// Whether units are moving.
 #include "check/reachability/possible.hpp"
 
 #include <algorithm>

@@ -107,7 +107,7 @@ Blocked Reach::blocked(std::uint32_t unit, const model::Transition& transition) 
   const std::uint32_t first = overtakers_[unit].empty() ? model::kNone : overtakers_[unit][transition.from];
   if (first == model::kNone) return Blocked::no;
   const auto location = static_cast<std::uint32_t>(&transition - u.transitions.data());
-  // Conditional automatic ones that stand before it fire before it where they are ready.
+  // Conditional automatic transitions that come before it fire first if their conditions hold.
   return location == first || (is_automatic(transition) && location < first) ? Blocked::no : Blocked::overtaken;
 }
 

@@ -18,7 +18,7 @@ enum class Blocked : std::uint8_t {
 };
 
 /// Starts from the initial states and goes on until nothing new is reached. Whatever the PLC may write counts as
-/// written, units that nothing in the plant moves and those with a user's behaviour may be in every state: what is
+/// written, units without a driver and those with a user's behaviour may be in every state: what is
 /// *not* reached is certain, unless a scenario, a trainer or another hand puts a unit there.
 class Reach final : public Possible {
  public:
@@ -30,7 +30,7 @@ class Reach final : public Possible {
   bool moving(std::uint32_t unit) const override;
 
   Blocked blocked(std::uint32_t unit, const model::Transition& transition) const;
-  /// Whether some way leads out of a state once it is reached: a transition that is not blocked, or a spring's own.
+  /// Whether anything leads out of a state once it is reached: a transition that is not blocked, or a spring's return.
   bool can_leave(std::uint32_t unit, std::uint32_t state) const;
 
  private:
@@ -49,7 +49,7 @@ class Reach final : public Possible {
   const model::PlantModel& plant_;
   std::vector<std::vector<bool>> reached_;          // a unit, a state
   std::vector<std::vector<std::uint32_t>> asking_;  // a unit -> units with conditions that name it
-  /// A unit, a state: the transition that overtakes others, by place in Unit::transitions, or kNone. Empty where a unit
+  /// A unit, a state: the transition that overtakes others, by index in Unit::transitions, or kNone. Empty where a unit
   /// has no such transition.
   std::vector<std::vector<std::uint32_t>> overtakers_;
   std::vector<Location> open_;  // reached and not yet gone on from

@@ -1,4 +1,4 @@
-// SP307 address-not-understood: an address cell holds no address.
+// SP307 address-not-understood: an address cell has no valid address.
 #include <fmt/format.h>
 
 #include "address/address.hpp"
@@ -9,10 +9,10 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kAddressNotUnderstoodPage =
-    R"(A cell of an address column holds something that is neither an IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) nor a MELSEC
-device (X1F, Y0001, M500, D10).
+    R"(A cell of an address column has something that is neither an IEC 61131-3 address (`%IX1`, `%QX0.5`, `%IW5`) nor a MELSEC device
+(X1F, Y0001, M500, D10).
 
-**What the model loses.** The symbol has no address from this cell. Without one in the other column its direction is that
+**What the model loses.** The symbol has no address from this cell. If the other column has none either, its direction is that
 of its name, and it is on no link.
 
 **How to fix it.** Correct the cell. Digits 8, 9 and A to F in X and Y need `--xy hex`.
@@ -29,9 +29,9 @@ void check_address_not_understood(const Rule& rule, const Subject& subject, diag
   for (const model::BadAddress& bad : subject.evidence.bad_addresses) {
     diagnostics.add(
         rule.info, about(*bad.row),
-        fmt::format("`{}` is no address{}: `{}` gets none from it; {}", bad.cell,
+        fmt::format("`{}` is not a valid address{}: `{}` gets no address from it; {}", bad.cell,
                     is_hexadecimal(bad.cell) ? ", since X and Y count in octal here" : "", bad.row->name,
-                    is_hexadecimal(bad.cell) ? "correct its digits, or say `--xy hex` if the list counts in hexadecimal"
+                    is_hexadecimal(bad.cell) ? "correct its digits, or use `--xy hex` if the list counts in hexadecimal"
                                              : "write it like `%IX1`, `%QW5`, `X1F` or `Y0001`"),
         location_of(plant, *bad.row, bad.cell));
   }
@@ -40,7 +40,7 @@ void check_address_not_understood(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kAddressNotUnderstood{{"SP307", "address-not-understood", diag::Severity::warning,
-                                  "an address cell holds no address", kAddressNotUnderstoodPage},
+                                  "an address cell has no valid address", kAddressNotUnderstoodPage},
                                  check_address_not_understood};
 
 }  // namespace symplant::check

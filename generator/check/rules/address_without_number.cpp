@@ -1,4 +1,4 @@
-// SP317 address-without-number: one address takes the others off their own numbers on the link.
+// SP317 address-without-number: one address without a number makes the others lose theirs on the link.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,15 +12,15 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kAddressWithoutNumberPage =
-    R"(A symbol stands on a link at its address's own number: `%IX1.5` on discrete input 13, `%QX7` on coil 7. Where an address
-has none (a bit of 8 or more, as in `%IX1.8`; three parts; a number of 65536 or more), all symbols of its table are packed in
-list order instead, since else they could meet. Here most addresses of a table have a number, and a few have not.
+    R"(A symbol on a link has the number of its address: `%IX1.5` is discrete input 13, `%QX7` is coil 7. Some addresses have no number:
+a bit of 8 or more (`%IX1.8`), three parts, a number of 65536 or more. Then all symbols of the table are packed in list order,
+since they could overlap otherwise. Here most addresses of a table have a number, and a few have none.
 
-**What the model loses.** Every coil, input or register of that table stands elsewhere on the link than its address says. The
-PLC's wiring by addresses fails without a word.
+**What the model loses.** Every coil, input or register of that table has another number on the link than its address. Wiring the
+PLC by addresses fails without a message.
 
-**How to fix it.** Correct the address. Or give the symbol a `number` in the description's `links`: then the others keep
-theirs. A list whose addresses are all of words and bits (`%IX1.15`) is packed as a whole, and nothing is said.
+**How to fix it.** Correct the address. Or give the symbol a `number` in the description's `links`: then the others keep theirs.
+A list in which all addresses consist of word and bit (`%IX1.15`) is packed as a whole and has no finding.
 )";
 
 constexpr std::uint64_t kLocations = 65'536;
@@ -82,12 +82,12 @@ void check_address_without_number(const Rule& rule, const Subject& subject, diag
     std::vector<diag::Related> related;
     for (std::size_t i = 1; i < std::min(table.others.size(), kMostRelated); ++i) {
       const model::Symbol& other = plant.symbols[table.others[i]];
-      related.push_back({location_of(plant, *other.row, other.address_cell), "this one has no number, either"});
+      related.push_back({location_of(plant, *other.row, other.address_cell), "this one has no number either"});
     }
     diagnostics.add(
         rule.info, about(symbol),
-        fmt::format("`{}` has no number on a link, so that {} other {} stand in list order and not on their "
-                    "own numbers: correct it, or give `{}` a `number` in `links`",
+        fmt::format("`{}` has no number on a link, so {} other {} are in list order and do not have their own "
+                    "numbers: correct it, or give `{}` a `number` in `links`",
                     symbol.address_cell, table.placed + table.others.size() - 1, kTables[t % 4], symbol.name()),
         location_of(plant, *symbol.row, symbol.address_cell), std::move(related));
   }
@@ -97,7 +97,7 @@ void check_address_without_number(const Rule& rule, const Subject& subject, diag
 
 const Rule kAddressWithoutNumber{
     {"SP317", "address-without-number", diag::Severity::warning,
-     "one address takes the others off their own numbers on the link", kAddressWithoutNumberPage},
+     "one address without a number makes the others lose theirs on the link", kAddressWithoutNumberPage},
     check_address_without_number};
 
 }  // namespace symplant::check

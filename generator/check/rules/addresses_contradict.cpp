@@ -1,4 +1,4 @@
-// SP315 addresses-contradict: the MELSEC and the IEC address of a row name different places.
+// SP315 addresses-contradict: the MELSEC and the IEC address of a row differ.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,16 +7,16 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kAddressesContradictPage =
-    R"(A row has a MELSEC and an IEC address, and they are not the same place: another number (`X0010` is input 16, `%IX17` input
-17), another side (`X`, `%Q`), or a number that was counted in octal where the list counts in hexadecimal (`X0020` and
-`%IX16`). Most often one column was changed and the other was not.
+    R"(A row has a MELSEC and an IEC address, and they differ: another number (`X0010` is input 16, `%IX17` input 17), another side
+(`X`, `%Q`), or a number counted in octal in a list that counts in hexadecimal (`X0020` and `%IX16`). Most often one column was
+changed and the other was not.
 
-Where more than half of a list's rows are so, it is told once: then the columns do not belong together.
+If more than half of a list's rows differ, there is one finding for the list: the columns do not belong together.
 
-**What the model loses.** The IEC address counts. If it is the wrong one, the symbol stands on another signal's place, or on
-the other side: the plant listens where the PLC says nothing, and the PLC reads what belongs to another device.
+**What the model loses.** The IEC address counts. If it is wrong, the symbol has the address of another signal, or is on the
+other side: the PLC reads and writes what belongs to another device.
 
-**How to fix it.** Correct the column that is wrong, or leave it empty.
+**How to fix it.** Correct the wrong column, or leave it empty.
 )";
 
 constexpr std::size_t kFew = 8;
@@ -46,7 +46,7 @@ std::string_view radix_word(address::Radix radix) {
   return radix == address::Radix::hexadecimal ? "hexadecimal" : "octal";
 }
 
-/// Whether the two agree if X and Y are counted in the other way.
+/// Whether the two agree if X and Y are counted in the other radix.
 bool agree_otherwise(const model::PlantModel& plant, const model::AddressContradiction& found) {
   const auto other = address::parse_melsec(found.row->vendor_address, other_radix(plant.lists[found.list].radix.radix));
   return other && *other == found.iec;
@@ -65,7 +65,7 @@ std::string difference(const model::PlantModel& plant, const model::AddressContr
                      row.iec_address, location_words(found.iec, numbers));
 }
 
-/// SP314 tells of a list that counts in another way than its controller.
+/// SP314 reports a list that counts in another radix than its controller.
 bool reported_of_list(const model::PlantModel& plant, const model::AddressContradiction& found) {
   const model::PlantList& list = plant.lists[found.list];
   return list.own.by != model::RadixChoice::By::nothing && list.own.radix != list.radix.radix &&
@@ -94,7 +94,7 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
       if (reported[found.list]) continue;
       reported[found.list] = true;
       diagnostics.add(rule.info,
-                      fmt::format("the two addresses of {} of {} rows name different places, first of this one: {}; "
+                      fmt::format("the two addresses of {} of {} rows differ, first of this one: {}; "
                                   "the IEC addresses count; export the list again, or empty the column that is wrong",
                                   count[found.list], list.compared, difference(plant, found)),
                       std::move(location));
@@ -114,8 +114,8 @@ void check_addresses_contradict(const Rule& rule, const Subject& subject, diag::
 }  // namespace
 
 const Rule kAddressesContradict{
-    {"SP315", "addresses-contradict", diag::Severity::warning,
-     "the MELSEC and the IEC address of a row name different places", kAddressesContradictPage, diag::Rank::address},
+    {"SP315", "addresses-contradict", diag::Severity::warning, "the MELSEC and the IEC address of a row differ",
+     kAddressesContradictPage, diag::Rank::address},
     check_addresses_contradict};
 
 }  // namespace symplant::check

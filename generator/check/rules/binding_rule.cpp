@@ -5,13 +5,14 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kBindingRulePage =
-    R"(The section `check` of plant.json lowers or ignores a rule whose findings are errors. After such an error there is no sound
-plant: a file could not be read, two devices move one event, the description contradicts itself. `symbol-declared-differently`
-(SP302) is the one error that may be lowered or ignored, since the first of two rows counts.
+    R"(The section `check` of plant.json lowers or ignores a rule whose findings are errors. After such an error there is no valid
+plant: a file could not be read, two devices drive one event, the description contradicts itself. Two errors may be lowered or
+ignored: `symbol-declared-differently` (SP302), since the first of two rows counts, and `no-device` (SP415), since the symbols
+remain.
 
-**What the model loses.** The entry counts for nothing.
+**What the model loses.** The entry has no effect.
 
-**How to fix it.** Mend what the errors say, and take the entry out.
+**How to fix it.** Fix the errors, and remove the entry.
 )";
 
 }  // namespace

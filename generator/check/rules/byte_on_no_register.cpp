@@ -1,4 +1,4 @@
-// SP312 byte-on-no-register: a numeric symbol is of 8 bits and on no register.
+// SP312 byte-on-no-register: a numeric symbol has 8 bits and is on no register.
 #include <fmt/format.h>
 
 #include <vector>
@@ -10,13 +10,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kByteOnNoRegisterPage =
-    R"(A numeric symbol is of 8 bits. Registers have 16, and two such symbols would share one: which half is whose, PLCs settle
-in different ways. So the symbol is in the images and on no register.
+    R"(A numeric symbol has 8 bits. Registers have 16, and two such symbols would share one. PLCs differ in which half is used first,
+so the symbol is in the images and on no register.
 
 **What the model loses.** The PLC can neither write nor read the symbol over Modbus.
 
-**How to fix it.** Give the symbol a register of its own in the description's `links`, by `symbol` and `number`; it lies in the
-lower half. Or use a type of 16 bits (INT, UINT, WORD).
+**How to fix it.** Give the symbol a separate register in the description's `links`, by `symbol` and `number`; it uses the lower
+half. Or use a type of 16 bits (INT, UINT, WORD).
 )";
 
 void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -42,7 +42,7 @@ void check_byte_on_no_register(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kByteOnNoRegister{{"SP312", "byte-on-no-register", diag::Severity::note,
-                              "a numeric symbol is of 8 bits and on no register", kByteOnNoRegisterPage},
+                              "a numeric symbol has 8 bits and is on no register", kByteOnNoRegisterPage},
                              check_byte_on_no_register};
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-// SP615 condition-always-holds: a condition says nothing.
+// SP615 condition-always-holds: a condition always holds.
 #include <fmt/format.h>
 
 #include "check/reachability/conditions.hpp"
@@ -11,10 +11,10 @@ namespace {
 constexpr std::string_view kConditionAlwaysHoldsPage =
     R"(A condition of a device holds whatever the plant does: `not AGV.P1 or not AGV.P2`, a number not below 3 or not above 5.
 
-**What the model loses.** The condition holds nobody back: a transition is taken as if it had no `when`, and an input of a
-behaviour is always on. What it was to guard against can happen.
+**What the model loses.** The condition has no effect: the transition fires as if it had no `when`, and the input of a behavior
+is always on. What the condition should prevent can happen.
 
-**How to fix it.** Most often `or` stands where `and` was meant. Correct the condition, or leave it out.
+**How to fix it.** Most often `or` is written for `and`. Correct the condition, or remove it.
 )";
 
 void check_condition_always_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -23,7 +23,7 @@ void check_condition_always_holds(const Rule& rule, const Subject& subject, diag
   for (const WrittenCondition& condition : subject.conditions) {
     if (!decide(*condition.tree, plant, all).always()) continue;
     diagnostics.add(rule.info, about(*condition.unit),
-                    fmt::format("`{}` always holds, so that {}: correct it or leave it out", condition.text,
+                    fmt::format("`{}` always holds, so that {}: correct or remove it", condition.text,
                                 condition.is_when ? "it never holds the transition back" : "this input is always on"),
                     described_location(plant, *condition.unit, condition.pointer));
   }
@@ -32,7 +32,7 @@ void check_condition_always_holds(const Rule& rule, const Subject& subject, diag
 }  // namespace
 
 const Rule kConditionAlwaysHolds{
-    {"SP615", "condition-always-holds", diag::Severity::warning, "a condition says nothing", kConditionAlwaysHoldsPage},
+    {"SP615", "condition-always-holds", diag::Severity::warning, "a condition always holds", kConditionAlwaysHoldsPage},
     check_condition_always_holds};
 
 }  // namespace symplant::check

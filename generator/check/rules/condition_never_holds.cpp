@@ -9,13 +9,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kConditionNeverHoldsPage =
-    R"(A condition of a device cannot hold, whatever the plant does: it wants one device in two states at once (`AGV.P1 and AGV.P2`),
-in a state and moving, a number below 3 and above 5, or a thing and its opposite. A device that has no transition that takes
-time never moves.
+    R"(A condition of a device cannot hold, whatever the plant does. It wants one device in two states at once (`AGV.P1 and AGV.P2`),
+in a state and moving, a number below 3 and above 5, or a fact and its opposite. A device without a transition that takes time
+is never moving.
 
-**What the model loses.** A transition with such a `when` is never taken, and an input of a behaviour is always off.
+**What the model loses.** A transition with such a `when` never fires, and an input of a behavior is always off.
 
-**How to fix it.** Most often `and` stands where `or` was meant, or a state of another device. Correct the condition.
+**How to fix it.** Most often `and` is written for `or`, or the state of another device is meant. Correct the condition.
 )";
 
 void check_condition_never_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -9,14 +9,14 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kConditionNotExaminedPage =
-    R"(Whether a condition can hold, and can fail, is found by trying its parts in all combinations. Parts that have no device,
-symbol or number in common are tried one by one, so most conditions are examined whatever their length; parts that have are
-tried together in 4096 combinations at most (twelve symbols). This condition has more.
+    R"(The check tries the parts of a condition in all combinations, to find out whether it can hold and can fail. Parts that have no
+device, symbol or number in common are tried one by one, so most conditions are examined whatever their length. Parts that have
+something in common are tried together, in at most 4096 combinations (twelve symbols). This condition has more.
 
-**What the model loses.** Nothing. Only whether the condition can never hold (SP614) or always holds (SP615) is not known, and
-it counts as one that may hold.
+**What the model loses.** Nothing. It is only unknown whether the condition can never hold (SP614) or always holds (SP615). The
+other checks assume that it may hold.
 
-**How to fix it.** Nothing to do. Who wants to be sure takes the condition apart.
+**How to fix it.** Nothing to do. To have the condition examined, divide it into several.
 )";
 
 void check_condition_not_examined(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {

@@ -1,4 +1,4 @@
-// SP613 cycle-of-disables: devices disable each other in a circle.
+// SP613 cycle-of-disables: devices disable each other in a cycle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kCycleOfDisablesPage =
-    R"(A state of device A disables device B, and a state of B disables A, or the circle is longer. A disabled device still disables
-others while it stands in its state.
+    R"(A state of device A disables device B, and a state of B disables A, or the cycle is longer. A disabled device still disables
+others while it is in its state.
 
-**What the model loses.** Once all of them stand in these states, none can leave any more: the plant is stuck until reset, or
-until a scenario or a person moves one of them. Two devices that come into their states in the same instant are enough.
+**What the model loses.** Once all of them are in these states, none can leave: the plant is stuck until reset, or until a
+scenario or a person moves one of them. It is enough that two devices enter their states in the same instant.
 
-**How to fix it.** Let one of them disable the other only where the other cannot stand in its own disabling state, or use a
-condition (`when`) on the start of the move instead of `disables`.
+**How to fix it.** Let one device disable the other only in states in which the other cannot disable it, or use a condition
+(`when`) on the transition instead of `disables`.
 )";
 
 using Edges = std::vector<std::vector<std::uint32_t>>;
@@ -110,8 +110,8 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
     }
     const std::size_t more = part.size() - circle.size();
     diagnostics.add(rule.info, std::move(subjects),
-                    fmt::format("{}: once all stand so none can leave{}; take one of these out", text,
-                                more == 0 ? "" : fmt::format(" ({} more devices are in circles with them)", more)),
+                    fmt::format("{}: once all are in these states, none can leave{}; remove one of these", text,
+                                more == 0 ? "" : fmt::format(" ({} more devices are in cycles with them)", more)),
                     std::move(location), std::move(others));
   }
 }
@@ -119,7 +119,7 @@ void check_cycle_of_disables(const Rule& rule, const Subject& subject, diag::Dia
 }  // namespace
 
 const Rule kCycleOfDisables{{"SP613", "cycle-of-disables", diag::Severity::warning,
-                             "devices disable each other in a circle", kCycleOfDisablesPage},
+                             "devices disable each other in a cycle", kCycleOfDisablesPage},
                             check_cycle_of_disables};
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-// SP305 direction-against-address: a name says one direction, its address the other.
+// SP305 direction-against-address: a name gives one direction, its address the other.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,18 +7,18 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kDirectionAgainstAddressPage =
-    R"(The direction in a symbol's name contradicts its address: `..._I_...` stands on an output (Y, `%Q`), or `..._O_...` on an
-input (X, `%I`).
+    R"(The direction in a symbol's name contradicts its address: `..._I_...` has the address of an output (Y, `%Q`), or `..._O_...`
+that of an input (X, `%I`).
 
-**What the model loses.** The address wins, since it is wired; the symbol is taken as what its address says. If the
-address is the one that is wrong, a command of the device is missing, or one of its reports.
+**What the model loses.** The address counts, since it is wired: the symbol has the direction of its address. If the address is
+wrong, an operation or an event of the device is missing.
 
 **How to fix it.** Correct the name, or the address.
 )";
 
 void check_direction_against_address(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  std::set<const model::Symbol*> reported;  // SP407 tells those
+  std::set<const model::Symbol*> reported;  // by SP407
   for (const TaskClaim& claim : task_claims(plant)) reported.insert(&plant.symbols[claim.overruled]);
   for (const model::Symbol& symbol : plant.symbols) {
     if (!symbol.address || symbol.reading.fault != name::NameFault::none) continue;
@@ -41,8 +41,9 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
 
 }  // namespace
 
-const Rule kDirectionAgainstAddress{{"SP305", "direction-against-address", diag::Severity::warning,
-                                     "a name says one direction, its address the other", kDirectionAgainstAddressPage, diag::Rank::direction},
-                                    check_direction_against_address};
+const Rule kDirectionAgainstAddress{
+    {"SP305", "direction-against-address", diag::Severity::warning, "a name gives one direction, its address the other",
+     kDirectionAgainstAddressPage, diag::Rank::direction},
+    check_direction_against_address};
 
 }  // namespace symplant::check

@@ -33,7 +33,7 @@ bool is_direction_sign(std::string_view word) {
                      [&](std::string_view direction) { return text::equal_ignoring_case(direction, word); });
 }
 
-/// The name with its direction added and the level in its place joined to the next one; empty if there is no next one.
+/// The name with its direction added and the level after it joined to the next one; empty if there is no next one.
 std::string name_with_direction(const model::Symbol& symbol, std::string_view direction) {
   const std::string_view name = symbol.name();
   const text::Span part = symbol.reading.where;

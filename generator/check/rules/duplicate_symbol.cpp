@@ -1,4 +1,4 @@
-// SP301 duplicate-symbol: a symbol is declared twice in the same way.
+// SP301 duplicate-symbol: a symbol is declared twice, identically.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,10 +7,10 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kDuplicateSymbolPage =
-    R"(Two rows of the plant's lists declare one name, with the same address and type. Names are compared without regard to the case of
-ASCII letters, as PLC tools do.
+    R"(Two rows of the plant's lists declare one name, with the same address and type. The case of ASCII letters does not count in
+names, as in PLC tools.
 
-**What the model loses.** Nothing: the first row counts, the second is left out.
+**What the model loses.** Nothing: the first row counts, the second is ignored.
 
 **How to fix it.** Delete one of the rows.
 )";
@@ -31,7 +31,7 @@ void check_duplicate_symbol(const Rule& rule, const Subject& subject, diag::Diag
 }  // namespace
 
 const Rule kDuplicateSymbol{{"SP301", "duplicate-symbol", diag::Severity::warning,
-                             "a symbol is declared twice in the same way", kDuplicateSymbolPage},
+                             "a symbol is declared twice, identically", kDuplicateSymbolPage},
                             check_duplicate_symbol};
 
 }  // namespace symplant::check

@@ -7,11 +7,11 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kEmptyLevelPage =
-    R"(A symbol's name has two separators side by side, or one at its beginning or end, so that one of its levels is empty.
+    R"(A symbol's name has two adjacent separators, or a separator at its beginning or end, so that one of its levels is empty.
 
-**What the model loses.** The symbol is in no unit: nothing moves it, and it moves nothing. It is served all the same.
+**What the model loses.** The symbol is in no unit: no device drives it, and it drives none. It is still served.
 
-**How to fix it.** Write the missing word, or take the surplus `_` away: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
+**How to fix it.** Write the missing word, or remove the surplus `_`: `EXLINE__AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
 )";
 
 void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -21,8 +21,8 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(rule.info, about_name(plant, symbol),
-                    fmt::format("`{}` has an empty level: its device is unknown, {}; write the missing word or take "
-                                "the surplus separator away",
+                    fmt::format("`{}` has an empty level: its device is unknown, {}; write the missing word or "
+                                "remove the surplus separator",
                                 symbol.name(), consequence(symbol)),
                     location);
   }
@@ -30,7 +30,8 @@ void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnosti
 
 }  // namespace
 
-const Rule kEmptyLevel{{"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kEmptyLevelPage, diag::Rank::name},
-                       check_empty_level};
+const Rule kEmptyLevel{
+    {"SP202", "empty-level", diag::Severity::warning, "a level of a name is empty", kEmptyLevelPage, diag::Rank::name},
+    check_empty_level};
 
 }  // namespace symplant::check

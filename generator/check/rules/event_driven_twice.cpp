@@ -1,4 +1,4 @@
-// SP304 event-driven-twice: two devices move events on one address.
+// SP304 event-driven-twice: two devices drive events on one address.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,10 +7,10 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kEventDrivenTwicePage =
-    R"(Two events stand on one address, and different devices move them. The PLC reads one bit there; the plant would have two
-answers for it.
+    R"(Two events have one address, and different devices drive them. The PLC reads one bit there, and the plant would have two values
+for it.
 
-**What the model loses.** It cannot be built.
+**What the model loses.** The plant cannot be built.
 
 **How to fix it.** Correct the address of one of them.
 )";
@@ -22,8 +22,8 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
     const model::Symbol& b = plant.symbols[second];
     diagnostics.add(
         rule.info, about(b, a).following(address_of(b.name())).following(address_of(a.name())),
-        fmt::format("`{}` stands on `{}` as `{}` does, and different devices move them: correct one address", b.name(),
-                    b.address_cell, a.name()),
+        fmt::format("`{}` has the address `{}`, as `{}` has, and different devices drive them: correct one address",
+                    b.name(), b.address_cell, a.name()),
         location_of(plant, *b.row, b.address_cell), {{location_of(plant, *a.row, a.address_cell), "the other one"}});
   }
 }
@@ -31,7 +31,7 @@ void check_event_driven_twice(const Rule& rule, const Subject& subject, diag::Di
 }  // namespace
 
 const Rule kEventDrivenTwice{{"SP304", "event-driven-twice", diag::Severity::error,
-                              "two devices move events on one address", kEventDrivenTwicePage},
+                              "two devices drive events on one address", kEventDrivenTwicePage},
                              check_event_driven_twice};
 
 }  // namespace symplant::check

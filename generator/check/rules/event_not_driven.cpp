@@ -1,4 +1,4 @@
-// SP404 event-not-driven: inputs of the PLC that nobody moves.
+// SP404 event-not-driven: inputs of the PLC that no device drives.
 #include <fmt/format.h>
 
 #include <string>
@@ -12,14 +12,14 @@ namespace {
 constexpr std::string_view kEventNotDrivenPage =
     R"(A device has events and no operation: a push button, a light barrier, a healthy contact (emergency stop, air, doors).
 
-**What the model loses.** Nothing in the plant moves these inputs: they stand as they start until a scenario, a link or a
-person sets them. A program that waits for healthy contacts never starts on them.
+**What the model loses.** No device drives these inputs: they keep their initial value until a scenario, a link or a person sets
+them. A program that waits for healthy contacts never starts.
 
-**How to fix it.** Give such a contact the initial value TRUE in the list, if it is on in a healthy plant. Where something in the plant does move
-it, say so in plant.json: automatic transitions with a `when`, or a behaviour.
+**How to fix it.** If such a contact is on in a healthy plant, give it the initial value TRUE in the list. If something in the
+plant drives it, describe that in plant.json: automatic transitions with a `when`, or a behavior.
 )";
 
-/// Whether an event follows another on its address that a unit moves.
+/// Whether an event follows another one on its address that a unit drives.
 bool follows_a_driven_one(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t leader = plant.symbols[event].leader;
   if (leader == model::kNone || plant.symbols[leader].unit == model::kNone) return false;
@@ -36,7 +36,7 @@ std::vector<std::uint32_t> left_alone(const model::PlantModel& plant, const mode
   return left;
 }
 
-/// Whether an event that nobody moves is on: that of the initial state, or no state's at all and Initial TRUE.
+/// Whether an event without a driver is on: that of the initial state, or no state's at all and Initial TRUE.
 bool is_on(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t symbol) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
@@ -53,29 +53,29 @@ void check_event_not_driven(const Rule& rule, const Subject& subject, diag::Diag
     if (left.empty()) continue;
     const model::Symbol& symbol = plant.symbols[left.front()];
     const std::string_view why =
-        unit.moves() ? "since no state that the device comes into switches it" : "since the device has no operation";
+        unit.moves() ? "since no state that the device reaches switches it" : "since the device has no operation";
     std::string message;
     if (left.size() > 1) {
-      message = fmt::format("`{}` and {} more of `{}`: nobody moves them, {}; they stay as they start", symbol.name(),
-                            left.size() - 1, unit.path, why);
+      message = fmt::format("`{}` and {} more of `{}`: no device drives them, {}; they keep their initial values",
+                            symbol.name(), left.size() - 1, unit.path, why);
     } else if (is_on(plant, unit, left.front())) {
-      message = fmt::format("`{}`: nobody moves it, {}; it stays on, as {} says", symbol.name(), why,
+      message = fmt::format("`{}`: no device drives it, {}; it stays on, as {} says", symbol.name(), why,
                             symbol.initial != 0 ? "Initial" : "the description");
     } else {
       message = fmt::format(
-          "`{}`: nobody moves it, {}; it stays off; if it is a contact that is on in a healthy plant, "
+          "`{}`: no device drives it, {}; it stays off; if it is a contact that is on in a healthy plant, "
           "write Initial TRUE",
           symbol.name(), why);
     }
-    diagnostics.add(rule.info, about_sides(plant, unit, about(symbol).following(symbol_named(symbol.name()))), std::move(message), location_of(plant, symbol));
+    diagnostics.add(rule.info, about_sides(plant, unit, about(symbol).following(symbol_named(symbol.name()))),
+                    std::move(message), location_of(plant, symbol));
   }
 }
 
 }  // namespace
 
-const Rule kEventNotDriven{
-    {"SP404", "event-not-driven", diag::Severity::note, "inputs of the PLC that nobody moves", kEventNotDrivenPage,
-     diag::Rank::sides},
-    check_event_not_driven};
+const Rule kEventNotDriven{{"SP404", "event-not-driven", diag::Severity::note,
+                            "inputs of the PLC that no device drives", kEventNotDrivenPage, diag::Rank::sides},
+                           check_event_not_driven};
 
 }  // namespace symplant::check

@@ -6,11 +6,11 @@ namespace {
 
 constexpr std::string_view kIgnoreIsOverPage =
     R"(An entry of `"check": { "ignore": [ ... ] }` in plant.json has an `until`, the last day on which it counts, and that day is
-over. The findings that it hid are told again.
+over. The findings that it hid are reported again.
 
-**What the model loses.** Nothing by the entry; what the findings say, it loses still.
+**What the model loses.** The entry costs nothing; see the findings that are reported again.
 
-**How to fix it.** Mend what the findings say and take the entry out, or set a new date.
+**How to fix it.** Fix the findings and remove the entry, or set a new date.
 )";
 
 }  // namespace

@@ -1,4 +1,4 @@
-// SP204 illegal-character: a name holds a character that no level may hold.
+// SP204 illegal-character: a name has an illegal character.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,14 +7,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kIllegalCharacterPage =
-    R"(A symbol's name holds a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a
-bracket. Letters and digits of every script are welcome.
+    R"(A symbol's name has a character that is neither a letter, nor a digit, nor the separator: a blank, a `-`, a `.`, a bracket.
+Letters and digits of every script are allowed.
 
-**What the model loses.** The name cannot be cut into levels, so the symbol is in no unit: nothing moves it, and it moves
-nothing. It is served all the same, under the name that it has.
+**What the model loses.** The name cannot be divided into levels, so the symbol is in no unit: no device drives it, and it drives
+none. It is still served, under the name that it has.
 
-**How to fix it.** Take the character away, or write the separator in its place: `EXLINE-MB_AGV_I_P1` becomes
-`EXLINE_MB_AGV_I_P1`.
+**How to fix it.** Remove the character, or write the separator instead: `EXLINE-MB_AGV_I_P1` becomes `EXLINE_MB_AGV_I_P1`.
 )";
 
 void check_illegal_character(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -24,8 +23,8 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(rule.info, about_name(plant, symbol),
-                    fmt::format("`{}` holds `{}`, which is neither letter nor digit nor separator: {}; "
-                                "take it away or write `_` for it",
+                    fmt::format("`{}` has `{}`, which is neither letter nor digit nor separator: {}; "
+                                "remove it or write `_` instead",
                                 symbol.name(), faulty_part(symbol), consequence(symbol)),
                     location);
   }
@@ -33,8 +32,8 @@ void check_illegal_character(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning,
-                              "a name holds a character that no level may hold", kIllegalCharacterPage, diag::Rank::name},
+const Rule kIllegalCharacter{{"SP204", "illegal-character", diag::Severity::warning, "a name has an illegal character",
+                              kIllegalCharacterPage, diag::Rank::name},
                              check_illegal_character};
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-// SP501 inferred-rest-state: a device of one task was given a rest state.
+// SP501 inferred-rest-state: a device of one task gets a rest state.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,9 +7,9 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kInferredRestStatePage =
-    R"(Inference 1. A device has one task X only (`O_RUN` and `I_RUN`, a push button `I_ON`, a lamp `O_GREEN`). It was given a
-rest state `NOT_X` without an event, in which it starts. Where X has an operation, the device is a `spring`: it returns to
-rest when the operation goes off. Where plant.json gives it another actuation, it only starts there.
+    R"(Inference 1. A device has only one task X (`O_RUN` and `I_RUN`, a push button `I_ON`, a lamp `O_GREEN`). It gets a rest state
+`NOT_X` without an event, in which it starts. If X has an operation, the device is a `spring`: it returns to rest when the
+operation goes off. If plant.json gives it another actuation, it only starts there.
 )";
 
 /// What the unit does with it. A description may have said another actuation, rest or initial state.
@@ -26,7 +26,7 @@ void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::D
   for (const model::Unit& unit : plant.units) {
     if (!unit.rest_added) continue;
     diagnostics.add(rule.info, about_model(plant, unit),
-                    fmt::format("`{}` has the one task `{}`: it was given the {}state `{}`{} (inference 1)", unit.path,
+                    fmt::format("`{}` has the one task `{}`: it gets the {}state `{}`{} (inference 1)", unit.path,
                                 unit.states[1].name, unit.rest == 0 ? "rest " : "", unit.states[0].name, more(unit)),
                     location_of(plant, first_symbol_of(plant, unit)));
   }
@@ -35,7 +35,7 @@ void check_inferred_rest_state(const Rule& rule, const Subject& subject, diag::D
 }  // namespace
 
 const Rule kInferredRestState{{"SP501", "inferred-rest-state", diag::Severity::note,
-                               "a device of one task was given a rest state", kInferredRestStatePage},
+                               "a device of one task gets a rest state", kInferredRestStatePage},
                               check_inferred_rest_state};
 
 }  // namespace symplant::check

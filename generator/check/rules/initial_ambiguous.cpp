@@ -13,9 +13,9 @@ namespace {
 constexpr std::string_view kInitialAmbiguousPage =
     R"(Several events of one device have Initial TRUE, but a device starts in one state.
 
-**What the model loses.** None of them counts: the device starts in its rest state, or else in the first of its states.
+**What the model loses.** None of them counts: the device starts in its rest state, or otherwise in the first of its states.
 
-**How to fix it.** Leave Initial TRUE with the one event that is on when the plant starts, or say `initial` in plant.json.
+**How to fix it.** Keep Initial TRUE for the one event that is on when the plant starts, or give `initial` in plant.json.
 )";
 
 /// Else it only reports, as the description says, and starts as its Initial has it.
@@ -37,13 +37,13 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
       if (first == nullptr) {
         first = &symbol;
       } else {
-        others.push_back({location_of(plant, *symbol.row, symbol.row->initial), "TRUE here, too"});
+        others.push_back({location_of(plant, *symbol.row, symbol.row->initial), "TRUE here as well"});
       }
     }
     if (first == nullptr) continue;  // never: the candidates are among the events
     diagnostics.add(
         rule.info, about(*first),
-        fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; leave TRUE with one",
+        fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; keep TRUE for one",
                     evidence_of(subject, unit).initial_candidates, unit.path, unit.states[unit.initial].name),
         location_of(plant, *first->row, first->row->initial), std::move(others));
   }

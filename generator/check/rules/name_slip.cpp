@@ -112,7 +112,8 @@ void check_name_slip(const Rule& rule, const Subject& subject, diag::Diagnostics
       const auto begin = static_cast<std::size_t>(slip.written.data() - first.name().data());
       location.span = {location.span.begin + begin, location.span.begin + begin + slip.written.size()};
     }
-    diagnostics.add(rule.info, about_slip(plant, slip), slip_message(plant, slip), std::move(location), std::move(related));
+    diagnostics.add(rule.info, about_slip(plant, slip), slip_message(plant, slip), std::move(location),
+                    std::move(related));
   }
 }
 

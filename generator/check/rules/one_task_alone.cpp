@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::string_view kOneTaskAlonePage =
     R"(A device has one task only (`O_OPEN`, `I_OPEN`), while nearly all devices named like it have more (`CLOSE`, too). Names are
-alike that differ in digits only: `CLAMP1`, `CLAMP2`.
+alike if they differ in digits only: `CLAMP1`, `CLAMP2`.
 
-**What the model loses.** A state. The device was given a rest state without an event in its place (inference 1): it returns there
-like a spring, and nothing reports it. A program that waits for the other task waits for ever.
+**What the model loses.** A state. Instead the device gets a rest state without an event (inference 1): it returns there like a
+spring, and nothing reports it. A program that waits for the other task waits forever.
 
-**How to fix it.** Add the rows of the missing task. If the device really has one, leave the finding out in plant.json,
-section `check`.
+**How to fix it.** Add the rows of the missing task. If the device really has one task, ignore the finding in plant.json, section
+`check`.
 )";
 
 void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -41,8 +41,9 @@ void check_one_task_alone(const Rule& rule, const Subject& subject, diag::Diagno
 
 }  // namespace
 
-const Rule kOneTaskAlone{{"SP413", "one-task-alone", diag::Severity::warning,
-                          "a device has one task, where those named like it have more", kOneTaskAlonePage, diag::Rank::siblings},
-                         check_one_task_alone};
+const Rule kOneTaskAlone{
+    {"SP413", "one-task-alone", diag::Severity::warning, "a device has one task, where those named like it have more",
+     kOneTaskAlonePage, diag::Rank::siblings},
+    check_one_task_alone};
 
 }  // namespace symplant::check

@@ -7,10 +7,10 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kOperationInitialIgnoredPage =
-    R"(An operation (a PLC output) of type BOOL has Initial TRUE. Operations are the PLC's to write: in the plant they start off
-until a PLC, a scenario or a person sets them.
+    R"(An operation (a PLC output) of type BOOL has Initial TRUE. The PLC writes operations: in the plant they start off until a PLC, a
+scenario or a person sets them.
 
-**What the model loses.** Nothing, if the PLC writes its outputs as every PLC does.
+**What the model loses.** Nothing, if the PLC writes its outputs as usual.
 
 **How to fix it.** Nothing to do.
 )";
@@ -21,8 +21,7 @@ void check_operation_initial_ignored(const Rule& rule, const Subject& subject, d
     if (symbol.direction != tables::Direction::operation || symbol.type != tables::DataType::boolean) continue;
     if (symbol.initial == 0) continue;
     diagnostics.add(rule.info, about(symbol).following(address_of(symbol.name())),
-                    fmt::format("`{}` has Initial TRUE and starts off all the same: operations are the PLC's to write",
-                                symbol.name()),
+                    fmt::format("`{}` has Initial TRUE and still starts off: the PLC writes operations", symbol.name()),
                     location_of(plant, *symbol.row, symbol.row->initial));
   }
 }

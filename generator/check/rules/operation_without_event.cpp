@@ -31,12 +31,13 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
 void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.events.empty() || is_one_word_twice(subject, unit) || unit.has_behaviour()) continue;  // the user's code reports
+    if (unit.events.empty() || is_one_word_twice(subject, unit) || unit.has_behaviour())
+      continue;  // the user's code reports
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
       if (state.operation == model::kNone || state.event != model::kNone || needs_no_feedback(state.name)) continue;
       if (reports_by_outputs(unit, s) || (s != unit.initial && !unit.reaches(s))) continue;
-      if (subject.overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407 tells
+      if (subject.overruled.has(unit, state, name::Direction::event)) continue;  // SP305 or SP407
       const model::Symbol& symbol = operation_of(plant, unit, state.operation);
       diag::Diagnostic& finding =
           diagnostics.add(rule.info,

@@ -7,13 +7,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kRadixAssumedPage =
-    R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list does not tell: no row has both a
-MELSEC and an IEC address that would prove it, and numbers occur for which it makes a difference.
+    R"(MELSEC Q, L and iQ-R count X and Y in hexadecimal, FX and iQ-F in octal. This list proves neither: no row has both a MELSEC and
+an IEC address, and it has numbers for which it makes a difference.
 
-**What the model loses.** Nothing within the plant. On a link, `X0010` is place 16 in hexadecimal and place 8 in octal.
+**What the model loses.** Nothing within the plant. On a link, `X0010` has index 16 in hexadecimal and index 8 in octal.
 
-**How to fix it.** Say `--xy hex` or `--xy octal` (in plant.json `"xy"` beside the list's file), or export the IEC addresses
-as well.
+**How to fix it.** Use `--xy hex` or `--xy octal` (in plant.json `"xy"` next to the list's file), or export the IEC addresses as
+well.
 )";
 
 void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -22,9 +22,9 @@ void check_radix_assumed(const Rule& rule, const Subject& subject, diag::Diagnos
     const model::RadixChoice& radix = plant.lists[list].radix;
     if (radix.by != model::RadixChoice::By::nothing || radix.matters_in == nullptr) continue;
     const read::ListRow& row = *radix.matters_in;
-    if (plant.list_of(row) != list) continue;  // told once for all lists of a controller
+    if (plant.list_of(row) != list) continue;  // reported once for all lists of a controller
     diagnostics.add(rule.info, about(row),
-                    fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: say `--xy hex` or "
+                    fmt::format("`{}` is read as hexadecimal, and nothing in the list proves it: use `--xy hex` or "
                                 "`--xy octal`",
                                 row.vendor_address),
                     location_of(plant, row, row.vendor_address));

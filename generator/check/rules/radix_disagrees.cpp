@@ -1,4 +1,4 @@
-// SP314 radix-disagrees: two lists of one controller count X and Y in different ways.
+// SP314 radix-disagrees: two lists of one controller count X and Y differently.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -7,15 +7,14 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kRadixDisagreesPage =
-    R"(A controller counts its X and Y in one way: in hexadecimal or in octal. Here one of its lists says the one, and another
-list the other, by rows with both a MELSEC and an IEC address or by its `"xy"`. What most rows of all its lists prove counts
-for all of them.
+    R"(A controller counts its X and Y either in hexadecimal or in octal. Here the lists of one controller disagree, by rows with both
+a MELSEC and an IEC address or by their `"xy"`. What most rows of all its lists prove counts for all of them.
 
-**What the model loses.** MELSEC addresses of this list, where no IEC address stands beside them, are read in the other way:
-`X0010` is place 16 in hexadecimal and place 8 in octal.
+**What the model loses.** MELSEC addresses of this list in rows without an IEC address are read in the other radix: `X0010` has
+index 16 in hexadecimal and index 8 in octal.
 
-**How to fix it.** Lists of two controllers: give each its own `"controller"`. Lists of one: correct the wrong addresses, or
-the `"xy"`.
+**How to fix it.** If the lists belong to two controllers, give each its `"controller"`. If they belong to one, correct the
+wrong addresses, or the `"xy"`.
 )";
 
 std::string_view radix_name(address::Radix radix) {
@@ -31,7 +30,7 @@ void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagn
     std::vector<diag::Related> related;
     if (list.radix.proof != nullptr) {
       const read::ListRow& proof = *list.radix.proof;
-      related.push_back({location_of(plant, proof, proof.vendor_address), "this row proves the other way"});
+      related.push_back({location_of(plant, proof, proof.vendor_address), "this row proves the other radix"});
     }
     diagnostics.add(rule.info,
                     fmt::format("this list counts X and Y in {}, but all lists of its controller are read in {}: "
@@ -44,7 +43,7 @@ void check_radix_disagrees(const Rule& rule, const Subject& subject, diag::Diagn
 }  // namespace
 
 const Rule kRadixDisagrees{{"SP314", "radix-disagrees", diag::Severity::warning,
-                            "two lists of one controller count X and Y in different ways", kRadixDisagreesPage},
+                            "two lists of one controller count X and Y differently", kRadixDisagreesPage},
                            check_radix_disagrees};
 
 }  // namespace symplant::check

@@ -8,15 +8,15 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kRequirementDecidedPage =
-    R"(The outcome of a requirement is known before the plant runs. What it forbids (`never`) or begins with (`after`) can never
-hold, because it contradicts itself or names a state that nothing leads to; or what it expects can never hold; or one of its
+    R"(The outcome of a requirement is known before the plant runs. What it forbids (`never`) or begins with (`after`) can never hold,
+because it contradicts itself or names a state that nothing leads to. Or what it expects can never hold, or one of its
 conditions always holds.
 
 **What the model loses.** A requirement that cannot fail looks like a passed test and tests nothing. One that cannot be met
 fails in every run.
 
-**How to fix it.** Correct the condition, or give the devices it names the transitions that they lack; `unreachable-state`
-(SP610) names those. Where only a scenario brings about what is forbidden, ignore this finding in plant.json with a `why`.
+**How to fix it.** Correct the condition, or add the transitions that the devices lack; `unreachable-state` (SP610) names them.
+If only a scenario causes what is forbidden, ignore this finding in plant.json with a `why`.
 )";
 
 /// What a verdict comes to, and why; empty where the requirement is open.

@@ -10,10 +10,10 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kSequenceGapPage =
-    R"(The numbered tasks of a device leave a number out: `P1`, `P2`, `P4`. Numbers in even steps (`10`, `20`, `30`) are no gap.
+    R"(The numbered tasks of a device skip a number: `P1`, `P2`, `P4`. Numbers in even steps (`10`, `20`, `30`) are no gap.
 
 **What the model loses.** A state, if its rows are missing: the device steps from `P2` to `P4`, and a program that waits for `P3`
-waits for ever. Nothing, if the number was merely skipped: the order stays the same.
+waits forever. Nothing, if only the number was skipped: the order stays the same.
 
 **How to fix it.** Add the rows of the missing number, or number the tasks without a gap.
 )";
@@ -69,8 +69,8 @@ void check_sequence_gap(const Rule& rule, const Subject& subject, diag::Diagnost
 
 }  // namespace
 
-const Rule kSequenceGap{
-    {"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing", kSequenceGapPage, diag::Rank::gap},
-    check_sequence_gap};
+const Rule kSequenceGap{{"SP411", "sequence-gap", diag::Severity::warning, "a sequence number is missing",
+                         kSequenceGapPage, diag::Rank::gap},
+                        check_sequence_gap};
 
 }  // namespace symplant::check

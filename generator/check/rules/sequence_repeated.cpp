@@ -8,13 +8,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kSequenceRepeatedPage =
-    R"(A device numbers its tasks, and two of them have one number: `HOME1`, `JOB2`, `DONE2`. Where several numbers repeat
-(`ADV1`, `RET1`, `ADV2`, `RET2`) they count sensors and are no sequence.
+    R"(A device numbers its tasks, and two of them have one number: `HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`,
+`RET1`, `ADV2`, `RET2`), they count sensors and are no sequence.
 
-**What the model loses.** The order. Which of the two comes first is decided by their rows, and a state that should come by
-itself after them, or is one of them, is not reached, or from the wrong one.
+**What the model loses.** The order. The rows decide which of the two comes first. A state that should follow them without an
+operation, or is one of them, is not reached, or is reached from the wrong state.
 
-**How to fix it.** Give each task of the sequence a number of its own, or say its `transitions` in plant.json.
+**How to fix it.** Give each task of the sequence a separate number, or give its `transitions` in plant.json.
 )";
 
 /// The second of the only two states that share a number; nothing where none or more do.
@@ -28,7 +28,7 @@ const NumberedState* only_repeat(const std::vector<NumberedState>& states) {
   return repeat;
 }
 
-bool says_the_order(const model::Unit& unit) {
+bool gives_the_order(const model::Unit& unit) {
   return unit.described != nullptr && !unit.described->transitions.empty();
 }
 
@@ -36,22 +36,20 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
   const model::PlantModel& plant = subject.plant;
   std::vector<NumberedState> states;
   for (const model::Unit& unit : plant.units) {
-    if (unit.states.size() < 3 || says_the_order(unit)) continue;
+    if (unit.states.size() < 3 || gives_the_order(unit)) continue;
     numbered_states(unit, states);
     if (states.size() < 3) continue;
     const NumberedState* second = only_repeat(states);
     if (second == nullptr) continue;
     const NumberedState* first = second - 1;
     const model::Symbol& symbol = plant.symbols[second->symbol];
-    diagnostics.add(rule.info,
-                    about(symbol)
-                        .explaining(device(unit.path))
-                        .following(device(unit.path))
-                        .following(model_of(unit.path)),
-                    fmt::format("`{}` and `{}` of `{}` have one number: their rows alone say which comes first; give "
-                                "each a number of its own",
-                                unit.states[first->state].name, unit.states[second->state].name, unit.path),
-                    location_of(plant, symbol), {{location_of(plant, plant.symbols[first->symbol]), "the other one"}});
+    diagnostics.add(
+        rule.info,
+        about(symbol).explaining(device(unit.path)).following(device(unit.path)).following(model_of(unit.path)),
+        fmt::format("`{}` and `{}` of `{}` have one number: only their rows decide which comes first; "
+                    "give each a separate number",
+                    unit.states[first->state].name, unit.states[second->state].name, unit.path),
+        location_of(plant, symbol), {{location_of(plant, plant.symbols[first->symbol]), "the other one"}});
   }
 }
 

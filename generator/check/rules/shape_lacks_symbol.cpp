@@ -10,16 +10,16 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kShapeLacksSymbolPage =
-    R"(Nearly all devices named like this one have the same operations and events, and this one lacks some of them. Names are alike that
-differ in digits only (`CLAMP1`, `CLAMP2`), in whatever process. At least three others and three quarters of all must have the
-symbol; where several devices lack it, more than one in eight, that counts as meant.
+    R"(Nearly all devices named like this one have the same operations and events, and this one lacks some of them. Names are alike
+if they differ in digits only (`CLAMP1`, `CLAMP2`), in any process. At least three others and three quarters of all must have
+the symbol. If more than one device in eight lacks it, and more than one, the difference counts as intended.
 
-**What the model loses.** What the symbol is for: without its operation a state is never commanded, without its event never
-reported, without its number a scenario or a requirement has nothing to set or to read. The device becomes another type than the
-others, and may be taken for what it is not, a single solenoid, say.
+**What the model loses.** What the symbol is for: without its operation a state is never commanded, without its event it is
+never reported, without its number a scenario or a requirement has nothing to set or to read. The device gets another type than
+the others, for example a single solenoid.
 
-**How to fix it.** Add the row, or spell its task as the others do. If the device really is another one, leave the finding out
-in plant.json, section `check`.
+**How to fix it.** Add the row, or spell its task as the others do. If the device is really different, ignore the finding in
+plant.json, section `check`.
 )";
 
 /// The row next to the one that is missing: of the same task, or the device's first.
@@ -39,7 +39,7 @@ const model::Symbol& nearest_symbol(const Subject& subject, std::uint32_t device
 void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const OddDevice& odd : odd_devices(subject)) {
-    if (odd.one_task) continue;  // SP413 tells
+    if (odd.one_task) continue;  // SP413 reports it
     const Lacking& first = odd.lacks.front();
     std::vector<diag::Related> as_there;
     for (const Lacking& lacking : odd.lacks) {
@@ -58,8 +58,9 @@ void check_shape_lacks_symbol(const Rule& rule, const Subject& subject, diag::Di
 
 }  // namespace
 
-const Rule kShapeLacksSymbol{{"SP414", "shape-lacks-symbol", diag::Severity::warning,
-                              "a device lacks a symbol that those named like it have", kShapeLacksSymbolPage, diag::Rank::siblings},
-                             check_shape_lacks_symbol};
+const Rule kShapeLacksSymbol{
+    {"SP414", "shape-lacks-symbol", diag::Severity::warning, "a device lacks a symbol that those named like it have",
+     kShapeLacksSymbolPage, diag::Rank::siblings},
+    check_shape_lacks_symbol};
 
 }  // namespace symplant::check

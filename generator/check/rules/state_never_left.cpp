@@ -12,17 +12,17 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kStateNeverLeftPage =
-    R"(A device comes into a state and nothing leads out of it, though the PLC has an operation that commands another one: with
-`"only": true` no transition begins there, or each that does waits for a condition that cannot hold.
+    R"(A device can come into this state, but no transition leaves it, although an operation commands another state. The transitions
+out of it are missing, or their conditions can never hold.
 
-**What the model loses.** Once there, the device stays for ever and ignores its operations. A program that commands it away
-waits for ever.
+**What the model loses.** The device stays in the state forever and ignores its operations. A program that commands it away
+waits forever.
 
-**How to fix it.** Give the device a transition out of the state in plant.json, take `"only": true` away so that the ways of
-its operations are derived again, or mend the conditions that the related places show.
+**How to fix it.** Add a transition out of the state in plant.json, remove `"only": true` so that the transitions of the
+operations are derived again, or fix the conditions that the related rows show.
 )";
 
-/// An operation that leads to another state; kNone where there is none.
+/// An operation that leads to another state; kNone if there is none.
 std::uint32_t command_away(const model::Unit& unit, std::uint32_t state) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     if (s != state && unit.states[s].operation != model::kNone) return unit.states[s].operation;
@@ -49,13 +49,13 @@ void check_state_never_left(const Rule& rule, const Subject& subject, diag::Diag
         if (transition.from != s || transition.given == model::kNone || routes.size() == 5) continue;
         routes.push_back({described_location(plant, unit, transition_pointer(unit, transition, "when")),
                           reach.blocked(u, transition) == Blocked::waits
-                              ? "a way out, but its condition waits for a state that nothing leads to"
-                              : "a way out, but its condition can never hold"});
+                              ? "a transition out of it, but its condition waits for a state that nothing leads to"
+                              : "a transition out of it, but its condition can never hold"});
       }
-      std::string message =
-          fmt::format("`{}` never leaves `{}`, though `{}` commands it away: {}", unit.path, unit.states[s].name,
-                      operation_of(plant, unit, command).name(),
-                      routes.empty() ? "give it a transition that leads out" : "see why the ways out are not taken");
+      std::string message = fmt::format(
+          "`{}` never leaves `{}`, though `{}` commands it away: {}", unit.path, unit.states[s].name,
+          operation_of(plant, unit, command).name(),
+          routes.empty() ? "add a transition that leads out" : "see why the transitions out of it never fire");
       diagnostics.add(rule.info, about(unit), std::move(message),
                       described_location(plant, unit, transitions_pointer(unit)), std::move(routes));
     }

@@ -7,13 +7,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kSymbolDeclaredDifferentlyPage =
-    R"(Two rows of the plant's lists declare one name, but their addresses or types differ, or they stand in lists of different
-controllers. Names are unique across a plant, addresses within a controller. Names are compared without regard to the case of
-ASCII letters, as PLC tools do.
+    R"(Two rows of the plant's lists declare one name, but their addresses or types differ, or they are in lists of different
+controllers. Names are unique across a plant, addresses within a controller. The case of ASCII letters does not count in names,
+as in PLC tools.
 
-**What the model loses.** It cannot be built: whichever row counted, the PLC program may mean the other.
+**What the model loses.** The plant cannot be built: whichever row counted, the PLC program might mean the other.
 
-**How to fix it.** Rename one of the symbols, or delete the row that is wrong.
+**How to fix it.** Rename one of the symbols, or delete the wrong row.
 )";
 
 /// The second row, and the device that both rows name.

@@ -7,11 +7,11 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kTaskClaimedTwicePage =
-    R"(Two symbols of one device have the same task and the same direction. Since names are unique, the direction of one of them
-comes from an address that overruled its name (the address wins, since it is wired).
+    R"(Two symbols of one device have the same task and the same direction. Names are unique, so the direction of one of them comes
+from an address that contradicts its name. The address counts, since it is wired.
 
-**What the model loses.** The first row keeps the task; the other symbol is in no unit: it is served all the same, but
-moves nothing and is not moved.
+**What the model loses.** The first row keeps the task. The other symbol is in no unit: it is still served, but it drives no
+device, and no device drives it.
 
 **How to fix it.** Correct the name or the address of one of them.
 )";
@@ -42,8 +42,9 @@ void check_task_claimed_twice(const Rule& rule, const Subject& subject, diag::Di
 
 }  // namespace
 
-const Rule kTaskClaimedTwice{{"SP407", "task-claimed-twice", diag::Severity::warning,
-                              "two symbols of a device claim one task and direction", kTaskClaimedTwicePage, diag::Rank::direction},
-                             check_task_claimed_twice};
+const Rule kTaskClaimedTwice{
+    {"SP407", "task-claimed-twice", diag::Severity::warning, "two symbols of a device claim one task and direction",
+     kTaskClaimedTwicePage, diag::Rank::direction},
+    check_task_claimed_twice};
 
 }  // namespace symplant::check

@@ -31,7 +31,8 @@ struct WordPair {
 diag::Subjects about_pair(const model::PlantModel& plant, const model::Unit& unit, WordPair pair) {
   const model::State& commanded = unit.states[pair.commanded];
   const model::State& reported = unit.states[pair.reported];
-  diag::Subjects subjects = about(event_of(plant, unit, reported.event), operation_of(plant, unit, commanded.operation));
+  diag::Subjects subjects =
+      about(event_of(plant, unit, reported.event), operation_of(plant, unit, commanded.operation));
   subjects.explains = {missing(plant, unit.path, tables::Direction::event, commanded.name),
                        missing(plant, unit.path, tables::Direction::operation, reported.name), model_of(unit.path)};
   subjects.follows = subjects.explains;
@@ -75,7 +76,7 @@ void report_bent_words(const Rule& rule, const model::PlantModel& plant, const m
   }
 }
 
-/// Whether siblings have the other side of a word: SP414 tells what is missing.
+/// Whether siblings have the other side of a word: SP414 reports what is missing.
 bool are_two_states(const Subject& subject, const model::Unit& unit) {
   const auto location = static_cast<std::uint32_t>(&unit - subject.plant.units.data());
   return std::any_of(unit.states.begin(), unit.states.end(), [&](const model::State& state) {
@@ -100,8 +101,8 @@ void check_two_words_one_state(const Rule& rule, const Subject& subject, diag::D
 
 }  // namespace
 
-const Rule kTwoWordsOneState{
-    {"SP405", "two-words-one-state", diag::Severity::warning, "two words may mean one state", kTwoWordsOneStatePage, diag::Rank::words},
-    check_two_words_one_state};
+const Rule kTwoWordsOneState{{"SP405", "two-words-one-state", diag::Severity::warning, "two words may mean one state",
+                              kTwoWordsOneStatePage, diag::Rank::words},
+                             check_two_words_one_state};
 
 }  // namespace symplant::check

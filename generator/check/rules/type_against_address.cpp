@@ -10,11 +10,11 @@ namespace {
 constexpr std::string_view kTypeAgainstAddressPage =
     R"(A symbol's type and its address have different sizes: a BOOL on `%IW5`, an INT on `X0010`.
 
-**What the model loses.** The symbol is in the model, but on no link: where it would stand there is anybody's guess, and
-might be another symbol's place.
+**What the model loses.** The symbol is in the model, but on no link: its register or bit is unknown, and might be that of another
+symbol.
 
-**How to fix it.** Correct the type or the address: BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`;
-32-bit ones with `%ID`, `%QD`.
+**How to fix it.** Correct the type or the address: BOOL goes with X, Y, `%IX`, `%QX`; 16-bit types with `%IW`, `%QW`; 32-bit
+types with `%ID`, `%QD`.
 )";
 
 /// The symbol, which its device lacks.

@@ -7,13 +7,14 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kTypeOfNoIoPage =
-    R"(A row has an address of the PLC's inputs or outputs (X, Y, `%I`, `%Q`), but its type is none that an I/O symbol may have: BOOL,
-SINT to LINT, USINT to ULINT, BYTE to LWORD, REAL, LREAL. Most often the type is misspelt, or cells of the row have moved.
+    R"(A row has an address of the PLC's inputs or outputs (X, Y, `%I`, `%Q`), but its type is not one of an I/O symbol: BOOL, SINT to
+LINT, USINT to ULINT, BYTE to LWORD, REAL, LREAL. Most often the type is misspelled, or cells of the row are in the wrong
+columns.
 
-**What the model loses.** The whole symbol: the row counts as internal. It is in no image and on no link, and its device lacks a
-command or a report.
+**What the model loses.** The whole symbol: the row counts as internal. It is in no image and on no link, and its device lacks
+an operation or an event.
 
-**How to fix it.** Write the type, or put the row's cells back into their columns.
+**How to fix it.** Correct the type, or move the row's cells back into their columns.
 )";
 
 /// The row, which its device lacks.

@@ -7,12 +7,12 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kUnitTooLargePage =
-    R"(A device has more than 64 operations, 64 events or 250 states. That is no device; most often the level of the name that
-should tell devices apart is the same for all of them.
+    R"(A device has more than 64 operations, 64 events or 250 states. Most often the level of the name that should distinguish devices
+is the same for all of them.
 
-**What the model loses.** All its symbols are in no unit: nothing moves them. They are served all the same.
+**What the model loses.** All its symbols are in no unit: no device drives them. They are still served.
 
-**How to fix it.** Look at the device level of the names: a rule with another level as the device may fit.
+**How to fix it.** Check the device level of the names.
 )";
 
 void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
@@ -21,7 +21,7 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
     diagnostics.add(
         rule.info, {{device(large.path)}, {device(large.path)}, {}},
         fmt::format("`{}` has {} operations, {} events and {} states, and a device at most {}, {} and {}: its "
-                    "symbols are in no device; see whether the device level of their names tells devices apart",
+                    "symbols are in no device; check whether the device level of their names distinguishes devices",
                     large.path, large.operations, large.events, large.states, tables::kMaxOperations,
                     tables::kMaxEvents, tables::kMaxStates),
         location_of(plant, plant.symbols[large.symbols.front()]));
@@ -30,8 +30,9 @@ void check_unit_too_large(const Rule& rule, const Subject& subject, diag::Diagno
 
 }  // namespace
 
-const Rule kUnitTooLarge{{"SP406", "unit-too-large", diag::Severity::warning,
-                          "a device has more symbols or states than a device may have", kUnitTooLargePage, diag::Rank::row},
-                         check_unit_too_large};
+const Rule kUnitTooLarge{
+    {"SP406", "unit-too-large", diag::Severity::warning, "a device has more symbols or states than a device may have",
+     kUnitTooLargePage, diag::Rank::row},
+    check_unit_too_large};
 
 }  // namespace symplant::check

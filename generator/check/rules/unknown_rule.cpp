@@ -1,22 +1,22 @@
-// SP622 unknown-rule: a rule of the settings is none.
+// SP622 unknown-rule: the settings name an unknown rule.
 #include "check/rules.hpp"
 
 namespace symplant::check {
 namespace {
 
 constexpr std::string_view kUnknownRulePage =
-    R"(The section `check` of plant.json names a rule that there is not. A rule is named by its id (`SP402`) or its name
-(`event-without-operation`); `symplant rules` lists them.
+    R"(The section `check` of plant.json names an unknown rule. Rules have an id (`SP402`) and a slug (`event-without-operation`);
+`symplant rules` lists them.
 
-**What the model loses.** The entry counts for nothing, and what it was to hide or to raise is told as ever.
+**What the model loses.** The entry has no effect: its findings are reported as if it were not there.
 
-**How to fix it.** Correct the name; the message says the nearest.
+**How to fix it.** Correct the name; the message gives the nearest one.
 )";
 
 }  // namespace
 
 const Rule kUnknownRule{
-    {"SP622", "unknown-rule", diag::Severity::error, "the section `check` names a rule that is none", kUnknownRulePage},
+    {"SP622", "unknown-rule", diag::Severity::error, "the section `check` names an unknown rule", kUnknownRulePage},
     nullptr};
 
 }  // namespace symplant::check

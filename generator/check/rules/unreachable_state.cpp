@@ -12,31 +12,31 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kUnreachableStatePage =
-    R"(No chain of transitions leads from the initial state of a device to this one: there is no transition to it, or each of them
+    R"(No chain of transitions leads from the initial state of a device to this state. There is no transition to it, or each of them
 begins in a state that is not reached either, waits for a condition that cannot hold, or is overtaken by an automatic
-transition without condition and time. Whatever the PLC may write counts as written, and devices that nothing in the plant
-moves (push buttons, doors) count as standing anywhere. Two devices that wait for each other are found, too.
+transition without condition and time. The check assumes that the PLC may write anything, and that a device without a driver
+(push button, door) may be in any state. It also finds two devices that wait for each other.
 
-**What the model loses.** The state is never entered, so its event never comes on, and what waits for it waits for ever. Only
-a scenario or a person at the panel can put the device there.
+**What the model loses.** The device never enters the state, so its event never comes on, and what waits for the event waits
+forever. Only a scenario or a person at the panel can put the device there.
 
-**How to fix it.** Give the device a transition to the state in plant.json, take `"only": true` away, or mend the condition
-that the related places show. If only a scenario is meant to enter the state (a fault, say), tell `check` so in plant.json:
+**How to fix it.** Add a transition to the state in plant.json, remove `"only": true`, or fix the condition that the related
+rows show. If only a scenario should enter the state (a fault, for example), ignore the finding in plant.json:
 `"check": { "ignore": [ { "rule": "unreachable-state", "symbols": "THE_DEVICE", "why": "..." } ] }`.
 )";
 
 std::string_view reason(Blocked blocked) {
   switch (blocked) {
     case Blocked::contradiction:
-      return "a way there, but its condition can never hold";
+      return "a transition to it, but its condition can never hold";
     case Blocked::waits:
-      return "a way there, but its condition waits for a state that nothing leads to";
+      return "a transition to it, but its condition waits for a state that nothing leads to";
     case Blocked::overtaken:
-      return "a way there, but an automatic transition leaves its state before";
+      return "a transition to it, but an automatic transition leaves its first state before";
     case Blocked::no:
       break;
   }
-  return "a way there, but it begins in a state that nothing leads to";
+  return "a transition to it, but from a state that nothing leads to";
 }
 
 diag::Location position_of_state(const model::PlantModel& plant, const model::Unit& unit, const model::State& state) {
@@ -63,7 +63,7 @@ void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Dia
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       if (reach.settled(u, s) || unled(subject, unit, s) != Unled::no) continue;
       std::vector<diag::Related> routes;
-      bool reported = true;  // SP614 tells
+      bool reported = true;  // SP614 reports it
       for (const model::Transition& transition : unit.transitions) {
         if (transition.to != s || transition.given == model::kNone || routes.size() == 5) continue;
         const Blocked blocked = reach.blocked(u, transition);
@@ -76,7 +76,7 @@ void check_unreachable_state(const Rule& rule, const Subject& subject, diag::Dia
       if (reported && !routes.empty()) continue;
       std::string message = fmt::format(
           "nothing leads to `{}` of `{}`, only a scenario or a person can put it there: {}", unit.states[s].name,
-          unit.path, routes.empty() ? "give it a transition that leads there" : "see why the ways there are not taken");
+          unit.path, routes.empty() ? "add a transition that leads there" : "see why the transitions to it never fire");
       diagnostics.add(rule.info, about(unit), std::move(message), position_of_state(plant, unit, unit.states[s]),
                       std::move(routes));
     }

@@ -7,13 +7,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kWrongNumberOfLevelsPage =
-    R"(A symbol's name has another number of levels than the naming rule asks for. The built-in rule is
-`LINE_PROC_DEV_I|O_TASK`: five levels of letters and digits, parted by `_`.
+    R"(A symbol's name has another number of levels than the naming rule requires. The built-in rule is `LINE_PROC_DEV_I|O_TASK`: five
+levels of letters and digits, separated by `_`.
 
-**What the model loses.** Nobody can tell which device the symbol belongs to, so it is in no unit: nothing moves it, and
-it moves nothing. It is served all the same: it is in the images, on the links and in the traces, and can be set by hand.
+**What the model loses.** The device of the symbol is unknown, so it is in no unit: no device drives it, and it drives none. It
+is still served: it is in the images, on the links and in the traces, and can be set by hand.
 
-**How to fix it.** Give the name the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
+**How to fix it.** Add the missing level, or join two words into one level: `EXLINE_MB_AGV_FAST_O_P2` becomes
 `EXLINE_MB_AGVFAST_O_P2`.
 )";
 
@@ -29,15 +29,16 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
         fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
                     symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
                     consequence(symbol),
-                    symbol.reading.levels > wanted ? "take a level out or join two" : "write the missing ones"),
+                    symbol.reading.levels > wanted ? "remove a level or join two" : "write the missing ones"),
         location);
   }
 }
 
 }  // namespace
 
-const Rule kWrongNumberOfLevels{{"SP201", "wrong-number-of-levels", diag::Severity::warning,
-                                 "a name has more or fewer levels than the rule", kWrongNumberOfLevelsPage, diag::Rank::name},
-                                check_wrong_number_of_levels};
+const Rule kWrongNumberOfLevels{
+    {"SP201", "wrong-number-of-levels", diag::Severity::warning, "a name has more or fewer levels than the rule",
+     kWrongNumberOfLevelsPage, diag::Rank::name},
+    check_wrong_number_of_levels};
 
 }  // namespace symplant::check

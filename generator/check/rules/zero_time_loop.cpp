@@ -1,4 +1,4 @@
-// SP612 zero-time-loop: automatic transitions lead in a circle and take no time.
+// SP612 zero-time-loop: automatic transitions form a cycle that takes no time.
 #include <fmt/format.h>
 
 #include <string>
@@ -11,11 +11,11 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kZeroTimeLoopPage =
-    R"(Automatic transitions without a condition (or with one that always holds) lead from a state back to it, and all their
-`after` and `takes` are 0.
+    R"(Automatic transitions without a condition (or with one that always holds) lead from a state back to it, and all their `after`
+and `takes` are 0.
 
-**What the model loses.** The device would go round for ever within one instant. The running plant finds that out after 200
-rounds: it names the device and freezes it until reset (*instantaneous loop*).
+**What the model loses.** The device would circle forever within one instant. The running plant stops this after 200 rounds: it
+reports the device and freezes it until reset (*instantaneous loop*).
 
 **How to fix it.** Give one of the transitions a time (`"after": "1s"`) or a condition (`when`).
 )";
@@ -45,7 +45,7 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
   const model::PlantModel& plant = subject.plant;
   if (!is_described(subject)) return;
   for (const model::Unit& unit : plant.units) {
-    // The user's code has its own times.
+    // The user's code has separate times.
     if (unit.described == nullptr || unit.has_behaviour()) continue;
     const std::vector<std::uint32_t> routes = instant_transitions(plant, unit);
     std::vector<std::uint32_t> seen_from(unit.states.size(), kNowhere);
@@ -55,7 +55,7 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
         seen_from[at] = start;
         at = unit.transitions[routes[at]].to;
       }
-      if (routes[at] == kNowhere || seen_from[at] != start) continue;  // it ends, or was told already
+      if (routes[at] == kNowhere || seen_from[at] != start) continue;  // it ends, or is reported already
       std::string circle = "`" + unit.states[at].name + "`";
       std::vector<diag::Related> others;
       const std::uint32_t first = at;
@@ -70,7 +70,7 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
       } while (at != first);
       diagnostics.add(
           rule.info, about(unit),
-          fmt::format("`{}` goes {} by itself and in no time, so that it is frozen when it runs: give one of "
+          fmt::format("`{}` goes {} without a command and in no time, so it freezes when it runs: give one of "
                       "these transitions an `after`, a `takes` or a `when`",
                       unit.path, circle),
           described_location(plant, unit, transition_pointer(unit, unit.transitions[routes[first]])),
@@ -82,7 +82,7 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
 }  // namespace
 
 const Rule kZeroTimeLoop{{"SP612", "zero-time-loop", diag::Severity::warning,
-                          "automatic transitions lead in a circle and take no time", kZeroTimeLoopPage},
+                          "automatic transitions form a cycle that takes no time", kZeroTimeLoopPage},
                          check_zero_time_loop};
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-// Devices of one kind: those whose names differ in digits alone.
+// Devices of one kind: those whose names differ only in digits.
 #include "check/spelling/device_classes.hpp"
 
 #include <algorithm>

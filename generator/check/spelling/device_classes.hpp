@@ -1,4 +1,4 @@
-// Devices of one kind: those whose names differ in digits alone.
+// Devices of one kind: those whose names differ only in digits.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class Expected : std::uint8_t {
 };
 
 /// The classes of a plant's devices: `CLAMP1` and `CLAMP12`, of whatever line and process, are `CLAMP#`. ASCII case
-/// does not count. The first devices are the plant's units, by the same places; behind them stand those that have
+/// does not count. The first devices are the plant's units, by the same indexes; after them come those that have
 /// numeric symbols only. Made once in O(symbols); points into the plant.
 class DeviceClasses {
  public:
@@ -40,12 +40,12 @@ class DeviceClasses {
 
   const std::vector<Class>& classes() const { return classes_; }
   const std::vector<Part>& parts() const { return parts_; }
-  /// The class of a device, by their places.
+  /// The class of a device, by their indexes.
   std::uint32_t class_of(std::uint32_t device) const { return class_of_[device]; }
-  /// The class of that class_name(); kNone where there is none. O(1).
+  /// The class of that class_name(); kNone if there is none. O(1).
   std::uint32_t class_called(const std::string& name) const;
   std::size_t devices() const { return class_of_.size(); }
-  /// A numeric symbol, by its place, and its device.
+  /// A numeric symbol, by its index, and its device.
   struct Number {
     std::uint32_t device;
     std::uint32_t symbol;

@@ -38,7 +38,7 @@ std::vector<std::uint64_t> neighbourhood(std::u32string_view word) {
   std::uint64_t whole = 0;
   for (const char32_t c : word) whole = step(whole, c);
   keys.push_back(whole);
-  std::vector<std::uint64_t> tails(word.size() + 1, 0);  // of what follows a place, and the factor that its length is
+  std::vector<std::uint64_t> tails(word.size() + 1, 0);  // of what follows an index, and the factor for its length
   std::uint64_t power = 1;
   std::vector<std::uint64_t> powers(word.size() + 1, 1);
   for (std::size_t i = word.size(); i-- > 0;) {

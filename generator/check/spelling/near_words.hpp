@@ -11,7 +11,7 @@
 
 namespace symplant::check {
 
-/// Whether two words, in capitals, differ by one slip: a letter more, less or another, or two neighbours exchanged.
+/// Whether two words, in capitals, differ by one slip: a letter more, less or another, or two neighbors exchanged.
 /// Digits and `#` are no slip: `CLAMP1` and `CLAMP2` are two things. Words of fewer than two letters never do.
 /// O(length).
 bool differ_by_slip(std::u32string_view a, std::u32string_view b);
@@ -44,7 +44,7 @@ class NearWords {
   static constexpr std::size_t kBest = 3;
   static constexpr std::size_t kLongest = 64;
 
-  /// A word of the vocabulary, by its place in it.
+  /// A word of the vocabulary, by its index.
   struct Word {
     std::u32string text;  ///< in capitals
     std::uint64_t count;
@@ -53,7 +53,7 @@ class NearWords {
   /// `words` must outlive this.
   explicit NearWords(const std::vector<Word>& words);
 
-  /// The words near `words[place]` that are commoner, or as common and before it, the commonest first.
+  /// The words near `words[location]` that are more common, or as common and before it, the most common first.
   std::vector<std::uint32_t> commoner_near(std::uint32_t location) const;
 
  private:

@@ -104,7 +104,7 @@ class OddSearch {
 
   const model::PlantModel& plant_;
   const DeviceClasses& classes_;
-  std::vector<Common> common_;  ///< of the class looked at
+  std::vector<Common> common_;  ///< of the current class
   std::vector<OddDevice> odd_;
 };
 

@@ -19,7 +19,7 @@ struct Lacking {
 };
 
 struct OddDevice {
-  std::uint32_t device;  ///< a place in DeviceClasses: that in PlantModel::units, beyond them it has numbers only
+  std::uint32_t device;  ///< index in DeviceClasses: that in PlantModel::units, or after them if it has numbers only
   std::string_view path;
   std::uint32_t of;            ///< the size of its class
   std::vector<Lacking> lacks;  ///< never empty
@@ -29,9 +29,9 @@ struct OddDevice {
 /// Subjects of a finding about the device: the device and what it lacks.
 diag::Subjects about(const OddDevice& odd);
 
-/// By place of the device. Three quarters of a class must have a symbol, three devices at least; where more than one in
-/// eight lack it, and more than one, that counts as meant. The device must have half of what is common in its class, or
-/// the one task. Numeric symbols count as the others do. O(symbols).
+/// By index of the device. Three quarters of a class must have a symbol, three devices at least; if more than one in
+/// eight lack it, and more than one, that counts as intended. The device must have half of what is common in its class,
+/// or the one task. Numeric symbols count as the others do. O(symbols).
 std::vector<OddDevice> odd_devices(const Subject& subject);
 
 }  // namespace symplant::check

@@ -10,8 +10,8 @@ namespace symplant::check {
 
 struct NumberedState {
   std::uint64_t number;
-  std::uint32_t state;   ///< a place in Unit::states
-  std::uint32_t symbol;  ///< the first of its symbols in list order, a place in PlantModel::symbols
+  std::uint32_t state;   ///< index in Unit::states
+  std::uint32_t symbol;  ///< the first of its symbols in list order, index in PlantModel::symbols
 };
 
 /// Puts them into `states`, by number, those of one number by first row. Empty where a number has more than 18 digits.

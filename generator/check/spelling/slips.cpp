@@ -18,10 +18,10 @@ namespace {
 using model::kNone;
 using name::Level;
 
-/// A word counts as common beside another where it is that many times as common.
+/// A word counts as common compared with another if it is that many times as common.
 constexpr std::uint64_t kCommonName = 8;
 constexpr std::uint64_t kCommonTask = 4;
-/// Letters of a word that can be told by being rare alone: UP and UPS may be two.
+/// Letters of a word that may be a slip only because it is rare: UP and UPS may be two words.
 constexpr std::size_t kShortestRare = 3;
 
 constexpr std::array kLevels{Level::line, Level::process, Level::device, Level::task};
@@ -213,7 +213,7 @@ class SlipSearch {
               [](const Slip& a, const Slip& b) { return a.symbols.front() < b.symbols.front(); });
   }
 
-  /// The word's place in its vocabulary.
+  /// The word's index in its vocabulary.
   std::uint32_t location_of(std::uint32_t symbol, Level level) const {
     const std::uint32_t device = classes_.device_of(symbol);
     if (level != Level::task) return locations_[static_cast<std::size_t>(level)][device];
@@ -318,7 +318,7 @@ class SlipSearch {
     });
   }
 
-  /// Whether a device has the same word with the number before or behind: `GAP2` and `GAP4` beside `GAP3`.
+  /// Whether a device has the same word with the number before or after: `GAP2` or `GAP4` for `GAP3`.
   bool continues(std::uint32_t device, std::string_view task, tables::Direction direction) const {
     std::size_t digits = task.size();
     while (digits > 0 && text::is_digit(task[digits - 1])) --digits;

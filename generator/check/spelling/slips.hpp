@@ -15,14 +15,14 @@ struct Slip {
   enum class Why : std::uint8_t {
     complements,  ///< the device that is meant has just the other sides of these symbols
     lacks,        ///< the device that is meant lacks just these symbols
-    common,       ///< the word that is meant is far more common, and nothing stands there yet
+    common,       ///< the word that is meant is far more common, and it has no such symbol yet
   };
   name::Level level{};
   Why why{};
   std::string_view written;            ///< as the first of the symbols has it
-  std::string meant;                   ///< in its place
+  std::string meant;                   ///< instead
   std::string meant_path;              ///< the device that is meant
-  std::uint32_t meant_device = 0;      ///< a device of DeviceClasses, or model::kNone where there is none yet
+  std::uint32_t meant_device = 0;      ///< a device of DeviceClasses, or model::kNone if there is none yet
   std::uint64_t others = 0;            ///< how many devices (of a task: symbols) have the word that is meant
   std::vector<std::uint32_t> symbols;  ///< all that have the slip, ascending
 };

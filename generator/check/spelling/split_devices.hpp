@@ -12,12 +12,12 @@ namespace symplant::check {
 struct SplitDevice {
   name::Level level{};  ///< line or process
   std::uint32_t part;   ///< index in PlantModel::units: its symbols are just those that `whole` lacks
-  std::uint32_t whole;  ///< likewise
+  std::uint32_t whole;  ///< index in PlantModel::units
 };
 
 /// Finds units that have just the operations or events that another one lacks: two of them or more, or one where the
 /// other unit has a task with both. Lines may differ in anything, processes in more than their digits. Each unit is in
-/// one pair at most; where several fit there is none. O(symbols).
+/// one pair at most; if several fit, there is none. O(symbols).
 std::vector<SplitDevice> split_devices(const model::PlantModel& plant);
 
 }  // namespace symplant::check

@@ -1,4 +1,4 @@
-// Tarjan's algorithm, its recursion as a stack of its own.
+// Tarjan's algorithm, with an explicit stack instead of recursion.
 #include "check/spelling/strong_parts.hpp"
 
 #include <algorithm>
@@ -36,7 +36,9 @@ class PartSearch {
 
  private:
   void enter(std::uint32_t location) {
-    number_[location] = lowest_[location] = count_++;
+    number_[location] = count_;
+    lowest_[location] = count_;
+    ++count_;
     stack_.push_back(location);
     stacked_[location] = true;
     calls_.emplace_back(location, 0);
@@ -66,7 +68,7 @@ class PartSearch {
   std::vector<std::uint32_t> lowest_;
   std::vector<bool> stacked_;
   std::vector<std::uint32_t> stack_;
-  std::vector<std::pair<std::uint32_t, std::size_t>> calls_;  // a place, and which of its edges is next
+  std::vector<std::pair<std::uint32_t, std::size_t>> calls_;  // a node, and which of its edges is next
   std::uint32_t count_ = 0;
   std::vector<std::vector<std::uint32_t>> parts_;
 };

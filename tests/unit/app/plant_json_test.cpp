@@ -136,7 +136,7 @@ TEST_CASE("A duplicate key is reported with both locations, and nothing is made"
   CHECK(contains(run.out, "cell/plant.json:4:3: note:"));
 }
 
-TEST_CASE("--verbose reports the plant's name and how many devices each pattern matches") {
+TEST_CASE("The option --verbose reports the plant's name and how many devices each pattern matches") {
   const ToolRun run = run_cell({"check", "--verbose"}, cell_with(R"("devices": {"EXLINE_*": {"actuation": "held"}})"));
   CHECK(contains(run.err, "decided: the plant is called plant\n"));
   CHECK(contains(run.err, "decided: `EXLINE_*` matches 2 devices\n"));

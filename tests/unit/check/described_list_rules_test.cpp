@@ -13,19 +13,19 @@ std::string inference_2(const description::DeviceDescription& d) {
 TEST_CASE("Inference 2 reports only what the description leaves open") {
   description::DeviceDescription d = device();
   CHECK(inference_2(d) ==
-        ": `L_P_D` has an operation for `ADV` alone: it was taken as a single solenoid that returns to `RET` "
+        ": `L_P_D` has an operation only for `ADV`: it is taken as a single solenoid that returns to `RET` "
         "(inference 2)");
   d.actuation = tables::Actuation::held;
-  CHECK(inference_2(d) == ": `L_P_D` has an operation for `ADV` alone: it was taken to start in `RET` (inference 2)");
+  CHECK(inference_2(d) == ": `L_P_D` has an operation only for `ADV`: it is taken to start in `RET` (inference 2)");
   d.initial = "ADV";
   CHECK(inference_2(d) == "");
   d.actuation = tables::Actuation::spring;
-  CHECK(inference_2(d) == ": `L_P_D` has an operation for `ADV` alone: it was taken to rest in `RET` (inference 2)");
+  CHECK(inference_2(d) == ": `L_P_D` has an operation only for `ADV`: it is taken to rest in `RET` (inference 2)");
   d.rest = "ADV";
   CHECK(inference_2(d) == "");
   d.actuation.reset();
   CHECK(inference_2(d) ==
-        ": `L_P_D` has an operation for `ADV` alone: it was taken as a single solenoid that returns to `ADV` "
+        ": `L_P_D` has an operation only for `ADV`: it is taken as a single solenoid that returns to `ADV` "
         "(inference 2)");
 }
 
@@ -35,13 +35,13 @@ TEST_CASE("Inference 1 reports a spring only if the device is one") {
   };
   description::DeviceDescription d = device();
   CHECK(subject(d) ==
-        ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` and returns to it like a spring "
+        ": `L_P_D` has the one task `RUN`: it gets the rest state `NOT_RUN` and returns to it like a spring "
         "(inference 1)");
   d.actuation = tables::Actuation::held;
   CHECK(subject(d) ==
-        ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN`, in which it starts (inference 1)");
+        ": `L_P_D` has the one task `RUN`: it gets the rest state `NOT_RUN`, in which it starts (inference 1)");
   d.initial = "RUN";
-  CHECK(subject(d) == ": `L_P_D` has the one task `RUN`: it was given the rest state `NOT_RUN` (inference 1)");
+  CHECK(subject(d) == ": `L_P_D` has the one task `RUN`: it gets the rest state `NOT_RUN` (inference 1)");
 }
 
 std::string undriven(const std::vector<std::string>& names, const description::DeviceDescription& d) {
@@ -52,11 +52,11 @@ TEST_CASE("An event is not driven without an automatic transition, output or beh
   const std::vector<std::string> names{"L_P_D_I_P1", "L_P_D_I_P2", "L_P_D_I_P3"};
   description::DeviceDescription d = device();
   CHECK(undriven(names, d) ==
-        ": `L_P_D_I_P1` and 2 more of `L_P_D`: nobody moves them, since the device has no operation; they stay as they "
-        "start");
+        ": `L_P_D_I_P1` and 2 more of `L_P_D`: no device drives them, since the device has no operation; they keep "
+        "their initial values");
   d.transitions = {by_itself("P1", "P2"), by_itself("P2", "P1")};
   CHECK(undriven(names, d) ==
-        ": `L_P_D_I_P3`: nobody moves it, since no state that the device comes into switches it; it stays off; if it "
+        ": `L_P_D_I_P3`: no device drives it, since no state that the device reaches switches it; it stays off; if it "
         "is a contact that is on in a healthy plant, write Initial TRUE");
   d.outputs = {{"P2", {{"P3", true}}, {{"P3", false}}}};
   CHECK(undriven(names, d) == "");
@@ -70,7 +70,7 @@ TEST_CASE("An event that no device drives starts as the description says") {
   d.initial = "ON";
   CHECK_THAT(
       undriven({"L_P_D_I_ON"}, d),
-      Catch::StartsWith(": `L_P_D_I_ON`: nobody moves it, since the device has no operation; it stays on, as the "
+      Catch::StartsWith(": `L_P_D_I_ON`: no device drives it, since the device has no operation; it stays on, as the "
                         "description says [: follows from this (inferred-rest-state): "));
 }
 
@@ -98,11 +98,11 @@ TEST_CASE("The description's `initial` fixes a start by the order of rows") {
                                       describing(std::move(devices))),
                     "initial-by-row-order");
   };
-  CHECK(text({}) ==
-        ": `L_P_D` starts in `ADV`, only because its row comes first: write Initial TRUE with the event that is on "
-        "then");
+  CHECK(
+      text({}) ==
+      ": `L_P_D` starts in `ADV`, only because its row comes first: write Initial TRUE for the event that is on then");
   CHECK(text({device()}) ==
-        "/devices/L_P_D: `L_P_D` starts in `ADV`, only because its row comes first: say `initial` in plant.json");
+        "/devices/L_P_D: `L_P_D` starts in `ADV`, only because its row comes first: give `initial` in plant.json");
 }
 
 TEST_CASE("Of several events with Initial TRUE only those of states are counted") {

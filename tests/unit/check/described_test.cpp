@@ -29,10 +29,10 @@ TEST_CASE("An unreachable state is reported where the description adds it, or at
   d.transitions[1].on = "P1";
   CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
         "/devices/L_P_D/states/0: nothing leads to `MID` of `L_P_D`, only a scenario or a person can put it there: see "
-        "why the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but it begins in a state that "
+        "why the transitions to it never fire [/devices/L_P_D/transitions/1: a transition to it, but from a state that "
         "nothing leads to]\n"
         "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
-        "the ways there are not taken [/devices/L_P_D/transitions/0: a way there, but it begins in a state that "
+        "the transitions to it never fire [/devices/L_P_D/transitions/0: a transition to it, but from a state that "
         "nothing leads to]");
 }
 
@@ -67,8 +67,8 @@ TEST_CASE("What follows an automatic transition without condition and time is ne
   d.transitions = {by_itself("P1", "MID"), transition("P1", "P2"), transition("MID", "P1")};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "unreachable-state") ==
         "/devices/L_P_D/only: nothing leads to `P2` of `L_P_D`, only a scenario or a person can put it there: see why "
-        "the ways there are not taken [/devices/L_P_D/transitions/1: a way there, but an automatic transition leaves "
-        "its state before]");
+        "the transitions to it never fire [/devices/L_P_D/transitions/1: a transition to it, but an automatic "
+        "transition leaves its first state before]");
   d.transitions[0].after = description::Duration::fixed(1);
   CHECK(analyse_described(two_devices(), describing({d})).count("unreachable-state") == 0);
 }
@@ -88,8 +88,8 @@ TEST_CASE("A state that commands leave but that has no transition out is reporte
   d.only = true;
   d.transitions = {transition("P1", "P2")};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "state-never-left") ==
-        "/devices/L_P_D/only: `L_P_D` never leaves `P2`, though `L_P_D_O_P1` commands it away: give it a transition "
-        "that leads out");
+        "/devices/L_P_D/only: `L_P_D` never leaves `P2`, though `L_P_D_O_P1` commands it away: add a transition that "
+        "leads out");
   d.transitions.push_back(by_itself("P2", "P1"));
   CHECK(analyse_described(two_devices(), describing({d})).count("state-never-left") == 0);
 }
@@ -109,7 +109,7 @@ TEST_CASE("A circle of automatic transitions is reported once, whatever leads in
   d.states = {"A", "B"};
   d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
-        "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` by itself and in no time, so that it is frozen "
+        "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` without a command and in no time, so it freezes "
         "when it runs: give one of these transitions an `after`, a `takes` or a `when` [/devices/L_P_D/transitions/2: "
         "and this one leads on]");
 }
@@ -153,7 +153,7 @@ TEST_CASE("A circle of disables is reported once, with its members") {
                                      disabling("L_P_R2", {"L_P_R0"}), disabling("L_P_R3", {"L_P_R0"})});
   CHECK(reported(analyse_described(ring(4), described), "cycle-of-disables") ==
         "/devices/L_P_R0/disables/P2: `L_P_R0` in `P2` disables `L_P_R1`, `L_P_R1` in `P2` disables `L_P_R2`, `L_P_R2` "
-        "in `P2` disables `L_P_R0`: once all stand so none can leave; take one of these out "
+        "in `P2` disables `L_P_R0`: once all are in these states, none can leave; remove one of these "
         "[/devices/L_P_R1/disables/P2: `L_P_R1` disables `L_P_R2` here] "
         "[/devices/L_P_R2/disables/P2: `L_P_R2` disables `L_P_R0` here]");
 }
@@ -166,7 +166,7 @@ TEST_CASE("Two separate circles are two findings, two that share a device are on
       analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1", "L_P_R2"}), disabling("L_P_R1", {"L_P_R0"}),
                                              disabling("L_P_R2", {"L_P_R0"})}));
   CHECK(shared.count("cycle-of-disables") == 1);
-  CHECK(reported(shared, "cycle-of-disables").find("(1 more devices are in circles with them)") != std::string::npos);
+  CHECK(reported(shared, "cycle-of-disables").find("(1 more devices are in cycles with them)") != std::string::npos);
   CHECK(analyse_described(ring(3), describing({disabling("L_P_R0", {"L_P_R1"}), disabling("L_P_R1", {"L_P_R2"})}))
             .count("cycle-of-disables") == 0);
 }
@@ -187,7 +187,7 @@ TEST_CASE("Inputs of a behavior are checked, too") {
   d.inputs = {{"fast", "L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6"}, {"part", "L_P_E.A1"}};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "condition-always-holds") ==
         "/devices/L_P_D/inputs/fast: `L_P_E_I_SPEED > 5 or L_P_E_I_SPEED < 6` always holds, so that this input is "
-        "always on: correct it or leave it out");
+        "always on: correct or remove it");
 }
 
 TEST_CASE("A description with faults is not checked further") {

@@ -22,7 +22,8 @@ std::vector<diag::Report> one_plant(bool readable = true) {
   findings.add(kNames, about({"START"}), "say more", {source, {7, 12}});
   findings.add(kNames, about({"START"}), "say it again", {source, {7, 12}});
   findings.add(kRest, about({"L_P_D"}), "given", {source, {7, 12}});
-  findings.ignore({&kTwice, diag::Severity::error, "hidden", {source, {0, 1}}, {}, about({"A"})}, "wired \"next\" year");
+  findings.ignore({&kTwice, diag::Severity::error, "hidden", {source, {0, 1}}, {}, about({"A"})},
+                  "wired \"next\" year");
   std::vector<diag::Report> reports;
   reports.push_back({"line1/list.csv", std::move(findings), readable});
   return reports;

@@ -112,7 +112,8 @@ TEST_CASE("SARIF lists errors first, and findings ignored by plant.json last, wi
   diag::Diagnostics findings;
   findings.add(kSarifRest, about({"A"}), "note", at(source, "A"));
   findings.add(kSarifTwice, about({"A"}), "error", at(source, "A"));
-  findings.ignore({&kSarifTwice, diag::Severity::error, "hidden", at(source, "A"), {}, about({"A"})}, "wired next year");
+  findings.ignore({&kSarifTwice, diag::Severity::error, "hidden", at(source, "A"), {}, about({"A"})},
+                  "wired next year");
   const json run = run_of(report_of(std::move(findings)));
   const json& results = run["results"];
   REQUIRE(results.size() == 3);
@@ -185,7 +186,8 @@ TEST_CASE("Several plants make one run, each result names its plant") {
 
 TEST_CASE("Results above the limit of a run are counted, the most severe stay") {
   diag::Diagnostics findings;
-  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i) findings.add(kSarifRest, about({std::to_string(i)}), "x", {});
+  for (std::size_t i = 0; i < diag::kMostSarifResults + 5; ++i)
+    findings.add(kSarifRest, about({std::to_string(i)}), "x", {});
   findings.add(kSarifTwice, about({"A"}), "x", {});
   const json run = run_of(report_of(std::move(findings)));
   CHECK(run["results"].size() == diag::kMostSarifResults);

@@ -103,8 +103,8 @@ TEST_CASE("What is more severe than the ignored finding it follows from is repor
 }
 
 TEST_CASE("An error that makes a valid plant impossible is reported whatever it follows from") {
-  std::vector<Row> rows = bits({"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_E_O_A1", "L_P_E_I_A1",
-                                "L_P_E_O_B2", "L_P_E_I_B2"});
+  std::vector<Row> rows = bits(
+      {"L_P_D_O_A1", "L_P_D_I_A1", "L_P_D_O_B2", "L_P_D_I_B2", "L_P_E_O_A1", "L_P_E_I_A1", "L_P_E_O_B2", "L_P_E_I_B2"});
   for (Row& row : rows) row.address = (row.iec[1] == 'Q' ? "Y" : "X") + row.iec.substr(3);
   rows[5].iec = rows[3].iec;
   const Analysed plain = analyse_rows(rows);
@@ -301,6 +301,15 @@ TEST_CASE("Of two causes the one of the lower rank counts, and no finding follow
   findings.add(kCause, diag::Subjects{}.explaining(device).following(device), "cause", {});
   findings.add(kEffect, diag::Subjects{}.following(device).following(symbol), "effect", {});
   CHECK(folded(findings) == "cause better(effect) cause");
+}
+
+TEST_CASE("Of two causes that explain one subject the one of the lower rank counts") {
+  const diag::Subject device = subject(diag::Subject::Kind::device, "D");
+  diag::Diagnostics findings;
+  findings.add(kCause, diag::Subjects{}.explaining(device), "cause", {});
+  findings.add(kBetter, diag::Subjects{}.explaining(device), "better", {});
+  findings.add(kEffect, diag::Subjects{}.following(device), "effect", {});
+  CHECK(folded(findings) == "cause better(effect)");
 }
 
 TEST_CASE("A chain of causes ends in the first one") {

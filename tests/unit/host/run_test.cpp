@@ -137,7 +137,7 @@ TEST_CASE("A guarded run in virtual time has a cycle") {
   CHECK(run(plant.tables, options).err.empty());
 }
 
-TEST_CASE("--on-loss is reported as without effect if no link can be lost") {
+TEST_CASE("The option --on-loss is reported as without effect if no link can be lost") {
   const Clockwork plant;
   host::RunOptions options;
   options.clock = host::RunOptions::Clock::real_time;

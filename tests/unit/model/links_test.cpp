@@ -112,7 +112,7 @@ TEST_CASE("Every key of a link reaches its settings") {
 TEST_CASE("A client to be kept is one numeric address") {
   for (const std::string text : {"127.0.0.01", "foo", "10.0.0.0/24", "1.2.3", "::g"}) {
     CHECK(reported("\"keep\": [\"::1\", \"" + text + "\"]")
-              .starts_with("`" + text + "` is no numeric address of one host"));
+              .starts_with("`" + text + "` is not the numeric address of a host"));
   }
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("An unknown name in an entry is reported with the nearest one") {
   CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "symbol `SPED` not found; did you mean `SPEED`?");
   CHECK(reported(R"("map": [{"area": "%MW", "number": 1}])")
             .starts_with("`%MW` is not an area of inputs or outputs; write X, "));
-  CHECK(reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is no area of inputs or outputs"));
+  CHECK(reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is not an area of inputs or outputs"));
   CHECK(reported(R"("map": [{"area": "%IL", "number": 1}])") ==
         "no symbol of this controller is in the area `%IL`");
   CHECK(reported(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
