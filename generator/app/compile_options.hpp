@@ -11,11 +11,12 @@
 namespace symplant::app {
 
 struct CompileOptions {
-  std::string plant;                    ///< a plant.json, or a symbol list
-  read::ReadOptions read;               ///< for lists whose entry in plant.json does not say otherwise
-  std::optional<address::Radix> xy;     ///< the same
-  std::string today = {};               ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
-  findings::Selection selection = {};   ///< which findings are reported
+  std::string plant;                   ///< a plant.json, or a symbol list
+  read::ReadOptions read;              ///< for lists whose entry in plant.json does not say otherwise
+  std::optional<address::Radix> xy;    ///< the same
+  std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
+  bool tables = true;                  ///< false: only checks follow, and the plant is lowered only if they need it
+  findings::Selection selection = {};  ///< which findings are reported
 };
 
 }  // namespace symplant::app

@@ -107,8 +107,9 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   progress.stage("deriving models");
   model::Derived derived = model::describe(model::derive(lists, inputs->name), inputs->description, inputs->source);
   const bool sound = inputs->readable && derived.evidence.faults.empty();
+  const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));
   progress.stage("lowering");
-  lower::EngineTables tables = sound ? lower::lower(derived.plant) : lower::EngineTables();
+  lower::EngineTables tables = lowered ? lower::lower(derived.plant) : lower::EngineTables();
   progress.stage("checking");
   check(*inputs, derived, tables, diagnostics);
   finish(*inputs, derived.plant, options, diagnostics);

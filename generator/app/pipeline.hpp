@@ -15,7 +15,7 @@ namespace symplant::app {
 struct Compiled {
   model::PlantModel plant;
   model::Evidence evidence;
-  lower::EngineTables tables;  ///< empty if the description has errors
+  lower::EngineTables tables;  ///< empty if the description has errors, or if only checks follow
 };
 
 /// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.

@@ -92,8 +92,8 @@ class Check {
   void look_at(const std::string& file) {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
-    auto compiled = compile({file, options_.plant.read, options_.plant.xy, context_.today, selection_}, context_.files,
-                            progress, diagnostics);
+    auto compiled = compile({file, options_.plant.read, options_.plant.xy, context_.today, false, selection_},
+                            context_.files, progress, diagnostics);
     if (compiled) {
       const std::vector<std::string> read = compiled->plant.input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());
