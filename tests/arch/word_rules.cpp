@@ -202,7 +202,8 @@ std::vector<ReadText> texts_of(const File& file) {
   return texts_of_script(file.text);
 }
 
-Faults banned_words(const Tree& tree, const std::vector<BannedWord>& words, const std::vector<std::string>& exceptions) {
+Faults banned_words(const Tree& tree, const std::vector<BannedWord>& words,
+                    const std::vector<std::string>& exceptions) {
   const auto is_exception = [&](const File& file, std::string_view line) {
     return std::any_of(exceptions.begin(), exceptions.end(), [&](const std::string& exception) {
       const std::size_t blank = exception.find(' ');

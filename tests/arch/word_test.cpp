@@ -21,7 +21,7 @@ std::string read_bytes(const fs::path& path) {
 const std::vector<std::string>& exceptions() {
   static const std::vector<std::string> all{
       // Plain English, everywhere.
-      " in the same way", " in place of", " of its own unit",
+      " in the same way", " in place of", " of its own unit", " there is none", " there are none",
       // The verb.
       "generator/view/layout places an arrow", "generator/view/layout places states",
       // Keys and classes that files of users and style sheets have.

@@ -9,34 +9,34 @@ namespace {
 
 constexpr const char* kHead = R"(# Modbus TCP: what conforms
 
-What a Modbus TCP server must do, row by row, and what three servers do: the plant's own, and for comparison small servers made with
-two common libraries, in each library's plain way. Every row was typed from the specifications before a server was asked; the rows with all their
-bytes are [a table](../tests/conformance/expectations.txt), which a program plays over plain sockets. A test plays it against
-our server in every build, and another one writes this page.
+What a Modbus TCP server must do, row by row, and what three servers do: the server of symplant and, for comparison, small servers made
+with two common libraries as their documentation shows. The rows were written from the specifications, before any server was tested. [A
+table](../tests/conformance/expectations.txt) has their bytes; a program sends them over plain sockets. A test does this with our server in
+every build, and another one compares this page.
 
-After every row all coils and holding registers are read back: a refused request must have changed nothing.
+After every row the program reads all coils and holding registers: a refused request must not change any.
 
-AP is the Modbus Application Protocol Specification V1.1b3, TCP the Modbus Messaging on TCP/IP Implementation Guide V1.0b. Where a request is wrong in
-two ways, the specification can be read in two ways: of others either answer counts, ours gives the one that the function's own diagram gives (value before
-address; of mask write the address first). Function 43/14 may also be refused as a whole.
+AP is the Modbus Application Protocol Specification V1.1b3, TCP the Modbus Messaging on TCP/IP Implementation Guide V1.0b. If a request has two
+errors, the specification allows two answers. Either counts for the other servers; ours gives the one in the diagram of the function (value
+before address; for mask write the address first). A server may also refuse function 43/14 altogether.
 
 )";
 
 constexpr const char* kTail = R"(
-## To repeat it
+## Repeat the test
 
 ```text
-scripts/test --peers
+scripts/test --peers --campaign
 ```
 
 or, with libmodbus and pymodbus installed, in the folder of a build:
 
 ```text
-ctest -R 'peers: conformance'
+ctest -R 'modbus-conformance'
 ```
 
-`--update` of the program `tests/conformance/conformance` writes this page anew. What depends on how fast another's server happens to be (rows of the
-stream and of connections) is not compared, nor are pages of other versions of the libraries.
+With `--update`, the program `tests/conformance/conformance` regenerates this page. Rows of the stream and of connections depend on the speed
+of the other servers and are not compared. Pages of other versions of the libraries are not compared either.
 )";
 
 /// For cell contents only: a bar would end the cell.

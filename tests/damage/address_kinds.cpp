@@ -130,12 +130,13 @@ std::vector<Kind> address_kinds() {
        share_driven_input},
       {"address-other-side", "an address of the other direction, where the task has both", "task-claimed-twice",
        other_side_of_pair},
-      {"address-other-side-alone", "likewise, where it has one", "direction-against-address", other_side_alone},
+      {"address-other-side-alone", "the same, where the task has only one", "direction-against-address",
+       other_side_alone},
       {"columns-number", "one address column changed, the other not", "addresses-contradict", contradict_number},
       {"columns-radix", "X or Y counted in octal in a list that counts in hexadecimal", "addresses-contradict",
        contradict_radix},
       {"columns-side", "X for Y or Y for X in one of the columns", "addresses-contradict", contradict_area},
-      {"address-none", "an address that is none, as `X00G1`", "address-not-understood", no_address_at_all},
+      {"address-none", "an invalid address, such as `X00G1`", "address-not-understood", no_address_at_all},
       {"address-missing", "both address columns empty", "no-address", leave_out},
   };
 }

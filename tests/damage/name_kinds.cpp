@@ -160,17 +160,17 @@ Damaged turn_direction_onto_other(const Shop& shop, Dice& dice) {
 std::vector<Kind> name_kinds() {
   return {
       {"line-misspelt", "the line's name, one letter more, less, other, or two swapped", "name-slip", misspell_line},
-      {"process-misspelt", "likewise the process", "name-slip", misspell_process},
-      {"device-misspelt", "likewise the device", "name-slip", misspell_device},
-      {"task-misspelt", "likewise the task", "name-slip", misspell_task},
+      {"process-misspelt", "the same for the process", "name-slip", misspell_process},
+      {"device-misspelt", "the same for the device", "name-slip", misspell_device},
+      {"task-misspelt", "the same for the task", "name-slip", misspell_task},
       {"level-missing", "a level of the name left out", "wrong-number-of-levels", miss_level},
       {"level-empty", "a level of the name empty, as in `LINE__DEV_I_ON`", "empty-level", empty_level},
       {"level-split", "a level too many, as in `CLAMP_1`", "wrong-number-of-levels", split_level},
       {"direction-unknown", "another word than I or O for the direction", "direction-not-io", write_other_direction},
       {"character", "a blank, hyphen, point ... within the name", "illegal-character", illegal_character},
       {"direction-turned", "O for I or I for O in the name", "direction-against-address", turn_direction},
-      {"direction-turned-onto", "likewise, where the other side has that symbol already", "symbol-declared-differently",
-       turn_direction_onto_other},
+      {"direction-turned-onto", "the same, where the other direction has that symbol already",
+       "symbol-declared-differently", turn_direction_onto_other},
   };
 }
 

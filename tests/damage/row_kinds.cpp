@@ -157,7 +157,7 @@ std::vector<Kind> row_kinds() {
       {"foreign-byte", "a letter of another code page", "undecodable-text", write_foreign_byte},
       {"type-size", "a type of another size than the address", "type-against-address", wrong_size_of_type},
       {"type-misspelt", "a type that there is not, as `BOL`", "type-of-no-io", misspell_type},
-      {"initial-misspelt", "an initial value that is none, as `TURE`", "initial-not-understood", misspell_initial},
+      {"initial-misspelt", "an invalid initial value, such as `TURE`", "initial-not-understood", misspell_initial},
       {"initial-twice", "two events of a device TRUE", "initial-ambiguous", start_twice},
       {"initial-operation", "an operation TRUE", "operation-initial-ignored", start_operation},
   };

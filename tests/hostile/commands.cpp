@@ -81,7 +81,7 @@ std::span<const Misuse> misuses() {
       {"an unknown encoding", {"check", "--encoding", "%n%n", "symbols.csv"}},
       {"an unknown kind of list", {"check", "--input-format", "*/", "symbols.csv"}},
       {"a pattern of 20,000 stars", {"model", "--device", repeated("*x", 10'000), "symbols.csv"}},
-      {"a time that is none", {"run", "symbols.csv", "--until", "99999999999999999999s"}},
+      {"an invalid time", {"run", "symbols.csv", "--until", "99999999999999999999s"}},
       {"a negative time", {"run", "symbols.csv", "--until", "-1s"}},
       {"a seed beyond 64 bits", {"run", "symbols.csv", "--until", "1s", "--seed", "18446744073709551616"}},
       {"a link that leads nowhere", {"run", "symbols.csv", "--link", "modbus-tcp-server://127.0.0.1:99999"}},

@@ -13,7 +13,7 @@ constexpr std::string_view kAddressUsedTwicePage =
 changed.
 
 **What the model loses.** Symbols of one address are kept equal: writing one writes all. If a device drives one of them, the
-others follow it and have no value of their own.
+others have its value.
 
 **How to fix it.** Give the symbol the address that it has in the wiring, or remove the second name.
 )";
