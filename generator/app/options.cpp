@@ -9,6 +9,7 @@
 #include <ostream>
 #include <vector>
 
+#include "check/catalogue.hpp"
 #include "description/plant_file.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
@@ -119,17 +120,18 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
   auto compiled = compile({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
   std::vector<diag::Diagnostic> shown;
   for (const diag::Diagnostic& finding : diagnostics.all()) {
-    if (options.verbose || finding.severity == diag::Severity::error) shown.push_back(finding);
+    if (options.verbose || check::is_stopping(finding)) shown.push_back(finding);
   }
   context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
   if (options.verbose) report_ignored(context, diagnostics);
   if (compiled && options.verbose) report_decisions(context, *compiled);
   const std::string counts = count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
-  if (!compiled || diagnostics.has_errors()) {
+  if (!compiled || check::has_stopping_errors(diagnostics)) {
     compiled.reset();
     context.err << diag::visible(plant) << ": " << counts << "; fix the errors first\n";
     context.exit_code = host::kBadInput;
-  } else if (diagnostics.count(diag::Severity::warning) != 0 && !options.verbose) {
+  } else if (diagnostics.count(diag::Severity::warning) + diagnostics.count(diag::Severity::error) != 0 &&
+             !options.verbose) {
     context.err << diag::visible(plant) << ": " << counts << "; `symplant check` shows them\n";
   }
   return compiled;

@@ -13,6 +13,7 @@
 #include "app/map_findings.hpp"
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
+#include "check/catalogue.hpp"
 #include "check/check_plant.hpp"
 #include "description/description_rules.hpp"
 #include "findings/finish.hpp"
@@ -81,7 +82,8 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
   lower::check_limits(tables, diagnostics);
-  if (!diagnostics.has_errors() && symbols_can_overlap(plant)) add_map_findings(plant, tables, diagnostics);
+  if (!check::has_stopping_errors(diagnostics) && symbols_can_overlap(plant))
+    add_map_findings(plant, tables, diagnostics);
 }
 
 /// Prepares the findings for the user: folding, settings, selection, locations, order.

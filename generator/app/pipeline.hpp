@@ -19,8 +19,8 @@ struct Compiled {
 };
 
 /// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.
-/// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has errors the
-/// result is fit for reports only, not for running or generating. O(rows).
+/// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has an
+/// error that stops (check::is_stopping) the result is fit for reports only, not for running or generating. O(rows).
 std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                 diag::Diagnostics& diagnostics);
 

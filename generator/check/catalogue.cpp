@@ -54,9 +54,7 @@ std::string_view slug_now(std::string_view slug) {
   return {};
 }
 
-std::string renamed_rule(std::string_view former) {
-  return fmt::format("`{}` is now `{}`", former, slug_now(former));
-}
+std::string renamed_rule(std::string_view former) { return fmt::format("`{}` is now `{}`", former, slug_now(former)); }
 
 std::string no_such_rule(std::string_view name) {
   tables::NearestName nearest(name);
@@ -67,6 +65,15 @@ std::string no_such_rule(std::string_view name) {
   return fmt::format("there is no rule `{}`{}", name,
                      nearest.name().empty() ? std::string(": `symplant rules` lists all")
                                             : fmt::format(", the nearest is `{}`", nearest.name()));
+}
+
+bool is_stopping(const diag::Diagnostic& finding) {
+  return finding.severity == diag::Severity::error && finding.rule != &kNoDevice.info;
+}
+
+bool has_stopping_errors(const diag::Diagnostics& findings) {
+  const auto all = findings.all();
+  return findings.has_errors() && std::any_of(all.begin(), all.end(), is_stopping);
 }
 
 }  // namespace symplant::check

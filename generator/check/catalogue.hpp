@@ -24,4 +24,9 @@ std::string renamed_rule(std::string_view former);
 /// For a message: no rule has this name, and the nearest one.
 std::string no_such_rule(std::string_view name);
 
+/// Whether a finding stops the commands that use the plant: an error, unless it is only that the plant has no device
+/// (SP415). The symbols of such a plant can still be served.
+bool is_stopping(const diag::Diagnostic& finding);
+bool has_stopping_errors(const diag::Diagnostics& findings);
+
 }  // namespace symplant::check

@@ -52,7 +52,7 @@ void check(benchmark::State& state) {
   const app::Compiled plant = compiled(files);
   for (auto _ : state) {
     diag::Diagnostics diagnostics;
-    check::check_plant(plant.plant, diagnostics);
+    check::check_plant(plant.plant, plant.evidence, diagnostics);
     benchmark::DoNotOptimize(diagnostics);
   }
 }

@@ -1,7 +1,6 @@
 // From a list as text to the results of each stage, in memory.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "check/catalogue.hpp"
 #include "check/check_plant.hpp"
 #include "findings/finish.hpp"
 #include "lower/lower.hpp"
@@ -139,14 +139,6 @@ inline Analysed analyse_described(const std::vector<Row>& rows, description::Des
   return analyse_described(list_text(rows), std::move(description));
 }
 
-/// Errors other than `no-device`: many a test needs a plant of plain signals.
-inline bool has_other_errors(const diag::Diagnostics& diagnostics) {
-  const auto all = diagnostics.all();
-  return std::any_of(all.begin(), all.end(), [](const diag::Diagnostic& finding) {
-    return finding.severity == diag::Severity::error && finding.rule->slug != "no-device";
-  });
-}
-
 struct CompiledText {
   std::optional<app::Compiled> compiled;
   diag::Diagnostics diagnostics;
@@ -162,7 +154,7 @@ inline CompiledText compile_text(const std::string& text, const std::string& nam
   app::Progress progress(err, false);
   CompiledText result;
   result.compiled = app::compile({name, {}, {}}, files, progress, result.diagnostics);
-  if (has_other_errors(result.diagnostics)) result.compiled.reset();
+  if (check::has_stopping_errors(result.diagnostics)) result.compiled.reset();
   return result;
 }
 
@@ -172,7 +164,7 @@ inline CompiledText compile_rows(const std::vector<Row>& rows) { return compile_
 inline CompiledText lower_analysed(Analysed analysed) {
   CompiledText result;
   result.diagnostics = std::move(analysed.diagnostics);
-  if (has_other_errors(result.diagnostics) || !analysed.evidence().faults.empty()) return result;
+  if (check::has_stopping_errors(result.diagnostics) || !analysed.evidence().faults.empty()) return result;
   lower::EngineTables tables = lower::lower(analysed.model());
   result.compiled =
       app::Compiled{std::move(analysed.derived->plant), std::move(analysed.derived->evidence), std::move(tables)};

@@ -19,8 +19,9 @@ device `EXLINE_MB_AGV`. The message counts the symbols by reason.
 **What the model loses.** All behavior. The symbols would be on the links, but nothing drives an input and no output has an
 effect.
 
-**How to fix it.** Rename the symbols by the rule; the other findings show each name that does not follow it. If you want a
-plant of plain signals without devices, set `"check": { "severity": { "no-device": "note" } }` in plant.json.
+**How to fix it.** Rename the symbols by the rule; the other findings show each name that does not follow it. The other
+commands still serve the symbols. If you want a plant of plain signals, set `"check": { "severity": { "no-device": "note" } }` in
+plant.json.
 )";
 
 /// Why symbols are in no device, and how many of them.

@@ -15,7 +15,7 @@ struct NumberedState {
 };
 
 /// Puts them into `states`, by number, those of one number by first row. Empty where a number has more than 18 digits.
-/// States without a symbol of their own do not count.
+/// States without a symbol do not count.
 void numbered_states(const model::Unit& unit, std::vector<NumberedState>& states);
 
 }  // namespace symplant::check

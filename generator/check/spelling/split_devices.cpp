@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "check/spelling/device_classes.hpp"
 #include "text/ascii.hpp"
@@ -49,6 +51,13 @@ Sides sides_of(const model::Unit& unit) {
   return sides;
 }
 
+/// Whether a state has only an operation or only an event.
+bool is_one_sided(const model::Unit& unit) {
+  return std::any_of(unit.states.begin(), unit.states.end(), [](const model::State& state) {
+    return (state.operation != model::kNone) != (state.event != model::kNone);
+  });
+}
+
 class SplitSearch {
  public:
   explicit SplitSearch(const model::PlantModel& plant) : plant_(plant), paired_(plant.units.size()) {}
@@ -72,23 +81,37 @@ class SplitSearch {
   }
 
   void look_at(name::Level level) {
+    const std::unordered_map<std::string, std::uint32_t> wholes = wholes_of(level);
+    if (wholes.empty()) return;
+    std::unordered_map<std::string, std::uint32_t> parts;  // by the key of a whole
+    for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
+      const Sides sides = sides_of(plant_.units[u]);
+      if (sides.complete) continue;
+      const std::string key = rest_of_name(plant_.units[u], level) + joined_sides(sides.has);
+      if (wholes.count(key) != 0) put_unit(parts, key, u);
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const auto& [key, part] : parts) pairs.emplace_back(part, wholes.at(key));
+    std::sort(pairs.begin(), pairs.end());  // the order of the map must not show
+    for (const auto& [part, whole] : pairs) {
+      if (part != kSeveral && whole != kSeveral) add(level, part, whole);
+    }
+  }
+
+  /// By rest of the name and what they lack: units that lack several sides, and complete ones that lack any.
+  std::unordered_map<std::string, std::uint32_t> wholes_of(name::Level level) const {
     std::unordered_map<std::string, std::uint32_t> wholes;
-    std::unordered_map<std::string, std::uint32_t> parts;
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
       const model::Unit& unit = plant_.units[u];
+      if (!is_one_sided(unit)) continue;
       const Sides sides = sides_of(unit);
+      if (sides.lacks.size() < 2 && !sides.complete) continue;
       const std::string rest = rest_of_name(unit, level);
       if (sides.lacks.size() > 1) put_unit(wholes, rest + joined_sides(sides.lacks), u);
-      if (sides.complete) {
-        for (const std::string& side : sides.lacks) put_unit(wholes, rest + joined_sides({side}), u);
-      }
-      if (!sides.complete) put_unit(parts, rest + joined_sides(sides.has), u);
+      if (!sides.complete) continue;
+      for (const std::string& side : sides.lacks) put_unit(wholes, rest + joined_sides({side}), u);
     }
-    for (const auto& [key, part] : parts) {
-      const auto whole = wholes.find(key);
-      if (part == kSeveral || whole == wholes.end() || whole->second == kSeveral) continue;
-      add(level, part, whole->second);
-    }
+    return wholes;
   }
 
   void add(name::Level level, std::uint32_t part, std::uint32_t whole) {

@@ -148,8 +148,6 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
                        {"severity", {{"no-address", "note"}}}};
     }
   }
-  // A plant of plain signals is an error unless it is wanted.
-  if (build(plant).plant.units.empty()) said["check"]["severity"]["no-device"] = "note";
   return print_json(said, style.decorated, Dice(style.seed), counts[Seen::comments]);
 }
 

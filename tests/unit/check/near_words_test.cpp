@@ -38,7 +38,7 @@ TEST_CASE("A word with an ending is another word, not a slip") {
   CHECK_FALSE(differ_by_ending(U"CLOSE", U"CLOSER"));
 }
 
-TEST_CASE("A letter of a short code, an axis or a side tells two classes apart") {
+TEST_CASE("A letter of a short code, an axis or a side distinguishes two classes") {
   using check::differ_by_axis;
   using check::differ_by_class_letter;
   CHECK(differ_by_class_letter(U"PB#", U"PL#"));

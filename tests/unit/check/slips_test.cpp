@@ -137,7 +137,7 @@ TEST_CASE("Two devices that differ in their line and complement each other are o
   CHECK(slips_of({"L_MB_AGV_I_P1", "L_MB_AGV_I_P2", "L_MAIN_AGV_O_P1", "L_MAIN_AGV_O_P2"}).size() == 1);
   CHECK(slips_of({"L_ST1_AGV_I_P1", "L_ST1_AGV_I_P2", "L_ST2_AGV_O_P1", "L_ST2_AGV_O_P2"}).empty());
   CHECK(slips_of({"L_P_PB_I_START", "L_P_PB_I_STOP", "L_P_PL_O_START", "L_P_PL_O_STOP"}).empty());
-  // One task each is no evidence, other tasks are none, and of three lines it is not known which belong together.
+  // One task each is no evidence, nor are other tasks, and of three lines it is not known which belong together.
   CHECK(slips_of({"A_P_PB_I_ON", "B_P_PB_O_ON"}).empty());
   CHECK(slips_of({"A_P_D_I_P1", "A_P_D_I_P2", "B_P_D_O_P1", "B_P_D_O_P3"}).empty());
   CHECK(slips_of({"A_P_D_I_P1", "A_P_D_I_P2", "B_P_D_O_P1", "B_P_D_O_P2", "C_P_D_O_P1", "C_P_D_O_P2"}).empty());

@@ -292,7 +292,7 @@ TEST_CASE("A finding follows from one that explains its subject: of the same kin
   CHECK(folded(subject(Kind::device, "L_P_D"), subject(Kind::model, "L_P_D")) == "effect cause");
 }
 
-TEST_CASE("Of two causes the one of the lower rank counts, and no finding follows from one of its own rank") {
+TEST_CASE("Of two causes the one of the lower rank counts, and no finding follows from one of the same rank") {
   const diag::Subject device = subject(diag::Subject::Kind::device, "D");
   const diag::Subject symbol = subject(diag::Subject::Kind::symbol, "S");
   diag::Diagnostics findings;
