@@ -57,7 +57,8 @@ void add_policies(std::string& text, const link::IoMap& map, const link::LinkSet
                                            : time_text(settings.loss_after) + " without a request";
   fmt::format_to(std::back_inserter(text), "lost after {}: operations {}, the plant {}\n", silence,
                  link::loss_words(map), settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
-  fmt::format_to(std::back_inserter(text), "on return: writes are collected for {} at most\n",
+  fmt::format_to(std::back_inserter(text),
+                 "after a loss: writes are collected for at most {} before they take effect\n",
                  time_text(settings.resync));
 }
 

@@ -9,10 +9,12 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "app/commands.hpp"
 #include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/tables/nearest.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::app {
@@ -25,6 +27,26 @@ constexpr std::array kCommands{&add_init,  &add_check, &add_explain, &add_rules,
 void report_visibly(const std::string& text, std::ostream& err) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) err << diag::visible(line) << "\n";
+}
+
+}  // namespace
+
+namespace {
+
+/// A first argument that is no command: CLI11 would only say that a command is missing.
+bool reports_unknown_command(const CLI::App& app, int argc, char** argv, Context& context) {
+  const std::string_view wanted = argc > 1 ? argv[1] : "-";
+  if (wanted.starts_with('-')) return false;
+  tables::NearestName nearest(wanted);
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == wanted) return false;
+    nearest.offer(command->get_name());
+  }
+  context.err << "error: unknown command `" << diag::visible(wanted) << "`; "
+              << (nearest.name().empty() ? "`symplant --help` lists all"
+                                         : "did you mean `" + std::string(nearest.name()) + "`?")
+              << "\n";
+  return true;
 }
 
 }  // namespace
@@ -43,6 +65,7 @@ int run_tool(int argc, char** argv, Context& context) {
   CLI::App app;
   app.name("symplant");
   build_commands(app, context);
+  if (reports_unknown_command(app, argc, argv, context)) return host::kBadInput;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -67,8 +67,7 @@ class IndexTable {
   std::size_t slot_of(std::uint32_t kept, const IsAt& is_at) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t at = kept & mask;
-    while (slots_[at].index != kNothing && (slots_[at].hash != kept || !is_at(slots_[at].index)))
-      at = (at + 1) & mask;
+    while (slots_[at].index != kNothing && (slots_[at].hash != kept || !is_at(slots_[at].index))) at = (at + 1) & mask;
     return at;
   }
 

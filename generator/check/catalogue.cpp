@@ -62,9 +62,9 @@ std::string no_such_rule(std::string_view name) {
     nearest.offer(rule->slug);
     nearest.offer(rule->id);
   }
-  return fmt::format("there is no rule `{}`{}", name,
-                     nearest.name().empty() ? std::string(": `symplant rules` lists all")
-                                            : fmt::format(", the nearest is `{}`", nearest.name()));
+  return fmt::format("unknown rule `{}`; {}", name,
+                     nearest.name().empty() ? std::string("`symplant rules` lists all")
+                                            : fmt::format("did you mean `{}`?", nearest.name()));
 }
 
 bool is_stopping(const diag::Diagnostic& finding) {

@@ -74,10 +74,10 @@ void Faults::report_lacks(const SomeHave& some_have) {
     const std::size_t takers = takers_[lack.pattern][static_cast<std::size_t>(lack.key)];
     if (lack.count == takers && !some_have(lack.pattern->path, at.second, lack.name)) {
       const std::size_t others = lack.count - 1;
-      if (others == 1) lack.message += " (the other device that takes it from " + pattern + " lacks it too)";
+      if (others == 1) lack.message += " (the other device that takes this entry from " + pattern + " lacks it too)";
       if (others > 1) {
         lack.message +=
-            " (the other " + std::to_string(others) + " devices that take it from " + pattern + " lack it too)";
+            " (the other " + std::to_string(others) + " devices that take this entry from " + pattern + " lack it too)";
       }
       add(DescriptionFault{at.first, std::move(lack.message), 0, FaultKind::unknown_name});
       continue;
@@ -88,9 +88,10 @@ void Faults::report_lacks(const SomeHave& some_have) {
       paths.append(" and ").append(std::to_string(lack.count - lack.paths.size())).append(" more");
     }
     std::string words = std::to_string(lack.count);
-    words.append(" of the ").append(std::to_string(takers)).append(" devices that take it from ").append(pattern);
+    words.append(" of the ").append(std::to_string(takers)).append(" devices that take this entry from ");
+    words.append(pattern);
     words.append(lack.count == 1 ? " has no " : " have no ").append(named_text(at.second)).append(" ");
-    words.append(ticked(lack.name)).append("; it is left out for ").append(paths);
+    words.append(ticked(lack.name)).append("; the entry is left out for ").append(paths);
     warnings_.push_back({at.first, std::move(words), 0, FaultKind::left_out});
   }
   lacks_.clear();

@@ -86,7 +86,8 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   const auto max = time_member(*value, "max", inside, faults);
   if (min && max) {
     if (*min <= *max) return Duration{Duration::Kind::uniform, *min, *max};
-    faults.add(inside / "max", ticked(text_or_empty(*value, "max")) + " is less than `min`; exchange the two",
+    faults.add(inside / "max",
+               "`max` (" + ticked(text_or_empty(*value, "max")) + ") is less than `min`; exchange the two",
                FaultKind::contradiction);
     return std::nullopt;
   }

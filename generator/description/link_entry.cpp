@@ -62,10 +62,9 @@ class LinkReader {
   tables::Time idle_member() {
     const auto idle = time_member(entry_, "idle", here_, faults_);
     if (idle && *idle != 0 && *idle < tables::kSecond) {
-      faults_.add(
-          here_ / "idle",
-          "the time is shorter than 1 s, so a connection would be closed between two requests; write `0s` for "
-          "never, or a longer time such as `60s`");
+      faults_.add(here_ / "idle",
+                  "the time is shorter than 1 s, so a connection would be closed between two requests; write `0s` for "
+                  "never, or a longer time such as `60s`");
     }
     return idle.value_or(link::LinkSettings{}.idle);
   }
@@ -124,10 +123,9 @@ class LinkReader {
     int speaks_of = 0;
     for (const std::string_view key : {"area", "range", "symbol"}) speaks_of += member(value, key) != nullptr ? 1 : 0;
     if (value.is_object() && speaks_of != 1) {
-      faults_.add(here,
-                  speaks_of == 0
-                      ? "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`"
-                      : "this entry has more than one of `area`, `range` and `symbol`; write an entry for each");
+      faults_.add(here, speaks_of == 0
+                            ? "this entry does not name its symbols; give it an `area`, a `range` or a `symbol`"
+                            : "this entry has more than one of `area`, `range` and `symbol`; write an entry for each");
     }
     const bool says = member(value, "number") != nullptr || member(value, "word-order") != nullptr ||
                       member(value, "on-loss") != nullptr;

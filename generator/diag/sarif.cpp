@@ -160,10 +160,9 @@ class SarifRenderer {
   Json invocation(std::size_t left_out) const {
     Json json{{"executionSuccessful", options_.exit_code < kFailed}, {"exitCode", options_.exit_code}};
     if (left_out != 0) {
-      const std::string text = std::to_string(left_out) +
-                               " findings of the lowest severity are left out, because a run holds at most " +
-                               std::to_string(kMostSarifResults) +
-                               "; choose with --select, or list all with --format json";
+      const std::string text =
+          std::to_string(left_out) + " findings of the lowest severity are left out, because a run holds at most " +
+          std::to_string(kMostSarifResults) + "; choose with --select, or list all with --format json";
       json["toolExecutionNotifications"] = Json::array({{{"level", "warning"}, {"message", message(text)}}});
     }
     return json;

@@ -13,7 +13,7 @@ struct TextOptions {
   bool colour = false;
   /// The most findings shown for one rule; the rest are counted in one line at the end. 0 shows all.
   std::size_t fold_after = 20;
-  std::size_t fold_notes_after = 3;  ///< the same for notes, of which a long list has hundreds; at most `fold_after`
+  std::size_t fold_notes_after = 3;     ///< the same for notes, of which a long list has hundreds; at most `fold_after`
   std::size_t fold_related_after = 10;  ///< the same for the related rows of one finding, unless fold_after is 0
 };
 

@@ -169,9 +169,8 @@ class Skeleton {
       if (unit.operations.empty()) names.push_back(json_text(unit.path));
     }
     if (!names.empty()) {
-      line(fmt::format(
-          "  // No operation moves {}: give `initial` for their state, or automatic `transitions`;",
-          some_of(names)));
+      line(fmt::format("  // No operation moves {}: give `initial` for their state, or automatic `transitions`;",
+                       some_of(names)));
       line("  // scenarios and links can set them, too.");
     }
     std::vector<std::string> symbols;
@@ -277,6 +276,8 @@ class Skeleton {
 
 }  // namespace
 
-std::string skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list) { return Skeleton(plant, evidence, list).write(); }
+std::string skeleton(const model::PlantModel& plant, const model::Evidence& evidence, const SkeletonList& list) {
+  return Skeleton(plant, evidence, list).write();
+}
 
 }  // namespace symplant::emit

@@ -53,14 +53,14 @@ diag::Diagnostics join_alike(diag::Diagnostics findings) {
     diag::Diagnostic& first = kept[group.first];
     first.severity = std::max(first.severity, finding.severity);
     first.shown_consequences += finding.shown_consequences;
-    first.related.push_back({finding.location, fmt::format("the same of `{}`", finding.alike.name)});
+    first.related.push_back({finding.location, fmt::format("also `{}`", finding.alike.name)});
     first.related.insert(first.related.end(), finding.related.begin(), finding.related.end());
     group.others.push_back(finding.alike.name);
   }
   if (kept.size() == all.size()) return findings;
   for (const auto& [key, group] : groups) {
     if (group.others.empty()) continue;
-    kept[group.first].message += fmt::format("; the same of {} more in devices named `{}`: {}", group.others.size(),
+    kept[group.first].message += fmt::format("; {} more like this in devices named `{}`: {}", group.others.size(),
                                              key.second, examples(group.others));
   }
   diag::Diagnostics joined;

@@ -214,7 +214,7 @@ std::vector<diag::Diagnostic> take_independent(diag::Diagnostic& ignored) {
 }
 
 std::string binding_text(const diag::RuleInfo& rule, std::string_view wish) {
-  return fmt::format("`{}` cannot be {}: this error makes a valid plant impossible, fix its cause", rule.slug, wish);
+  return fmt::format("`{}` cannot be {}: with this error there is no valid plant; fix its cause", rule.slug, wish);
 }
 
 diag::Diagnostics apply_settings(const diag::Diagnostics& findings, const description::GivenCheck& settings,

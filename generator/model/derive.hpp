@@ -11,8 +11,8 @@
 namespace symplant::model {
 
 /// The first stage: classifies the rows and groups the symbols by device. Units have operations and events and no
-/// states yet. `lists` holds at least one list, and one naming rule has parsed all of them. Names of controllers compare
-/// without regard to the case of ASCII letters. O(rows).
+/// states yet. `lists` holds at least one list, and one naming rule has parsed all of them. Names of controllers
+/// compare without regard to the case of ASCII letters. O(rows).
 Derived derive(const std::vector<ListInput>& lists, std::string plant_name);
 
 /// The second stage: matches the description's entries with devices, derives each unit's model, resolves relations,

@@ -60,7 +60,7 @@ void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults
   if (unit.actuation != tables::Actuation::spring) {
     faults.add(here, description::ticked(unit.path) + " is `" +
                          std::string(description::actuation_name(unit.actuation)) +
-                         "` and returns to no rest state; remove `rest` or make it `spring`");
+                         "`, but only a `spring` has a rest state; remove `rest` or set `actuation` to `spring`");
     return;
   }
   unit.rest = rest;

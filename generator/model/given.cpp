@@ -61,7 +61,8 @@ class TransitionExpander {
     transition.when = location_of(given.when);
     if (!sound || lacking) return;
     if (from == to) {
-      faults_.add(here, description::ticked(given.to) + " to itself is not a transition; name two states");
+      faults_.add(here,
+                  "a transition cannot lead from " + description::ticked(given.to) + " to itself; name two states");
       return;
     }
     transition.after = given.after.value_or(description::Duration::fixed(0));

@@ -38,8 +38,7 @@ std::vector<const description::LinkDescription*> check_links(const PlantModel& p
     const auto controller = the_only ? std::optional<std::size_t>(0) : find_controller(plant, link.controller);
     if (controller) {
       if (link.url != "loop:" && linked[*controller]) {
-        faults.add(place,
-                   "this is the second link of its controller, and both would write its operations; remove one");
+        faults.add(place, "this is the second link of its controller, and both would write its operations; remove one");
       } else if (link.has_settings && settings[*controller] != nullptr) {
         faults.add(place, "another link of this controller also has settings; give all of them in one link");
       }

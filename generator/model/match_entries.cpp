@@ -43,9 +43,8 @@ class EntryMatcher {
       unit.described = joined(unit, exact[u], entries);
     }
     for (const Pattern& pattern : patterns_) {
-      decisions.push_back(description::ticked(pattern.entry->path) + " matches " +
-                                             std::to_string(pattern.matched) +
-                                             (pattern.matched == 1 ? " device" : " devices"));
+      decisions.push_back(description::ticked(pattern.entry->path) + " matches " + std::to_string(pattern.matched) +
+                          (pattern.matched == 1 ? " device" : " devices"));
       if (pattern.matched != 0) continue;
       faults_.warn(description::device_pointer(*pattern.entry),
                    description::ticked(pattern.entry->path) + " matches no device",

@@ -43,8 +43,8 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
   if (best == nullptr) {
     diagnostics.add(kUnknownFormat,
                     "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
-                    "not one of the known lists (" +
-                        known_names() + "); export one of them, or put a header above the rows",
+                    "not a known symbol list (" +
+                        known_names() + "); export the global variables as text, or put a header above the rows",
                     {source, source->span_of(source->line_at(0))});
   }
   return best;

@@ -225,7 +225,7 @@ class Utf16Decoder {
     }
     text_.append(ascii.data(), filled);
     if (at < units) return fault(at, binary_message(static_cast<unsigned>(unit_at(at))));
-    if (bytes_.size() % 2 != 0) return no_utf16(at, "half a character at the end of the file");
+    if (bytes_.size() % 2 != 0) return no_utf16(at, "an incomplete character at the end of the file");
     return base::Result<std::string, Fault>(std::move(text_));
   }
 

@@ -1,9 +1,8 @@
 // Calls custom behaviors, and implements their view of a unit.
-#include "symplant/engine/behaviour.hpp"
-
 #include <algorithm>
 #include <exception>
 
+#include "symplant/engine/behaviour.hpp"
 #include "symplant/engine/draw.hpp"
 #include "symplant/engine/engine_inline.hpp"
 #include "symplant/tables/digest.hpp"

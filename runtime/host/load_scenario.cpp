@@ -58,8 +58,8 @@ std::optional<scenario::Scenario> load_scenario(const std::string& path, const t
 std::string scenario_summary(const std::string& path, const scenario::Scenario& scenario) {
   const auto expecting = std::count_if(scenario.steps.begin(), scenario.steps.end(),
                                        [](const scenario::Step& step) { return step.expect.has_value(); });
-  return fmt::format("scenario {}: {}, {} of them {} something\n", shown(path), plural(scenario.steps.size(), "step"),
-                     expecting, expecting == 1 ? "expects" : "expect");
+  return fmt::format("scenario {}: {}, {} with expectations\n", shown(path), plural(scenario.steps.size(), "step"),
+                     expecting);
 }
 
 }  // namespace symplant::host

@@ -15,7 +15,7 @@ namespace symplant::host {
 std::optional<scenario::Scenario> load_scenario(const std::string& path, const trace::PlantNames& names,
                                                 const std::vector<bool>& carried, std::ostream& err);
 
-/// `scenario s.json: 7 steps, 3 of them expect something`.
+/// `scenario s.json: 7 steps, 3 with expectations`.
 std::string scenario_summary(const std::string& path, const scenario::Scenario& scenario);
 
 }  // namespace symplant::host

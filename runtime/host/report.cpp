@@ -84,8 +84,8 @@ void Report::report_findings(std::uint64_t lost, std::ostream& out) const {
   std::string text;
   for (std::size_t kind = 0; kind < counts_.size(); ++kind) {
     if (counts_[kind] == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts_[kind],
-                        trace::finding_name(static_cast<FindingKind>(kind)));
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", trace::finding_name(static_cast<FindingKind>(kind)),
+                        counts_[kind]);
   }
   if (!text.empty()) out << "findings: " << text << "\n";
   if (lost != 0) out << fmt::format("findings: {} more are lost, since they came too fast to be written\n", lost);
@@ -106,10 +106,10 @@ void Report::report_disarmed(const plant::Plant& plant, std::ostream& out) const
   const auto disarmed = plant.disarmed();
   for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
     const tables::SymbolRow& row = names_.tables().symbols[symbol];
-    if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNone)
-      continue;
+    if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNone) continue;
     if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !plant.operation(row.index)) continue;
-    out << fmt::format("on but without effect until it has been off: {}\n", shown(trace::symbol_words(symbol, names_)));
+    out << fmt::format("still on, without effect until it goes off and on again: {}\n",
+                       shown(trace::symbol_words(symbol, names_)));
   }
 }
 

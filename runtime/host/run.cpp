@@ -98,14 +98,14 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, st
     names += (count++ == 0 ? "`" : ", `") + std::string(name) + "`";
   }
   if (count != 0) {
-    err << "warning: in virtual time " << names << (count == 1 ? " has" : " have")
-        << " no effect: `--clock real` runs in real time\n";
+    err << "warning: " << names << (count == 1 ? " has" : " have")
+        << " no effect in virtual time; to run in real time, add `--clock real`\n";
   }
   if (real && !linked && options.on_loss) {
-    err << "warning: `--on-loss` has no effect without a link that can be lost: `--link` gives one\n";
+    err << "warning: `--on-loss` has no effect without a link that can be lost; add one with `--link`\n";
   }
   if (options.trace_limit != trace::kNoLimit && options.trace.empty() && options.vcd.empty()) {
-    err << "warning: `--trace-limit` has no effect without `--trace` or `--vcd`: they say what to write\n";
+    err << "warning: `--trace-limit` has no effect without `--trace` or `--vcd`; add one of them\n";
   }
 }
 
@@ -152,7 +152,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   if (played.scenario != nullptr) streams.report << scenario_summary(options.scenario, *played.scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {
-    streams.report << "links of the plant are not opened in virtual time: --clock real opens them\n";
+    streams.report << "links of the plant are not opened in virtual time; to open them, use --clock real\n";
   }
 
   const auto begin = std::chrono::steady_clock::now();

@@ -29,7 +29,7 @@ std::string policy_words(const OpenLink& open, const tables::PlantTables& tables
   const bool watchdog = settings.watchdog != link::kNowhere;
   return fmt::format("; after {} {}: operations {}, the plant {}",
                      seconds(watchdog ? settings.watchdog_within : settings.loss_after),
-                     watchdog ? "without a change of the watchdog" : "of silence",
+                     watchdog ? "without a change of the watchdog" : "without a request",
                      link::loss_words(link::make_io_map(tables, open.carries, settings)),
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
 }

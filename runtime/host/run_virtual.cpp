@@ -34,9 +34,9 @@ void run_virtual(Stage& stage, const RunOptions& options, std::ostream& out) {
       const bool nothing_left = due == tables::kNever;
       if (options.until || !nothing_left) advance(stage, end);
       if (options.until) {
-        out << fmt::format("ended at {}, as asked\n", seconds(end));
+        out << fmt::format("ended at {}: --until is reached\n", seconds(end));
       } else if (nothing_left) {
-        out << fmt::format("ended at {}: nothing more is due; drive the plant with --link or --scenario\n",
+        out << fmt::format("ended at {}: nothing more will happen; drive the plant with --link or --scenario\n",
                            seconds(stage.plant.now()));
       } else {
         out << fmt::format("ended at {} of plant time: the plant would run forever; set the end with --until\n",

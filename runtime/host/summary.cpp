@@ -56,7 +56,7 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
                                  plural(tables.symbols.size(), "I/O symbol"), shown(lists_text(tables)),
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
   for (const std::string& line : more) text += line + "\n";
-  text += fmt::format("can move: {} of {}, by {} of {}\n", std::count(moves.begin(), moves.end(), true),
+  text += fmt::format("can move: {} of {}, using {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
   text += fmt::format("not driven: {} of {}", undriven.size(), plural(events, "event"));
   for (std::size_t i = 0; i < undriven.size() && i < kNamesShown; ++i) {
@@ -72,8 +72,10 @@ std::string absent_behaviours(const tables::PlantTables& tables, std::span<const
   for (std::size_t b = behaviours.size(); b < names.size(); ++b) {
     const auto devices = std::count_if(tables.behaviour_units.begin(), tables.behaviour_units.end(),
                                        [&](const tables::BehaviourUnit& unit) { return unit.name == b; });
-    text += fmt::format("behavior `{}` of {} has no code: the model's own rules apply to {}\n", shown(names[b]),
-                        plural(static_cast<std::size_t>(devices), "device"), devices == 1 ? "it" : "them");
+    text += fmt::format(
+        "behavior `{}` of {} has no code in this program, the derived model applies; to include its code, use "
+        "`symplant generate`\n",
+        shown(names[b]), plural(static_cast<std::size_t>(devices), "device"));
   }
   return text;
 }

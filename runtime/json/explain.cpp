@@ -206,7 +206,9 @@ class Explainer {
     const bool short_array = value.is_array() && below("minItems");
     if (short_text || short_array) {
       add(pointer, "expected " + wanted(schema, short_text ? "a longer text" : "more items") + ", but found " +
-                       (short_text ? "an empty text" : "an array of too few items"));
+                       (short_text      ? "an empty text"
+                        : value.empty() ? "an empty array"
+                                        : "an array of too few items"));
     }
     if (value.is_array() && schema.contains("maxItems") && size() > schema["maxItems"].get<std::size_t>()) {
       add(pointer, "expected " + wanted(schema, "fewer items") + ", but found an array of too many items");

@@ -114,8 +114,8 @@ void StepReader::check_order(const Step& step, const std::string& pointer) {
     return;
   }
   if (step.time < earliest_) {
-    add(pointer, "this is before the " + ticked(last_) + " above, which is at " + trace::seconds(earliest_) +
-                     " at the earliest; put the steps into the order of their times");
+    add(pointer, "this time is before the " + ticked(last_) + " above, which comes at " + trace::seconds(earliest_) +
+                     " or later; sort the steps by time");
     return;
   }
   earliest_ = step.time;

@@ -38,7 +38,7 @@ void collect(const condition::Tree& tree, const trace::History& history, Things&
 std::string values_text(std::span<const SymbolValue> values, const trace::PlantNames& names) {
   std::string text;
   for (const SymbolValue& value : values) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", names.symbol(value.symbol),
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names.symbol(value.symbol),
                         trace::value_text(names.tables().symbols[value.symbol].type(), value.value));
   }
   return text;
@@ -99,7 +99,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
   std::vector<std::string> parts;
   if (step.when == Step::When::wait) {
     parts.push_back(
-        fmt::format("waited {} for `{}`, not met by {}", seconds(step.time), step.expect->text, seconds(time)));
+        fmt::format("waited {} for `{}`, still false at {}", seconds(step.time), step.expect->text, seconds(time)));
   } else {
     parts.push_back(fmt::format("expected {} at {}",
                                 wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),
@@ -111,7 +111,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
   for (const std::uint32_t symbol : things.symbols) {
     const tables::SymbolRow& row = names.tables().symbols[symbol];
     const auto force = forces.find(symbol);
-    parts.push_back(fmt::format("{} is {} {}{}, {}", names.symbol(symbol),
+    parts.push_back(fmt::format("{} has been {} {}{}, {}", names.symbol(symbol),
                                 trace::value_text(row.type(), history.value(symbol)),
                                 trace::since_words(history.since(symbol)),
                                 force == forces.end() ? "" : fmt::format(", forced in line {}", force->second.line),

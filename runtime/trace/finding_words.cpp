@@ -75,8 +75,8 @@ std::string of_unit(const FoundThing& found, const PlantNames& names, const Hist
           name, state, operations);
     default:
       return fmt::format(
-          "started on enabling: {} ({}) moved as soon as nothing disabled it any more{}; check whether the command "
-          "should have been switched off meanwhile",
+          "started on enabling: {} ({}) started to move as soon as it was no longer disabled{}; check whether the "
+          "command should have been switched off before",
           name, state, operations);
   }
 }
@@ -128,7 +128,7 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
     const bool on = history.value(symbol) != 0;
     if (!on && !text.empty()) continue;
     text += fmt::format(", {} (operation {}, {}) ", index(symbol, names), names.task(symbol), names.cite(symbol));
-    text += on ? "is on since " + seconds(history.rose(symbol))
+    text += on ? "has been on since " + seconds(history.rose(symbol))
                : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
   }
   if (text.empty() && has_operations) return ", none of its operations has been on";
@@ -222,7 +222,7 @@ std::string since_words(tables::Time changed) { return changed == 0 ? "since the
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history) {
   const plant::UnitView view = history.unit(unit);
   const std::string by = view.disabled && !view.frozen ? disablers(unit, names, history) : "";
-  return fmt::format("{} is in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
+  return fmt::format("{} has been in {}{} {}{}", names.unit(unit), state_words(unit, names, history),
                      by.empty() ? "" : " by " + by, since_words(history.unit_since(unit)),
                      led_here(unit, names, history));
 }

@@ -41,8 +41,8 @@ std::string state_words(std::uint32_t unit, const PlantNames& names, const Histo
 std::string since_words(tables::Time changed);
 
 /// A unit's state, what disables it, since when, and what led to it: the operation that came on last, and those that
-/// are still on. `EXLINE_MB_AGV is in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s to 0.7
-/// s`.
+/// are still on. `EXLINE_MB_AGV has been in P1->P2 since 0.5 s, Y0001 (operation P2, symbols.csv:4) was on from 0.5 s
+/// to 0.7 s`.
 std::string unit_words(std::uint32_t unit, const PlantNames& names, const History& history);
 
 /// What happened, which operations led to it, what to check. For a violated requirement one more part for each unit in

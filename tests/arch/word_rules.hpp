@@ -28,8 +28,8 @@ std::vector<BannedWord> read_banned_words(std::string_view text);
 /// string literals, in tests the names of test cases; a template whole; the comments of CMake and shell files.
 std::vector<ReadText> texts_of(const File& file);
 
-/// Every banned word in a text, as `file:line: ...`. An exception is the beginning of a path, a blank, and a part of the
-/// line in which the word may be.
+/// Every banned word in a text, as `file:line: ...`. An exception is the beginning of a path, a blank, and a part of
+/// the line in which the word may be.
 Faults banned_words(const Tree& tree, const std::vector<BannedWord>& words, const std::vector<std::string>& exceptions);
 
 }  // namespace symplant::arch

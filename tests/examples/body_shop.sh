@@ -30,8 +30,8 @@ grep -q '^requirements: [1-9][0-9]* held, 0 violated' "$work/cycle.compiled.log"
 grep -q '^findings' "$work/cycle.compiled.log" && fail "the cycle has findings"
 run clamps-too-early 1
 for line in 'requirement violated: `UNDER10: robot 2 works only in closed clamps`' \
-  'BODY_UNDER10_CLAMP1 is in CLOSE->OPEN since 21.9 s, Y0008 (operation OPEN, body-shop.csv:30) is on since 21.9 s' \
-  'BODY_UNDER10_ROBOT2 is in JOB2 since 3.8 s, Y0016 (operation JOB2, body-shop.csv:61) was on from 3.5 s to 3.9 s' \
+  'BODY_UNDER10_CLAMP1 has been in CLOSE->OPEN since 21.9 s, Y0008 (operation OPEN, body-shop.csv:30) has been on since 21.9 s' \
+  'BODY_UNDER10_ROBOT2 has been in JOB2 since 3.8 s, Y0016 (operation JOB2, body-shop.csv:61) was on from 3.5 s to 3.9 s' \
   'expectations: 6 held, 0 failed' 'requirements: 289 held, 1 violated'; do
   grep -qF -- "$line" "$work/clamps-too-early.compiled.log" || fail "this is not said: $line"
 done

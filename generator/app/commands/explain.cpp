@@ -26,7 +26,7 @@ void add_explain(CLI::App& app, Context& context) {
     }
     if (!check::slug_now(*rule).empty()) context.err << "warning: " << check::renamed_rule(*rule) << "\n";
     context.out << "# " << info->id << " " << info->slug << "\n\n"
-                << "Severity: " << diag::severity_name(info->severity) << ". " << info->summary << ".\n\n"
+                << "Severity: " << diag::severity_name(info->severity) << "; " << info->summary << ".\n\n"
                 << info->page;
   });
 }

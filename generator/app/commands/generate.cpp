@@ -66,8 +66,9 @@ void compare(const GenerateOptions& options, const emit::EmitResult& emitted, Co
     context.out << own_path(options, file) << " is missing\n";
     context.exit_code = host::kFindings;
   }
-  context.out << (context.exit_code == host::kGood ? "up to date: " : "run symplant generate again: ") << options.folder
-              << "\n";
+  const bool good = context.exit_code == host::kGood;
+  context.out << (good ? "up to date: " : "") << options.folder
+              << (good ? "\n" : " is out of date: run `symplant generate` again\n");
 }
 
 void write(const GenerateOptions& options, const emit::EmitResult& emitted, std::vector<std::string> inputs,
@@ -101,8 +102,7 @@ void generate(const GenerateOptions& options, Context& context) {
   context.kept = compiled;
   std::error_code unknown;
   if (!options.templates.empty() && !std::filesystem::is_directory(options.templates, unknown)) {
-    context.err << "error: `" << options.templates
-                << "` is not a folder: give the folder with your templates\n";
+    context.err << "error: `" << options.templates << "` is not a folder: give the folder with your templates\n";
     context.exit_code = host::kBadInput;
     return;
   }
@@ -131,8 +131,7 @@ void add_generate(CLI::App& app, Context& context) {
       ->type_name("DIR");
   command->add_option("--depfile", options->depfile, "write what the files were made from, for make and ninja")
       ->type_name("FILE");
-  command
-      ->add_option("--templates", options->templates, "a folder with templates that replace the built-in ones")
+  command->add_option("--templates", options->templates, "a folder with templates that replace the built-in ones")
       ->type_name("DIR");
   command
       ->add_option("--behaviours", options->behaviours,

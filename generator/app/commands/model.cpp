@@ -30,8 +30,7 @@ void show(const ModelOptions& options, Context& context) {
     if (text::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);
   }
   if (units.empty() && options.device != "*") {
-    context.err << "error: no device matches `" << options.device
-                << "`: `*` matches any text, `?` one character\n";
+    context.err << "error: no device matches `" << options.device << "`: `*` matches any text, `?` one character\n";
     context.exit_code = host::kBadInput;
     return;
   }

@@ -41,11 +41,11 @@ std::vector<std::string> more(const model::PlantModel& plant) {
     ++(symbol.unmodelled == model::Unmodelled::numeric ? numeric : faulty);
   }
   if (numeric != 0)
-    lines.push_back(
-        fmt::format("in no device: {} numeric, since states come from BOOL; on the links nevertheless", numeric));
+    lines.push_back(fmt::format(
+        "in no device: {} numeric, since only BOOL symbols form states; the links still carry them", numeric));
   if (faulty != 0)
     lines.push_back(
-        fmt::format("in no device: {} by their names; on the links nevertheless; see `symplant check`", faulty));
+        fmt::format("in no device: {} with faults, see `symplant check`; the links still carry them", faulty));
   return lines;
 }
 
@@ -53,8 +53,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
 
 void add_run(CLI::App& app, Context& context) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command =
-      app.add_subcommand("run", "Run the plant, with a PLC or in virtual time; no compiler is needed");
+  CLI::App* command = app.add_subcommand("run", "Run the plant, with a PLC or in virtual time; no compiler is needed");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   host::add_run_options(*command, options->run);
   add_plant_options(*command, options->plant_options);

@@ -48,11 +48,11 @@ std::string direction_message(const model::PlantModel& plant, const model::Symbo
   const std::string example = name_with_direction(symbol, word);
   if (is_direction_sign(faulty_part(symbol)) || example.empty()) {
     return fmt::format(
-        "`{}` has `{}` as its direction, `{}` wants `I` or `O`: {}; write `{}`, as its address `{}` says",
+        "`{}` has `{}` as its direction, `{}` requires `I` or `O`: {}; write `{}`, as its address `{}` says",
         symbol.name(), faulty_part(symbol), plant.rule->pattern, consequence(symbol), word, symbol.address_cell);
   }
   return fmt::format(
-      "`{}` has no direction, `{}` wants `I` or `O` before the task: {}; add `{}`, as its address `{}` says, "
+      "`{}` has no direction, `{}` requires `I` or `O` before the task: {}; add `{}`, as its address `{}` says, "
       "and join words, for example `{}`",
       symbol.name(), plant.rule->pattern, consequence(symbol), word, symbol.address_cell, example);
 }

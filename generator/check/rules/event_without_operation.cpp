@@ -31,7 +31,7 @@ void check_event_without_operation(const Rule& rule, const Subject& subject, dia
               .following(device(unit.path))
               .following(missing(plant, unit.path, tables::Direction::operation, state.name)),
           fmt::format("`{}` reports `{}` of `{}`, but no operation leads there: add an operation with task `{}`, or "
-                      "number the tasks if it comes by itself{}",
+                      "number the tasks if the device enters it automatically{}",
                       symbol.name(), state.name, unit.path, state.name,
                       unit.described == nullptr ? "" : ", or describe a transition"),
           location_of(plant, symbol));

@@ -43,8 +43,9 @@ void check_initial_ambiguous(const Rule& rule, const Subject& subject, diag::Dia
     if (first == nullptr) continue;  // never: the candidates are among the events
     diagnostics.add(
         rule.info, about(*first),
-        fmt::format("{} events of `{}` start TRUE, so that none counts: it starts in `{}`; keep TRUE for one",
-                    evidence_of(subject, unit).initial_candidates, unit.path, unit.states[unit.initial].name),
+        fmt::format(
+            "{} events of `{}` are TRUE at the start, so they are ignored: it starts in `{}`; keep TRUE for one",
+            evidence_of(subject, unit).initial_candidates, unit.path, unit.states[unit.initial].name),
         location_of(plant, *first->row, first->row->initial), std::move(others));
   }
 }

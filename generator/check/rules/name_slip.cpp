@@ -1,4 +1,4 @@
-// SP205 name-slip: a word in a name differs by a slip from the one that is meant.
+// SP205 name-slip: a word in a name looks like a typo of the one that is meant.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -15,7 +15,7 @@ direction. A single symbol whose code is rare is one, though.
 
 The list itself must give evidence. One of these holds:
 
-- The device that is meant lacks just this symbol (its siblings, the devices whose names differ in digits only, have it, or its
+- The device that is meant lacks exactly this symbol (its siblings, the devices whose names differ in digits only, have it, or its
   other side is there), and the device as written is not expected to have it.
 - The word is rare. The one that is meant is at least eight times as common (a task: four times) and has nothing there yet.
 - Two devices differ only in their line or process and complement each other: one has just the operations or events that the
@@ -77,7 +77,7 @@ diag::Subjects about_slip(const model::PlantModel& plant, const Slip& slip) {
 
 std::string slip_message(const model::PlantModel& plant, const Slip& slip) {
   if (slip.why != Slip::Why::complements) {
-    return fmt::format("`{}` differs by a slip from `{}`, {}; write `{}` if that is meant", slip.written, slip.meant,
+    return fmt::format("`{}` looks like a typo of `{}`, {}; write `{}` if that is meant", slip.written, slip.meant,
                        reason(slip), slip.meant);
   }
   const model::Symbol& first = plant.symbols[slip.symbols.front()];
@@ -120,7 +120,7 @@ void check_name_slip(const Rule& rule, const Subject& subject, diag::Diagnostics
 }  // namespace
 
 const Rule kNameSlip{{"SP205", "name-slip", diag::Severity::warning,
-                      "a word in a name differs by a slip from the one that is meant", kNameSlipPage, diag::Rank::name},
+                      "a word in a name looks like a typo of the one that is meant", kNameSlipPage, diag::Rank::name},
                      check_name_slip};
 
 }  // namespace symplant::check

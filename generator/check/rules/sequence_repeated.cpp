@@ -1,4 +1,4 @@
-// SP412 sequence-repeated: two tasks of a sequence have one number.
+// SP412 sequence-repeated: two tasks of a sequence have the same number.
 #include <fmt/format.h>
 
 #include "check/rules.hpp"
@@ -8,7 +8,7 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kSequenceRepeatedPage =
-    R"(A device numbers its tasks, and two of them have one number: `HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`,
+    R"(A device numbers its tasks, and two of them have the same number: `HOME1`, `JOB2`, `DONE2`. If several numbers repeat (`ADV1`,
 `RET1`, `ADV2`, `RET2`), they count sensors and are no sequence.
 
 **What the model loses.** The order. The rows decide which of the two comes first. A state that should follow them without an
@@ -46,7 +46,7 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
     diagnostics.add(
         rule.info,
         about(symbol).explaining(device(unit.path)).following(device(unit.path)).following(model_of(unit.path)),
-        fmt::format("`{}` and `{}` of `{}` have one number: only their rows decide which comes first; "
+        fmt::format("`{}` and `{}` of `{}` have the same number: only their rows decide which comes first; "
                     "give each a separate number",
                     unit.states[first->state].name, unit.states[second->state].name, unit.path),
         location_of(plant, symbol), {{location_of(plant, plant.symbols[first->symbol]), "the other one"}});
@@ -55,8 +55,9 @@ void check_sequence_repeated(const Rule& rule, const Subject& subject, diag::Dia
 
 }  // namespace
 
-const Rule kSequenceRepeated{{"SP412", "sequence-repeated", diag::Severity::warning,
-                              "two tasks of a sequence have one number", kSequenceRepeatedPage, diag::Rank::repeated},
-                             check_sequence_repeated};
+const Rule kSequenceRepeated{
+    {"SP412", "sequence-repeated", diag::Severity::warning, "two tasks of a sequence have the same number",
+     kSequenceRepeatedPage, diag::Rank::repeated},
+    check_sequence_repeated};
 
 }  // namespace symplant::check

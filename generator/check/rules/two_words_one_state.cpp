@@ -46,7 +46,7 @@ void report(const Rule& rule, const model::PlantModel& plant, const model::Unit&
   const model::Symbol& event = event_of(plant, unit, unit.states[pair.reported].event);
   diagnostics.add(
       rule.info, about_pair(plant, unit, pair),
-      fmt::format("`{}` and `{}`: do `{}` and `{}` mean one state? spell them alike, or `{}` is never reported",
+      fmt::format("`{}` and `{}`: do `{}` and `{}` mean the same state? spell them the same, or `{}` is never reported",
                   operation.name(), event.name(), operation.reading.task, event.reading.task, event.reading.task),
       location_of(plant, event), {{location_of(plant, operation), "the operation"}});
 }

@@ -26,10 +26,10 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
     narrow(location, symbol);
     diagnostics.add(
         rule.info, about_name(plant, symbol),
-        fmt::format("`{}` has {} level{}, `{}` wants {}: its device is unknown, {}; {}", symbol.name(),
+        fmt::format("`{}` has {} level{}, `{}` requires {}: its device is unknown, {}; {}", symbol.name(),
                     symbol.reading.levels, symbol.reading.levels == 1 ? "" : "s", plant.rule->pattern, wanted,
                     consequence(symbol),
-                    symbol.reading.levels > wanted ? "remove a level or join two" : "write the missing ones"),
+                    symbol.reading.levels > wanted ? "remove a level or join two" : "add the missing levels"),
         location);
   }
 }

@@ -70,9 +70,10 @@ void check_zero_time_loop(const Rule& rule, const Subject& subject, diag::Diagno
       } while (at != first);
       diagnostics.add(
           rule.info, about(unit),
-          fmt::format("`{}` goes {} without a command and in no time, so it freezes when it runs: give one of "
-                      "these transitions an `after`, a `takes` or a `when`",
-                      unit.path, circle),
+          fmt::format(
+              "`{}` goes {} without a command and without time passing, so it freezes when it runs: give one of "
+              "these transitions an `after`, a `takes` or a `when`",
+              unit.path, circle),
           described_location(plant, unit, transition_pointer(unit, unit.transitions[routes[first]])),
           std::move(others));
     }

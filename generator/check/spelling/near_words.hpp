@@ -22,8 +22,8 @@ std::size_t letters_in(std::u32string_view word);
 /// Whether one word is the other with an ending (`CLOSE`, `CLOSED`): two words for one thing, and no slip.
 bool differ_by_ending(std::u32string_view a, std::u32string_view b);
 
-/// Whether two words that differ by a slip differ in one letter of a short code, where one letter often distinguishes two
-/// classes: `PB#` and `PL#` (button and lamp), `PB#` and `PBL#`. The letter is another one, more or less, not
+/// Whether two words that differ by a slip differ in one letter of a short code, where one letter often distinguishes
+/// two classes: `PB#` and `PL#` (button and lamp), `PB#` and `PBL#`. The letter is another one, more or less, not
 /// exchanged with its neighbor, in a run of at most four letters. O(length).
 bool differ_by_class_letter(std::u32string_view a, std::u32string_view b);
 

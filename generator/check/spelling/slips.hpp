@@ -14,7 +14,7 @@ namespace symplant::check {
 struct Slip {
   enum class Why : std::uint8_t {
     complements,  ///< the device that is meant has just the other sides of these symbols
-    lacks,        ///< the device that is meant lacks just these symbols
+    lacks,        ///< the device that is meant lacks exactly these symbols
     common,       ///< the word that is meant is far more common, and it has no such symbol yet
   };
   name::Level level{};

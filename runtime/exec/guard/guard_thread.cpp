@@ -1,6 +1,4 @@
 // The violations of each thread, and guarded work in a separate thread.
-#include "symplant/exec/guard/guard.hpp"
-
 #include <cxxabi.h>
 #include <dlfcn.h>
 
@@ -12,6 +10,7 @@
 #include <string_view>
 #include <thread>
 
+#include "symplant/exec/guard/guard.hpp"
 #include "symplant/exec/guard/interpose.hpp"
 #include "symplant/exec/guard/record.hpp"
 #include "symplant/exec/guard/system_calls.hpp"

@@ -93,7 +93,8 @@ Time after_of(Round& round, std::uint32_t unit, std::uint16_t transition) {
     View view(round, unit);
     return std::max<Time>(0, rules.behaviour->after(view, transition));
   }
-  if (rules.transitions[transition].after.kind != description::Duration::Kind::fixed) ++round.counters[Counted::draw_after];
+  if (rules.transitions[transition].after.kind != description::Duration::Kind::fixed)
+    ++round.counters[Counted::draw_after];
   return duration_of(round, unit, transition, rules.transitions[transition].after);
 }
 

@@ -198,7 +198,7 @@ TEST_CASE("check: An unknown rule, or one that cannot be ignored, is a usage err
   const ToolRun unknown = run_lists({"check", "clean.csv", "--select", "event-not-drven"});
   CHECK(unknown.code == 2);
   CHECK(unknown.out.empty());
-  CHECK(contains(unknown.err, "the nearest is `event-not-driven`"));
+  CHECK(contains(unknown.err, "did you mean `event-not-driven`?"));
   const ToolRun binding = run_lists({"check", "clean.csv", "--ignore", "SP4,SP304"});
   CHECK(binding.code == 2);
   CHECK(contains(binding.err, "`event-driven-twice` cannot be ignored"));

@@ -175,7 +175,9 @@ TEST_CASE("run: A behavior is absent if nothing is compiled, with a message") {
   MemoryFileSystem files = described(kBehaving);
   const ToolRun run = run_tool({"run", "plant.json", "--until", "1s"}, files);
   CHECK(run.code == 0);
-  CHECK(contains(run.out, "behavior `SlowCylinder` of 1 device has no code: the model's own rules apply to it\n"));
+  CHECK(contains(run.out,
+                 "behavior `SlowCylinder` of 1 device has no code in this program, the derived model applies; to "
+                 "include its code, use `symplant generate`\n"));
 }
 
 }  // namespace

@@ -45,9 +45,8 @@ TEST_CASE("map: Sizes, watchdog and policies are those of the description") {
   CHECK(contains(out, "status block: input registers 20-31\n"));
   CHECK(contains(out, "watchdog: holding register 3\n"));
   CHECK(contains(
-      out,
-      "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go to zero, the plant freezes\n"));
-  CHECK(contains(out, "on return: writes are collected for 5 s at most\n"));
+      out, "lost after 2 s without a change of the watchdog: operations hold, 1 of 2 go to zero, the plant freezes\n"));
+  CHECK(contains(out, "after a loss: writes are collected for at most 5 s before they take effect\n"));
   CHECK(contains(out, "on loss"));
   CHECK(contains(map_of(R"("status": "off")"), "status block: off\n"));
   CHECK(contains(map_of(R"("size": {"input-registers": 32})"),
@@ -74,8 +73,8 @@ TEST_CASE("Every command rejects a plant whose symbols overlap on a link") {
   for (const char* command : {"map", "run", "model"}) {
     const ToolRun run = run_tool({command, "plant.json"}, files);
     CHECK(run.code == 2);
-    CHECK(contains(run.err,
-                   "the status block from input register 101 on overlaps `LEVEL` on input registers 98 to 101"));
+    CHECK(
+        contains(run.err, "the status block from input register 101 on overlaps `LEVEL` on input registers 98 to 101"));
   }
   CHECK(run_tool({"check", "plant.json"}, files).code == 1);
 }
@@ -84,10 +83,10 @@ TEST_CASE("run: Settings apply to a link for every URL of the command line, and 
   MemoryFileSystem files = plant(R"("plant-on-loss": "freeze", "loss-after": "2s", "on-loss": "zero")");
   const std::vector<std::string> words{"run",     "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0",
                                        "--until", "20ms"};
-  CHECK(contains(run_tool(words, files).out, "after 2 s of silence: operations go to zero, the plant freezes"));
+  CHECK(contains(run_tool(words, files).out, "after 2 s without a request: operations go to zero, the plant freezes"));
   std::vector<std::string> held = words;
   held.insert(held.end(), {"--on-loss", "hold"});
-  CHECK(contains(run_tool(held, files).out, "after 2 s of silence: operations hold, the plant freezes"));
+  CHECK(contains(run_tool(held, files).out, "after 2 s without a request: operations hold, the plant freezes"));
   held.back() = "keep";
   const ToolRun wrong = run_tool(held, files);
   CHECK(wrong.code == 2);
@@ -102,7 +101,7 @@ TEST_CASE("run: The line of a link counts the operations that go to zero as map 
     MemoryFileSystem files = plant(text + "\"}]");
     CHECK(contains(
         run_tool({"run", "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0", "--until", "20ms"}, files).out,
-        std::string("after 1 s of silence: operations ") + words));
+        std::string("after 1 s without a request: operations ") + words));
     CHECK(contains(map_of(text + "\"}]"), std::string("operations ") + words));
   }
   MemoryFileSystem files = plant(R"("map": [{"symbol": "SPEED", "on-loss": "zero"}])");

@@ -52,7 +52,7 @@ TEST_CASE("run: The first lines report the input, what can move and what no devi
   CHECK(run.code == 0);
   CHECK(contains(run.out, "5 I/O symbols from list.csv (1 operation, 4 events)"));
   CHECK(contains(run.out, "internal: 1 rows (1 memory addresses)"));
-  CHECK(contains(run.out, "can move: 1 of 2 devices, by 1 of 1 operation"));
+  CHECK(contains(run.out, "can move: 1 of 2 devices, using 1 of 1 operation"));
   CHECK(contains(run.out, "not driven: 2 of 4 events: START, L_P_E_I_ON"));
   CHECK(contains(run.out, "in no device: 1 "));
 }
@@ -60,7 +60,7 @@ TEST_CASE("run: The first lines report the input, what can move and what no devi
 TEST_CASE("run: Virtual time ends when nothing is due, with a message") {
   const ToolRun run = run_lists({"run", "excell.csv"});
   CHECK(run.code == 0);
-  CHECK(contains(run.out, "ended at 0 s: nothing more is due"));
+  CHECK(contains(run.out, "ended at 0 s: nothing more will happen"));
 }
 
 TEST_CASE("run --until: The run ends at that time") {
@@ -71,7 +71,7 @@ TEST_CASE("run: A plant that never rests ends after an hour of plant time, with 
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(bits({"L_P_D_O_A1", "L_P_D_I_B2", "L_P_D_I_C3", "L_P_D_I_A1*"}));
   // B2 and C3 follow automatically; A1 has an operation, so C3 is the end.
-  CHECK(contains(run_tool({"run", "list.csv"}, files).out, "ended at 2 s: nothing more is due"));
+  CHECK(contains(run_tool({"run", "list.csv"}, files).out, "ended at 2 s: nothing more will happen"));
 }
 
 TEST_CASE("run: Errors and unreadable lists give exit code 2, a warning 0") {

@@ -109,7 +109,8 @@ TEST_CASE("A circle of automatic transitions is reported once, whatever leads in
   d.states = {"A", "B"};
   d.transitions = {by_itself("P1", "A"), by_itself("A", "B"), by_itself("B", "A", "L_P_E.A1 or not L_P_E.A1")};
   CHECK(reported(analyse_described(two_devices(), describing({d})), "zero-time-loop") ==
-        "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` without a command and in no time, so it freezes "
+        "/devices/L_P_D/transitions/1: `L_P_D` goes `A` -> `B` -> `A` without a command and without time passing, so "
+        "it freezes "
         "when it runs: give one of these transitions an `after`, a `takes` or a `when` [/devices/L_P_D/transitions/2: "
         "and this one leads on]");
 }

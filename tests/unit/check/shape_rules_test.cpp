@@ -179,13 +179,13 @@ TEST_CASE("Alike findings in devices named alike are one finding with their numb
   const diag::Diagnostic& events = list.diagnostics.all()[0];
   CHECK_THAT(events.message, Catch::StartsWith("`L_P_CLAMP1_I_ADVL` reports `ADVL` of `L_P_CLAMP1`"));
   CHECK_THAT(events.message,
-             Catch::Matchers::EndsWith("; the same of 11 more in devices named `CLAMP#`: `L_P_CLAMP1_I_ADVR`, "
+             Catch::Matchers::EndsWith("; 11 more like this in devices named `CLAMP#`: `L_P_CLAMP1_I_ADVR`, "
                                        "`L_P_CLAMP1_I_RETL`, `L_P_CLAMP2_I_ADVL` and 8 more"));
   REQUIRE(events.related.size() == 11);
-  CHECK(events.related[10].message == "the same of `L_P_CLAMP4_I_RETL`");
+  CHECK(events.related[10].message == "also `L_P_CLAMP4_I_RETL`");
   const diag::Diagnostic& commands = list.diagnostics.all()[1];
   CHECK_THAT(commands.message,
-             Catch::Matchers::EndsWith("; the same of 3 more in devices named `CLAMP#`: `L_P_CLAMP2_O_BLOW`, "
+             Catch::Matchers::EndsWith("; 3 more like this in devices named `CLAMP#`: `L_P_CLAMP2_O_BLOW`, "
                                        "`L_P_CLAMP3_O_BLOW`, `L_P_CLAMP4_O_BLOW`"));
 }
 

@@ -131,8 +131,9 @@ TEST_CASE("Two devices that differ in their line and complement each other are o
         std::vector<std::string>{"`EXLINE_MB_AGV` has just the operations that `EXCELL_MB_AGV` lacks: if they are one "
                                  "device, write `EXCELL` or `EXLINE` in all names"});
   CHECK(messages({"EXCELL_MB_AGV_I_P1", "EXLINE_MB_AGV_I_P2", "EXLINE_MB_AGV_O_P1", "EXLINE_MB_AGV_O_P2"}) ==
-        std::vector<std::string>{"`EXCELL_MB_AGV_I_P1` is the only symbol of `EXCELL_MB_AGV`, and just the one that "
-                                 "`EXLINE_MB_AGV` lacks: if they are one device, write `EXLINE` or `EXCELL` in all names"});
+        std::vector<std::string>{
+            "`EXCELL_MB_AGV_I_P1` is the only symbol of `EXCELL_MB_AGV`, and just the one that "
+            "`EXLINE_MB_AGV` lacks: if they are one device, write `EXLINE` or `EXCELL` in all names"});
   // A process, too, but not one with another number; not a device, since `PB` and `PL` are a button and its lamp.
   CHECK(slips_of({"L_MB_AGV_I_P1", "L_MB_AGV_I_P2", "L_MAIN_AGV_O_P1", "L_MAIN_AGV_O_P2"}).size() == 1);
   CHECK(slips_of({"L_ST1_AGV_I_P1", "L_ST1_AGV_I_P2", "L_ST2_AGV_O_P1", "L_ST2_AGV_O_P2"}).empty());

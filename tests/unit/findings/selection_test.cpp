@@ -68,14 +68,14 @@ TEST_CASE("An error that leaves no valid plant is always reported, and cannot be
   CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "told");
   CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "told");
   CHECK(fault({}, {"SP304"}) ==
-        "`event-driven-twice` cannot be ignored: this error makes a valid plant impossible, fix its cause");
+        "`event-driven-twice` cannot be ignored: with this error there is no valid plant; fix its cause");
   CHECK(fault({"SP304"}, {}).empty());
   CHECK(verdict({}, {"SP302"}, "SP302") == "ignored");  // the first of two rows counts
 }
 
 TEST_CASE("An unknown word is rejected with the nearest one") {
-  CHECK(fault({"event-not-drven"}, {}) == "there is no rule `event-not-drven`, the nearest is `event-not-driven`");
-  CHECK(fault({}, {"loud"}) == "there is no rule `loud`: `symplant rules` lists all");
+  CHECK(fault({"event-not-drven"}, {}) == "unknown rule `event-not-drven`; did you mean `event-not-driven`?");
+  CHECK(fault({}, {"loud"}) == "unknown rule `loud`; `symplant rules` lists all");
   for (const char* word : {"S", "SP9", "SP4x", "SP4011", "4", "*"}) {
     INFO(word);
     CHECK_FALSE(fault({word}, {}).empty());

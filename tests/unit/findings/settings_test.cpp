@@ -59,9 +59,9 @@ TEST_CASE("An entry without effect is reported, also after its day") {
 
 TEST_CASE("An unknown rule and an invalid date are reported, the rule with the nearest one") {
   CHECK(reported(with({{"event-not-drven", "*", "x", ""}}), "unknown-rule") ==
-        "/check/ignore/0/rule: there is no rule `event-not-drven`, the nearest is `event-not-driven`");
+        "/check/ignore/0/rule: unknown rule `event-not-drven`; did you mean `event-not-driven`?");
   CHECK(reported(with({}, {{"loud", "error"}}), "unknown-rule") ==
-        "/check/severity/loud: there is no rule `loud`: `symplant rules` lists all");
+        "/check/severity/loud: unknown rule `loud`; `symplant rules` lists all");
   for (const char* date :
        {"2026-02-29", "2026-13-01", "2026-00-10", "2026-6-30", "30.06.2026", "2026-06-31", "tomorrow"}) {
     INFO(date);
@@ -90,8 +90,8 @@ TEST_CASE("A changed severity changes counts and errors") {
 
 TEST_CASE("Errors that leave no valid plant are neither lowered nor ignored") {
   CHECK(reported(with({}, {{"event-driven-twice", "note"}}), "binding-rule") ==
-        "/check/severity/event-driven-twice: `event-driven-twice` cannot be lowered: this error makes a valid plant "
-        "impossible, fix its cause");
+        "/check/severity/event-driven-twice: `event-driven-twice` cannot be lowered: with this error there is "
+        "no valid plant; fix its cause");
   CHECK(with({{"SP101", "*", "x", ""}}).count("binding-rule") == 1);
   CHECK(with({}, {{"event-driven-twice", "error"}}).count("binding-rule") == 0);
   CHECK_FALSE(findings::is_binding(*check::find_rule("SP302")));

@@ -60,13 +60,13 @@ TEST_CASE("Virtual time ends at the requested time") {
   const Clockwork plant;
   host::RunOptions options;
   options.until = 2500 * tables::kMillisecond;
-  CHECK(contains(run(plant.tables, options).out, "ended at 2.5 s, as asked"));
+  CHECK(contains(run(plant.tables, options).out, "ended at 2.5 s: --until is reached"));
 }
 
 TEST_CASE("Virtual time ends when nothing is due") {
   tables::PlantTables empty = bare_tables("empty", 0, 0);
   empty.list_names = {"none", 5};
-  CHECK(contains(run(empty, {}).out, "nothing more is due"));
+  CHECK(contains(run(empty, {}).out, "nothing more will happen"));
 }
 
 TEST_CASE("Virtual time with a link is rejected, with the loop it is accepted") {
@@ -120,13 +120,15 @@ TEST_CASE("Real-time options are reported as without effect in virtual time, eac
   options.real_time.priority = 50;
   const Outcome outcome = run(plant.tables, options);
   CHECK(outcome.code == host::kGood);
-  CHECK(outcome.err == "warning: in virtual time `--priority` has no effect: `--clock real` runs in real time\n");
+  CHECK(outcome.err ==
+        "warning: `--priority` has no effect in virtual time; to run in real time, add `--clock real`\n");
   options.real_time = {};
   options.on_loss = link::OnLoss::zero;
   options.cycle_given = true;
   options.late_given = true;
   CHECK(run(plant.tables, options).err ==
-        "warning: in virtual time `--cycle`, `--on-loss`, `--late` have no effect: `--clock real` runs in real time\n");
+        "warning: `--cycle`, `--on-loss`, `--late` have no effect in virtual time; to run in real time, add `--clock "
+        "real`\n");
 }
 
 TEST_CASE("A guarded run in virtual time has a cycle") {

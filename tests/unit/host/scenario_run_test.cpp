@@ -61,7 +61,7 @@ TEST_CASE("A scenario whose expectations hold gives 0 and a message, and the run
   Cell cell;
   const Outcome outcome = cell.run(kDrive);
   CHECK(outcome.code == host::kGood);
-  CHECK(contains(outcome.out, "s.json: 2 steps, 1 of them expects something\n"));
+  CHECK(contains(outcome.out, "s.json: 2 steps, 1 with expectations\n"));
   CHECK(contains(outcome.out, "ended at 2 s: the scenario is over\nexpectations: 1 held, 0 failed, 0 not reached\n"));
   CHECK(outcome.err == "");
 }
@@ -70,13 +70,14 @@ TEST_CASE("A failed or unreached expectation gives 1 and is reported with its lo
   Cell cell;
   const Outcome failed = cell.run(R"({"at":"1s","expect":"L_P_AGV.P2"})");
   CHECK(failed.code == host::kFindings);
-  CHECK(contains(failed.err, "s.json:1: error: expected `L_P_AGV.P2` at 1 s\n    L_P_AGV is in P1 since the start"));
+  CHECK(contains(failed.err,
+                 "s.json:1: error: expected `L_P_AGV.P2` at 1 s\n    L_P_AGV has been in P1 since the start"));
   CHECK(contains(failed.out, "expectations: 0 held, 1 failed, 0 not reached"));
   cell.options.until = tables::kSecond;
   const Outcome cut = cell.run(kDrive);
   CHECK(cut.code == host::kFindings);
   CHECK(contains(cut.err, "`L_P_AGV.P2` was not reached, since the run ended at 1 s"));
-  CHECK(contains(cut.out, "ended at 1 s, as asked"));
+  CHECK(contains(cut.out, "ended at 1 s: --until is reached"));
 }
 
 TEST_CASE("A violated requirement gives 1, a finding only on request") {
@@ -93,7 +94,7 @@ TEST_CASE("A violated requirement gives 1, a finding only on request") {
   CHECK(contains(good.err,
                  "warning: 2 s: command to a disabled unit: PLC output %QX2, operation P2 of L_P_AGV (symbols.csv:4), "
                  "came on while L_P_AGV (P1, disabled) cannot move, disabled by L_P_DOOR in OPEN2"));
-  CHECK(contains(good.out, "findings: 1 command to a disabled unit\n"));
+  CHECK(contains(good.out, "findings: command to a disabled unit (1)\n"));
   cell.options.fail_on_findings = true;
   CHECK(cell.run(disabled).code == host::kFindings);
   CHECK(cell.run(kDrive).code == host::kGood);
@@ -105,7 +106,7 @@ TEST_CASE("A scenario with faults gives 2, each fault with its location, and wri
   const Outcome outcome = cell.run("{\"at\":\"1s\",\"set\":{\"L_P_AGV_O_P3\":true}},\n{\"at\":\"0s\"}");
   CHECK(outcome.code == host::kBadInput);
   CHECK(contains(outcome.err, "s.json:1:51: error: symbol `L_P_AGV_O_P3` not found; did you mean `L_P_AGV_O_P"));
-  CHECK(contains(outcome.err, "s.json:2:7: error: this is before the `at` above"));
+  CHECK(contains(outcome.err, "s.json:2:7: error: this time is before the `at` above"));
   CHECK(outcome.out == "");
   CHECK_FALSE(std::filesystem::exists(cell.options.trace));
   cell.options.scenario = cell.folder / "none.json";
@@ -276,7 +277,7 @@ TEST_CASE("Statistics of a run with links report the state of each link") {
   const Outcome outcome = cell.run();
   CHECK(outcome.err.empty());
   CHECK(outcome.code == host::kGood);
-  CHECK(contains(outcome.out, "; after 1 s of silence: operations hold, the plant runs on\nlink loop:\n"));
+  CHECK(contains(outcome.out, "; after 1 s without a request: operations hold, the plant runs on\nlink loop:\n"));
   const auto links = nlohmann::json::parse(cell.file("s"))["links"];
   REQUIRE(links.size() == 2);
   CHECK(contains(links[0]["link"].get<std::string>(), "modbus-tcp-server://127.0.0.1:"));

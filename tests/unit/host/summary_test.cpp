@@ -34,7 +34,7 @@ TEST_CASE("The summary shows what can move and names the events that no device d
   const std::string text = host::summary(tables, 0x1234, {"a further line"});
   CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
   CHECK(contains(text, "a further line\n"));
-  CHECK(contains(text, "can move: 1 of 2 devices, by 1 of 1 operation\n"));
+  CHECK(contains(text, "can move: 1 of 2 devices, using 1 of 1 operation\n"));
   CHECK(contains(text, "not driven: 2 of 3 events: PB, ?[31m?!\n"));  // no escape reaches the terminal
 }
 
@@ -46,8 +46,10 @@ TEST_CASE("Behaviors without code are reported, with their number of devices") {
   const std::vector<engine::Behaviour> code(2);
   CHECK(host::absent_behaviours(tables, code).empty());
   CHECK(host::absent_behaviours(tables, {}) ==
-        "behavior `Lift` of 1 device has no code: the model's own rules apply to it\n"
-        "behavior `Stop?` of 2 devices has no code: the model's own rules apply to them\n");
+        "behavior `Lift` of 1 device has no code in this program, the derived model applies; to include its code, use "
+        "`symplant generate`\n"
+        "behavior `Stop?` of 2 devices has no code in this program, the derived model applies; to include its code, "
+        "use `symplant generate`\n");
 }
 
 }  // namespace

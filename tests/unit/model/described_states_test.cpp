@@ -189,7 +189,8 @@ TEST_CASE("A rest in a device without a spring is a fault") {
   DeviceDescription d = device();
   d.rest = "P1";
   CHECK(faults(described(kTable, {d})) ==
-        "/devices/L_P_D/rest: `L_P_D` is `latched` and returns to no rest state; remove `rest` or make it `spring`");
+        "/devices/L_P_D/rest: `L_P_D` is `latched`, but only a `spring` has a rest state; remove `rest` or set "
+        "`actuation` to `spring`");
 }
 
 TEST_CASE("A state added with only an event, next to an operation, is the rest of a single solenoid") {

@@ -191,7 +191,7 @@ TEST_CASE("A transition to itself, and an automatic one with an operation, are f
   GivenTransition both = automatic("P1", "P2");
   both.on = "P2";
   CHECK(faults(described(kThreeIndexes, {with({transition("P1", "p1"), both})})) ==
-        "/devices/L_P_D/transitions/0: `p1` to itself is not a transition; name two states\n"
+        "/devices/L_P_D/transitions/0: a transition cannot lead from `p1` to itself; name two states\n"
         "/devices/L_P_D/transitions/1/on: an automatic transition has no operation; remove `on` or `automatic`");
 }
 
@@ -218,10 +218,9 @@ TEST_CASE("A device may have 65534 transitions") {
   auto rows = bits({"L_P_D_O_P1", "L_P_D_I_P1", "L_P_D_I_P2"});
   rows.push_back({"L_P_N_I_V", "", "INT", "0", "%IW7"});
   const Analysed list = analyse_described(rows, describing({d}));
-  CHECK(
-      faults(list) ==
-      "/devices/L_P_D/transitions: the device has more than 65534 transitions, where a `*` counts once for each "
-      "state; remove some");
+  CHECK(faults(list) ==
+        "/devices/L_P_D/transitions: the device has more than 65534 transitions, where a `*` counts once for each "
+        "state; remove some");
   CHECK(unit_of(list).transitions.size() <= tables::kMaxTransitions);
 }
 

@@ -170,9 +170,9 @@ TEST_CASE("An unknown name in an entry is reported with the nearest one") {
   CHECK(reported(R"("map": [{"symbol": "SPED", "number": 1}])") == "symbol `SPED` not found; did you mean `SPEED`?");
   CHECK(reported(R"("map": [{"area": "%MW", "number": 1}])")
             .starts_with("`%MW` is not an area of inputs or outputs; write X, "));
-  CHECK(reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is not an area of inputs or outputs"));
-  CHECK(reported(R"("map": [{"area": "%IL", "number": 1}])") ==
-        "no symbol of this controller is in the area `%IL`");
+  CHECK(
+      reported(R"("map": [{"area": "%QX1", "number": 1}])").starts_with("`%QX1` is not an area of inputs or outputs"));
+  CHECK(reported(R"("map": [{"area": "%IL", "number": 1}])") == "no symbol of this controller is in the area `%IL`");
   CHECK(reported(R"("map": [{"range": ["%QW1", "%QW2"], "number": 1}])") ==
         "no symbol of this controller is between `%QW1` and `%QW2`");
   CHECK(reported(R"("map": [{"symbol": "Q*", "on-loss": "zero"}])") ==
@@ -181,10 +181,9 @@ TEST_CASE("An unknown name in an entry is reported with the nearest one") {
 
 TEST_CASE("A row that is not I/O is reported as what it is") {
   const std::string list = kList + "VAR_GLOBAL,STEP,M100,,BOOL,FALSE\n";
-  CHECK(
-      reported(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
-      "`Step` is in the list, but is not an input or output of this controller, its address is `M100`; remove this "
-      "entry");
+  CHECK(reported(linked(R"("map": [{"symbol": "Step", "number": 1}])", list)) ==
+        "`Step` is in the list, but is not an input or output of this controller, its address is `M100`; remove this "
+        "entry");
 }
 
 TEST_CASE("A setting without effect on any symbol of its entry is reported") {
@@ -258,13 +257,12 @@ TEST_CASE("check reports symbols that overlap, and settings that do not fit the 
         "`SPEED` on holding registers 10 to 11 and `MODE` on holding register 11 overlap: give one of them "
         "another number, in the list or in `links`");
   CHECK(reported(R"("status": 0)").starts_with("the status block from input register 0 on overlaps `LEVEL`"));
-  CHECK(reported(R"("watchdog": {"register": 30})")
-            .starts_with("the watchdog on holding register 30 overlaps `MODE`"));
+  CHECK(reported(R"("watchdog": {"register": 30})").starts_with("the watchdog on holding register 30 overlaps `MODE`"));
   CHECK(reported(R"("size": {"holding-registers": 30})")
             .starts_with("1 symbol is beyond the size of 30, the last is `MODE` on holding register 30: give a "
                          "size of 31 or more"));
-  CHECK(
-      reported(R"("size": {"holding-registers": 3})").starts_with("2 symbols are beyond the size of 3, the last is `MODE`"));
+  CHECK(reported(R"("size": {"holding-registers": 3})")
+            .starts_with("2 symbols are beyond the size of 3, the last is `MODE`"));
   CHECK(reported(R"("map": [{"symbol": "SPEED", "number": 65535}])") ==
         "`SPEED` would end after 65535, the last address of Modbus; give a lower number");
 }
@@ -290,10 +288,9 @@ TEST_CASE("Settings belong to the controller of one link, and of `loop:` only if
   CHECK(reported(sound).empty());
   CHECK(sound.model().links.at(0).link.resync == 2 * tables::kSecond);
   CHECK(sound.model().links.at(1).link.on_loss == OnLoss::zero);
-  CHECK(
-      reported(R"("controller": "PLC9")") ==
-      "controller `PLC9` not found, because this plant's only controller has no name; remove `controller` here, or "
-      "add it to its list in `symbols`");
+  CHECK(reported(R"("controller": "PLC9")") ==
+        "controller `PLC9` not found, because this plant's only controller has no name; remove `controller` here, or "
+        "add it to its list in `symbols`");
   CHECK(reported(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
         "this `loop:` is for all controllers, but settings are for one; give it a `controller`");
   CHECK(reported(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},

@@ -127,14 +127,14 @@ TEST_CASE("Under a pattern an entry is omitted for devices that lack what it nam
   CHECK(unit_of(list, "L_P_M").transitions[0].takes == Duration::fixed(6));
   CHECK(
       warnings(list) ==
-      "/devices/L_P_*/transitions/0/from: 1 of the 3 devices that take it from `L_P_*` has no state `ADV`; it is left "
-      "out for `L_P_M`\n"
-      "/devices/L_P_*/transitions/0/to: 1 of the 3 devices that take it from `L_P_*` has no state `RET`; it is left "
-      "out for `L_P_M`\n"
-      "/devices/L_P_*/transitions/1/from: 2 of the 3 devices that take it from `L_P_*` have no state `RUN1`; it is "
-      "left out for `L_P_S1`, `L_P_S2`\n"
-      "/devices/L_P_*/transitions/1/to: 2 of the 3 devices that take it from `L_P_*` have no state `END2`; it is left "
-      "out for `L_P_S1`, `L_P_S2`");
+      "/devices/L_P_*/transitions/0/from: 1 of the 3 devices that take this entry from `L_P_*` has no state `ADV`; the "
+      "entry is left out for `L_P_M`\n"
+      "/devices/L_P_*/transitions/0/to: 1 of the 3 devices that take this entry from `L_P_*` has no state `RET`; the "
+      "entry is left out for `L_P_M`\n"
+      "/devices/L_P_*/transitions/1/from: 2 of the 3 devices that take this entry from `L_P_*` have no state `RUN1`; "
+      "the entry is left out for `L_P_S1`, `L_P_S2`\n"
+      "/devices/L_P_*/transitions/1/to: 2 of the 3 devices that take this entry from `L_P_*` have no state `END2`; the "
+      "entry is left out for `L_P_S1`, `L_P_S2`");
 }
 
 TEST_CASE("A name that all matched devices lack is an error") {
@@ -142,13 +142,12 @@ TEST_CASE("A name that all matched devices lack is an error") {
   d.initial = "HOME";
   d.outputs = {{"ADV", {{"BUSY", true}}, {}}};
   const Analysed list = described(kStoppers, {d});
-  const std::string too = " (the other device that takes it from `L_P_S?` lacks it too)";
+  const std::string too = " (the other device that takes this entry from `L_P_S?` lacks it too)";
   CHECK(faults(list) ==
         "/devices/L_P_S?/initial: state `HOME` of `L_P_S1` not found" + too +
             "\n/devices/L_P_S?/outputs/ADV/enter/BUSY: event `BUSY` of `L_P_S1` not found" + too +
             "\n/devices/L_P_S?/transitions/0/to: state `REF` of `L_P_S1` not found; did you mean `RET`?" + too +
-            "\n/devices/L_P_S?/transitions/1/on: operation `RETT` of `L_P_S1` not found; did you mean `RET`?" +
-            too);
+            "\n/devices/L_P_S?/transitions/1/on: operation `RETT` of `L_P_S1` not found; did you mean `RET`?" + too);
   CHECK(warnings(list) == "");
 }
 
@@ -160,8 +159,8 @@ TEST_CASE("A name is no slip if a matched device has it but takes the key from e
   const Analysed list = described(kStoppers, {exact, wide});
   CHECK(faults(list) == "");
   CHECK(warnings(list) ==
-        "/devices/L_P_*/initial: 2 of the 2 devices that take it from `L_P_*` have no state `RUN1`; it is left out for "
-        "`L_P_S1`, `L_P_S2`");
+        "/devices/L_P_*/initial: 2 of the 2 devices that take this entry from `L_P_*` have no state `RUN1`; the entry "
+        "is left out for `L_P_S1`, `L_P_S2`");
 }
 
 TEST_CASE("An initial state, a rest state, outputs and disables are omitted, too") {
@@ -205,16 +204,15 @@ TEST_CASE("A commanded transition under a pattern is omitted if its target has n
                                        "L_P_B_O_P1", "L_P_B_I_P1", "L_P_B_I_P2", "L_P_B_O_P3"};
   const Analysed list = described(names, {with("L_P_?", {transition("P1", "P2")})});
   CHECK(faults(list) == "");
-  CHECK(
-      warnings(list) ==
-      "/devices/L_P_?/transitions/0/to: 1 of the 2 devices that take it from `L_P_?` has no operation `P2`; it is "
-      "left out for `L_P_B`");
+  CHECK(warnings(list) ==
+        "/devices/L_P_?/transitions/0/to: 1 of the 2 devices that take this entry from `L_P_?` has no operation `P2`; "
+        "the entry is left out for `L_P_B`");
 }
 
 TEST_CASE("A fault under a pattern is reported once for all its devices") {
   CHECK(faults(described(kStoppers, {with("L_P_S?", {transition("ADV", "ADV")})})) ==
-        "/devices/L_P_S?/transitions/0: `ADV` to itself is not a transition; name two states (also for other devices "
-        "that `L_P_S?` matches)");
+        "/devices/L_P_S?/transitions/0: a transition cannot lead from `ADV` to itself; name two states (also for other "
+        "devices that `L_P_S?` matches)");
   DeviceDescription rest = device("L_P_S?");
   rest.rest = "RET";
   CHECK(faults(described(kStoppers, {rest})).starts_with("/devices/L_P_S?/rest: `L_P_S1` is `latched`"));
@@ -258,8 +256,7 @@ TEST_CASE("A device described twice is reported with both locations") {
 TEST_CASE("`--verbose` counts the devices of each pattern") {
   const Analysed list =
       described(kStoppers, {actuated("L_P_S?", tables::Actuation::held), actuated("*M", tables::Actuation::held)});
-  CHECK(list.evidence().decisions ==
-        std::vector<std::string>{"`L_P_S?` matches 2 devices", "`*M` matches 1 device"});
+  CHECK(list.evidence().decisions == std::vector<std::string>{"`L_P_S?` matches 2 devices", "`*M` matches 1 device"});
 }
 
 TEST_CASE("Devices with the same entries share the joined result, and a single entry is not joined") {

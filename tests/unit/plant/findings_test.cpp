@@ -80,7 +80,7 @@ TEST_CASE("An instant with only a finding is reported") {
   CHECK(plant.reported() == "25:violated answer");
 }
 
-/// While GO is on, `FLIP` changes state forever in no time, `FLOP` follows it; `CALM` is a machine of 1 s.
+/// While GO is on, `FLIP` changes state forever without time passing, `FLOP` follows it; `CALM` is a machine of 1 s.
 std::vector<Row> loop_rows() {
   std::vector<Row> list =
       bits({"L_P_FLIP_I_A1", "L_P_FLIP_I_B2", "L_P_FLOP_I_A1", "L_P_FLOP_I_B2", "L_P_CALM_I_A1", "L_P_CALM_I_B2"});
@@ -132,7 +132,7 @@ TEST_CASE("A frozen unit stays frozen after a manual move; a reset unfreezes it"
   CHECK_FALSE(plant.unit("FLOP").frozen);
 }
 
-/// A row of devices, each of which follows the previous one in no time.
+/// A row of devices, each of which follows the previous one without time passing.
 std::vector<std::string> row_of_devices(std::size_t count, Reported& reported) {
   std::vector<std::string> names = {"D0_O_A1", "D0_I_A1", "D0_O_B2", "D0_I_B2"};
   reported.on_command("D0", "A1", "B2", fixed(0));

@@ -93,7 +93,7 @@ TEST_CASE("Numbers of every type are set and compared exactly") {
                              {"plus":"0s","expect":{"SPEED":-2,"WEIGHT":0.1000001,"COUNT":1}},
                              {"at":"2s","set":{"WEIGHT":"nan"},"expect":{"WEIGHT":"nan"}})");
   CHECK(play.outcomes() == "hhfh");
-  CHECK(contains(play.failures(), "expected COUNT 1, SPEED -2, WEIGHT 0.1000001 at 1 s"));
+  CHECK(contains(play.failures(), "expected COUNT = 1, SPEED = -2, WEIGHT = 0.1000001 at 1 s"));
 }
 
 TEST_CASE("A step after the end of the run is not reached, a step at the end still acts") {

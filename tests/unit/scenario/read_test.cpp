@@ -68,8 +68,7 @@ TEST_CASE("Durations have the common format") {
 
 TEST_CASE("An at before the previous steps is a fault, a wait does not count") {
   CHECK(step_faults(R"({"at":"2s"},{"plus":"1s"},{"wait":"START"},{"at":"2.9s"})") ==
-        "2:50 `\"2.9s\"` this is before the `plus` above, which is at 3 s at the earliest; put the steps into the "
-        "order of their times\n");
+        "2:50 `\"2.9s\"` this time is before the `plus` above, which comes at 3 s or later; sort the steps by time\n");
   CHECK(step_faults(R"({"at":"2s"},{"wait":"START","within":"1h"},{"at":"2s"})") == "");
 }
 

@@ -9,17 +9,18 @@ TEST_CASE("A failed expectation reports each wrong symbol, its device and the op
   const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},{"at":"0.7s","set":{"L_P_AGV_O_P2":false}},
                              {"at":"1.4s","expect":{"L_P_AGV_I_P2":true,"L_P_AGV_I_P1":false}})");
   CHECK(play.failures() ==
-        "expected L_P_AGV_I_P2 on at 1.4 s; L_P_AGV_I_P2 is off since the start, PLC input %IX1, event P2 of L_P_AGV "
-        "(symbols.csv:3); L_P_AGV is in P1->P2 since 0.5 s, %QX2 (operation P2, symbols.csv:4) was on from 0.5 s to "
-        "0.7 s\n");
+        "expected L_P_AGV_I_P2 = on at 1.4 s; L_P_AGV_I_P2 has been off since the start, PLC input %IX1, event P2 of "
+        "L_P_AGV (symbols.csv:3); L_P_AGV has been in P1->P2 since 0.5 s, %QX2 (operation P2, symbols.csv:4) was on "
+        "from 0.5 s to 0.7 s\n");
 }
 
 TEST_CASE("A failed condition reports what it names") {
   const BenchTables tables(kAgv);
   const Play play(tables, R"({"at":"1s","expect":"L_P_AGV.P2 or L_P_AGV_O_P1"})");
   CHECK(play.failures() ==
-        "expected `L_P_AGV.P2 or L_P_AGV_O_P1` at 1 s; L_P_AGV_O_P1 is off since the start, PLC output %QX3, operation "
-        "P1 of L_P_AGV (symbols.csv:5); L_P_AGV is in P1 since the start, none of its operations has been on\n");
+        "expected `L_P_AGV.P2 or L_P_AGV_O_P1` at 1 s; L_P_AGV_O_P1 has been off since the start, PLC output %QX3, "
+        "operation P1 of L_P_AGV (symbols.csv:5); L_P_AGV has been in P1 since the start, none of its operations has "
+        "been on\n");
 }
 
 TEST_CASE("A wait for several values reports those that did not come, and what disables their devices") {
@@ -28,15 +29,15 @@ TEST_CASE("A wait for several values reports those that did not come, and what d
   const Play play(tables, R"({"at":"0.5s","set":{"L_P_AGV_O_P2":true}},
                              {"wait":"L_P_DOOR.OPEN1 and L_P_AGV.P2","within":"2s"})");
   CHECK(play.failures() ==
-        "waited 2 s for `L_P_DOOR.OPEN1 and L_P_AGV.P2`, not met by 2.5 s; L_P_AGV is in P1, disabled by L_P_DOOR "
-        "in OPEN1 since the start, %QX2 (operation P2, symbols.csv:4) is on since 0.5 s\n");
+        "waited 2 s for `L_P_DOOR.OPEN1 and L_P_AGV.P2`, still false at 2.5 s; L_P_AGV has been in P1, disabled by "
+        "L_P_DOOR in OPEN1 since the start, %QX2 (operation P2, symbols.csv:4) has been on since 0.5 s\n");
 }
 
 TEST_CASE("A symbol of no device reports only itself") {
   const BenchTables tables(Reported(), {{"SPEED", "D1", "INT", "7", "%IW9"}});
   const Play play(tables, R"({"at":"1s","expect":{"SPEED":8}})");
   CHECK(play.failures() ==
-        "expected SPEED 8 at 1 s; SPEED is 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");
+        "expected SPEED = 8 at 1 s; SPEED has been 7 since the start, PLC input D1, symbol SPEED (symbols.csv:2)\n");
 }
 
 TEST_CASE("A forced symbol is reported as forced, and so are those of a device that does not move") {
@@ -47,12 +48,12 @@ TEST_CASE("A forced symbol is reported as forced, and so are those of a device t
                              {"at":"2s","expect":{"L_P_AGV_I_P1":true},"release":["L_P_AGV_I_P2","L_P_AGV_O_P2"]})");
   CHECK(
       play.failures() ==
-      "expected `L_P_AGV.P2` at 1 s; L_P_AGV is in P1 since the start, none of its operations has been on; "
+      "expected `L_P_AGV.P2` at 1 s; L_P_AGV has been in P1 since the start, none of its operations has been on; "
       "L_P_AGV_I_P1 is forced to off in line 2; L_P_AGV_I_P2 is forced to on in line 3; L_P_AGV_O_P2 is forced to off "
       "in line 1\n"
-      "expected L_P_AGV_I_P1 on at 2 s; L_P_AGV_I_P1 is off since 0.6 s, forced in line 2, PLC input %IX0, event P1 "
-      "of L_P_AGV (symbols.csv:2); L_P_AGV is in P1->P2 since 2 s, %QX2 (operation P2, symbols.csv:4) is on since "
-      "2 s\n");
+      "expected L_P_AGV_I_P1 = on at 2 s; L_P_AGV_I_P1 has been off since 0.6 s, forced in line 2, PLC input %IX0, "
+      "event P1 of L_P_AGV (symbols.csv:2); L_P_AGV has been in P1->P2 since 2 s, %QX2 (operation P2, symbols.csv:4) "
+      "has been on since 2 s\n");
 }
 
 TEST_CASE("A verdict counts the steps with an expectation") {

@@ -117,7 +117,7 @@ TEST_CASE("Reserved words are taken from the start") {
   CHECK(scope.unique("Plant") == "Plant_2");
 }
 
-TEST_CASE("A scope takes a hundred thousand equal names in no time") {
+TEST_CASE("A scope takes a hundred thousand equal names without time passing") {
   IdentifierScope scope;
   std::set<std::string> all;
   for (int i = 0; i < 100000; ++i) all.insert(scope.unique("SPARE"));

@@ -90,8 +90,8 @@ TEST_CASE("A command without effect, and one to a disabled device, report the re
   reporter.reported.clear();
   reporter.plant.set_state(tables.unit_index("DOOR"), tables.state_index("DOOR", "OPEN1"));
   reporter.to(300);
-  CHECK(
-      contains(reporter.reported, "0.2 s: started on enabling: L_P_AGV (P1->P2) moved as soon as nothing disabled it"));
+  CHECK(contains(reporter.reported,
+                 "0.2 s: started on enabling: L_P_AGV (P1->P2) started to move as soon as it was no longer disabled"));
   reporter.reported.clear();
   reporter.to(400).set("AGV_O_P2", false).to(500).set("AGV_O_P1", true).to(600);
   CHECK(contains(reporter.reported,
@@ -138,9 +138,8 @@ TEST_CASE("A requirement reports the devices that it checks, and their commands"
   Reporter reporter(tables);
   reporter.to(100).set("AGV_O_P2", true).to(200).to(1000);
   CHECK(reporter.reported ==
-        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV is in "
-        "P1->P2 since "
-        "0.2 s, %QX2 (operation P2, symbols.csv:4) is on since 0.2 s\n");
+        "0.7 s: requirement violated: `soon`, the expected condition did not become true within 0.5 s; L_P_AGV has "
+        "been in P1->P2 since 0.2 s, %QX2 (operation P2, symbols.csv:4) has been on since 0.2 s\n");
 }
 
 TEST_CASE("The last device of a requirement to change is reported first, with the operation that caused it") {
@@ -153,8 +152,9 @@ TEST_CASE("The last device of a requirement to change is reported first, with th
   reporter.set("MC_O_RUN2", false).to(1300).set("AGV_O_P2", true).to(1400);
   CHECK(contains(reporter.reported,
                  "requirement violated: `apart`, its condition must never hold and now holds; "
-                 "L_P_AGV is in P1->P2 since 1.4 s, %QX2 (operation P2, symbols.csv:4) is on since 1.4 s; "
-                 "L_P_MC is in RUN2 since 1.1 s, %QX6 (operation RUN2, symbols.csv:8) was on from 0.1 s to 1.3 s\n"));
+                 "L_P_AGV has been in P1->P2 since 1.4 s, %QX2 (operation P2, symbols.csv:4) has been on since 1.4 s; "
+                 "L_P_MC has been in RUN2 since 1.1 s, %QX6 (operation RUN2, symbols.csv:8) was on from 0.1 s to 1.3 "
+                 "s\n"));
 }
 
 TEST_CASE("Times are printed exactly, without trailing zeros") {

@@ -18,11 +18,9 @@ using tables::Direction;
 /// Free symbols only: two BOOL operations with rows in reverse order of their bits, and an INT in between.
 struct FreePlant {
   std::vector<tables::SymbolRow> symbols{
-      {1, tables::kNone, 0, 2,
-       tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
+      {1, tables::kNone, 0, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)},
       {0, tables::kNone, 0, 3, tables::symbol_kind(DataType::int_, Direction::operation, AddressForm::none, false)},
-      {0, tables::kNone, 0, 4,
-       tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
+      {0, tables::kNone, 0, 4, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::none, false)}};
   tables::PlantTables tables = bare_tables("free", 64, 64, 1, symbols);
   plant::OwnedPlant plant{tables};
 };
