@@ -101,7 +101,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
                                 diag::Diagnostics& diagnostics) {
   const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
-    diagnostics = findings::select(std::move(diagnostics), options.selection);
+    diagnostics = findings::select(diagnostics, options.selection);
     return std::nullopt;
   }
   progress.stage("parsing names");
