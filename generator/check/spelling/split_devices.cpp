@@ -91,6 +91,7 @@ class SplitSearch {
       if (wholes.count(key) != 0) put_unit(parts, key, u);
     }
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    pairs.reserve(parts.size());
     for (const auto& [key, part] : parts) pairs.emplace_back(part, wholes.at(key));
     std::sort(pairs.begin(), pairs.end());  // the order of the map must not show
     for (const auto& [part, whole] : pairs) {

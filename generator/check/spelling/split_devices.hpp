@@ -11,8 +11,8 @@ namespace symplant::check {
 /// Two units whose names differ in one level and that complement each other.
 struct SplitDevice {
   name::Level level{};  ///< line or process
-  std::uint32_t part;   ///< index in PlantModel::units: its symbols are just those that `whole` lacks
-  std::uint32_t whole;  ///< index in PlantModel::units
+  std::uint32_t part = 0;   ///< index in PlantModel::units: its symbols are just those that `whole` lacks
+  std::uint32_t whole = 0;  ///< index in PlantModel::units
 };
 
 /// Finds units that have just the operations or events that another one lacks: two of them or more, or one where the
