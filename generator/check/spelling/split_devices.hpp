@@ -10,7 +10,7 @@ namespace symplant::check {
 
 /// Two units whose names differ in one level and that complement each other.
 struct SplitDevice {
-  name::Level level{};  ///< line or process
+  name::Level level{};      ///< line or process
   std::uint32_t part = 0;   ///< index in PlantModel::units: its symbols are just those that `whole` lacks
   std::uint32_t whole = 0;  ///< index in PlantModel::units
 };
