@@ -18,7 +18,7 @@ constexpr const char* kUsage = R"(usage: conformance TABLE [--page FILE] [--upda
 
 Starts each server by its COMMAND, whose first line must be `PORT COILS DISCRETE HOLDING INPUT VERSION`, and plays the
 table against it on the loopback. The first server is ours: all that the table demands is demanded of it. Of the others
-what came is told, and is no fault. A server that somebody else has started takes: a script as COMMAND that writes that line and sleeps
+differences are reported and are not faults. A server that somebody else has started takes: a script as COMMAND that writes that line and sleeps
 
   --page FILE   compares docs/modbus-conformance.md with what came; --update writes it
   --only TEXT   plays only rows in whose id TEXT stands
@@ -112,7 +112,8 @@ int check_page(const Arguments& arguments, const std::string& page) {
   const std::string there = text_of(arguments.page);
   if (steady_lines(there) == steady_lines(page)) return 0;
   std::ofstream("conformance.md", std::ios::binary) << page;
-  std::cout << arguments.page << " is not what came (conformance.md here is): write it anew by --update\n";
+  std::cout << arguments.page
+            << " differs from the results (conformance.md here has them): regenerate it with --update\n";
   return versions(there) == versions(page) ? 1 : 77;
 }
 

@@ -53,7 +53,7 @@ bool is_current(const std::string& file, const std::string& text) {
   if (text == std::string((std::istreambuf_iterator<char>(old)), std::istreambuf_iterator<char>())) return true;
   std::ofstream("reliability.md", std::ios::binary) << text;
   std::cerr << "FAULT: " << file << " is not current: compare it with reliability.md in this test's folder; "
-            << "SYMPLANT_UPDATE_GOLDENS=1 writes it anew\n";
+            << "SYMPLANT_UPDATE_GOLDENS=1 regenerates it\n";
   return false;
 }
 

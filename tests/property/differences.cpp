@@ -140,7 +140,7 @@ std::string Shadow::difference(const EnginePlant& engine) const {
     reference::UnitView view = as_reference(now.unit(i));
     old.remaining = view.remaining = 0;  // changes with time alone
     if (old != view && !engine.units_reported()[i]) {
-      return both("unit not told: " + std::string(plant_.units[i].path), reported_as(view, plant_.units[i]),
+      return both("unit not reported: " + std::string(plant_.units[i].path), reported_as(view, plant_.units[i]),
                   reported_as(old, plant_.units[i]) + " before");
     }
   }

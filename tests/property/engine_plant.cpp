@@ -65,18 +65,18 @@ void EnginePlant::forget() {
   std::fill(units_reported_.begin(), units_reported_.end(), false);
 }
 
-std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was told, its instant was not"; }
+std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was reported, its instant was not"; }
 
 void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words,
                            bool operations) {
   const std::span<const std::uint64_t> plane = operations ? plant_->operations() : plant_->events();
   for (const engine::WordChange& change : words) {
-    if (change.bits == 0) fault_ = "a word without a change was told";
+    if (change.bits == 0) fault_ = "a word without a change was reported";
     for (std::uint64_t rest = change.bits; rest != 0; rest &= rest - 1) {
       const auto bit = static_cast<std::uint32_t>(std::countr_zero(rest));
       const std::uint32_t symbol = (operations ? indexes_.operation_bits : indexes_.event_bits)[change.word * 64 + bit];
       if (symbol == kNoSymbol) {
-        fault_ = "a bit of no symbol was told";
+        fault_ = "a bit of no symbol was reported";
         continue;
       }
       record.changes.emplace_back(symbol, (plane[change.word] >> bit) & 1);
@@ -103,7 +103,7 @@ void EnginePlant::instant(const engine::Instant& instant) noexcept {
   std::sort(record.changes.begin(), record.changes.end());
   for (const std::uint32_t unit : instant.units) {
     if (unit >= units_reported_.size()) {
-      fault_ = "a unit that is none was told";
+      fault_ = "an unknown unit was reported";
       continue;
     }
     units_reported_[unit] = true;

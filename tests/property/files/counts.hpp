@@ -74,7 +74,7 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "waits met as their time ends",
     "waits failed",
     "`set`",
-    "`set` of events that nobody moves",
+    "`set` of events that no device drives",
     "`set` behind an `expect` of its time",
     "`state`",
     "`force`",

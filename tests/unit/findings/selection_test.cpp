@@ -21,7 +21,7 @@ std::string verdict(const Words& select, const Words& ignore, std::string_view r
   REQUIRE(selection);
   switch (selection->verdict(*check::find_rule(rule))) {
     case Selection::Verdict::reported:
-      return "told";
+      return "reported";
     case Selection::Verdict::not_selected:
       return "not selected";
     case Selection::Verdict::ignored:
@@ -31,22 +31,22 @@ std::string verdict(const Words& select, const Words& ignore, std::string_view r
 }
 
 TEST_CASE("Without words every rule is reported") {
-  for (const diag::RuleInfo* rule : check::catalogue()) CHECK(verdict({}, {}, rule->id) == "told");
+  for (const diag::RuleInfo* rule : check::catalogue()) CHECK(verdict({}, {}, rule->id) == "reported");
 }
 
 TEST_CASE("A word is an id, a slug or the prefix of an id, in any case") {
   for (const char* word :
        {"SP402", "sp402", "event-without-operation", "Event-Without-Operation", "SP40", "SP4", "sp"}) {
     INFO(word);
-    CHECK(verdict({word}, {}, "SP402") == "told");
+    CHECK(verdict({word}, {}, "SP402") == "reported");
     CHECK(verdict({}, {word}, "SP402") == "ignored");
   }
   CHECK(verdict({"SP5"}, {}, "SP402") == "not selected");
-  CHECK(verdict({"SP2", "SP4"}, {}, "SP402") == "told");
+  CHECK(verdict({"SP2", "SP4"}, {}, "SP402") == "reported");
 }
 
 TEST_CASE("A former slug selects the current rule, and is returned once") {
-  CHECK(verdict({"nobody-moves"}, {}, "SP404") == "told");
+  CHECK(verdict({"nobody-moves"}, {}, "SP404") == "reported");
   CHECK(verdict({"nobody-moves"}, {}, "SP402") == "not selected");
   CHECK(verdict({"SP4"}, {"Nobody-Moves"}, "SP404") == "ignored");
   const auto selection = Selection::of(Words{"nobody-moves", "SP4"}, Words{"NOBODY-MOVES", "places-overlap"});
@@ -57,16 +57,16 @@ TEST_CASE("A former slug selects the current rule, and is returned once") {
 
 TEST_CASE("The more exact word of --select and --ignore counts, --ignore if they are equal") {
   CHECK(verdict({"SP4"}, {"SP402"}, "SP402") == "ignored");
-  CHECK(verdict({"SP402"}, {"SP4"}, "SP402") == "told");
+  CHECK(verdict({"SP402"}, {"SP4"}, "SP402") == "reported");
   CHECK(verdict({"SP402"}, {"SP4"}, "SP404") == "not selected");
-  CHECK(verdict({"SP40"}, {"SP4"}, "SP402") == "told");
+  CHECK(verdict({"SP40"}, {"SP4"}, "SP402") == "reported");
   CHECK(verdict({"SP4"}, {"SP4"}, "SP402") == "ignored");
   CHECK(verdict({"SP402"}, {"event-without-operation"}, "SP402") == "ignored");
 }
 
 TEST_CASE("An error that leaves no valid plant is always reported, and cannot be ignored by its name") {
-  CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "told");
-  CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "told");
+  CHECK(verdict({"SP5"}, {"SP1"}, "cannot-read-file") == "reported");
+  CHECK(verdict({"SP5"}, {"SP3"}, "event-driven-twice") == "reported");
   CHECK(fault({}, {"SP304"}) ==
         "`event-driven-twice` cannot be ignored: with this error there is no valid plant; fix its cause");
   CHECK(fault({"SP304"}, {}).empty());
