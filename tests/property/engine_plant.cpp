@@ -65,7 +65,9 @@ void EnginePlant::forget() {
   std::fill(units_reported_.begin(), units_reported_.end(), false);
 }
 
-std::string EnginePlant::fault() const { return pending_.empty() ? fault_ : "a finding was reported, its instant was not"; }
+std::string EnginePlant::fault() const {
+  return pending_.empty() ? fault_ : "a finding was reported, its instant was not";
+}
 
 void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words,
                            bool operations) {
