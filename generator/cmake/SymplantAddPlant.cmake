@@ -2,7 +2,7 @@
 #
 # Generates the plant of a description, or of a symbol list, and makes two targets of it:
 #   TARGET         an executable that takes the options of `symplant run`
-#   TARGET_plant   a library with one factory function: #include "TARGET/plant_gen.hpp", then <namespace>::make_plant()
+#   TARGET_plant   a library with the plant's class: #include "TARGET/plant_gen.hpp", then <namespace>::Plant
 # BEHAVIOURS is the folder of your custom classes for devices (NAME_behavior.hpp): they are compiled in, and missing
 # ones are written there, once. Without it all devices follow the model. LINK_DEFAULT is the link of a start without
 # --link. The code is generated again when the description, its lists, the templates or the tool change; a build
@@ -30,8 +30,8 @@ function(symplant_add_plant TARGET)
 
   add_custom_command(
     OUTPUT "${folder}/tables_gen.cpp"
-    BYPRODUCTS "${folder}/main_gen.cpp" "${folder}/plant_gen.hpp" "${folder}/types_gen.hpp" "${folder}/devices_gen.hpp"
-               "${folder}/behaviours_gen.cpp" "${folder}/CMakeLists.txt"
+    BYPRODUCTS "${folder}/main_gen.cpp" "${folder}/plant_gen.hpp" "${folder}/types_gen.hpp" "${folder}/tables_gen.hpp"
+               "${folder}/CMakeLists.txt"
     COMMAND symplant::symplant generate "${plant}" -o "${folder}" --depfile "${folder}/plant.d" ${options}
     COMMAND ${CMAKE_COMMAND} -E touch "${folder}/tables_gen.cpp"
     DEPENDS "${plant}" symplant::symplant
@@ -39,7 +39,7 @@ function(symplant_add_plant TARGET)
     COMMENT "Generating the plant ${TARGET} from ${ARG_PLANT}"
     VERBATIM)
 
-  add_library(${TARGET}_plant STATIC "${folder}/tables_gen.cpp" "${folder}/behaviours_gen.cpp")
+  add_library(${TARGET}_plant STATIC "${folder}/tables_gen.cpp")
   target_include_directories(${TARGET}_plant PUBLIC "${include_dir}")
   target_link_libraries(${TARGET}_plant PUBLIC symplant::plant)
   if(ARG_BEHAVIOURS)

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
+#include "emit/accessors.hpp"
 #include "emit/behaviour_view.hpp"
 #include "emit/encode.hpp"
 #include "emit/keys.hpp"
@@ -45,10 +47,12 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["unit_count"] = std::to_string(tables.units.size());
   texts["symbol_count"] = std::to_string(tables.symbols.size());
   texts["type_count"] = std::to_string(tables.types.size());
-  add_rows(view, "device_rows", !plant.units.empty(), [&tables](RowWriter& rows) { device_rows(rows, tables); });
+  Accessors by_name = accessors(tables, plant, classes, texts["namespace"]);
+  add_rows(view, "group_rows", !plant.units.empty(), std::move(by_name.groups));
+  add_rows(view, "accessor_rows", !plant.units.empty(), std::move(by_name.plant));
   add_rows(view, "symbol_constant_rows", !plant.symbols.empty(),
            [&tables](RowWriter& rows) { symbol_constant_rows(rows, tables); });
-  texts["type_rows"] = type_rows(classes, texts["namespace"]);
+  texts["type_rows"] = type_rows(tables, plant, classes, texts["namespace"]);
   texts["link_count"] = std::to_string(plant.description->links.size());
   texts["link_rows"] = link_rows(*plant.description);
   texts["controller_count"] = std::to_string(plant.links.size());
@@ -122,13 +126,44 @@ void add_own_files(const Frame& frame, std::string_view name, const View& plant,
   }
 }
 
+/// The user's templates for further files; an error for every file that is not a template.
+std::vector<Template> further_templates(const EmitOptions& options, std::vector<std::string>& names,
+                                        EmitResult& result) {
+  if (options.templates_folder.empty()) return {};
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(options.templates_folder, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (file.front() == '.') continue;
+    if (entry.path().extension() != ".mustache" || entry.is_directory(ignored)) {
+      result.errors.push_back(
+          fmt::format("{}: not a template, so it would not be used: name it `{}.mustache`, or move it",
+                      entry.path().string(), file));
+      continue;
+    }
+    const std::string name = entry.path().stem().string();
+    const auto own = embedded_templates();
+    if (std::none_of(own.begin(), own.end(), [&](const Template& known) { return known.name == name; })) {
+      names.push_back(name);
+    }
+  }
+  std::sort(names.begin(), names.end());  // folders are listed in any order
+  std::sort(result.errors.begin(), result.errors.end());
+  std::vector<Template> templates;
+  for (const std::string& name : names) templates.push_back({name, ""});
+  return templates;
+}
+
 }  // namespace
 
 EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& tables, const EmitOptions& options,
                 const base::FileSystem& files) {
   EmitResult result;
   const View view = plant_view(plant, tables);
-  for (const Template& own : embedded_templates()) {
+  const auto embedded = embedded_templates();
+  std::vector<Template> templates(embedded.begin(), embedded.end());
+  std::vector<std::string> names;  // of the further ones
+  for (const Template& further : further_templates(options, names, result)) templates.push_back(further);
+  for (const Template& own : templates) {
     const auto frame = frame_of(own, options, files, result);
     if (!frame) continue;
     if (own.name == kOwnFile) {

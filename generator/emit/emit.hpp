@@ -25,7 +25,8 @@ struct OwnFile {
 };
 
 struct EmitOptions {
-  std::string templates_folder;  ///< --templates: a file NAME.mustache in it replaces the built-in one
+  /// --templates: a file NAME.mustache in it replaces the built-in template, or gives one more file NAME.
+  std::string templates_folder;
 };
 
 struct EmitResult {

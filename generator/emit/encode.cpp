@@ -33,7 +33,8 @@ void append_comment(std::string& out, std::string_view utf8) {
   for (std::size_t at = 0; at < utf8.size();) {
     const char c = utf8[at];
     const bool second_question_mark = c == '?' && !out.empty() && out.back() == '?';
-    if (c >= ' ' && c <= '~' && c != '\\' && !second_question_mark) {
+    const bool end_in_st = c == '*' && utf8.substr(at + 1).starts_with(')');
+    if (c >= ' ' && c <= '~' && c != '\\' && !second_question_mark && !end_in_st) {
       out += c;
       ++at;
       continue;

@@ -47,9 +47,14 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
   std::vector<std::string> readers(tables.random_times.size());
   if (readers.empty()) return readers;
   for (std::size_t u = 0; u < tables.units.size(); ++u) {
-    const auto& transitions = tables.types[tables.units[u].type].transitions;
+    const lower::Type& type = tables.types[tables.units[u].type];
+    const auto& transitions = type.transitions;
     for (std::size_t t = 0; t < transitions.size(); ++t) {
-      const tables::TransitionTimes& times = tables.times[tables.units[u].times + 1 + t];
+      const std::uint16_t dt = transitions[t].dt;
+      const tables::TransitionTimes& times =
+          (dt & tables::kOfDevice) == 0
+              ? type.times[dt]
+              : tables.times[tables.units[u].times + static_cast<std::uint32_t>(dt ^ tables::kOfDevice)];
       for (const tables::Time time : {times.after, times.takes}) {
         if (time >= 0) continue;
         std::string& reader = readers[static_cast<std::size_t>(-1 - time)];

@@ -43,6 +43,12 @@ std::optional<TemplateError> fault_of(const Template& text) {
     std::size_t line;
   };
   std::vector<Section> open_sections;
+  const auto open_lists = [&] {
+    std::vector<std::string> lists;
+    if (text.name == kOwnFile) lists.emplace_back("behaviours");
+    for (const Section& section : open_sections) lists.push_back(section.key);
+    return lists;
+  };
   std::string_view rest = text.text;
   for (std::size_t open = rest.find("{{"); open != rest.npos; open = rest.find("{{")) {
     rest.remove_prefix(open + 2);
@@ -58,8 +64,8 @@ std::optional<TemplateError> fault_of(const Template& text) {
     while (!key.empty() && key.front() == ' ') key.remove_prefix(1);
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
     const std::string name(key);
-    if (!is_key(text.name, key)) {
-      return TemplateError{line, "`" + name + "` is not a key of this template: see templates/README.md for its keys"};
+    if (kind != '/') {
+      if (std::string fault = fault_of_key(key, open_lists()); !fault.empty()) return TemplateError{line, fault};
     }
     if (kind == '#' || kind == '^') open_sections.push_back({name, line});
     if (kind != '/') continue;
@@ -73,6 +79,24 @@ std::optional<TemplateError> fault_of(const Template& text) {
   const Section& section = open_sections.back();
   return TemplateError{section.line,
                        "`" + section.key + "` is opened and not closed: write `{{/" + section.key + "}}` after it"};
+}
+
+/// Replaces the line end of a tag that is alone on its line; the library itself removes only some of these line ends.
+constexpr char kNoLineEnd = '\x02';
+
+/// The template with the line ends marked after lines that only open or close a list, or hold a comment.
+std::string with_tag_lines_marked(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    result += line;
+    const bool tag = line.size() > 5 && line.starts_with("{{") && std::string_view("#^/!").find(line[2]) != line.npos;
+    if (tag && line.ends_with("}}\n") && line.find("{{", 2) == line.npos) result.back() = kNoLineEnd;
+  }
+  return result;
 }
 
 void put_rows(const RowSource& source, base::TextSink& sink) {
@@ -99,16 +123,19 @@ void put_together(std::string_view frame, const std::vector<RowSource>& sources,
 
 base::Result<base::TextSource, TemplateError> render(const Template& text, const View& view) {
   if (auto fault = fault_of(text)) return *fault;
-  if (const std::size_t mark = text.text.find(kMark); mark != text.text.npos) {
-    const std::string_view before = text.text.substr(0, mark);
+  for (const char control : {kMark, kNoLineEnd}) {
+    const std::size_t found = text.text.find(control);
+    if (found == text.text.npos) continue;
+    const std::string_view before = text.text.substr(0, found);
     return TemplateError{1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
-                         "the control character U+0001 is not allowed here: remove it"};
+                         fmt::format("the control character U+000{} is not allowed here: remove it", int{control})};
   }
-  mustache::mustache made{std::string(text.text)};
+  mustache::mustache made{with_tag_lines_marked(text.text)};
   if (!made.is_valid()) return TemplateError{1, made.error_message()};
   made.set_custom_escape([](const std::string& encoded) { return encoded; });
   std::vector<RowSource> sources;
   std::string frame = made.render(to_data(view, sources));
+  frame.erase(std::remove(frame.begin(), frame.end(), kNoLineEnd), frame.end());
   return base::TextSource([frame = std::move(frame), sources = std::move(sources)](base::TextSink& sink) {
     put_together(frame, sources, sink);
   });

@@ -57,30 +57,6 @@ class Texts {
   std::string_view rest_;
 };
 
-/// An enumerator for every `step`-th text of a blob. The names are unique when case is ignored: if all of them are
-/// plain identifiers, no two enumerators can be equal.
-void constant_rows(RowWriter& rows, const std::string& blob, int step) {
-  const auto each = [&](auto act) {
-    std::size_t number = 0;
-    for (Texts texts(blob); !texts.at_end(); ++number) {
-      act(number, texts.next());
-      for (int i = 1; i < step; ++i) texts.next();
-    }
-  };
-  bool plain = true;
-  each([&](std::size_t, std::string_view name) { plain = plain && text::is_plain_identifier(name); });
-  text::IdentifierScope scope;
-  each([&](std::size_t number, std::string_view name) {
-    rows.text("  ");
-    if (plain) {
-      rows.text("k").text(name);
-    } else {
-      rows.text(scope.unique(name, "k"));
-    }
-    rows.text(" = ").number(number).text(",\n");
-  });
-}
-
 }  // namespace
 
 std::string_view direction_name(tables::Direction direction) {
@@ -168,9 +144,17 @@ std::string shared_rows(const lower::EngineTables& tables, const model::PlantMod
   return rows.take();
 }
 
-std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space) {
+std::string type_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
+                      const std::vector<std::string>& classes, const std::string& name_space) {
   RowWriter rows;
-  for (const std::string& name : classes) rows.text("    ::").text(name_space).text("::").text(name).text("::row(),\n");
+  for (std::size_t t = 0; t < classes.size(); ++t) {
+    rows.text("    tables::row_of<");
+    const model::Unit& unit = plant.units[tables.types[t].example];
+    if (unit.has_behaviour()) {
+      rows.text("::").text(name_space).text("::").text(text::identifier(unit.described->behaviour)).text(", ");
+    }
+    rows.text("::").text(name_space).text("::").text(classes[t]).text(">(),\n");
+  }
   return rows.take();
 }
 
@@ -196,30 +180,6 @@ std::string disable_rows(const lower::EngineTables& tables, const model::PlantMo
   return rows.take();
 }
 
-std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant) {
-  RowWriter rows;
-  for (const tables::Transition& row : type.transitions) {
-    rows.text("      {").numbers(unsigned{row.from}, unsigned{row.to}).text(", ");
-    if (row.on == tables::kNoOperation) {
-      rows.text("symplant::tables::kNoOperation");
-    } else if (row.on == tables::kSpringReturn) {
-      rows.text("symplant::tables::kSpringReturn");
-    } else {
-      rows.number(unsigned{row.on});
-    }
-    const bool guarded = row.when != tables::kNoCondition;
-    if (row.once || guarded || row.timed) {
-      rows.text(row.once ? ", true, " : ", false, ");
-      guarded ? rows.number(row.when) : rows.text("symplant::tables::kNoCondition");
-      if (row.timed) rows.text(", true");
-    }
-    rows.text("},  // ").comment(transition_text(row, example, plant)).text(row.once ? ", once" : "");
-    if (guarded) rows.text(", when condition ").number(row.when).text(" of the device holds");
-    rows.text("\n");
-  }
-  return rows.take();
-}
-
 void name_rows(RowWriter& rows, const std::string& blob, int per_line) {
   int on_line = 0;
   for (Texts texts(blob); !texts.at_end();) {
@@ -229,10 +189,21 @@ void name_rows(RowWriter& rows, const std::string& blob, int per_line) {
   }
 }
 
-void device_rows(RowWriter& rows, const lower::EngineTables& tables) { constant_rows(rows, tables.unit_names, 1); }
-
 void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables) {
-  constant_rows(rows, tables.symbol_names, 2);
+  const auto each = [&](auto act) {
+    std::size_t number = 0;
+    for (Texts texts(tables.symbol_names); !texts.at_end(); ++number) {
+      act(number, texts.next());
+      texts.next();  // its address
+    }
+  };
+  // The names are unique when case is ignored: if all of them are identifiers, no two enumerators can be equal.
+  bool plain = true;
+  each([&](std::size_t, std::string_view name) { plain = plain && text::identifier(name) == name; });
+  text::IdentifierScope scope;
+  each([&](std::size_t number, std::string_view name) {
+    rows.text("  ").text(plain ? std::string(name) : scope.unique(name)).text(" = ").number(number).text(",\n");
+  });
 }
 
 }  // namespace symplant::emit

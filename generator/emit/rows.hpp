@@ -23,8 +23,9 @@ std::string list_rows(const lower::EngineTables& tables, const model::PlantModel
 void initial_rows(RowWriter& rows, const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string shared_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string disable_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
-std::string type_rows(const std::vector<std::string>& classes, const std::string& name_space);
-std::string transition_rows(const lower::Type& type, const model::Unit& example, const model::PlantModel& plant);
+/// `classes` are the names of the types. A type with a custom behavior has the row of the user's class.
+std::string type_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
+                      const std::vector<std::string>& classes, const std::string& name_space);
 
 /// The enumerators of tables::DataType and tables::Direction.
 std::string_view data_type_name(tables::DataType type);
@@ -33,7 +34,7 @@ std::string_view direction_name(tables::Direction direction);
 /// The texts of a blob as string literals, `per_line` on each line. The blob must not be empty.
 void name_rows(RowWriter& rows, const std::string& blob, int per_line);
 
-void device_rows(RowWriter& rows, const lower::EngineTables& tables);
+/// An enumerator for each symbol.
 void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables);
 
 }  // namespace symplant::emit

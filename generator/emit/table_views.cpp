@@ -95,7 +95,7 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
       !tables.units.empty(), [&](RowWriter& rows) { unit_rows(rows, tables); });
   views.rows(
       "times", "kTimes", "tables::TransitionTimes",
-      "For each set of times the default travel time, then a row per transition: after, takes (ns; below 0: random).",
+      "Times in which devices of one type differ, a device's one after the other: after, takes (ns; below 0: random).",
       time_rows(tables));
   views.rows("random_times", "kRandomTimes", "tables::RandomTime",
              "Random times: minimum and maximum, or mean and standard deviation (ns).", random_rows(tables, plant));

@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <compare>
 #include <set>
 
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
-#include "emit/row_writer.hpp"
 #include "emit/rows.hpp"
+#include "emit/transition_views.hpp"
+#include "text/ascii.hpp"
 #include "text/generated_names.hpp"
 #include "text/identifier.hpp"
 
@@ -25,33 +28,47 @@ std::string joined(const std::vector<std::string>& parts, std::string_view prefi
   return out;
 }
 
-/// The masks of all states on one line, for types without `outputs`.
-std::string masks_in_line(const std::vector<tables::EventMasks>& masks) {
-  std::vector<std::string> parts;
-  parts.reserve(masks.size());
-  for (const tables::EventMasks& row : masks) parts.push_back(fmt::format("{{{:#x}, {:#x}}}", row.on, row.off));
-  return joined(parts);
+/// `on(Event::I_P1) | off(Event::I_P2)`; empty if no event is switched.
+std::string masks_text(const tables::EventMasks& masks, const std::vector<std::string>& events) {
+  const auto set = [&](std::uint64_t bits, const char* function) {
+    std::vector<std::string> names;
+    for (std::size_t e = 0; e < events.size(); ++e) {
+      if (((bits >> e) & 1U) != 0) names.push_back(events[e]);
+    }
+    return names.empty() ? "" : fmt::format("{}({})", function, joined(names, "Event::"));
+  };
+  const std::string on = set(masks.on, "on");
+  const std::string off = set(masks.off, "off");
+  return on + (on.empty() || off.empty() ? "" : " | ") + off;
 }
 
-/// The masks of each state on a separate line, with a comment that names the events.
-std::string mask_rows(const std::vector<tables::EventMasks>& masks, const model::Unit& unit,
-                      const model::PlantModel& plant) {
-  RowWriter rows;
-  const auto list = [&](std::uint64_t events, std::string_view word) {
-    for (std::size_t e = 0; e < unit.events.size(); ++e) {
-      if (((events >> e) & 1U) == 0) continue;
-      rows.text(" I_").comment(plant.symbols[unit.events[e]].reading.task).text(word);
-    }
-  };
-  rows.text("\n");
-  for (std::size_t s = 0; s < masks.size(); ++s) {
-    rows.text("      {").hex(masks[s].on).text(", ").hex(masks[s].off).text("},  // ").comment(unit.states[s].name);
-    rows.text(":");
-    list(masks[s].on, " on");
-    list(masks[s].off, " off");
-    rows.text("\n");
+/// A list of the events of a mask, for templates.
+std::vector<View> events_of(std::uint64_t bits, const std::vector<std::string>& events) {
+  std::vector<View> items;
+  for (std::size_t e = 0; e < events.size(); ++e) {
+    if (((bits >> e) & 1U) != 0) items.push_back({{{"event", events[e]}}, {}});
   }
-  return rows.text("   ").take();
+  return items;
+}
+
+/// Adds what entering and leaving each state switches.
+void add_masks(View& view, const lower::Type& type, const Enumerators& names) {
+  std::vector<View>& states = view.lists["states"];
+  for (const char* list : {"enters", "entered", "leaves", "left"}) view.lists[list];
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    states[s].lists["enter_on"] = events_of(type.enter[s].on, names.events);
+    states[s].lists["enter_off"] = events_of(type.enter[s].off, names.events);
+    states[s].lists["leave_on"] = events_of(type.leave[s].on, names.events);
+    states[s].lists["leave_off"] = events_of(type.leave[s].off, names.events);
+    const auto add = [&](const char* list, const tables::EventMasks& masks) {
+      std::string text = masks_text(masks, names.events);
+      if (!text.empty()) view.lists[list].push_back({{{"state", names.states[s]}, {"events", std::move(text)}}, {}});
+    };
+    add("entered", type.enter[s]);
+    add("left", type.leave[s]);
+  }
+  if (!view.lists["entered"].empty()) view.lists["enters"].emplace_back();
+  if (!view.lists["left"].empty()) view.lists["leaves"].emplace_back();
 }
 
 /// The effect of the operations on a moving device, in words.
@@ -69,7 +86,7 @@ std::string_view actuation_text(tables::Actuation actuation) {
   return "";
 }
 
-/// Adds the operations or events of a type: enumerators, each with the symbol of the example device.
+/// Adds symbols of a type: enumerators by direction and task, each with the symbol of the example device.
 std::vector<std::string> add_side(View& view, const std::string& list, const std::vector<std::uint32_t>& side,
                                   const model::PlantModel& plant) {
   text::IdentifierScope scope;
@@ -77,13 +94,16 @@ std::vector<std::string> add_side(View& view, const std::string& list, const std
   auto& items = view.lists[list];
   for (const std::uint32_t index : side) {
     const model::Symbol& symbol = plant.symbols[index];
-    enumerators.push_back(scope.unique(symbol.reading.task, "k"));
+    const bool operation = symbol.direction == tables::Direction::operation;
+    enumerators.push_back(scope.unique(symbol.reading.task, operation ? "O_" : "I_"));
     std::string address(symbol.written_address());
     if (!symbol.row->vendor_address.empty() && !symbol.row->iec_address.empty()) {
       address.append(" ").append(symbol.row->iec_address);
     }
     View item;
     item.texts["enumerator"] = enumerators.back();
+    item.texts["number"] = std::to_string(items.size());
+    item.texts["task"] = comment_text(symbol.reading.task);
     item.texts["symbol"] = comment_text(symbol.name());
     item.texts["address"] = address.empty() ? "no address" : comment_text(address);
     item.texts["cite"] = comment_text(fmt::format("{}:{}", plant.list_of(symbol).name(), symbol.row->line));
@@ -107,17 +127,19 @@ std::vector<std::string> add_states(View& view, const model::Unit& unit) {
   std::vector<std::string> enumerators;
   auto& items = view.lists["states"];
   for (const model::State& state : unit.states) {
-    enumerators.push_back(scope.unique(state.name, "k"));
+    enumerators.push_back(scope.unique(state.name));
     View item;
     item.texts["enumerator"] = enumerators.back();
+    item.texts["number"] = std::to_string(items.size());
+    item.texts["name"] = comment_text(state.name);
     item.texts["meaning"] = meaning(unit, state);
     items.push_back(std::move(item));
   }
   return enumerators;
 }
 
-std::string state_number(std::uint8_t state) {
-  return state == tables::kNoState ? "symplant::tables::kNoState" : std::to_string(state);
+std::string state_text(std::uint8_t state, const Enumerators& names) {
+  return state == tables::kNoState ? "State{kNoState}" : "State::" + names.states[state];
 }
 
 /// Adds what a behavior reads and sets beyond states, operations and events.
@@ -128,7 +150,7 @@ void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel&
   auto& inputs = own.lists["inputs"];
   for (std::size_t i = 0; i < unit.input_names.size(); ++i) {
     View item;
-    item.texts["enumerator"] = scope.unique(unit.input_names[i], "k");
+    item.texts["enumerator"] = scope.unique(unit.input_names[i]);
     item.texts["meaning"] = comment_text(short_condition_text(unit.conditions[unit.first_input + i], plant));
     inputs.push_back(std::move(item));
   }
@@ -144,7 +166,8 @@ void add_behaviour(View& view, const model::Unit& unit, const model::PlantModel&
   view.lists["behaviour_views"].push_back(std::move(own));
 }
 
-View type_view(const lower::Type& type, const std::string& class_name, const model::PlantModel& plant) {
+View type_view(const lower::Type& type, const std::string& class_name, const std::vector<std::uint32_t>& devices,
+               const lower::EngineTables& tables, const model::PlantModel& plant) {
   const model::Unit& unit = plant.units[type.example];
   View view;
   auto& texts = view.texts;
@@ -152,21 +175,24 @@ View type_view(const lower::Type& type, const std::string& class_name, const mod
   texts["title"] = comment_text(fmt::format("{}: {} operation{}, {} event{}, {} states; {}.", class_name,
                                             type.operations, type.operations == 1 ? "" : "s", type.events,
                                             type.events == 1 ? "" : "s", type.states, actuation_text(unit.actuation)));
-  texts["operation_list"] = joined(add_side(view, "operations", unit.operations, plant), "Operation::");
-  texts["event_list"] = joined(add_side(view, "events", unit.events, plant), "Event::");
-  texts["state_list"] = joined(add_states(view, unit), "State::");
+  const Enumerators names{add_side(view, "operations", unit.operations, plant),
+                          add_side(view, "events", unit.events, plant), add_states(view, unit)};
+  texts["operation_list"] = joined(names.operations, "Operation::");
+  texts["event_list"] = joined(names.events, "Event::");
+  texts["state_list"] = joined(names.states, "State::");
   texts["operation_count"] = std::to_string(type.operations);
   texts["event_count"] = std::to_string(type.events);
   texts["state_count"] = std::to_string(type.states);
-  texts["transition_count"] = std::to_string(type.transitions.size());
-  texts["transition_rows"] = transition_rows(type, unit, plant);
-  texts["rest"] = state_number(type.rest);
+  texts["device_count"] = std::to_string(devices.size());
+  texts["initial"] = std::to_string(unit.initial);
+  texts["rest"] = state_text(type.rest, names);
   texts["actuation"] = description::actuation_name(unit.actuation);
-  texts["enter_rows"] = unit.outputs.empty() ? masks_in_line(type.enter) : mask_rows(type.enter, unit, plant);
-  texts["leave_rows"] = unit.outputs.empty() ? masks_in_line(type.leave) : mask_rows(type.leave, unit, plant);
   std::vector<std::string> targets;
-  for (const std::uint8_t target : type.operation_targets) targets.push_back(state_number(target));
+  for (const std::uint8_t target : type.operation_targets) targets.push_back(state_text(target, names));
   texts["target_list"] = joined(targets);
+  add_transitions(view, type, names, devices, tables, plant);
+  add_masks(view, type, names);
+  view.lists["devices"] = device_lines(devices, plant);
   view.lists["behaviour_views"];  // a template needs the list even if it is empty
   if (unit.has_behaviour()) add_behaviour(view, unit, plant);
   return view;
@@ -191,37 +217,57 @@ std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const mo
 }
 
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
-  text::IdentifierScope scope(text::kGeneratedNames);
-  std::vector<std::string> names(tables.types.size());
-  std::set<std::string> own;                          // names of the user's classes, which are taken
   enum class Source { derived_from, given, device };  // base classes of the user's code get their names first
-  const auto source_of = [](const model::Unit& unit) {
-    if (unit.described == nullptr || unit.described->type.empty()) return Source::device;
-    return unit.has_behaviour() ? Source::derived_from : Source::given;
+  struct Wanted {
+    Source source;
+    std::string name;
+    std::vector<std::string> tasks;  // what the types of one name differ in, whatever the order of rows
+    std::string device;              // the first of its devices by name
+    std::size_t type;
+    auto operator<=>(const Wanted&) const = default;
   };
+  std::vector<Wanted> wanted(tables.types.size());
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
+    std::string& device = wanted[tables.units[u].type].device;
+    std::string path = text::to_upper(plant.units[u].path);
+    if (device.empty() || path < device) device = std::move(path);
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const model::Unit& unit = plant.units[tables.types[i].example];
+    const bool given = unit.described != nullptr && !unit.described->type.empty();
+    wanted[i].source = !given ? Source::device : unit.has_behaviour() ? Source::derived_from : Source::given;
+    wanted[i].name = given ? unit.described->type : without_digits(unit.device);
+    wanted[i].type = i;
+    for (const std::uint32_t symbol : unit.operations) {
+      wanted[i].tasks.push_back("O_" + text::to_upper(plant.symbols[symbol].reading.task));
+    }
+    for (const std::uint32_t symbol : unit.events) {
+      wanted[i].tasks.push_back("I_" + text::to_upper(plant.symbols[symbol].reading.task));
+    }
+    std::sort(wanted[i].tasks.begin(), wanted[i].tasks.end());
+  }
+  std::sort(wanted.begin(), wanted.end());
+
+  text::IdentifierScope scope(text::kGeneratedNames);
+  std::set<std::string> own;  // names of the user's classes, which are taken
   for (const model::Unit& unit : plant.units) {
     if (unit.has_behaviour()) own.insert(text::identifier(unit.described->behaviour));
   }
   for (const std::string& name : own) scope.unique(name);
-  for (const Source source : {Source::derived_from, Source::given, Source::device}) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const model::Unit& unit = plant.units[tables.types[i].example];
-      if (source_of(unit) != source) continue;
-      names[i] = scope.unique(source == Source::device ? without_digits(unit.device) : unit.described->type);
-    }
-  }
+  std::vector<std::string> names(wanted.size());
+  for (const Wanted& type : wanted) names[type.type] = scope.unique(type.name);
   return names;
 }
 
 std::vector<View> type_views(const lower::EngineTables& tables, const model::PlantModel& plant,
                              const std::vector<std::string>& classes) {
-  std::vector<View> views;
-  views.reserve(tables.types.size());
-  for (std::size_t i = 0; i < tables.types.size(); ++i) views.push_back(type_view(tables.types[i], classes[i], plant));
-
   std::vector<std::vector<std::uint32_t>> devices(tables.types.size());
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) devices[tables.units[u].type].push_back(u);
-  for (std::size_t i = 0; i < views.size(); ++i) views[i].lists["devices"] = device_lines(devices[i], plant);
+  std::vector<View> views;
+  views.reserve(tables.types.size());
+  for (std::size_t i = 0; i < tables.types.size(); ++i) {
+    views.push_back(type_view(tables.types[i], classes[i], devices[i], tables, plant));
+  }
   return views;
 }
 

@@ -12,7 +12,7 @@
 namespace symplant::emit {
 
 /// The class name of each type: the name from the description, else the device level without its digits. A number is
-/// appended if different structures would share a name.
+/// appended if different structures would share a name, in the order of their tasks and devices, not of rows.
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant);
 
 /// Views of all types, in their order. O(devices + states + transitions).

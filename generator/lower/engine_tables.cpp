@@ -8,7 +8,7 @@ void EngineTables::finish() {
   type_rows.reserve(types.size());
   for (const Type& type : types) {
     type_rows.push_back({type.operations, type.events, type.states, type.rest, type.actuation, type.transitions,
-                         type.enter, type.leave, type.operation_targets});
+                         type.enter, type.leave, type.operation_targets, type.times, type.travel});
   }
 }
 

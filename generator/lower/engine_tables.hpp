@@ -21,6 +21,8 @@ struct Type {
   std::vector<tables::EventMasks> enter;
   std::vector<tables::EventMasks> leave;
   std::vector<std::uint8_t> operation_targets;
+  std::vector<tables::TransitionTimes> times;
+  std::uint16_t travel = 0;
 };
 
 /// Movable; `tables()` points into it.

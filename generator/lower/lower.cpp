@@ -25,6 +25,7 @@ class Lowering {
   EngineTables run() {
     tables_.name = plant_.name;
     lower_units();
+    lower_times(plant_, tables_);
     lower_symbols(plant_, symbol_bits_, operations_, events_, tables_);
     lower_lists();
     lower_state_names();
@@ -41,7 +42,6 @@ class Lowering {
  private:
   void lower_units() {
     TypeTable types;
-    TimeTable times;
     symbol_bits_.assign(plant_.symbols.size(), kNone);
     base::reserve_large(tables_.units, plant_.units.size());
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
@@ -52,7 +52,6 @@ class Lowering {
       row.initial = unit.initial & 0xFF;
       row.operation_bit = operations_.take_for(u, unit.operations.size());
       row.event_bit = events_.take(unit.events.size());
-      row.times = times.times_of(type, unit, tables_);
       for (std::uint32_t i = 0; i < unit.operations.size(); ++i) {
         symbol_bits_[unit.operations[i]] = row.operation_bit + i;
       }

@@ -11,10 +11,15 @@ namespace {
 bool timed(const tables::TransitionTimes& times) { return times.after != 0 || times.takes < 0; }
 
 void mark_transitions(EngineTables& tables) {
+  for (Type& type : tables.types) {
+    for (tables::Transition& t : type.transitions) {
+      if ((t.dt & tables::kOfDevice) == 0) t.timed = timed(type.times[t.dt]);
+    }
+  }
   for (const tables::UnitRow& unit : tables.units) {
-    std::vector<tables::Transition>& transitions = tables.types[unit.type].transitions;
-    for (std::size_t t = 0; t < transitions.size(); ++t) {
-      if (timed(tables.times[unit.times + 1 + t])) transitions[t].timed = true;
+    for (tables::Transition& t : tables.types[unit.type].transitions) {
+      if ((t.dt & tables::kOfDevice) == 0) continue;
+      if (timed(tables.times[unit.times + (t.dt ^ tables::kOfDevice)])) t.timed = true;
     }
   }
   for (const tables::BehaviourUnit& row : tables.behaviour_units) {

@@ -14,6 +14,8 @@ namespace symplant::text {
 
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
@@ -23,6 +25,12 @@ constexpr bool equal_ignoring_case(std::string_view a, std::string_view b) {
 inline std::string to_upper(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = upper(c);
+  return result;
+}
+
+inline std::string to_lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = lower(c);
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "text/ascii.hpp"
+#include "text/error_macros.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::text {
@@ -14,6 +15,8 @@ namespace symplant::text {
 namespace {
 
 using namespace std::string_view_literals;
+
+static_assert(std::is_sorted(kErrorMacros.begin(), kErrorMacros.end()));
 
 /// Sorted. Keywords and alternative tokens of C++20, and macros that common headers or compilers define.
 constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
@@ -64,11 +67,11 @@ constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
                             "xor"sv,          "xor_eq"sv};
 static_assert(std::is_sorted(kTaken.begin(), kTaken.end()));
 
-/// Words that system headers define as macros by the hundred: E... for errno, and families with common ends.
+/// Words that system headers define as macros by the hundred: those of errno, and families with common ends.
 bool is_macro_like(std::string_view text) {
   const auto capital = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(text.begin(), text.end(), capital)) return false;
-  if (text.size() > 2 && text[0] == 'E' && text.find('_') == text.npos) return true;
+  if (std::binary_search(kErrorMacros.begin(), kErrorMacros.end(), text)) return true;
   constexpr std::array kBeginnings{"ADJ_"sv,  "ATOMIC_"sv, "CLOCK_"sv,   "CLONE_"sv,  "CPU_"sv,   "FD_"sv,
                                    "LC_"sv,   "MOD_"sv,    "PTHREAD_"sv, "RENAME_"sv, "SCHED_"sv, "SEEK_"sv,
                                    "SIG"sv,   "STA_"sv,    "SYS_"sv,     "TIME_"sv,   "TIMER_"sv, "WCONT"sv,

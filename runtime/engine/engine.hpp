@@ -265,6 +265,8 @@ class Engine {
   tables::Time takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                      std::uint16_t transition) noexcept;
   tables::Time after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
+  const tables::TransitionTimes& times_of(const tables::UnitRow& row, const TypeIndex& type,
+                                          std::uint16_t dt) const noexcept;
   tables::Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, tables::Time time) noexcept;
   std::uint16_t transition_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
   void halt_times(std::uint32_t unit) noexcept;

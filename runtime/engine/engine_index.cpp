@@ -88,6 +88,8 @@ TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
   type.leads = arrays.leads;
   type.enter = row.enter.data();
   type.leave = row.leave.data();
+  type.times = row.times.data();
+  type.travel = row.travel;
   type.operations = row.operations == tables::kMaxOperations ? ~std::uint64_t{0} : bit(row.operations) - 1;
   type.states = row.states;
   type.events = row.events;

@@ -26,12 +26,14 @@ struct TypeIndex {
   const std::uint64_t* leads;      ///< a state -> the operations that lead to it
   const tables::EventMasks* enter;
   const tables::EventMasks* leave;
-  std::uint64_t operations;  ///< all of them
-  std::uint32_t records;     ///< transitions with a record
+  const tables::TransitionTimes* times;  ///< those that all devices share
+  std::uint64_t operations;              ///< all of them
+  std::uint32_t records;                 ///< transitions with a record
   std::uint8_t states;
   std::uint8_t events;
   std::uint8_t rest;
   tables::Actuation actuation;
+  std::uint16_t travel;  ///< TypeRow::travel
   /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations.
   bool plain;
 

@@ -18,6 +18,14 @@ constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
 
 constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
 
+/// The times of a Transition::dt or of TypeRow::travel.
+SYMPLANT_ALWAYS_INLINE const tables::TransitionTimes& Engine::times_of(const tables::UnitRow& row,
+                                                                       const TypeIndex& type,
+                                                                       std::uint16_t dt) const noexcept {
+  if ((dt & tables::kOfDevice) == 0) return type.times[dt];
+  return tables.times[row.times + static_cast<std::uint32_t>(dt ^ tables::kOfDevice)];
+}
+
 SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
   if ((units[unit].flags & kTouched) != 0) return;
   units[unit].flags |= kTouched;

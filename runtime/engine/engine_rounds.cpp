@@ -47,13 +47,13 @@ bool Engine::look_for_loops() noexcept {
 /// The fast path of leave(): the transition has a command, no record and no condition, and no other unit depends on it.
 SYMPLANT_ALWAYS_INLINE void Engine::leave_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                                 std::uint16_t transition) noexcept {
-  const tables::Time duration = tables.times[row.times + transition + std::uint32_t{1}].takes;
+  const tables::Transition& fired = type.transitions[transition];
+  const tables::Time duration = times_of(row, type, fired.dt).takes;
   if (duration == 0) {
-    leave(unit, row, type, type.transitions[transition].to, transition);
+    leave(unit, row, type, fired.to, transition);
     return;
   }
   UnitState& state = units[unit];
-  const tables::Transition& fired = type.transitions[transition];
   served[row.operation_bit / 64] |= operation_mask(fired.on) << (row.operation_bit % 64);
   active_ = true;
   switch_events_now(row, type.leave[state.state]);

@@ -17,7 +17,8 @@ tables::Time Engine::drawn(std::uint32_t unit, const TypeIndex& type, std::uint1
 }
 
 tables::Time Engine::after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept {
-  return drawn(unit, index.types[row.type], transition, tables.times[row.times + transition + std::uint32_t{1}].after);
+  const TypeIndex& type = index.types[row.type];
+  return drawn(unit, type, transition, times_of(row, type, type.transitions[transition].dt).after);
 }
 
 tables::Time Engine::after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept {
@@ -36,9 +37,9 @@ tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& r
                                     std::uint8_t target, std::uint16_t transition) noexcept {
   if (transition == kNoTransition) {
     transition = transition_without_command(type, units[unit].state, target);
-    if (transition == kNoTransition) return tables.times[row.times].takes;
+    if (transition == kNoTransition) return times_of(row, type, type.travel).takes;
   }
-  return drawn(unit, type, transition, tables.times[row.times + transition + std::uint32_t{1}].takes);
+  return drawn(unit, type, transition, times_of(row, type, type.transitions[transition].dt).takes);
 }
 
 /// The travel time of the transition, or of a move without a command to `target`.

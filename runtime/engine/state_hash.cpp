@@ -42,7 +42,7 @@ void Engine::hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const n
   for (std::size_t n = 0; n < tables.types[row.type].transitions.size(); ++n) {
     Record record{};
     if (type.record_of[n] != kNoRecord) record = records[first_record + type.record_of[n]];
-    const bool remembers = by_behaviour || tables.times[row.times + n + 1].after != 0;
+    const bool remembers = by_behaviour || times_of(row, type, type.transitions[n].dt).after != 0;
     const bool held = remembers && record.holds != 0;
     hash.byte(held ? 1 : 0);
     const bool counted_down = !halted && record.ready != tables::kNever;

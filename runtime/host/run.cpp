@@ -148,7 +148,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   if (!stage.outputs.open(stage.plant.model_hash(), streams.err) || !last.are_well(streams.err)) return kEnvironment;
   resort.begun();
   streams.report << summary(program.tables, stage.plant.model_hash(), program.more, program.behaviours)
-                 << absent_behaviours(program.tables, program.behaviours);
+                 << behaviour_lines(program.tables, program.behaviours);
   if (played.scenario != nullptr) streams.report << scenario_summary(options.scenario, *played.scenario);
   if (options.links.empty() && keeps_plants_links_closed(options) &&
       !(program.links.empty() && program.default_link.empty())) {

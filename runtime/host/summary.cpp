@@ -5,14 +5,28 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
+#include "symplant/tables/row_of.hpp"
 
 namespace symplant::host {
 namespace {
 
 constexpr std::size_t kNamesShown = 8;
+
+/// `d_ext, l_leave`
+std::string functions_text(std::uint8_t replaced) {
+  using tables::ModelFunction;
+  std::string text;
+  for (const auto& [function, name] :
+       {std::pair{ModelFunction::d_ext, "d_ext"}, std::pair{ModelFunction::d_int, "d_int"},
+        std::pair{ModelFunction::l_enter, "l_enter"}, std::pair{ModelFunction::l_leave, "l_leave"}}) {
+    if ((replaced & static_cast<std::uint8_t>(function)) != 0) text.append(text.empty() ? "" : ", ").append(name);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -66,12 +80,18 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   return text + "\n";
 }
 
-std::string absent_behaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
+std::string behaviour_lines(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours) {
   const auto names = tables::split_names(tables.behaviour_names);
   std::string text;
-  for (std::size_t b = behaviours.size(); b < names.size(); ++b) {
+  for (std::size_t b = 0; b < names.size(); ++b) {
     const auto devices = std::count_if(tables.behaviour_units.begin(), tables.behaviour_units.end(),
                                        [&](const tables::BehaviourUnit& unit) { return unit.name == b; });
+    if (b < behaviours.size()) {
+      if (behaviours[b].replaces == 0) continue;
+      text += fmt::format("behavior `{}` replaces {} of {}\n", shown(names[b]), functions_text(behaviours[b].replaces),
+                          plural(static_cast<std::size_t>(devices), "device"));
+      continue;
+    }
     text += fmt::format(
         "behavior `{}` of {} has no code in this program, the derived model applies; to include its code, use "
         "`symplant generate`\n",

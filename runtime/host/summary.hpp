@@ -19,7 +19,8 @@ std::string lists_text(const tables::PlantTables& tables);
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
                     const std::vector<std::string>& more = {}, std::span<const engine::Behaviour> behaviours = {});
 
-/// A line for each behavior that devices have and the program has no code for; else empty.
-std::string absent_behaviours(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
+/// A line for each behavior that replaces functions of the model, and for each that the program has no code for; else
+/// empty.
+std::string behaviour_lines(const tables::PlantTables& tables, std::span<const engine::Behaviour> behaviours);
 
 }  // namespace symplant::host

@@ -8,6 +8,7 @@
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/plant/behaviour_memory.hpp"
 #include "symplant/plant/device_view.hpp"
+#include "symplant/tables/row_of.hpp"
 
 namespace symplant::plant {
 namespace detail {
@@ -147,16 +148,17 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
 }  // namespace detail
 
 /// `Class`, which the user derived from the generated class `Device`, in the form that the engine calls. Each function
-/// that it defines of takes, after, wanted, entered, left and woken replaces the model's rule. A function of one of
-/// these names with another signature, and a Memory that cannot be saved, do not compile.
+/// that it defines of takes, after, wanted, entered, left and woken replaces the model's rule (d_ext, d_int, l_enter
+/// and l_leave are those of tables::row_of). A function of one of these names with another signature, and a Memory that
+/// cannot be saved, do not compile.
 template <class Class, class Device>
 constexpr engine::Behaviour behaviour_of() noexcept {
-  static_assert(std::is_base_of_v<Device, Class>, "a behavior must derive from the generated class of its devices");
   static_assert(!std::is_final_v<Class>, "remove `final`: the functions of the class are found by deriving from it");
   static_assert(
       std::is_empty_v<Class>,
       "a behavior's class must have no data members; put its state in `Memory` and make its functions static");
   engine::Behaviour behaviour;
+  behaviour.replaces = tables::replaced_in<Class, Device>();
   behaviour.memory_size = detail::memory_size_of<Class>();
   if constexpr (std::is_base_of_v<Device, Class> && !std::is_final_v<Class>) {
     detail::add_times<Class, Device>(behaviour);

@@ -18,11 +18,17 @@ void add(Fnv1a64& hash, const Transition& transition) noexcept {
   hash.byte(transition.once ? 1 : 0);
   hash.u32(transition.when);
   hash.byte(transition.timed ? 1 : 0);
+  hash.u32(transition.dt);
 }
 
 void add(Fnv1a64& hash, const EventMasks& masks) noexcept {
   hash.u64(masks.on);
   hash.u64(masks.off);
+}
+
+void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {
+  hash.time(times.after);
+  hash.time(times.takes);
 }
 
 void add(Fnv1a64& hash, const TypeRow& type) noexcept {
@@ -36,6 +42,9 @@ void add(Fnv1a64& hash, const TypeRow& type) noexcept {
   for (const EventMasks& masks : type.enter) add(hash, masks);
   for (const EventMasks& masks : type.leave) add(hash, masks);
   for (const std::uint8_t state : type.operation_targets) hash.byte(state);
+  hash.u32(static_cast<std::uint32_t>(type.times.size()));
+  for (const TransitionTimes& times : type.times) add(hash, times);
+  hash.u32(type.travel);
 }
 
 void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
@@ -45,11 +54,6 @@ void add(Fnv1a64& hash, const UnitRow& unit) noexcept {
   hash.u32(unit.times);
   hash.byte(unit.initial);
   hash.byte(unit.general);
-}
-
-void add(Fnv1a64& hash, const TransitionTimes& times) noexcept {
-  hash.time(times.after);
-  hash.time(times.takes);
 }
 
 void add(Fnv1a64& hash, const RandomTime& random) noexcept {

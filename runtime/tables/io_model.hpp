@@ -1,38 +1,146 @@
-// The functions of the I/O model as look-ups in a type's table, for use in generated classes.
+// What a generated class of devices is written in: the functions of its I/O model and what they return.
 //
 // Park, Wang and Park, "Symbol naming rules for plant model generation in the PLC simulation": a device is
-// <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>. The engine reads the tables and does not call these functions.
-// They return the structure only: whether the condition of a transition holds (Transition::when) depends on a running
-// plant.
+// <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>. row_of() calls d_ext, d_int, l_enter and l_leave while
+// compiling and builds the row on which the engine runs: the functions are the model.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::tables {
 
-/// The state that operation `x` leads to from state `a`, by the first transition that it commands there, with or
-/// without a condition; `a` itself if there is no such transition. O(transitions).
-template <class State, class Operation>
-constexpr State d_ext(std::span<const Transition> transitions, State a, Operation x) noexcept {
-  for (const Transition& t : transitions) {
-    if (t.from == static_cast<std::uint8_t>(a) && t.on == static_cast<std::uint8_t>(x)) return static_cast<State>(t.to);
+/// dt of a transition: how long its cause must hold before the device leaves its state (0: it leaves at once), and the
+/// travel time, both in ns, >= 0.
+struct Dt {
+  Time after = 0;
+  Time takes = 0;
+  std::uint16_t own = 0;   ///< kOfDevice and an index: each device has its own time, in its rows
+  bool own_after = false;  ///< that time may have a delay or be random
+
+  friend constexpr bool operator==(const Dt&, const Dt&) noexcept = default;
+};
+
+/// The guard of a move without a condition.
+struct Unguarded {};
+inline constexpr std::uint16_t kLast = 0xFFFF;  ///< the priority of a move for which none is given
+
+/// One move out of a state: where it leads, how long that takes, and what else it needs.
+template <class State, class Guard = Unguarded>
+struct Move {
+  State to;
+  Dt dt;
+  std::uint16_t guard = kNoCondition;
+  std::uint16_t order = kLast;
+  bool disarms = false;
+
+  /// It starts only while a condition of the device holds.
+  template <class Condition>
+  constexpr Move<State, Condition> when(Condition condition) const noexcept {
+    return {to, dt, static_cast<std::uint16_t>(condition), order, disarms};
   }
-  return a;
+  /// Its operation works once: it must be off before it starts the move again (latched devices only).
+  constexpr Move once() const noexcept {
+    Move move = *this;
+    move.disarms = true;
+    return move;
+  }
+  /// Of several moves that are ready at once, the first of the lowest priority number is taken; those without a number
+  /// come last.
+  constexpr Move priority(std::uint16_t number) const noexcept {
+    Move move = *this;
+    move.order = number;
+    return move;
+  }
+};
+
+struct Stay {};
+
+/// Where a device goes: nowhere (IoModel::kStay), one move, or several, of which the guards decide.
+template <class State, class Guard, std::size_t Most = 4>
+class Moves {
+ public:
+  constexpr Moves(Stay) noexcept : moves_{}, size_(0) {}
+  template <class... Each>
+  constexpr Moves(Each... moves) noexcept : moves_{plain(moves)...}, size_(sizeof...(moves)) {
+    static_assert(sizeof...(moves) <= Most, "too many moves for one state and operation");
+  }
+
+  constexpr const Move<State>* begin() const noexcept { return moves_.data(); }
+  constexpr const Move<State>* end() const noexcept { return moves_.data() + size_; }
+  constexpr std::size_t size() const noexcept { return size_; }
+  /// Whether one of the moves leads to a state, with or without a guard.
+  constexpr bool lead_to(State state) const noexcept {
+    for (const Move<State>& move : *this) {
+      if (move.to == state) return true;
+    }
+    return false;
+  }
+
+ private:
+  template <class To, class Condition>
+  static constexpr Move<State> plain(const Move<To, Condition>& move) noexcept {
+    static_assert(std::is_same_v<To, State>, "a move leads to a State of its class: use the State of the base");
+    static_assert(std::is_same_v<Condition, Unguarded> || std::is_same_v<Condition, Guard>,
+                  "a move has a Guard of its class: use the Guard of the base");
+    if constexpr (std::is_same_v<To, State>) return {move.to, move.dt, move.guard, move.order, move.disarms};
+    return {};
+  }
+
+  std::array<Move<State>, Most> moves_;
+  std::size_t size_;
+};
+
+/// Two sets of events that are switched together; an event must not be in both `on` and `off`.
+constexpr EventMasks operator|(const EventMasks& a, const EventMasks& b) noexcept {
+  return {a.on | b.on, a.off | b.off};
 }
 
-/// The state that state `b` leads to automatically, by the first such transition, with or without a condition; `b`
-/// itself if there is no such transition. O(transitions).
-template <class State>
-constexpr State d_int(std::span<const Transition> transitions, State b) noexcept {
-  for (const Transition& t : transitions) {
-    if (t.from == static_cast<std::uint8_t>(b) && t.on == kNoOperation) return static_cast<State>(t.to);
+/// The base of generated classes: the words in which their functions are written, and what a class without guards,
+/// spring or automatic transitions has. No data.
+struct IoModel {
+  enum class Guard : std::uint16_t {};  ///< a class with guards has its own
+  using Dt = tables::Dt;
+  using EventMasks = tables::EventMasks;
+  using Actuation = tables::Actuation;
+  using Time = tables::Time;
+  static constexpr Stay kStay{};
+  static constexpr std::uint8_t kNoState = tables::kNoState;
+  static constexpr Time kNanosecond = tables::kNanosecond;
+  static constexpr Time kMicrosecond = tables::kMicrosecond;
+  static constexpr Time kMillisecond = tables::kMillisecond;
+  static constexpr Time kSecond = tables::kSecond;
+
+  /// The move to a state.
+  template <class State>
+  static constexpr Move<State> go(State to, Dt dt) noexcept {
+    return {to, dt};
   }
-  return b;
-}
+  /// Each device has its own travel time, in its rows, and leaves at once.
+  static constexpr Dt own_travel(std::uint16_t index) noexcept {
+    return {0, 0, static_cast<std::uint16_t>(kOfDevice | index), false};
+  }
+  /// Each device has its own delay and travel time, in its rows.
+  static constexpr Dt own_dt(std::uint16_t index) noexcept {
+    return {0, 0, static_cast<std::uint16_t>(kOfDevice | index), true};
+  }
+  /// A time that is drawn each time: row `index` of PlantTables::random_times.
+  static constexpr Time random_time(std::uint32_t index) noexcept { return -1 - static_cast<Time>(index); }
+  /// The events that are switched on, and those that are switched off: `on(Event::I_A) | off(Event::I_B)`.
+  template <class... Events>
+  static constexpr EventMasks on(Events... events) noexcept {
+    return {(std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<std::uint8_t>(events))), 0};
+  }
+  template <class... Events>
+  static constexpr EventMasks off(Events... events) noexcept {
+    return {0, (std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<std::uint8_t>(events)))};
+  }
+};
 
 /// The units that device `by` disables while it is settled in `x`, as rows of a plant's disables, which are sorted.
 /// O(log rows).

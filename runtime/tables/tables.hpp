@@ -23,6 +23,9 @@ inline constexpr std::size_t kMaxOperations = 64;       ///< of one unit: they s
 inline constexpr std::size_t kMaxEvents = 64;           ///< of one unit: they share one word of the image
 inline constexpr std::size_t kMaxStates = 250;          ///< of one unit: kNoState and kMovingState are not states
 inline constexpr std::size_t kMaxTransitions = 0xFFFE;  ///< of one unit
+/// Transition::dt, TypeRow::travel: the time is in the device's rows, at UnitRow::times plus the other bits; without
+/// this bit it is in TypeRow::times.
+inline constexpr std::uint16_t kOfDevice = 0x8000;
 /// The indexes in PlantTables::units of two units with operations in one 64-bit word differ by less than this.
 inline constexpr std::uint32_t kMaxUnitsInWord = 255;
 
@@ -45,6 +48,7 @@ struct Transition {
   /// The engine keeps a record of it: in some unit of the type its `after` is not a fixed 0, one of its times is
   /// random, or the unit has a custom behavior.
   bool timed = false;
+  std::uint16_t dt = 0;  ///< which of the TransitionTimes: an index in TypeRow::times, or kOfDevice and an index
 };
 
 /// How long a transition's cause must hold before the unit leaves the state, and the travel time, both in nanoseconds,
@@ -82,6 +86,8 @@ struct TypeRow {
   std::span<const EventMasks> enter;                ///< l_enter: a state -> the events it switches
   std::span<const EventMasks> leave;                ///< l_leave: a state -> the events it switches
   std::span<const std::uint8_t> operation_targets;  ///< an operation -> the state of the same name, or kNoState
+  std::span<const TransitionTimes> times;           ///< those that all its devices share; Transition::dt is an index
+  std::uint16_t travel = 0;  ///< of a move without a transition: which of the TransitionTimes, as Transition::dt
 };
 
 /// One unit: its type, its initial state, the positions of its bits in the planes, its times.
@@ -93,7 +99,7 @@ struct UnitRow {
   std::uint32_t general : 1;
   std::uint32_t operation_bit;  ///< of its operation 0; all its operations lie in one 64-bit word
   std::uint32_t event_bit;      ///< of its event 0; all its events lie in one 64-bit word
-  std::uint32_t times;          ///< index in PlantTables::times of its default times; those of its transitions follow
+  std::uint32_t times;          ///< index in PlantTables::times of the first time that is its own (kOfDevice)
 };
 static_assert(sizeof(UnitRow) == 16);
 

@@ -14,14 +14,11 @@ namespace symplant::bench {
 /// N devices of one type with two states; unit u travels for times[u % times.size()] nanoseconds.
 struct TwoStatePlant {
   TwoStatePlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
-    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, kEnter, kLeave, kTargets});
-    for (const tables::Time travel : travel_times) {
-      times.push_back({0, travel});
-      times.push_back({0, travel});
-      times.push_back({0, travel});
-    }
+    types.push_back(
+        {2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, kEnter, kLeave, kTargets, {}});
+    for (const tables::Time travel : travel_times) times.push_back({0, travel});
     for (std::uint32_t d = 0; d < devices; ++d) {
-      const auto entry = static_cast<std::uint32_t>(3 * (d % travel_times.size()));
+      const auto entry = static_cast<std::uint32_t>(d % travel_times.size());
       units.push_back({0, 0, 0, 2 * d, 2 * d, entry});
     }
     tables.types = types;
@@ -32,7 +29,9 @@ struct TwoStatePlant {
     plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }
 
-  static constexpr std::array<tables::Transition, 2> kTransitions{{{0, 1, 1}, {1, 0, 0}}};
+  static constexpr std::array<tables::Transition, 2> kTransitions{
+      {{0, 1, 1, false, tables::kNoCondition, false, tables::kOfDevice},
+       {1, 0, 0, false, tables::kNoCondition, false, tables::kOfDevice}}};
   static constexpr std::array<tables::EventMasks, 2> kEnter{{{1, 0}, {2, 0}}};
   static constexpr std::array<tables::EventMasks, 2> kLeave{{{0, 1}, {0, 2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
@@ -50,11 +49,9 @@ struct TwoStatePlant {
 /// state.
 struct RichPlant {
   RichPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    times.push_back({kAfter, travel_times.front()});
     types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, TwoStatePlant::kEnter,
-                     TwoStatePlant::kLeave, TwoStatePlant::kTargets});
-    times.push_back({0, travel_times.front()});
-    times.push_back({kAfter, travel_times.front()});
-    times.push_back({kAfter, travel_times.front()});
+                     TwoStatePlant::kLeave, TwoStatePlant::kTargets, times});
     for (std::uint32_t d = 0; d < devices; ++d) {
       units.push_back({0, 0, 1, 2 * d, 2 * d, 0});
       conditions.push_back({0b1101, d, 0, tables::ReaderKind::unit});
@@ -65,7 +62,6 @@ struct RichPlant {
     }
     tables.types = types;
     tables.units = units;
-    tables.times = times;
     tables.conditions = conditions;
     tables.conditioned_units = conditioned;
     tables.unit_watches = watches;

@@ -1,5 +1,9 @@
-# Extracts the first ```cpp block of a page; its plant has the name docs_excell here. -DPAGE=... -DOUTPUT=...
+# Extracts the ```cpp block after `<!-- the program -->` of a page, or else its first one; its plant has the name docs_excell here. -DPAGE=... -DOUTPUT=...
 file(READ ${PAGE} text)
+string(FIND "${text}" "<!-- the program -->" mark)
+if(NOT mark EQUAL -1)
+  string(SUBSTRING "${text}" ${mark} -1 text)
+endif()
 string(FIND "${text}" "```cpp\n" begin)
 if(begin EQUAL -1)
   message(FATAL_ERROR "${PAGE} holds no program")

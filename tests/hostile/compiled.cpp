@@ -96,8 +96,7 @@ std::string fault_of(const Setting& setting, const Input& input) {
   std::cout << input.what << std::endl;
 
   std::vector<std::string> compiler{setting.compiler.front(), "-Igenerated", "-o", "program"};
-  for (const char* source : {"tables_gen", "behaviours_gen", "main_gen"})
-    compiler.push_back("generated/" + std::string(source) + ".cpp");
+  for (const char* source : {"tables_gen", "main_gen"}) compiler.push_back("generated/" + std::string(source) + ".cpp");
   compiler.insert(compiler.end(), setting.compiler.begin() + 1, setting.compiler.end());
   const Run compiled = run(compiler, folder, setting.scratch);
   if (compiled.code != 0) return "it does not compile: " + compiled.err.substr(0, 2000);

@@ -43,11 +43,10 @@ class HandPlant {
       const HandUnit& unit = units[i];
       Parts& parts = parts_[i];
       types_.push_back({static_cast<std::uint8_t>(unit.operation_targets.size()), unit.states, unit.states, unit.rest,
-                        unit.actuation, parts.transitions, parts.enter, parts.leave, parts.targets});
+                        unit.actuation, parts.transitions, parts.enter, parts.leave, parts.targets, parts.times, 0});
     }
     tables.types = types_;
     tables.units = rows_;
-    tables.times = times_;
     tables.operation_bits = tables.event_bits = static_cast<std::uint32_t>(64 * units.size());
     plant = std::make_unique<plant::OwnedPlant>(tables);
   }
@@ -66,19 +65,20 @@ class HandPlant {
     std::vector<tables::EventMasks> enter;
     std::vector<tables::EventMasks> leave;
     std::vector<std::uint8_t> targets;
+    std::vector<tables::TransitionTimes> times;  ///< of a move without a transition, then of each transition
   };
 
   void add(const HandUnit& unit) {
     const auto bit = static_cast<std::uint32_t>(64 * rows_.size());
     const bool timed = std::any_of(unit.routes.begin(), unit.routes.end(),
                                    [](const Route& transition) { return transition.after != 0; });
-    rows_.push_back({static_cast<std::uint32_t>(rows_.size()) & 0x7F'FFFF, unit.initial, timed ? 1U : 0U, bit, bit,
-                     static_cast<std::uint32_t>(times_.size())});
-    times_.push_back({0, unit.travel});
+    rows_.push_back({static_cast<std::uint32_t>(rows_.size()) & 0x7F'FFFF, unit.initial, timed ? 1U : 0U, bit, bit, 0});
     Parts& parts = parts_[rows_.size() - 1];
+    parts.times.push_back({0, unit.travel});
     for (const Route& transition : unit.routes) {
-      parts.transitions.push_back({transition.from, transition.to, transition.on, false, tables::kNoCondition, timed});
-      times_.push_back({transition.after, transition.takes});
+      parts.transitions.push_back({transition.from, transition.to, transition.on, false, tables::kNoCondition, timed,
+                                   static_cast<std::uint16_t>(parts.times.size())});
+      parts.times.push_back({transition.after, transition.takes});
     }
     for (std::uint8_t s = 0; s < unit.states; ++s) {
       parts.enter.push_back({std::uint64_t{1} << s, 0});
@@ -90,7 +90,6 @@ class HandPlant {
   std::map<std::size_t, Parts> parts_;  // nodes do not move
   std::vector<tables::TypeRow> types_;
   std::vector<tables::UnitRow> rows_;
-  std::vector<tables::TransitionTimes> times_;
 };
 
 }  // namespace symplant::test

@@ -21,13 +21,13 @@ class WeighingScale : public Scale {
   };
 
   static Time takes(Look& look, Transition transition) noexcept {
-    if (transition.to() != State::kFULL2) return look.model_takes(transition);
+    if (transition.to() != State::FULL2) return look.model_takes(transition);
     return target(look) * kSecond / flow(look);
   }
 
   static void left(View& view, State state) noexcept {
     auto& memory = view.memory<Memory>();
-    if (state == State::kFULL2) return;
+    if (state == State::FULL2) return;
     memory.target = target(view);
     memory.flow = flow(view);
     memory.began = view.now();
@@ -43,30 +43,28 @@ class WeighingScale : public Scale {
 
   static void entered(View& view, State state) noexcept {
     view.wake_at(symplant::tables::kNever);
-    if (state == State::kEMPTY1) {
+    if (state == State::EMPTY1) {
       show(view, 0);
       return;
     }
     auto& memory = view.memory<Memory>();
     ++memory.batches;
     show(view, memory.target + static_cast<std::int64_t>(view.draw() % 21));
-    view.set_value<Value::kBATCHES>(static_cast<std::int16_t>(memory.batches));
+    view.set_value<Value::I_BATCHES>(static_cast<std::int16_t>(memory.batches));
   }
 
  private:
-  static constexpr Time kMillisecond = symplant::tables::kMillisecond;
-  static constexpr Time kSecond = symplant::tables::kSecond;
   static constexpr Time kShown = 100 * kMillisecond;
 
   /// The target of the PLC in g, limited to 1 t.
   static std::int64_t target(const Look& look) noexcept {
-    const double kilograms = look.value<Value::kTARGET>();
+    const double kilograms = look.value<Value::O_TARGET>();
     return kilograms > 0 ? static_cast<std::int64_t>(std::min(kilograms, 1000.0) * 1000.0) : 0;
   }
   /// Coarse with the hopper's gate open, else fine.
-  static std::int64_t flow(const Look& look) noexcept { return look.input(Input::khopper_open) ? 10'000 : 2'000; }
+  static std::int64_t flow(const Look& look) noexcept { return look.input(Input::hopper_open) ? 10'000 : 2'000; }
   static void show(View& view, std::int64_t grams) noexcept {
-    view.set_value<Value::kWEIGHT>(static_cast<double>(grams) / 1000.0);
+    view.set_value<Value::I_WEIGHT>(static_cast<double>(grams) / 1000.0);
   }
 };
 

@@ -7,8 +7,8 @@
 namespace symplant::test {
 namespace {
 
-const std::vector<std::string> kFiles{"CMakeLists.txt", "behaviours_gen.cpp", "devices_gen.hpp", "main_gen.cpp",
-                                      "plant_gen.hpp",  "tables_gen.cpp",     "types_gen.hpp"};
+const std::vector<std::string> kFiles{"CMakeLists.txt", "main_gen.cpp",   "plant_gen.hpp",
+                                      "tables_gen.cpp", "tables_gen.hpp", "types_gen.hpp"};
 
 TEST_CASE("generate: Seven files are written, and no other") {
   MemoryFileSystem files = lists();
@@ -130,8 +130,8 @@ TEST_CASE("generate --behaviours: The user file is written once, and never overw
   CHECK(first.code == 0);
   CHECK(contains(first.out, "mine/SlowCylinder_behavior.hpp: written for you to fill in\n"));
   CHECK(contains(files.files["mine/SlowCylinder_behavior.hpp"], "class SlowCylinder : public Cylinder {"));
-  CHECK(contains(files.files["out/behaviours_gen.cpp"], "behaviour_of<SlowCylinder, Cylinder>()"));
-  CHECK(contains(files.files["out/types_gen.hpp"], "    kair,  // L_P_CYL1.RET\n"));
+  CHECK(contains(files.files["out/tables_gen.cpp"], "behaviour_of<SlowCylinder, Cylinder>()"));
+  CHECK(contains(files.files["out/types_gen.hpp"], "    air,  // L_P_CYL1.RET\n"));
 
   files.files["mine/SlowCylinder_behavior.hpp"] = "mine";
   files.written.clear();

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dosing.hpp"
-#include "dosing/devices_gen.hpp"
 #include "dosing/plant_gen.hpp"
 #include "dosing/types_gen.hpp"
 #include "symplant/plant/owned_plant.hpp"
@@ -51,13 +50,13 @@ class Watched {
 void work(Watched& plant, tables::Time from, tables::Time until) {
   for (tables::Time now = from; now < until; now += 500 * kMs) {
     const bool fill = (now / (3000 * kMs)) % 2 == 0;
-    plant.set(Symbol::kL1_DOSE_HOPPER_O_OPEN, (now / (7000 * kMs)) % 2 == 0);
-    plant.set(Symbol::kL1_DOSE_SCALE1_O_TARGET, 2.5);
-    plant.set(Symbol::kL1_DOSE_SCALE2_O_TARGET, 0.7);
-    plant.set(Symbol::kL1_DOSE_SCALE1_O_FULL2, fill);
-    plant.set(Symbol::kL1_DOSE_SCALE1_O_EMPTY1, !fill);
-    plant.set(Symbol::kL1_DOSE_SCALE2_O_FULL2, !fill);
-    plant.set(Symbol::kL1_DOSE_SCALE2_O_EMPTY1, fill);
+    plant.set(Symbol::L1_DOSE_HOPPER_O_OPEN, (now / (7000 * kMs)) % 2 == 0);
+    plant.set(Symbol::L1_DOSE_SCALE1_O_TARGET, 2.5);
+    plant.set(Symbol::L1_DOSE_SCALE2_O_TARGET, 0.7);
+    plant.set(Symbol::L1_DOSE_SCALE1_O_FULL2, fill);
+    plant.set(Symbol::L1_DOSE_SCALE1_O_EMPTY1, !fill);
+    plant.set(Symbol::L1_DOSE_SCALE2_O_FULL2, !fill);
+    plant.set(Symbol::L1_DOSE_SCALE2_O_EMPTY1, fill);
     plant.to(now);
   }
 }
@@ -66,41 +65,41 @@ TEST_CASE("A scale shows the weight while it fills, stops near its target and co
   const auto owned = ::dosing::make_plant();
   Watched plant(*owned);
   plant.to(0);
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_TARGET, 3.0);
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_FULL2, true);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_TARGET, 3.0);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_FULL2, true);
   plant.to(1000 * kMs);
   plant.to(1450 * kMs);
-  CHECK(plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT) == Approx(0.8));  // shown at 1.4 s: fine flow, 2 kg/s
+  CHECK(plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT) == Approx(0.8));  // shown at 1.4 s: fine flow, 2 kg/s
   plant.to(2499 * kMs);
-  CHECK_FALSE(plant.event(Symbol::kL1_DOSE_SCALE1_I_FULL2));
+  CHECK_FALSE(plant.event(Symbol::L1_DOSE_SCALE1_I_FULL2));
   plant.to(2500 * kMs);
-  CHECK(plant.event(Symbol::kL1_DOSE_SCALE1_I_FULL2));
-  const double full = plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT);
+  CHECK(plant.event(Symbol::L1_DOSE_SCALE1_I_FULL2));
+  const double full = plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT);
   CHECK(full >= 2.9999);
   CHECK(full <= 3.0201);
-  CHECK(owned->event_value(row(Symbol::kL1_DOSE_SCALE1_I_BATCHES).index) == 1);
-  CHECK(plant.number(Symbol::kL1_DOSE_SCALE2_I_WEIGHT) == 0);
+  CHECK(owned->event_value(row(Symbol::L1_DOSE_SCALE1_I_BATCHES).index) == 1);
+  CHECK(plant.number(Symbol::L1_DOSE_SCALE2_I_WEIGHT) == 0);
 
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_FULL2, false);
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_EMPTY1, true);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_FULL2, false);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_EMPTY1, true);
   plant.to(3000 * kMs);
   plant.to(4499 * kMs);
-  CHECK(plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT) == full);
+  CHECK(plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT) == full);
   plant.to(4500 * kMs);  // as in the description, by model_takes
-  CHECK(plant.number(Symbol::kL1_DOSE_SCALE1_I_WEIGHT) == 0);
+  CHECK(plant.number(Symbol::L1_DOSE_SCALE1_I_WEIGHT) == 0);
 }
 
 TEST_CASE("A condition in its inputs lets a scale fill five times as fast") {
   const auto owned = ::dosing::make_plant();
   Watched plant(*owned);
-  plant.set(Symbol::kL1_DOSE_HOPPER_O_OPEN, true);
+  plant.set(Symbol::L1_DOSE_HOPPER_O_OPEN, true);
   plant.to(0);
   plant.to(1000 * kMs);  // open
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_TARGET, 3.0);
-  plant.set(Symbol::kL1_DOSE_SCALE1_O_FULL2, true);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_TARGET, 3.0);
+  plant.set(Symbol::L1_DOSE_SCALE1_O_FULL2, true);
   plant.to(2000 * kMs);
   plant.to(2300 * kMs);
-  CHECK(plant.event(Symbol::kL1_DOSE_SCALE1_I_FULL2));
+  CHECK(plant.event(Symbol::L1_DOSE_SCALE1_I_FULL2));
 }
 
 TEST_CASE("A generated plant with behaviors equals the lowered plant, and does the same with the same code") {
@@ -156,8 +155,8 @@ TEST_CASE("A behavior's memory is part of the state's digest") {
   for (auto* plant : {a.get(), b.get()}) plant->advance_to(0);
   CHECK(a->state_hash() == b->state_hash());
   // Filled by hand and emptied again: everything is as before except what the scale remembers.
-  for (const auto state : {Scale::State::kFULL2, Scale::State::kEMPTY1}) {
-    b->set_state(static_cast<std::uint32_t>(::dosing::Device::kL1_DOSE_SCALE2), static_cast<std::uint8_t>(state));
+  for (const auto state : {Scale::State::FULL2, Scale::State::EMPTY1}) {
+    b->scale2().put(state);
   }
   for (auto* plant : {a.get(), b.get()}) plant->advance_to(tables::kSecond);
   CHECK(a->state_hash() != b->state_hash());

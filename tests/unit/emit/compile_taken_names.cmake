@@ -68,7 +68,7 @@ foreach(
     list(APPEND failed ${plant})
     continue()
   endif()
-  execute_process(COMMAND ${COMPILER} ${flags} tables_gen.cpp behaviours_gen.cpp main_gen.cpp WORKING_DIRECTORY "${folder}/out"
+  execute_process(COMMAND ${COMPILER} ${flags} tables_gen.cpp main_gen.cpp WORKING_DIRECTORY "${folder}/out"
                   RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT code EQUAL 0)
     string(SUBSTRING "${said}" 0 1500 said)

@@ -1,7 +1,6 @@
 // A plant of hostile names, compiled: its names read back, in tables and in traces.
 #include <nlohmann/json.hpp>
 
-#include "compiled_hostile/devices_gen.hpp"
 #include "compiled_hostile/plant_gen.hpp"
 #include "compiled_hostile/types_gen.hpp"
 #include "support/compile.hpp"

@@ -48,6 +48,9 @@ inline void add_units(model::PlantModel& plant, const description::DeviceDescrip
   }
   stopper.conditions = {many};
   stopper.input_names = {"part\n"};
+
+  model::Unit& second = plant.units[3];  // AGV2: as AGV, but with another travel time
+  second.transitions[1].once = true;
 }
 
 inline std::unique_ptr<const Everything> everything() {
@@ -69,7 +72,11 @@ inline std::unique_ptr<const Everything> everything() {
                                               {"STOP?\?/", "X8"},
                                               {"HALT\\", "X8"},
                                               {"LEVEL", "", "INT", "-5", "%IW1"},
-                                              {"SPEED", "", "REAL", "0", "%QD2"}}),
+                                              {"SPEED", "", "REAL", "0", "%QD2"},
+                                              {"L_P_AGV2_O_P1", "Y6"},
+                                              {"L_P_AGV2_O_P2", "Y7"},
+                                              {"L_P_AGV2_I_P1", "X9"},
+                                              {"L_P_AGV2_I_P2", "XA"}}),
                                    {}, std::string(kEverythingName) + ".csv");
   REQUIRE(analysed.derived);
   made->plant = std::move(analysed.derived->plant);

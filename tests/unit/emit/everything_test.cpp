@@ -44,17 +44,17 @@ TEST_CASE("Every table of the golden has rows") {
 TEST_CASE("A class states which devices it disables, and which events its states switch") {
   using ::everything::AGV;
   using ::everything::MC;
-  const auto disabled = MC::l_disable(1, MC::State::kRUN2);
+  const auto disabled = MC::l_disable(1, MC::State::RUN2);
   REQUIRE(disabled.size() == 2);
   CHECK(disabled[0].unit == 0);
   CHECK(disabled[1].unit == 2);
-  CHECK(MC::l_disable(1, MC::State::kIDLE1).empty());
-  CHECK(AGV::l_disable(0, AGV::State::kP2).empty());
-  CHECK(AGV::l_disable(2, AGV::State::kP2).empty());
-  static_assert(MC::l_enter(MC::State::kRUN2).on == 0b110);
-  static_assert(MC::l_leave(MC::State::kRUN2).off == 0b110);
-  static_assert(MC::d_ext(MC::State::kIDLE1, MC::Operation::kRUN2) == MC::State::kRUN2, "guarded or not");
-  static_assert(MC::d_int(MC::State::kRUN2) == MC::State::kIDLE1, "guarded or not");
+  CHECK(MC::l_disable(1, MC::State::IDLE1).empty());
+  CHECK(AGV::l_disable(0, AGV::State::P2).empty());
+  CHECK(AGV::l_disable(2, AGV::State::P2).empty());
+  static_assert(MC::l_enter(MC::State::RUN2).on == 0b110);
+  static_assert(MC::l_leave(MC::State::RUN2).off == 0b110);
+  static_assert(MC::d_ext(MC::State::IDLE1, MC::Operation::O_RUN2).lead_to(MC::State::RUN2), "guarded or not");
+  static_assert(MC::d_int(MC::State::RUN2).lead_to(MC::State::IDLE1), "guarded or not");
 }
 
 }  // namespace

@@ -87,13 +87,13 @@ TEST_CASE("Rows have comments about their content, conditions as in a descriptio
 TEST_CASE("A class documents the conditions of its transitions and the events that its states switch") {
   const std::string types = file_of(emit_model(everything()->plant), "types_gen.hpp");
   for (const char* row : {
-           ", true, symplant::tables::kNoCondition},  // d_ext(P1, O_P2) = P2, once\n",
-           "{0, 1, 1, false, 0},  // d_ext(IDLE1, O_RUN2) = RUN2, when condition 0 of the device holds\n",
-           ", false, 1, true},  // d_int(RUN2) = IDLE1, when condition 1 of the device holds\n",
-           ", symplant::tables::kSpringReturn",
-           "// spring return: ADV to RET\n",
-           "{0x6, 0x0},  // RUN2: I_RUN2 on I_BUSY3 on\n",
-           "{0x0, 0x6},  // RUN2: I_RUN2 off I_BUSY3 off\n",
+           "if (x == Operation::O_P2) return go(State::P2, dt_to_P2).once();\n",
+           "if (x == Operation::O_RUN2) return go(State::RUN2, dt_to_RUN2).when(Guard::to_RUN2);\n",
+           "    to_RUN2,  // when: L_P_AGV.P2 and not (L_P_STOPPER.moving or 'STOP?<U+003F>/')\n",
+           "case State::RUN2: return go(State::IDLE1, dt_to_IDLE1).when(Guard::to_IDLE1);\n",
+           "static constexpr Moves spring_return(State a) noexcept {",
+           "case State::RUN2: return on(Event::I_RUN2, Event::I_BUSY3);\n",
+           "case State::RUN2: return off(Event::I_RUN2, Event::I_BUSY3);\n",
        }) {
     INFO(row);
     CHECK(contains(types, row));
@@ -107,9 +107,9 @@ TEST_CASE("A class has the name from the description, before any device gets tha
   plant.units[1].described = &described;
   plant.units[2].described = &described;
   const std::string types = file_of(emit_model(plant), "types_gen.hpp");
-  CHECK(contains(types, "/// L_P_STOP\nclass STOP_3 {"));
-  CHECK(contains(types, "/// L_P_D\nclass STOP {"));
-  CHECK(contains(types, "/// L_P_E\nclass STOP_2 {"));
+  CHECK(contains(types, "/// L_P_STOP\nclass STOP_3 : "));
+  CHECK(contains(types, "/// L_P_D\nclass STOP : "));
+  CHECK(contains(types, "/// L_P_E\nclass STOP_2 : "));
 }
 
 TEST_CASE("A very long condition is cut between two characters") {

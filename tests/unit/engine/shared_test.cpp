@@ -19,10 +19,10 @@ struct SharedPlant {
   std::vector<tables::EventMasks> enter{{1, 0}, {2, 0}};
   std::vector<tables::EventMasks> leave{{0, 1}, {0, 2}};
   std::vector<std::uint8_t> targets{0, 1};
+  std::vector<tables::TransitionTimes> times{{0, 10}};
   std::vector<tables::TypeRow> types{
-      {2, 2, 2, tables::kNoState, tables::Actuation::latched, transitions, enter, leave, targets}};
+      {2, 2, 2, tables::kNoState, tables::Actuation::latched, transitions, enter, leave, targets, times}};
   std::vector<tables::UnitRow> units{{0, 0, 0, 0, 0, 0}};
-  std::vector<tables::TransitionTimes> times{{0, 10}, {0, 10}, {0, 10}};
   std::vector<tables::SymbolRow> symbols{
       {1, 0, 1, 1, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, true)},
       {2, kNone, 1, 2, tables::symbol_kind(DataType::boolean, Direction::operation, AddressForm::number, false)},
@@ -42,7 +42,6 @@ struct SharedPlant {
     all.name = "shared";
     all.types = types;
     all.units = units;
-    all.times = times;
     all.symbols = symbols;
     all.initial_values = initial;
     all.shared_addresses = shared;

@@ -38,15 +38,14 @@ inline constexpr std::array kAgvTransitions = {tables::Transition{0, 1, 0}, tabl
 inline constexpr std::array<std::uint8_t, 2> kAgvTargets = {1, 0};
 inline constexpr std::array kMachineTransitions = {tables::Transition{0, 1, 1}, tables::Transition{1, 0, 0}};
 inline constexpr std::array<std::uint8_t, 2> kMachineTargets = {0, 1};
+inline constexpr std::array kTimes = {tables::TransitionTimes{0, tables::kSecond}};
 inline constexpr std::array kTypes = {
-    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kAgvTransitions, kEnter, kLeave,
-                    kAgvTargets},
+    tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kAgvTransitions, kEnter, kLeave, kAgvTargets,
+                    kTimes},
     tables::TypeRow{2, 2, 2, tables::kNoState, tables::Actuation::latched, kMachineTransitions, kEnter, kLeave,
-                    kMachineTargets},
+                    kMachineTargets, kTimes},
 };
 inline constexpr std::array kUnits = {tables::UnitRow{0, 0, 0, 0, 0, 0}, tables::UnitRow{1, 0, 0, 2, 2, 0}};
-inline constexpr tables::TransitionTimes kTravel = {0, tables::kSecond};
-inline constexpr std::array kTimes = {kTravel, kTravel, kTravel};
 
 constexpr tables::SymbolRow symbol(std::uint32_t index, std::uint32_t unit, tables::Direction direction,
                                    std::uint32_t row) {
@@ -74,7 +73,6 @@ inline tables::PlantTables cell_tables() {
   tables.name = "cell";
   tables.types = cell::kTypes;
   tables.units = cell::kUnits;
-  tables.times = cell::kTimes;
   tables.symbols = cell::kSymbols;
   tables.operation_bits = 64;
   tables.event_bits = 64;

@@ -19,17 +19,16 @@ struct Clockwork {
                                               {1, 0, tables::kNoOperation, false, tables::kNoCondition, true}};
   std::vector<tables::EventMasks> enter{{1, 0}, {2, 0}};
   std::vector<tables::EventMasks> leave{{0, 1}, {0, 2}};
+  std::vector<tables::TransitionTimes> times{{tables::kSecond, 0}};
   std::vector<tables::TypeRow> types{
-      {0, 2, 2, tables::kNoState, tables::Actuation::latched, transitions, enter, leave, {}}};
+      {0, 2, 2, tables::kNoState, tables::Actuation::latched, transitions, enter, leave, {}, times}};
   std::vector<tables::UnitRow> units{{0, 0, 1, 0, 0, 0}};
-  std::vector<tables::TransitionTimes> times{{0, tables::kSecond}, {tables::kSecond, 0}, {tables::kSecond, 0}};
   tables::PlantTables tables = rows();
 
   tables::PlantTables rows() const {
     tables::PlantTables all = bare_tables("clockwork", 0, 64);
     all.types = types;
     all.units = units;
-    all.times = times;
     all.list_names = {"none", 5};
     return all;
   }

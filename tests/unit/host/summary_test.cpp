@@ -43,9 +43,11 @@ TEST_CASE("Behaviors without code are reported, with their number of devices") {
   tables::PlantTables tables = bare_tables("cell", 64, 64);
   tables.behaviour_units = units;
   tables.behaviour_names = std::string_view("Lift\0Stop\x1b\0", 11);
-  const std::vector<engine::Behaviour> code(2);
-  CHECK(host::absent_behaviours(tables, code).empty());
-  CHECK(host::absent_behaviours(tables, {}) ==
+  std::vector<engine::Behaviour> code(2);
+  CHECK(host::behaviour_lines(tables, code).empty());
+  code[1].replaces = 1 + 8;
+  CHECK(host::behaviour_lines(tables, code) == "behavior `Stop?` replaces d_ext, l_leave of 2 devices\n");
+  CHECK(host::behaviour_lines(tables, {}) ==
         "behavior `Lift` of 1 device has no code in this program, the derived model applies; to include its code, use "
         "`symplant generate`\n"
         "behavior `Stop?` of 2 devices has no code in this program, the derived model applies; to include its code, "

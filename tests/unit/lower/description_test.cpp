@@ -131,19 +131,54 @@ TEST_CASE("A random time is a negative number, and equal ones share it") {
   CHECK(tables.random_times[0].b == 20);
   CHECK(tables.random_times[1].kind == tables::RandomTime::Kind::normal);
   CHECK(tables.random_times[2].b == 21);
-  CHECK(tables.times[tables.units[0].times + 1].takes == -1);
-  CHECK(tables.times[tables.units[0].times + 2].takes == -2);
-  CHECK(tables.times[tables.units[1].times + 2].after == -1);
-  CHECK(tables.times[tables.units[2].times + 1].takes == -3);
+  const auto times = [&](std::uint32_t unit, std::uint16_t dt) {
+    CHECK((dt & tables::kOfDevice) != 0);
+    return tables.times[tables.units[unit].times + (dt ^ tables::kOfDevice)];
+  };
+  const auto& transitions = tables.types[0].transitions;
+  CHECK(times(0, transitions[0].dt).takes == -1);
+  CHECK(times(0, transitions[1].dt).takes == -2);
+  CHECK(times(1, transitions[1].dt).after == -1);
+  CHECK(times(2, transitions[0].dt).takes == -3);
 }
 
-TEST_CASE("The default travel is per unit, and separates times, not types") {
+TEST_CASE("A time in which all devices agree is the type's, others are rows of the devices, which share equal ones") {
   model::PlantModel plant = devices(3);
-  plant.units[1].travel = 5;
+  plant.units[1].transitions[0].takes = Duration::fixed(5);
   const EngineTables tables = lower::lower(plant);
-  CHECK(tables.types.size() == 1);
+  REQUIRE(tables.types.size() == 1);
+  const lower::Type& type = tables.types[0];
+  REQUIRE(type.times.size() == 1);
+  CHECK(type.times[0].takes == tables::kSecond);
+  CHECK(type.transitions[0].dt == tables::kOfDevice);
+  CHECK(type.transitions[1].dt == 0);
+  CHECK(tables.times.size() == 2);
   CHECK(tables.units[0].times == tables.units[2].times);
-  CHECK(tables.units[0].times != tables.units[1].times);
+  CHECK(tables.times[tables.units[0].times].takes == tables::kSecond);
+  CHECK(tables.times[tables.units[1].times].takes == 5);
+}
+
+TEST_CASE("Times that are equal in one device and differ in another are two rows of the devices") {
+  model::PlantModel plant = devices(2);
+  for (model::Transition& t : plant.units[1].transitions) t.takes = Duration::fixed(5);
+  CHECK(lower::lower(plant).times.size() == 2);
+  plant.units[1].transitions[1].takes = Duration::fixed(6);
+  const EngineTables tables = lower::lower(plant);
+  CHECK(tables.times.size() == 4);
+  CHECK(tables.types[0].transitions[0].dt == tables::kOfDevice);
+  CHECK(tables.types[0].transitions[1].dt == (tables::kOfDevice | 1));
+}
+
+TEST_CASE("The time of a move without a transition counts only where there can be one") {
+  model::PlantModel plant = devices(2);
+  plant.units[1].travel = 5;
+  CHECK(lower::lower(plant).times.empty());
+  for (model::Unit& unit : plant.units) {
+    unit.actuation = tables::Actuation::spring;
+    unit.rest = 0;
+  }
+  const EngineTables tables = lower::lower(plant);
+  CHECK(tables.types[0].travel == tables::kOfDevice);
   CHECK(tables.times[tables.units[1].times].takes == 5);
 }
 

@@ -21,6 +21,8 @@ struct Sample {
   std::vector<tables::EventMasks> leave{{0, 1}, {0, 2}};
   std::vector<std::uint8_t> targets{1};
   std::vector<tables::UnitRow> units{{0, 0, 0, 0, 0, 0}};
+  std::vector<tables::TransitionTimes> type_times{{0, 5}, {1, 0}};
+  std::uint16_t travel = 0;
   std::vector<tables::TransitionTimes> times{{0, 5}, {0, 6}, {7, 0}};
   std::vector<tables::RandomTime> random{{tables::RandomTime::Kind::uniform, 1, 2}};
   std::vector<tables::SymbolRow> symbols{{0, 0, 3, 2,
@@ -57,7 +59,8 @@ struct Sample {
   std::uint32_t event_slots = 0;
 
   std::uint64_t hash() const {
-    const std::vector<tables::TypeRow> types{{1, 2, 2, rest, actuation, transitions, enter, leave, targets}};
+    const std::vector<tables::TypeRow> types{
+        {1, 2, 2, rest, actuation, transitions, enter, leave, targets, type_times, travel}};
     PlantTables tables{};
     tables.name = name;
     tables.types = types;
@@ -116,6 +119,13 @@ TEST_CASE("Every field of every row changes the hash") {
       [](Sample& s) { s.units[0].times = 1; },
       [](Sample& s) { s.units[0].initial = 1; },
       [](Sample& s) { s.units[0].general = 1; },
+      [](Sample& s) { s.transitions[1].dt = 1; },
+      [](Sample& s) { s.type_times[0].takes = 7; },
+      [](Sample& s) { s.type_times[1].after = 8; },
+      [](Sample& s) {
+        s.type_times.push_back({0, 0});
+      },
+      [](Sample& s) { s.travel = 1; },
       [](Sample& s) { s.times[1].takes = 7; },
       [](Sample& s) { s.times[2].after = 8; },
       [](Sample& s) { s.random[0].kind = tables::RandomTime::Kind::normal; },

@@ -23,7 +23,7 @@ tables::SymbolRow symbol(DataType type, std::uint32_t index, std::uint32_t unit)
 /// Two units of one type, one with a bit; numbers without a unit.
 struct Tables {
   std::vector<tables::EventMasks> masks{{1, 0}, {0, 1}};
-  std::vector<tables::TypeRow> types{{0, 1, 2, tables::kNoState, tables::Actuation::latched, {}, masks, masks, {}}};
+  std::vector<tables::TypeRow> types{{0, 1, 2, tables::kNoState, tables::Actuation::latched, {}, masks, masks, {}, {}}};
   std::vector<tables::UnitRow> units{{0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}};
   std::vector<tables::SymbolRow> symbols{symbol(DataType::boolean, 0, 0), symbol(DataType::int_, 0, tables::kNone),
                                          symbol(DataType::lreal, 1, tables::kNone)};

@@ -2,14 +2,26 @@
 // This code is yours: the license of symplant does not extend to what it generates.
 //
 // The rows of the plant dosing.
+#include "tables_gen.hpp"
+
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <string_view>
 
-#include "plant_gen.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/tables/row_of.hpp"
 #include "types_gen.hpp"
+
+// The build defines SYMPLANT_BEHAVIOURS if BEHAVIOURS names the folder of your classes.
+#ifdef SYMPLANT_BEHAVIOURS
+#include "symplant/plant/behaviour_of.hpp"
+#include "WeighingScale_behavior.hpp"
+#else
+namespace dosing {
+using WeighingScale = Scale;
+}  // namespace dosing
+#endif
 
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Woverlength-strings"  // all names are one literal
@@ -23,10 +35,10 @@ namespace link = symplant::link;
 
 [[maybe_unused]] constexpr auto kFree = tables::kNone;
 
-// The device types: their rows are in their classes.
+// The device types: the compiler builds their rows from the functions of their classes.
 constexpr std::array<tables::TypeRow, 2> kTypes{{
-    ::dosing::HOPPER::row(),
-    ::dosing::Scale::row(),
+    tables::row_of<::dosing::HOPPER>(),
+    tables::row_of<::dosing::WeighingScale, ::dosing::Scale>(),
 }};
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
@@ -39,17 +51,8 @@ constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataTyp
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
 constexpr tables::UnitRow kUnits[] = {
     {0, 1, 1, 0, 0, 0},  // L1_DOSE_HOPPER
-    {1, 0, 1, 1, 2, 2},  // L1_DOSE_SCALE1
-    {1, 0, 1, 3, 4, 2},  // L1_DOSE_SCALE2
-};
-
-// For each set of times the default travel time, then a row per transition: after, takes (ns; below 0: random).
-constexpr tables::TransitionTimes kTimes[] = {
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1500000000},
-    {0, 1000000000},
+    {1, 0, 1, 1, 2, 0},  // L1_DOSE_SCALE1
+    {1, 0, 1, 3, 4, 0},  // L1_DOSE_SCALE2
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
@@ -165,7 +168,6 @@ constinit const tables::PlantTables kTables = [] {
   plant.name = "dosing";
   plant.types = kTypes;
   plant.units = kUnits;
-  plant.times = kTimes;
   plant.symbols = kSymbols;
   plant.lists = kLists;
   plant.conditions = kConditions;
@@ -192,6 +194,16 @@ const tables::PlantTables& tables() noexcept { return kTables; }
 
 std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
-std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
+#ifdef SYMPLANT_BEHAVIOURS
+std::span<const symplant::engine::Behaviour> behaviours() noexcept {
+  // By index in the plant's behaviour_names.
+  static constexpr symplant::engine::Behaviour kBehaviours[] = {
+      symplant::plant::behaviour_of<WeighingScale, Scale>(),
+  };
+  return kBehaviours;
+}
+#else
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
+#endif
 
 }  // namespace dosing

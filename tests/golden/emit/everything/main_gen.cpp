@@ -4,8 +4,8 @@
 // The plant everything as a program.
 #include <array>
 
-#include "plant_gen.hpp"
 #include "symplant/host/run_plant.hpp"
+#include "tables_gen.hpp"
 
 namespace {
 

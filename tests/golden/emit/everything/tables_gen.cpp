@@ -2,14 +2,26 @@
 // This code is yours: the license of symplant does not extend to what it generates.
 //
 // The rows of the plant everything.
+#include "tables_gen.hpp"
+
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <string_view>
 
-#include "plant_gen.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/tables/row_of.hpp"
 #include "types_gen.hpp"
+
+// The build defines SYMPLANT_BEHAVIOURS if BEHAVIOURS names the folder of your classes.
+#ifdef SYMPLANT_BEHAVIOURS
+#include "symplant/plant/behaviour_of.hpp"
+#include "MyStopper_u005C_behavior.hpp"
+#else
+namespace everything {
+using MyStopper_u005C = class_;
+}  // namespace everything
+#endif
 
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Woverlength-strings"  // all names are one literal
@@ -23,11 +35,11 @@ namespace link = symplant::link;
 
 [[maybe_unused]] constexpr auto kFree = tables::kNone;
 
-// The device types: their rows are in their classes.
+// The device types: the compiler builds their rows from the functions of their classes.
 constexpr std::array<tables::TypeRow, 3> kTypes{{
-    ::everything::AGV::row(),
-    ::everything::MC::row(),
-    ::everything::class_::row(),
+    tables::row_of<::everything::AGV>(),
+    tables::row_of<::everything::MC>(),
+    tables::row_of<::everything::MyStopper_u005C, ::everything::class_>(),
 }};
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
@@ -40,21 +52,15 @@ constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataTyp
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
 constexpr tables::UnitRow kUnits[] = {
     {0, 0, 1, 0, 0, 0},  // L_P_AGV
-    {1, 0, 1, 2, 2, 3},  // L_P_MC
-    {2, 1, 1, 4, 5, 6},  // L_P_STOPPER
+    {1, 0, 1, 2, 2, 0},  // L_P_MC
+    {2, 1, 1, 4, 5, 0},  // L_P_STOPPER
+    {0, 0, 1, 5, 7, 1},  // L_P_AGV2
 };
 
-// For each set of times the default travel time, then a row per transition: after, takes (ns; below 0: random).
+// Times in which devices of one type differ, a device's one after the other: after, takes (ns; below 0: random).
 constexpr tables::TransitionTimes kTimes[] = {
-    {0, 3000000000},
     {0, -1},
     {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
-    {-2, 0},
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 8},
 };
 
 // Random times: minimum and maximum, or mean and standard deviation (ns).
@@ -77,10 +83,14 @@ constexpr tables::SymbolRow kSymbols[] = {
     {4, 2, 5, 11, kOperation_boolean_number_moved},  // L_P_STOPPER_O_ADV, everything.csv:11
     {5, 2, 6, 12, kEvent_boolean_number_moved},  // L_P_STOPPER_I_ADV, everything.csv:12
     {6, 2, 7, 13, kEvent_boolean_number_moved},  // L_P_STOPPER_I_RET, everything.csv:13
-    {7, kFree, 8, 14, kEvent_boolean_number_free},  // STOP?<U+003F>/, everything.csv:14
-    {8, kFree, 8, 15, kEvent_boolean_number_free},  // HALT<U+005C>, everything.csv:15
+    {9, kFree, 8, 14, kEvent_boolean_number_free},  // STOP?<U+003F>/, everything.csv:14
+    {10, kFree, 8, 15, kEvent_boolean_number_free},  // HALT<U+005C>, everything.csv:15
     {0, kFree, 1, 16, kEvent_int__number_free},  // LEVEL, everything.csv:16
     {0, kFree, 2, 17, kOperation_real_number_free},  // SPEED, everything.csv:17
+    {5, 3, 6, 18, kOperation_boolean_number_moved},  // L_P_AGV2_O_P1, everything.csv:18
+    {6, 3, 7, 19, kOperation_boolean_number_moved},  // L_P_AGV2_O_P2, everything.csv:19
+    {7, 3, 9, 20, kEvent_boolean_number_moved},  // L_P_AGV2_I_P1, everything.csv:20
+    {8, 3, 10, 21, kEvent_boolean_number_moved},  // L_P_AGV2_I_P2, everything.csv:21
 };
 
 // A symbol list: its first symbol, its controller.
@@ -148,7 +158,7 @@ constexpr tables::BitWatch kEventWatches[] = {
     {2, 7, 0},  // L_P_MC_I_IDLE1
     {3, 7, 1},  // L_P_MC_I_RUN2
     {4, 7, 2},  // L_P_MC_I_BUSY3
-    {7, 0, 2},  // STOP?<U+003F>/
+    {9, 0, 2},  // STOP?<U+003F>/
 };
 
 // A numeric operation that a condition compares: operand, slot, condition, input of the condition, comparison, kind of number.
@@ -182,7 +192,8 @@ constexpr std::uint32_t kBehaviourValues[] = {
 constexpr char kUnitNames[] =
     "L_P_AGV\0"
     "L_P_MC\0"
-    "L_P_STOPPER\0";
+    "L_P_STOPPER\0"
+    "L_P_AGV2\0";
 
 // The types' states.
 constexpr char kStateNames[] =
@@ -205,7 +216,11 @@ constexpr char kSymbolNames[] =
     "STOP\077\077/\0" "X8\0"
     "HALT\134\0" "X8\0"
     "LEVEL\0" "%IW1\0"
-    "SPEED\0" "%QD2\0";
+    "SPEED\0" "%QD2\0"
+    "L_P_AGV2_O_P1\0" "Y6\0"
+    "L_P_AGV2_O_P2\0" "Y7\0"
+    "L_P_AGV2_I_P1\0" "X9\0"
+    "L_P_AGV2_I_P2\0" "XA\0";
 
 // The requirements' names.
 constexpr char kRequirementNames[] =
@@ -272,6 +287,16 @@ const tables::PlantTables& tables() noexcept { return kTables; }
 
 std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
-std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
+#ifdef SYMPLANT_BEHAVIOURS
+std::span<const symplant::engine::Behaviour> behaviours() noexcept {
+  // By index in the plant's behaviour_names.
+  static constexpr symplant::engine::Behaviour kBehaviours[] = {
+      symplant::plant::behaviour_of<MyStopper_u005C, class_>(),
+  };
+  return kBehaviours;
+}
+#else
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
+#endif
 
 }  // namespace everything

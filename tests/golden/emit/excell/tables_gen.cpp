@@ -2,13 +2,15 @@
 // This code is yours: the license of symplant does not extend to what it generates.
 //
 // The rows of the plant excell.
+#include "tables_gen.hpp"
+
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
-#include <string_view>
 
-#include "plant_gen.hpp"
+#include "symplant/engine/behaviour.hpp"
+#include "symplant/link/link_settings.hpp"
+#include "symplant/tables/row_of.hpp"
 #include "types_gen.hpp"
 
 #ifdef __clang__
@@ -23,10 +25,10 @@ namespace link = symplant::link;
 
 [[maybe_unused]] constexpr auto kFree = tables::kNone;
 
-// The device types: their rows are in their classes.
+// The device types: the compiler builds their rows from the functions of their classes.
 constexpr std::array<tables::TypeRow, 2> kTypes{{
-    ::excell::AGV::row(),
-    ::excell::MC::row(),
+    tables::row_of<::excell::AGV>(),
+    tables::row_of<::excell::MC>(),
 }};
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
@@ -36,17 +38,7 @@ constexpr auto kEvent_boolean_number_moved = tables::symbol_kind(tables::DataTyp
 // A device: type, initial state, 1 where the engine keeps a record of it, first bit of its operations, of its events, first of its times.
 constexpr tables::UnitRow kUnits[] = {
     {0, 0, 0, 0, 0, 0},  // EXLINE_MB_AGV
-    {1, 0, 0, 2, 2, 3},  // EXLINE_MB_MC
-};
-
-// For each set of times the default travel time, then a row per transition: after, takes (ns; below 0: random).
-constexpr tables::TransitionTimes kTimes[] = {
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
-    {0, 1000000000},
+    {1, 0, 0, 2, 2, 0},  // EXLINE_MB_MC
 };
 
 // A symbol: bit or slot, device, number of its address, line in the list, kind.
@@ -105,7 +97,6 @@ constinit const tables::PlantTables kTables = [] {
   plant.name = "excell";
   plant.types = kTypes;
   plant.units = kUnits;
-  plant.times = kTimes;
   plant.symbols = kSymbols;
   plant.lists = kLists;
   plant.operation_bits = 64;
@@ -126,6 +117,6 @@ const tables::PlantTables& tables() noexcept { return kTables; }
 
 std::span<const link::LinkSettings> link_settings() noexcept { return kLinkSettings; }
 
-std::unique_ptr<Plant> make_plant() { return std::make_unique<Plant>(); }
+std::span<const symplant::engine::Behaviour> behaviours() noexcept { return {}; }
 
 }  // namespace excell

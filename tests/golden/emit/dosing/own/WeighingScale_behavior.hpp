@@ -39,6 +39,8 @@ class WeighingScale : public Scale {
 
   /// Called at the time that view.wake_at() or view.wake_after() requested.
   // static void woken(View&) noexcept {}
+
+  // You can also replace d_ext, d_int, l_enter and l_leave of Scale; docs/behaviours.md shows how.
 };
 
 }  // namespace dosing

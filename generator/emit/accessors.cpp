@@ -1,0 +1,218 @@
+// Functions of the plant class that give its devices by line, process and name.
+#include "emit/accessors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "text/ascii.hpp"
+#include "text/identifier.hpp"
+
+namespace symplant::emit {
+namespace {
+
+/// Members of symplant::plant::NamedPlant in upper case; an accessor of the plant would hide them.
+constexpr auto kPlantMembers = std::to_array<std::string_view>({
+    "ADVANCE_BEFORE",
+    "ADVANCE_TO",
+    "CHANGED_EVENT_VALUES",
+    "CHANGED_EVENTS",
+    "DISARMED",
+    "EVENT",
+    "EVENT_VALUE",
+    "EVENTS",
+    "FORCE",
+    "FORGET_CHANGED_EVENTS",
+    "INDEX",
+    "IS_FORCED",
+    "IS_ON",
+    "IS_PENDING",
+    "LOST_FINDINGS",
+    "MODEL_HASH",
+    "NEXT_DUE",
+    "NOW",
+    "OPERATION",
+    "OPERATION_VALUE",
+    "OPERATIONS",
+    "PLANT",
+    "RELEASE",
+    "RESET",
+    "RESTORE",
+    "ROW",
+    "SAVE",
+    "SET",
+    "SET_INPUT",
+    "SET_OPERATION",
+    "SET_OPERATION_VALUE",
+    "SET_OPERATIONS",
+    "SET_QUALITY",
+    "SET_STATE",
+    "STATE_HASH",
+    "TABLES",
+    "TAKE_FINDING",
+    "UNIT",
+    "VALUE",
+});
+
+/// A device name without the number at its end, and that number; no number if it has none or a very long one.
+struct Numbered {
+  std::string stem;
+  std::uint64_t number = 0;
+  bool is = false;
+};
+
+Numbered numbered(const std::string& device) {
+  const std::size_t last = device.find_last_not_of("0123456789");
+  const std::size_t begin = last == std::string::npos ? 0 : last + 1;
+  Numbered result{device.substr(0, begin)};
+  const char* const end = device.data() + device.size();
+  const auto [stop, error] = std::from_chars(device.data() + begin, end, result.number);
+  result.is = begin != 0 && begin < device.size() && stop == end && error == std::errc{};
+  return result;
+}
+
+/// By name in upper case, so that the order of rows does not count.
+using Devices = std::map<std::string, std::uint32_t>;
+using Processes = std::map<std::string, Devices>;
+using Lines = std::map<std::string, Processes>;
+
+class Writer {
+ public:
+  Writer(const lower::EngineTables& tables, const model::PlantModel& plant, const std::vector<std::string>& classes,
+         const std::string& name_space)
+      : tables_(tables), plant_(plant), classes_(classes), name_space_(name_space) {
+    for (std::uint32_t u = 0; u < plant.units.size(); ++u) {
+      const model::Unit& unit = plant.units[u];
+      const std::uint32_t first = unit.operations.empty() ? unit.events.front() : unit.operations.front();
+      const name::NameReading& name = plant.symbols[first].reading;
+      lines_[text::to_upper(name.line)][text::to_upper(name.process)].emplace(text::to_upper(name.device), u);
+    }
+    text::IdentifierScope scope;
+    for (const auto& [line, processes] : lines_) {
+      group_names_[line] = scope.unique(line);
+      for (const auto& [process, devices] : processes) {
+        const std::string path = line + "_" + process;
+        group_names_[path] = scope.unique(path);
+      }
+    }
+  }
+
+  void write_groups(RowWriter& rows) const {
+    for (const auto& [line, processes] : lines_) {
+      for (const auto& [process, devices] : processes) add_process(rows, line + "_" + process, devices);
+      add_line(rows, line, processes);
+    }
+  }
+
+  /// Lines always; processes and devices under a name that nothing else in the plant has.
+  void write_plant(RowWriter& rows) const {
+    text::IdentifierScope scope{kPlantMembers};
+    std::map<std::string_view, std::size_t> uses;
+    for (const auto& [line, processes] : lines_) {
+      ++uses[line];
+      for (const auto& [process, devices] : processes) {
+        ++uses[process];
+        for (const auto& [device, unit] : devices) ++uses[device];
+      }
+    }
+    const auto add = [&](const std::string& name, const std::string& path) {
+      const std::string& type = group_names_.at(path);
+      rows.text("  groups::").text(type).text(" ").text(scope.unique(text::to_lower(name)));
+      rows.text("() noexcept { return groups::").text(type).text("(*this); }\n");
+    };
+    for (const auto& [line, processes] : lines_) add(line, line);
+    for (const std::string_view member : kPlantMembers) ++uses[member];
+    for (const auto& [line, processes] : lines_) {
+      for (const auto& [process, devices] : processes) {
+        if (uses[process] == 1) add(process, line + "_" + process);
+        for (const auto& [device, unit] : devices) {
+          if (uses[device] == 1) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
+        }
+      }
+    }
+  }
+
+ private:
+  const std::string& class_of(std::uint32_t unit) const { return classes_[tables_.units[unit].type]; }
+
+  void begin_group(RowWriter& rows, const std::string& path) const {
+    const std::string& name = group_names_.at(path);
+    rows.text("/// ").comment(path).text("\nclass ").text(name).text(" {\n public:\n  explicit ").text(name);
+    rows.text("(symplant::plant::Plant& plant) noexcept : plant_(plant) {}\n");
+  }
+  static void end_group(RowWriter& rows) { rows.text("\n private:\n  symplant::plant::Plant& plant_;\n};\n\n"); }
+
+  void add_device(RowWriter& rows, const std::string& name, std::uint32_t unit, std::string_view plant) const {
+    rows.text("  symplant::plant::Device<::").text(name_space_).text("::").text(class_of(unit)).text("> ").text(name);
+    rows.text("() ").text(plant == "plant_" ? "const " : "").text("noexcept { return {").text(plant).text(", ");
+    rows.number(unit).text("}; }  // ").comment(plant_.units[unit].path).text("\n");
+  }
+
+  void add_process(RowWriter& rows, const std::string& path, const Devices& devices) const {
+    text::IdentifierScope scope;
+    begin_group(rows, path);
+    std::map<std::string, std::vector<std::pair<std::uint64_t, std::uint32_t>>> series;
+    for (const auto& [device, unit] : devices) {
+      add_device(rows, scope.unique(text::to_lower(device)), unit, "plant_");
+      const Numbered parts = numbered(device);
+      if (parts.is) series[parts.stem].emplace_back(parts.number, unit);
+    }
+    for (auto& [stem, units] : series) {
+      std::sort(units.begin(), units.end());
+      const bool one_type = std::all_of(units.begin(), units.end(), [&](const auto& unit) {
+        return tables_.units[unit.second].type == tables_.units[units.front().second].type;
+      });
+      const bool distinct = std::adjacent_find(units.begin(), units.end(), [](const auto& a, const auto& b) {
+                              return a.first == b.first;
+                            }) == units.end();
+      if (units.size() > 1 && one_type && distinct && devices.find(stem) == devices.end()) {
+        add_series(rows, scope.unique(text::to_lower(stem)), units);
+      }
+    }
+    end_group(rows);
+  }
+
+  void add_series(RowWriter& rows, const std::string& name,
+                  const std::vector<std::pair<std::uint64_t, std::uint32_t>>& units) const {
+    rows.text("  symplant::plant::DeviceArray<::").text(name_space_).text("::").text(class_of(units.front().second));
+    rows.text("> ").text(name).text("() const noexcept {  // by number\n");
+    rows.text("    static constexpr symplant::plant::NumberedUnit kUnits[] = {");
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      rows.text(i == 0 ? "{" : ", {").number(units[i].first).text(", ").number(units[i].second).text("}");
+    }
+    rows.text("};\n    return {plant_, kUnits};\n  }\n");
+  }
+
+  void add_line(RowWriter& rows, const std::string& line, const Processes& processes) const {
+    text::IdentifierScope scope;
+    begin_group(rows, line);
+    for (const auto& [process, devices] : processes) {
+      const std::string& type = group_names_.at(line + "_" + process);
+      rows.text("  ").text(type).text(" ").text(scope.unique(text::to_lower(process)));
+      rows.text("() const noexcept { return ").text(type).text("(plant_); }\n");
+    }
+    end_group(rows);
+  }
+
+  const lower::EngineTables& tables_;
+  const model::PlantModel& plant_;
+  std::vector<std::string> classes_;
+  std::string name_space_;
+  Lines lines_;
+  std::map<std::string, std::string> group_names_;  ///< by path
+};
+
+}  // namespace
+
+Accessors accessors(const lower::EngineTables& tables, const model::PlantModel& plant,
+                    const std::vector<std::string>& classes, const std::string& name_space) {
+  const auto writer = std::make_shared<const Writer>(tables, plant, classes, name_space);
+  return {[writer](RowWriter& rows) { writer->write_groups(rows); },
+          [writer](RowWriter& rows) { writer->write_plant(rows); }};
+}
+
+}  // namespace symplant::emit

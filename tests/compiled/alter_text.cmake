@@ -1,0 +1,20 @@
+# Copies the sources of a generated plant, with the first occurrence of a text in one file replaced; fails if the text is
+# not found. `[semicolon]` is written for `;`, which separates the items of a list in CMake.
+# -DINPUT=folder -DOUTPUT=folder -DFILE=... -DFROM=... -DTO=...
+string(REPLACE "[semicolon]" ";" FROM "${FROM}")
+string(REPLACE "[semicolon]" ";" TO "${TO}")
+foreach(name types_gen.hpp tables_gen.hpp tables_gen.cpp)
+  file(READ ${INPUT}/${name} text)
+  if(name STREQUAL FILE)
+    string(FIND "${text}" "${FROM}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "`${FROM}` is not in ${INPUT}/${name}")
+    endif()
+    string(LENGTH "${FROM}" length)
+    math(EXPR behind "${at} + ${length}")
+    string(SUBSTRING "${text}" 0 ${at} before)
+    string(SUBSTRING "${text}" ${behind} -1 after)
+    set(text "${before}${TO}${after}")
+  endif()
+  file(WRITE ${OUTPUT}/${name} "${text}")
+endforeach()
