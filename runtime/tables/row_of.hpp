@@ -51,154 +51,163 @@ constexpr bool check_model() noexcept {
   return ConstexprModel<Class>;
 }
 
-/// A move with its cause.
-template <class State>
+/// A move with its source and its cause, as numbers: what follows depends on the number of moves, not on the class.
 struct Caused {
   std::uint8_t from = 0;
-  std::uint8_t on = 0;
-  Move<State> move{};
+  std::uint8_t to = 0;
+  std::uint8_t on = 0;  ///< as Transition::on
+  bool once = false;
+  std::uint16_t guard = kNoCondition;
+  std::uint16_t priority = kLast;
+  Dt dt{};
+
+  /// The commanded moves come first, then the automatic ones, then the returns of a spring.
+  constexpr std::size_t kind() const noexcept { return on == kSpringReturn ? 2 : on == kNoOperation ? 1 : 0; }
+};
+
+template <class State>
+constexpr Caused caused(State from, std::uint8_t on, const Move<State>& move) noexcept {
+  return {static_cast<std::uint8_t>(from),
+          static_cast<std::uint8_t>(move.to),
+          on,
+          move.disarms,
+          move.guard,
+          move.order,
+          move.dt};
+}
+
+template <class Class>
+concept HasSpringReturn = requires {
+  Class::spring_return(typename Class::State{});
 };
 
 template <class Class>
-struct RowOf {
-  using State = typename Class::State;
+constexpr std::size_t count_moves() noexcept {
+  std::size_t count = 0;
+  for (const auto from : Class::kS) {
+    for (const auto x : Class::kI) count += Class::d_ext(from, x).size();
+    count += Class::d_int(from).size();
+    if constexpr (HasSpringReturn<Class>) count += Class::spring_return(from).size();
+  }
+  return count;
+}
 
-  static constexpr std::size_t kStates = Class::kS.size();
-  static constexpr bool kCustom = requires { typename Class::View; };
+/// The transitions of a row, and the times that all devices share.
+template <std::size_t Count>
+struct Numbered {
+  std::array<Transition, Count> transitions{};
+  std::array<TransitionTimes, Count + 1> times{};
+  std::size_t time_count = 0;
+  std::uint16_t travel = 0;
 
-  /// act(from, on, move) for every move: first the commanded ones, by source and operation, then the automatic ones,
-  /// then the returns of a spring.
-  template <class Act>
-  static constexpr void each_move(Act act) noexcept {
-    for (const State from : Class::kS) {
-      for (const auto x : Class::kI) {
-        for (const auto& move : Class::d_ext(from, x)) act(from, static_cast<std::uint8_t>(x), move);
-      }
+  /// Transition::dt; adds the times if no transition before has them.
+  constexpr std::uint16_t number(const Dt& dt) noexcept {
+    if (dt.own != 0) return dt.own;
+    for (std::size_t i = time_count; i-- > 0;) {
+      if (times[i].after == dt.after && times[i].takes == dt.takes) return static_cast<std::uint16_t>(i);
     }
-    for (const State from : Class::kS) {
-      for (const auto& move : Class::d_int(from)) act(from, kNoOperation, move);
+    times[time_count] = {dt.after, dt.takes};
+    return static_cast<std::uint16_t>(time_count++);
+  }
+};
+
+/// All transitions of a class, numbered by priority, then by kind, target, source and operation. One function: g++
+/// keeps the arguments of each call that it evaluates, and these arrays are large.
+template <class Class, std::size_t Count>
+constexpr Numbered<Count> numbered() noexcept {
+  constexpr std::size_t kStates = Class::kS.size();
+  constexpr bool kCustom = requires { typename Class::View; };
+  std::array<Caused, Count> moves{};
+  std::size_t size = 0;
+  for (const auto from : Class::kS) {
+    for (const auto x : Class::kI) {
+      for (const auto& move : Class::d_ext(from, x)) moves[size++] = caused(from, static_cast<std::uint8_t>(x), move);
     }
-    if constexpr (requires { Class::spring_return(State{}); }) {
-      for (const State from : Class::kS) {
-        for (const auto& move : Class::spring_return(from)) act(from, kSpringReturn, move);
-      }
+    for (const auto& move : Class::d_int(from)) moves[size++] = caused(from, kNoOperation, move);
+    if constexpr (HasSpringReturn<Class>) {
+      for (const auto& move : Class::spring_return(from)) moves[size++] = caused(from, kSpringReturn, move);
     }
   }
 
-  static constexpr std::size_t count() noexcept {
-    std::size_t count = 0;
-    each_move([&](State, std::uint8_t, const auto&) { ++count; });
-    return count;
-  }
-  static constexpr std::size_t kCount = count();
-  static_assert(kCount <= kMaxTransitions, "a device has at most 65,534 moves");
+  std::array<std::size_t, 3 * kStates + 1> begin{};  // a counting sort by kind and target
+  for (const Caused& move : moves) ++begin[move.kind() * kStates + move.to + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  std::array<std::size_t, Count> order{};
+  for (std::size_t i = 0; i < Count; ++i) order[begin[moves[i].kind() * kStates + moves[i].to]++] = i;
 
-  static constexpr std::size_t kind_of(std::uint8_t on) noexcept {
-    return on == kSpringReturn ? 2 : on == kNoOperation ? 1 : 0;
-  }
-
-  /// All moves, those of one kind by target, then by source, then by operation (a counting sort).
-  static constexpr auto by_target() noexcept {
-    std::array<std::size_t, 3 * kStates + 1> begin{};
-    const auto place = [](std::uint8_t on, State to) { return kind_of(on) * kStates + static_cast<std::size_t>(to); };
-    each_move([&](State, std::uint8_t on, const auto& move) { ++begin[place(on, move.to) + 1]; });
-    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    std::array<Caused<State>, kCount> sorted{};
-    each_move([&](State from, std::uint8_t on, const auto& move) {
-      sorted[begin[place(on, move.to)]++] = {static_cast<std::uint8_t>(from), on, move};
-    });
-    return sorted;
-  }
-
-  /// The same, by priority first. O(moves) for each priority.
-  static constexpr auto by_priority() noexcept {
-    const auto moves = by_target();
-    std::array<Caused<State>, kCount> sorted{};
-    std::size_t size = 0;
-    for (std::uint32_t priority = 0; size < kCount;) {
-      std::uint32_t next = kLast;
-      for (const Caused<State>& caused : moves) {
-        if (caused.move.order == priority) sorted[size++] = caused;
-        if (caused.move.order > priority && caused.move.order < next) next = caused.move.order;
-      }
-      priority = next;
-    }
-    return sorted;
-  }
-  static constexpr auto kMoves = by_priority();
-
-  struct Times {
-    std::array<TransitionTimes, kCount + 1> rows{};
-    std::size_t size = 0;
-
-    /// Transition::dt; adds the times if no transition before has them.
-    constexpr std::uint16_t number(const Dt& dt) noexcept {
-      if (dt.own != 0) return dt.own;
-      for (std::size_t i = size; i-- > 0;) {
-        if (rows[i].after == dt.after && rows[i].takes == dt.takes) return static_cast<std::uint16_t>(i);
-      }
-      rows[size] = {dt.after, dt.takes};
-      return static_cast<std::uint16_t>(size++);
-    }
-  };
-
-  struct All {
-    std::array<Transition, kCount> transitions{};
-    Times times{};
-    std::uint16_t travel = 0;
-  };
-  static constexpr All all() noexcept {
-    All all;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      const Move<State>& move = kMoves[i].move;
+  Numbered<Count> numbered{};
+  size = 0;
+  for (std::uint32_t priority = 0; size < Count;) {  // in most classes there is one
+    std::uint32_t next = kLast;
+    for (const std::size_t i : order) {
+      const Caused& move = moves[i];
+      if (move.priority > priority && move.priority < next) next = move.priority;
+      if (move.priority != priority) continue;
       const bool timed = move.dt.own != 0 ? move.dt.own_after : move.dt.after != 0 || move.dt.takes < 0;
-      all.transitions[i] = {
-          kMoves[i].from,   static_cast<std::uint8_t>(move.to), kMoves[i].on, move.disarms, move.guard,
-          timed || kCustom, all.times.number(move.dt)};
+      numbered.transitions[size++] = {
+          move.from, move.to, move.on, move.once, move.guard, timed || kCustom, numbered.number(move.dt)};
     }
-    if constexpr (requires { Class::dt_without_command; }) all.travel = all.times.number(Class::dt_without_command);
-    return all;
+    priority = next;
   }
-  static constexpr All kAll = all();
-  static constexpr auto kTimes = [] {
-    std::array<TransitionTimes, kAll.times.size> rows{};
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = kAll.times.rows[i];
-    return rows;
-  }();
-  static constexpr auto kTransitions = kAll.transitions;
+  if constexpr (requires { Class::dt_without_command; }) numbered.travel = numbered.number(Class::dt_without_command);
+  return numbered;
+}
 
-  template <class Function>
-  static constexpr auto masks(Function function) noexcept {
-    std::array<EventMasks, kStates> rows{};
-    for (const State x : Class::kS) rows[static_cast<std::size_t>(x)] = function(x);
+template <std::size_t Count>
+constexpr bool leads_to_itself(const std::array<Transition, Count>& transitions) noexcept {
+  for (const Transition& transition : transitions) {
+    if (transition.from == transition.to) return true;
+  }
+  return false;
+}
+
+template <std::size_t States>
+constexpr bool switches_soundly(const std::array<EventMasks, States>& rows, std::size_t events) noexcept {
+  const std::uint64_t none = events == kMaxEvents ? 0 : ~std::uint64_t{0} << events;
+  for (const EventMasks& masks : rows) {
+    if ((masks.on & masks.off) != 0 || ((masks.on | masks.off) & none) != 0) return false;
+  }
+  return true;
+}
+
+template <std::size_t Size>
+constexpr std::array<TransitionTimes, Size> first_of(const TransitionTimes* times) noexcept {
+  std::array<TransitionTimes, Size> rows{};
+  for (std::size_t i = 0; i < Size; ++i) rows[i] = times[i];
+  return rows;
+}
+
+template <class Class>
+struct RowOf {
+  static constexpr std::size_t kCount = count_moves<Class>();
+  static_assert(kCount <= kMaxTransitions, "a device has at most 65,534 transitions");
+
+  static constexpr Numbered<kCount> kNumbered = numbered<Class, kCount>();
+  static constexpr auto kTransitions = kNumbered.transitions;
+  static constexpr auto kTimes = first_of<kNumbered.time_count>(kNumbered.times.data());
+
+  static constexpr auto enter() noexcept {
+    std::array<EventMasks, Class::kS.size()> rows{};
+    for (const auto x : Class::kS) rows[static_cast<std::size_t>(x)] = Class::l_enter(x);
     return rows;
   }
-  static constexpr auto kEnter = masks([](State x) { return Class::l_enter(x); });
-  static constexpr auto kLeave = masks([](State x) { return Class::l_leave(x); });
-  static constexpr auto kTargets = [] {
+  static constexpr auto leave() noexcept {
+    std::array<EventMasks, Class::kS.size()> rows{};
+    for (const auto x : Class::kS) rows[static_cast<std::size_t>(x)] = Class::l_leave(x);
+    return rows;
+  }
+  static constexpr auto targets() noexcept {
     std::array<std::uint8_t, Class::kTargets.size()> rows{};
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::uint8_t>(Class::kTargets[i]);
     return rows;
-  }();
+  }
+  static constexpr auto kEnter = enter();
+  static constexpr auto kLeave = leave();
+  static constexpr auto kTargets = targets();
 
-  static constexpr bool leads_to_itself() noexcept {
-    for (const Caused<State>& caused : kMoves) {
-      if (caused.from == static_cast<std::uint8_t>(caused.move.to)) return true;
-    }
-    return false;
-  }
-  static constexpr bool sound(const EventMasks& masks) noexcept {
-    const std::uint64_t none = Class::kO.size() == kMaxEvents ? 0 : ~std::uint64_t{0} << Class::kO.size();
-    return (masks.on & masks.off) == 0 && ((masks.on | masks.off) & none) == 0;
-  }
-  static constexpr bool switches_soundly() noexcept {
-    for (std::size_t s = 0; s < kStates; ++s) {
-      if (!sound(kEnter[s]) || !sound(kLeave[s])) return false;
-    }
-    return true;
-  }
-  static_assert(!leads_to_itself(), "a move cannot lead from a state to itself: return kStay");
-  static_assert(switches_soundly(), "l_enter and l_leave switch events of their device, each either on or off");
+  static_assert(!leads_to_itself(kTransitions), "a move cannot lead from a state to itself: return kStay");
+  static_assert(switches_soundly(kEnter, Class::kO.size()) && switches_soundly(kLeave, Class::kO.size()),
+                "l_enter and l_leave switch events of their device, each either on or off");
 };
 
 }  // namespace detail
@@ -219,7 +228,7 @@ constexpr TypeRow row_of() noexcept {
             Row::kLeave,
             Row::kTargets,
             Row::kTimes,
-            Row::kAll.travel};
+            Row::kNumbered.travel};
   } else {
     return {};
   }
