@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
@@ -25,7 +26,7 @@ std::string lists_text(const tables::PlantTables& tables) {
   return text;
 }
 
-std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more,
+std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, std::span<const std::string_view> more,
                     std::span<const engine::Behaviour> behaviours) {
   std::size_t operations = 0;
   std::size_t moving_operations = 0;
@@ -57,7 +58,7 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),
                                  plural(tables.symbols.size(), "I/O symbol"), shown(lists_text(tables)),
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
-  for (const std::string& line : more) text += line + "\n";
+  for (const std::string_view line : more) text.append(line).append("\n");
   text += fmt::format("can move: {} of {}, using {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
   text += fmt::format("not driven: {} of {}", undriven, plural(events, "event"));

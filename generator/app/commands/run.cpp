@@ -59,7 +59,9 @@ class Prepared {
         description_(compiled.plant.description),
         controllers_(std::move(compiled.plant.links)),
         more_(more(compiled.plant)),
-        inputs_(compiled.plant.input_files()) {
+        inputs_(compiled.plant.input_files()),
+        more_views_(more_.begin(), more_.end()),
+        input_views_(inputs_.begin(), inputs_.end()) {
     for (const description::LinkDescription& link : description_->links) links_.push_back({link.controller, link.url});
     for (const model::ControllerLink& link : controllers_) settings_.push_back(link.settings());
   }
@@ -68,7 +70,7 @@ class Prepared {
 
   /// Refers to this object.
   host::PlantProgram program() const {
-    return {.tables = rows_, .links = links_, .link_settings = settings_, .more = more_, .inputs = inputs_};
+    return {.tables = rows_, .links = links_, .link_settings = settings_, .more = more_views_, .inputs = input_views_};
   }
 
  private:
@@ -78,6 +80,8 @@ class Prepared {
   const std::vector<model::ControllerLink> controllers_;
   const std::vector<std::string> more_;
   const std::vector<std::string> inputs_;
+  const std::vector<std::string_view> more_views_;
+  const std::vector<std::string_view> input_views_;
   std::vector<host::DefaultLink> links_;
   std::vector<link::LinkSettings> settings_;
 };
