@@ -9,6 +9,7 @@
 #include <ostream>
 #include <vector>
 
+#include "app/stream_sink.hpp"
 #include "check/catalogue.hpp"
 #include "description/plant_file.hpp"
 #include "diag/text.hpp"
@@ -148,14 +149,15 @@ bool overwrites(Context& context, const std::string& output, const std::vector<s
   return false;
 }
 
-bool write_result(Context& context, const std::string& file, const std::string& text,
+bool write_result(Context& context, const std::string& file, const base::TextSource& text,
                   const std::vector<std::string>& inputs) {
   if (file.empty()) {
-    context.out << text;
+    StreamSink out(context.out);
+    text(out);
     return true;
   }
   if (overwrites(context, file, inputs)) return false;
-  const auto written = context.files.write(file, text);
+  const auto written = context.files.write_made(file, text);
   if (written) return true;
   context.err << "error: " << written.error().message << "\n";
   context.exit_code = host::kEnvironment;

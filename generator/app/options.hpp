@@ -33,7 +33,7 @@ bool overwrites(Context& context, const std::string& output, const std::vector<s
 
 /// Writes a result to `file`, or to `context.out` if `file` is empty. Returns false and sets the exit code if writing
 /// fails or the file is one of `inputs`.
-bool write_result(Context& context, const std::string& file, const std::string& text,
+bool write_result(Context& context, const std::string& file, const base::TextSource& text,
                   const std::vector<std::string>& inputs);
 
 /// "3 warnings, 1 note, 2 ignored by plant.json"; counts findings of severity `least` or higher.

@@ -71,10 +71,6 @@ class Comparison final : public TextSink {
   bool equal_ = true;
 };
 
-TextSource whole(std::string_view content) {
-  return [content](TextSink& sink) { sink.put(content); };
-}
-
 }  // namespace
 
 Result<std::string, FileError> DiskFileSystem::read(const std::string& path) const {
@@ -107,7 +103,7 @@ Result<std::string, FileError> DiskFileSystem::read(const std::string& path) con
 }
 
 Result<bool, FileError> DiskFileSystem::write(const std::string& path, std::string_view content) {
-  return write_made(path, whole(content));
+  return write_made(path, [content](TextSink& sink) { sink.put(content); });
 }
 
 Result<bool, FileError> DiskFileSystem::write_made(const std::string& path, const TextSource& content) {

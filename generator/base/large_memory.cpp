@@ -1,6 +1,7 @@
 // Large blocks of memory, for which the system is asked for large pages.
 #include "base/large_memory.hpp"
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 #include <cstdint>
@@ -18,6 +19,12 @@ void expect_large(void* begin, std::size_t bytes) {
 #else
   static_cast<void>(begin);
   static_cast<void>(bytes);
+#endif
+}
+
+void return_freed_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
 #endif
 }
 

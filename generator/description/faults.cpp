@@ -25,16 +25,23 @@ std::string_view named_text(Named what) {
   return {};
 }
 
-Pointer Pointer::operator/(std::string_view key) const {
+Pointer Pointer::grown(const Step& step) const {
   Pointer grown = *this;
-  grown.text_ = json::child(text_, key);
+  if (count_ == steps_.size()) {
+    grown.begin_ = text();
+    grown.count_ = 0;
+  }
+  grown.steps_[grown.count_++] = step;
   return grown;
 }
 
-Pointer Pointer::operator/(std::size_t index) const {
-  Pointer grown = *this;
-  grown.text_ += "/" + std::to_string(index);
-  return grown;
+std::string Pointer::text() const {
+  std::string text = begin_;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Step& step = steps_[i];
+    text = step.key.data() == nullptr ? json::child(text, step.index) : json::child(text, step.key);
+  }
+  return text;
 }
 
 Pointer device_pointer(const DeviceDescription& device) { return Pointer("/devices") / device.path; }
@@ -63,8 +70,9 @@ void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::si
 void Faults::describes(const DeviceDescription& described) {
   for (std::size_t k = 0; k < kDeviceKeys; ++k) {
     const auto key = static_cast<DeviceKey>(k);
+    if (!described.gives(key)) continue;
     const DeviceDescription& entry = described.entry_of(key);
-    if (entry.is_pattern() && described.gives(key)) ++takers_[&entry][k];
+    if (entry.is_pattern()) ++takers_[&entry][k];
   }
 }
 

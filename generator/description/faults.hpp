@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -21,13 +22,17 @@ std::string ticked(std::string_view text);
 /// "state `X` of `Y` not found; did you mean `Z`?", from "state `X` of `Y`"; `nearest` may be empty.
 std::string missing(const std::string& what, std::string_view nearest);
 
-/// A JSON pointer, extended key by key.
+/// A JSON pointer, extended key by key. Keys must outlive it: only text() writes them down, since few pointers become
+/// the location of a fault.
 class Pointer {
  public:
-  explicit Pointer(std::string text) : text_(std::move(text)) {}
-  Pointer operator/(std::string_view key) const;
-  Pointer operator/(std::size_t index) const;
-  const std::string& text() const { return text_; }
+  explicit Pointer(std::string begin) : begin_(std::move(begin)) {}
+  Pointer operator/(std::string_view key) const { return grown({key, 0}); }
+  template <std::same_as<std::string> Key>
+  Pointer operator/(Key&& key) const = delete;  // the key would not outlive the pointer
+  Pointer operator/(std::size_t index) const { return grown({{}, index}); }
+  /// O(the text).
+  std::string text() const;
 
   /// The pattern whose entry it points into; null if it points into none.
   const DeviceDescription* pattern() const { return pattern_; }
@@ -36,7 +41,16 @@ class Pointer {
  private:
   friend Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
 
-  std::string text_;
+  /// An index if the key has no characters in memory.
+  struct Step {
+    std::string_view key;
+    std::size_t index = 0;
+  };
+  Pointer grown(const Step& step) const;
+
+  std::string begin_;
+  std::array<Step, 6> steps_{};
+  std::size_t count_ = 0;
   const DeviceDescription* pattern_ = nullptr;
   DeviceKey key_{};
 };

@@ -49,6 +49,7 @@ class Classes {
   }
 
   void check_inputs(const description::DeviceDescription& described) {
+    if (described.inputs.empty()) return;
     if (!looked_at_.insert(description::key_pointer(described, description::DeviceKey::inputs).text()).second) return;
     text::ByName<bool> seen;
     for (const auto& [name, condition] : described.inputs) {

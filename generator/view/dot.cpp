@@ -105,6 +105,6 @@ class DotWriter {
 
 }  // namespace
 
-View dot_view(const Scene& scene) { return {DotWriter(scene).write()}; }
+View dot_view(const Scene& scene) { return {base::whole(DotWriter(scene).write())}; }
 
 }  // namespace symplant::view

@@ -26,13 +26,18 @@ std::string_view up_to(std::string_view& text, std::string_view mark) {
 }  // namespace
 
 View html_view(const Scene& scene) {
-  std::string_view frame = page_frame();
-  std::string page(up_to(frame, "@title@"));
-  page += diag::markup_text(scene.plant.name);
-  page.append(up_to(frame, "@style@")).append(page_style());
-  page.append(up_to(frame, "@data@")).append(html_data(scene));
-  page.append(up_to(frame, "@script@")).append(page_script()).append(frame);
-  return {std::move(page)};
+  return {[scene](base::TextSink& sink) {
+    std::string_view frame = page_frame();
+    sink.put(up_to(frame, "@title@"));
+    sink.put(diag::markup_text(scene.plant.name));
+    sink.put(up_to(frame, "@style@"));
+    sink.put(page_style());
+    sink.put(up_to(frame, "@data@"));
+    html_data(scene, sink);
+    sink.put(up_to(frame, "@script@"));
+    sink.put(page_script());
+    sink.put(frame);
+  }};
 }
 
 }  // namespace symplant::view

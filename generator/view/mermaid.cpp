@@ -81,6 +81,6 @@ class MermaidWriter {
 
 }  // namespace
 
-View mermaid_view(const Scene& scene) { return {MermaidWriter(scene).write()}; }
+View mermaid_view(const Scene& scene) { return {base::whole(MermaidWriter(scene).write())}; }
 
 }  // namespace symplant::view

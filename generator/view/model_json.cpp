@@ -5,221 +5,263 @@
 
 #include <bit>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "check/rule.hpp"
 #include "model/classify.hpp"
 #include "model/condition_text.hpp"
 #include "symplant/tables/digest.hpp"
 #include "view/cross_references.hpp"
+#include "view/json_writer.hpp"
 #include "view/words.hpp"
 
 namespace symplant::view {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using model::kNone;
 
-Json names(const std::vector<std::uint32_t>& side, const model::PlantModel& plant) {
-  Json list = Json::array();
-  for (const std::uint32_t index : side) list.push_back(plant.symbols[index].name());
-  return list;
+void write_names(const std::vector<std::uint32_t>& side, const model::PlantModel& plant, JsonWriter& json) {
+  json.array(side, [&](std::uint32_t index) { json.value(plant.symbols[index].name()); });
 }
 
 /// Nanoseconds, or the parameters of a random time.
-Json time_json(const description::Duration& time) {
-  switch (time.kind) {
-    case description::Duration::Kind::fixed:
-      break;
-    case description::Duration::Kind::uniform:
-      return {{"min", time.a}, {"max", time.b}};
-    case description::Duration::Kind::normal:
-      return {{"mean", time.a}, {"sigma", time.b}};
-  }
-  return time.a;
+void write_time(const description::Duration& time, JsonWriter& json) {
+  if (time.kind == description::Duration::Kind::fixed) return json.value(time.a);
+  const bool uniform = time.kind == description::Duration::Kind::uniform;
+  json.begin_object();
+  json.member(uniform ? "min" : "mean", time.a);
+  json.member(uniform ? "max" : "sigma", time.b);
+  json.end_object();
 }
 
 /// The exact initial value: integers beyond 2^53, NaN and infinities are strings.
-Json value_json(const model::Symbol& symbol) {
+void write_value(const model::Symbol& symbol, JsonWriter& json) {
   using tables::DataType;
-  if (symbol.type == DataType::boolean) return symbol.initial != 0;
+  if (symbol.type == DataType::boolean) return json.value(symbol.initial != 0);
+  const std::string text = initial_value_text(symbol);
   if (symbol.type == DataType::real || symbol.type == DataType::lreal) {
     const auto value = std::bit_cast<double>(symbol.initial);
-    return std::isfinite(value) ? Json(value) : Json(initial_value_text(symbol));
+    return std::isfinite(value) ? json.value(value) : json.value(text);
   }
-  const std::string text = initial_value_text(symbol);
-  return text.size() < 16 ? Json::parse(text) : Json(text);
+  return text.size() < 16 ? json.literal(text) : json.value(text);
 }
 
 class UnitWriter {
  public:
-  UnitWriter(const model::Unit& unit, const model::PlantModel& plant) : unit_(unit), plant_(plant) {}
+  UnitWriter(const model::Unit& unit, const model::PlantModel& plant, JsonWriter& json)
+      : unit_(unit), plant_(plant), json_(json) {}
 
-  Json write(const std::vector<Disabler>& disabled_by) const {
-    const name::NameReading& reading = check::first_symbol_of(plant_, unit_).reading;
-    Json json{{"path", unit_.path},
-              {"line", reading.line},
-              {"process", reading.process},
-              {"device", unit_.device},
-              {"actuation", description::actuation_name(unit_.actuation)},
-              {"travel", unit_.travel},
-              {"initial", unit_.states[unit_.initial].name},
-              {"initial_from", initial_key(unit_.initial_from)}};
-    if (unit_.rest != kNone) json["rest"] = unit_.states[unit_.rest].name;
-    json["inferences"] = inferences(unit_);
-    json["I"] = names(unit_.operations, plant_);
-    json["O"] = names(unit_.events, plant_);
-    json["S"] = states();
-    json["d_ext"] = transitions(true);
-    json["d_int"] = transitions(false);
-    json["l_enter"] = outputs(true);
-    json["l_leave"] = outputs(false);
-    json["l_disable"] = disables();
-    json["disabled_by"] = Json::array();
-    for (const Disabler& by : disabled_by) {
+  void write(const std::vector<Disabler>& disabled_by) {
+    json_.begin_object();
+    write_head();
+    json_.key("I");
+    write_names(unit_.operations, plant_, json_);
+    json_.key("O");
+    write_names(unit_.events, plant_, json_);
+    write_states();
+    write_transitions("d_ext", true);
+    write_transitions("d_int", false);
+    write_outputs("l_enter", true);
+    write_outputs("l_leave", false);
+    write_disables();
+    json_.key("disabled_by");
+    json_.array(disabled_by, [&](const Disabler& by) {
       const model::Unit& disabler = plant_.units[by.unit];
-      json["disabled_by"].push_back({{"unit", disabler.path}, {"state", disabler.states[by.state].name}});
-    }
-    if (unit_.described != nullptr && !unit_.described->type.empty()) json["type"] = unit_.described->type;
-    if (unit_.has_behaviour()) json["behaviour"] = behaviour();
-    return json;
+      json_.begin_object();
+      json_.member("unit", disabler.path);
+      json_.member("state", disabler.states[by.state].name);
+      json_.end_object();
+    });
+    if (unit_.described != nullptr && !unit_.described->type.empty()) json_.member("type", unit_.described->type);
+    if (unit_.has_behaviour()) write_behaviour();
+    json_.end_object();
   }
 
  private:
   std::string_view operation(std::uint32_t position) const { return plant_.symbols[unit_.operations[position]].name(); }
   std::string_view event(std::uint32_t position) const { return plant_.symbols[unit_.events[position]].name(); }
 
-  Json states() const {
-    Json list = Json::array();
-    for (const model::State& state : unit_.states) {
-      Json row{{"name", state.name}};
-      if (state.operation != kNone) row["operation"] = operation(state.operation);
-      if (state.event != kNone) row["event"] = event(state.event);
-      list.push_back(std::move(row));
-    }
-    return list;
+  void write_head() {
+    const name::NameReading& reading = check::first_symbol_of(plant_, unit_).reading;
+    json_.member("path", unit_.path);
+    json_.member("line", reading.line);
+    json_.member("process", reading.process);
+    json_.member("device", unit_.device);
+    json_.member("actuation", description::actuation_name(unit_.actuation));
+    json_.member("travel", unit_.travel);
+    json_.member("initial", unit_.states[unit_.initial].name);
+    json_.member("initial_from", initial_key(unit_.initial_from));
+    if (unit_.rest != kNone) json_.member("rest", unit_.states[unit_.rest].name);
+    json_.key("inferences");
+    json_.array(inferences(unit_), [&](std::string_view sentence) { json_.value(sentence); });
   }
 
-  Json transitions(bool commanded) const {
-    Json list = Json::array();
+  void write_states() {
+    json_.key("S");
+    json_.array(unit_.states, [&](const model::State& state) {
+      json_.begin_object();
+      json_.member("name", state.name);
+      if (state.operation != kNone) json_.member("operation", operation(state.operation));
+      if (state.event != kNone) json_.member("event", event(state.event));
+      json_.end_object();
+    });
+  }
+
+  void write_transitions(std::string_view element, bool commanded) {
+    json_.key(element);
+    json_.begin_array();
     for (std::size_t n = 0; n < unit_.transitions.size(); ++n) {
       const model::Transition& t = unit_.transitions[n];
       if ((t.on != kNone) != commanded) continue;
-      Json row{{"place", n}, {"from", unit_.states[t.from].name}, {"to", unit_.states[t.to].name}};
-      if (commanded) row["on"] = operation(t.on);
-      if (t.when != kNone) row["when"] = model::condition_text(unit_.conditions[t.when], plant_);
-      row["after"] = time_json(t.after);
-      row["takes"] = time_json(t.takes);
-      if (t.once) row["once"] = true;
-      if (t.spring_return) row["spring_way"] = true;
-      row["origin"] = origin_text(t.origin);
-      list.push_back(std::move(row));
+      json_.begin_object();
+      json_.member("place", n);
+      json_.member("from", unit_.states[t.from].name);
+      json_.member("to", unit_.states[t.to].name);
+      if (commanded) json_.member("on", operation(t.on));
+      if (t.when != kNone) json_.member("when", model::condition_text(unit_.conditions[t.when], plant_));
+      json_.key("after");
+      write_time(t.after, json_);
+      json_.key("takes");
+      write_time(t.takes, json_);
+      if (t.once) json_.member("once", true);
+      if (t.spring_return) json_.member("spring_way", true);
+      json_.member("origin", origin_text(t.origin));
+      json_.end_object();
     }
-    return list;
+    json_.end_array();
   }
 
-  Json outputs(bool entering) const {
-    Json object = Json::object();
+  void write_outputs(std::string_view element, bool entering) {
+    json_.key(element);
+    json_.begin_object();
     for (std::uint32_t s = 0; s < unit_.states.size(); ++s) {
-      Json list = Json::array();
-      for (const auto& [position, on] : switched(unit_, s, entering))
-        list.push_back({{"event", event(position)}, {"on", on}});
-      if (!list.empty()) object[unit_.states[s].name] = std::move(list);
+      const auto events = switched(unit_, s, entering);
+      if (events.empty()) continue;
+      json_.key(unit_.states[s].name);
+      json_.array(events, [&](const auto& output) {
+        json_.begin_object();
+        json_.member("event", event(output.first));
+        json_.member("on", output.second);
+        json_.end_object();
+      });
     }
-    return object;
+    json_.end_object();
   }
 
-  Json disables() const {
-    Json object = Json::object();
+  void write_disables() {
+    json_.key("l_disable");
+    json_.begin_object();
     for (std::size_t s = 0; s < unit_.disables.size(); ++s) {
-      Json list = Json::array();
-      for (const std::uint32_t other : unit_.disables[s]) list.push_back(plant_.units[other].path);
-      if (!list.empty()) object[unit_.states[s].name] = std::move(list);
+      if (unit_.disables[s].empty()) continue;
+      json_.key(unit_.states[s].name);
+      json_.array(unit_.disables[s], [&](std::uint32_t other) { json_.value(plant_.units[other].path); });
     }
-    return object;
+    json_.end_object();
   }
 
-  Json behaviour() const {
-    Json inputs = Json::array();
+  void write_behaviour() {
+    json_.key("behaviour");
+    json_.begin_object();
+    json_.member("class", unit_.described->behaviour);
+    json_.key("inputs");
+    json_.begin_array();
     for (std::size_t i = unit_.first_input; i < unit_.conditions.size(); ++i) {
-      inputs.push_back({{"name", unit_.input_names[i - unit_.first_input]},
-                        {"condition", model::condition_text(unit_.conditions[i], plant_)}});
+      json_.begin_object();
+      json_.member("name", unit_.input_names[i - unit_.first_input]);
+      json_.member("condition", model::condition_text(unit_.conditions[i], plant_));
+      json_.end_object();
     }
-    return {
-        {"class", unit_.described->behaviour}, {"inputs", std::move(inputs)}, {"values", names(unit_.values, plant_)}};
+    json_.end_array();
+    json_.key("values");
+    write_names(unit_.values, plant_, json_);
+    json_.end_object();
   }
 
   const model::Unit& unit_;
   const model::PlantModel& plant_;
+  JsonWriter& json_;
 };
 
-Json symbol_json(const model::Symbol& symbol, const model::PlantModel& plant) {
-  Json json{{"name", symbol.name()},
-            {"list", symbol.list},
-            {"row", symbol.row->line},
-            {"direction", check::direction_text(symbol.direction)},
-            {"type", model::data_type_name(symbol.type)},
-            {"address", symbol.row->vendor_address},
-            {"iec_address", symbol.row->iec_address},
-            {"initial", value_json(symbol)},
-            {"unit", symbol.unit == kNone ? Json() : Json(plant.units[symbol.unit].path)}};
-  if (symbol.unmodelled != model::Unmodelled::modelled) json["unmodelled"] = unmodelled_key(symbol.unmodelled);
-  if (symbol.leader != kNone) json["follows"] = plant.symbols[symbol.leader].name();
-  return json;
-}
-
-/// The lists by file name, with the controller if it has a name.
-Json lists_json(const model::PlantModel& plant) {
-  Json lists = Json::array();
-  for (const model::PlantList& list : plant.lists) {
-    lists.push_back({{"file", list.name()}});
-    const std::string& controller = plant.controllers[list.controller];
-    if (!controller.empty()) lists.back()["controller"] = controller;
-  }
-  return lists;
-}
-
-Json requirement_json(const model::Requirement& requirement, const model::PlantModel& plant) {
-  Json json{{"name", requirement.name}};
-  const std::string condition = model::condition_text(requirement.condition, plant);
-  if (requirement.kind == tables::RequirementRow::Kind::never) {
-    json["never"] = condition;
+void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, JsonWriter& json) {
+  json.begin_object();
+  json.member("name", symbol.name());
+  json.member("list", symbol.list);
+  json.member("row", symbol.row->line);
+  json.member("direction", check::direction_text(symbol.direction));
+  json.member("type", model::data_type_name(symbol.type));
+  json.member("address", symbol.row->vendor_address);
+  json.member("iec_address", symbol.row->iec_address);
+  json.key("initial");
+  write_value(symbol, json);
+  json.key("unit");
+  if (symbol.unit == kNone) {
+    json.null();
   } else {
-    json["after"] = condition;
-    json["expect"] = model::condition_text(requirement.expected, plant);
-    json["within"] = requirement.within;
+    json.value(plant.units[symbol.unit].path);
   }
-  return json;
+  if (symbol.unmodelled != model::Unmodelled::modelled) json.member("unmodelled", unmodelled_key(symbol.unmodelled));
+  if (symbol.leader != kNone) json.member("follows", plant.symbols[symbol.leader].name());
+  json.end_object();
+}
+
+/// A list by its file name, with the controller if it has a name.
+void write_list(const model::PlantList& list, const model::PlantModel& plant, JsonWriter& json) {
+  json.begin_object();
+  json.member("file", list.name());
+  const std::string& controller = plant.controllers[list.controller];
+  if (!controller.empty()) json.member("controller", controller);
+  json.end_object();
+}
+
+void write_requirement(const model::Requirement& requirement, const model::PlantModel& plant, JsonWriter& json) {
+  const std::string condition = model::condition_text(requirement.condition, plant);
+  json.begin_object();
+  json.member("name", requirement.name);
+  if (requirement.kind == tables::RequirementRow::Kind::never) {
+    json.member("never", condition);
+  } else {
+    json.member("after", condition);
+    json.member("expect", model::condition_text(requirement.expected, plant));
+    json.member("within", requirement.within);
+  }
+  json.end_object();
+}
+
+void write_model(const Scene& scene, JsonWriter& json) {
+  const model::PlantModel& plant = scene.plant;
+  const CrossReferences references = cross_references(plant);
+  json.begin_object();
+  json.member("symplant-model", kModelJsonVersion);
+  json.member("plant", plant.name);
+  json.key("lists");
+  json.array(plant.lists, [&](const model::PlantList& list) { write_list(list, plant, json); });
+  json.member("model_hash", fmt::format("{:016x}", tables::model_hash(scene.tables.tables())));
+  json.key("units");
+  json.array(scene.units, [&](std::uint32_t unit) {
+    UnitWriter(plant.units[unit], plant, json).write(references.disabled_by[unit]);
+  });
+  json.key("requirements");
+  json.array(plant.requirements,
+             [&](const model::Requirement& requirement) { write_requirement(requirement, plant, json); });
+  json.key("symbols");
+  json.array(plant.symbols, [&](const model::Symbol& symbol) { write_symbol(symbol, plant, json); });
+  json.key("internal_rows");
+  json.begin_object();
+  for (std::size_t i = 0; i < model::kInternalReasons; ++i) {
+    json.member(model::internal_reason_text(static_cast<model::InternalReason>(i)), plant.internal[i]);
+  }
+  json.end_object();
+  json.end_object();
 }
 
 }  // namespace
 
 View model_json(const Scene& scene) {
-  const model::PlantModel& plant = scene.plant;
-  const CrossReferences references = cross_references(plant);
-  Json units = Json::array();
-  for (const std::uint32_t unit : scene.units) {
-    units.push_back(UnitWriter(plant.units[unit], plant).write(references.disabled_by[unit]));
-  }
-  Json symbols = Json::array();
-  for (const model::Symbol& symbol : plant.symbols) symbols.push_back(symbol_json(symbol, plant));
-  Json requirements = Json::array();
-  for (const model::Requirement& requirement : plant.requirements) {
-    requirements.push_back(requirement_json(requirement, plant));
-  }
-  Json internal = Json::object();
-  for (std::size_t i = 0; i < model::kInternalReasons; ++i) {
-    internal[std::string(model::internal_reason_text(static_cast<model::InternalReason>(i)))] = plant.internal[i];
-  }
-  const Json json{{"symplant-model", kModelJsonVersion},
-                  {"plant", plant.name},
-                  {"lists", lists_json(plant)},
-                  {"model_hash", fmt::format("{:016x}", tables::model_hash(scene.tables.tables()))},
-                  {"units", std::move(units)},
-                  {"requirements", std::move(requirements)},
-                  {"symbols", std::move(symbols)},
-                  {"internal_rows", std::move(internal)}};
-  return {json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"};
+  return {[scene](base::TextSink& sink) {
+    JsonWriter json(sink, JsonWriter::Form::indented);
+    write_model(scene, json);
+    json.finish();
+    sink.put("\n");
+  }};
 }
 
 }  // namespace symplant::view

@@ -18,24 +18,28 @@ using model::kNone;
 
 class TableWriter {
  public:
-  explicit TableWriter(const Scene& scene) : plant_(scene.plant), references_(cross_references(scene.plant)) {}
+  TableWriter(const model::PlantModel& plant, base::TextSink& sink)
+      : plant_(plant), references_(cross_references(plant)), text_(sink) {}
 
-  std::string write(const std::vector<std::uint32_t>& units) {
+  void write(const std::vector<std::uint32_t>& units) {
     for (const std::uint32_t unit : units) add_unit(unit);
     if (!plant_.requirements.empty()) {
       line("requirements");
       for (const model::Requirement& requirement : plant_.requirements) {
         line("  " + requirement.name + ": " + requirement_text(requirement, plant_));
       }
-      text_ += '\n';
+      text_.add("\n");
     }
     add_counts();
-    return std::move(text_);
+    text_.finish();
   }
 
  private:
   /// Adds one line, made safe to show.
-  void line(const std::string& content) { text_.append(diag::visible(content)).append("\n"); }
+  void line(const std::string& content) {
+    text_.add(diag::visible(content));
+    text_.add("\n");
+  }
 
   /// Adds a row. The first row of an element starts with the element's name.
   void row(const std::string& content) {
@@ -70,7 +74,7 @@ class TableWriter {
       for (const std::uint32_t requirement : references_.requirements[index])
         row(plant_.requirements[requirement].name);
     }
-    text_ += '\n';
+    text_.add("\n");
   }
 
   void add_side(std::string_view element, const std::vector<std::uint32_t>& side) {
@@ -179,12 +183,14 @@ class TableWriter {
 
   const model::PlantModel& plant_;
   const CrossReferences references_;
-  std::string text_;
+  base::PartCollector text_;
   std::string_view element_;
 };
 
 }  // namespace
 
-View model_table(const Scene& scene) { return {TableWriter(scene).write(scene.units)}; }
+View model_table(const Scene& scene) {
+  return {[scene](base::TextSink& sink) { TableWriter(scene.plant, sink).write(scene.units); }};
+}
 
 }  // namespace symplant::view

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text_source.hpp"
 #include "lower/engine_tables.hpp"
 #include "model/plant_model.hpp"
 
@@ -21,9 +22,10 @@ struct Scene {
   base::ProcessRunner* programs = nullptr;  ///< null: no other program is run
 };
 
-/// A view as the text of a file, and the decisions made for it, for --verbose.
+/// A view as the text of a file, and the decisions made for it, for --verbose. The text is made when it is written; the
+/// plant and the tables of the scene must exist until then.
 struct View {
-  std::string text;
+  base::TextSource text;
   std::vector<std::string> decisions = {};
 };
 

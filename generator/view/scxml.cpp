@@ -185,6 +185,6 @@ class ScxmlWriter {
 
 }  // namespace
 
-View scxml_view(const Scene& scene) { return {ScxmlWriter(scene).write()}; }
+View scxml_view(const Scene& scene) { return {base::whole(ScxmlWriter(scene).write())}; }
 
 }  // namespace symplant::view

@@ -174,14 +174,14 @@ std::string own_picture(const Scene& scene) {
 View svg_view(const Scene& scene) {
   std::string decision = "the picture is laid out by symplant itself";
   if (scene.programs != nullptr) {
-    const std::string dot = dot_view(scene).text;
+    const std::string dot = base::text_of(dot_view(scene).text);
     auto drawn = scene.programs->run({"dot", {"-Tsvg"}, dot});
     if (drawn && drawn->find("<svg") != std::string::npos) {
-      return {std::move(*drawn), {"the picture is laid out by Graphviz"}};
+      return {base::whole(std::move(*drawn)), {"the picture is laid out by Graphviz"}};
     }
     decision += drawn ? ", since `dot` gave no picture" : ", since " + drawn.error().message;
   }
-  return {own_picture(scene), {std::move(decision)}};
+  return {base::whole(own_picture(scene)), {std::move(decision)}};
 }
 
 }  // namespace symplant::view

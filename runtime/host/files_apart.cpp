@@ -59,8 +59,8 @@ bool uses_standard_output(const RunOptions& options) {
   return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) { return is_standard_output(o.path); });
 }
 
-bool files_are_apart(const RunOptions& options, const std::vector<std::string>& inputs, std::ostream& err) {
-  std::vector<std::string> read = inputs;
+bool files_are_apart(const RunOptions& options, std::span<const std::string_view> inputs, std::ostream& err) {
+  std::vector<std::string> read(inputs.begin(), inputs.end());
   if (!options.scenario.empty()) read.push_back(options.scenario);
   const std::vector<Output> outputs = outputs_of(options);
   bool apart = true;

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <ostream>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "symplant/host/run_options.hpp"
 
@@ -11,7 +12,7 @@ namespace symplant::host {
 
 /// False, with messages on `err`, if an output would overwrite an input or another output. `inputs`: files of the
 /// plant.
-bool files_are_apart(const RunOptions& options, const std::vector<std::string>& inputs, std::ostream& err);
+bool files_are_apart(const RunOptions& options, std::span<const std::string_view> inputs, std::ostream& err);
 
 /// Whether a path means standard output.
 bool is_standard_output(const std::string& path);

@@ -21,6 +21,8 @@ bool is_well(const std::optional<File>& file, const char* severity, std::ostream
 
 }  // namespace
 
+bool records_changes(const RunOptions& options) { return !options.trace.empty() || !options.vcd.empty(); }
+
 Outputs::Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder,
                  trace::History& history, Report& report, std::ostream& out)
     : names_(names), options_(options), recorder_(recorder), history_(history), report_(report), out_(out) {}
@@ -119,8 +121,10 @@ void Outputs::finish(tables::Time end, std::ostream& err) {
   is_well(vcd_, "warning", err);
   is_well(findings_, "warning", err);
   if (recorder_.lost_changes() != 0) {
-    err << fmt::format("warning: {} changes are missing in the trace and the VCD file: the disk was too slow\n",
-                       recorder_.lost_changes());
+    err << fmt::format("warning: {} changes {}\n", recorder_.lost_changes(),
+                       records_changes(options_)
+                           ? "are missing in the trace and the VCD file: the disk was too slow"
+                           : "came too fast to be recorded: findings may describe an earlier state");
   }
 }
 

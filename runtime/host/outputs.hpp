@@ -18,6 +18,9 @@
 
 namespace symplant::host {
 
+/// Whether a file gets every change of the plant.
+bool records_changes(const RunOptions& options);
+
 /// Drains a recorder: in virtual time after each step of the run, in real time on a separate thread, so that the cycle
 /// never waits for a disk. All arguments of the constructor must outlive it.
 class Outputs {

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/link/link_settings.hpp"
@@ -18,16 +16,16 @@ struct DefaultLink {
   std::string_view url;
 };
 
-/// All references must outlive the run.
+/// All references must outlive the run. The header is a part of every generated program, so it stays light.
 struct PlantProgram {
   const tables::PlantTables& tables;
   std::span<const engine::Behaviour> behaviours = {};  ///< as for plant::Plant
   std::span<const DefaultLink> links = {};             ///< links of the description, used without --link
   /// By controller, for any URL of its link; empty: defaults for all.
   std::span<const link::LinkSettings> link_settings = {};
-  std::string_view default_link = {};    ///< as for --link, used without both of these; empty: no link
-  std::vector<std::string> more = {};    ///< further lines of the summary at the start
-  std::vector<std::string> inputs = {};  ///< files that the plant was read from: no output may overwrite them
+  std::string_view default_link = {};             ///< as for --link, used without both of these; empty: no link
+  std::span<const std::string_view> more = {};    ///< further lines of the summary at the start
+  std::span<const std::string_view> inputs = {};  ///< files that the plant was read from: no output may overwrite them
 };
 
 }  // namespace symplant::host

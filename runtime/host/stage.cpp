@@ -7,9 +7,13 @@ namespace {
 /// In real time a slow disk may delay the draining thread.
 constexpr std::size_t kRealTimeRecords = std::size_t{1} << 16;
 
-std::size_t capacity(const tables::PlantTables& tables, bool real_time) {
+/// In real time all memory is populated before the first cycle. Without a file of changes the records only serve the
+/// texts of findings, for which a change of each symbol and unit suffices.
+std::size_t capacity(const tables::PlantTables& tables, const RunOptions& options, bool real_time) {
   const std::size_t enough = trace::Recorder::enough_for_an_instant(tables);
-  return real_time ? std::max(kRealTimeRecords, 2 * enough) : enough;
+  if (!real_time) return enough;
+  return std::max(kRealTimeRecords,
+                  records_changes(options) ? 2 * enough : tables.symbols.size() + tables.units.size());
 }
 
 }  // namespace
@@ -17,7 +21,7 @@ std::size_t capacity(const tables::PlantTables& tables, bool real_time) {
 Stage::Stage(const PlantProgram& program, const RunOptions& options, const trace::PlantNames& names,
              const scenario::Scenario* scenario, bool real_time, const RunStreams& streams)
     : plant(program.tables, program.behaviours),
-      recorder(program.tables, capacity(program.tables, real_time)),
+      recorder(program.tables, capacity(program.tables, options, real_time)),
       history(names),
       report(names, history, scenario, options.scenario, streams.console),
       outputs(names, options, recorder, history, report, streams.out) {

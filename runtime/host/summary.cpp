@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/tables/row_of.hpp"
+#include "symplant/trace/name_index.hpp"
 
 namespace symplant::host {
 namespace {
@@ -38,9 +40,8 @@ std::string lists_text(const tables::PlantTables& tables) {
   return text;
 }
 
-std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, const std::vector<std::string>& more,
+std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, std::span<const std::string_view> more,
                     std::span<const engine::Behaviour> behaviours) {
-  const auto names = tables::split_names(tables.symbol_names);
   std::size_t operations = 0;
   std::size_t moving_operations = 0;
   std::vector<bool> by_code(tables.symbols.size());
@@ -50,14 +51,16 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
       by_code[symbol] = true;
     }
   }
-  std::vector<std::string_view> undriven;
+  std::size_t undriven = 0;
+  std::vector<std::size_t> undriven_shown;
   for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
     if (symbol.direction() == tables::Direction::operation) {
       ++operations;
       if (symbol.moved()) ++moving_operations;
     } else if (!symbol.moved() && !by_code[i]) {
-      undriven.push_back(names[2 * i]);
+      ++undriven;
+      if (undriven_shown.size() < kNamesShown) undriven_shown.push_back(i);
     }
   }
   const std::size_t events = tables.symbols.size() - operations;
@@ -69,14 +72,15 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
   std::string text = fmt::format("plant {}: {} from {} ({}, {}), model {:016x}\n", shown(tables.name),
                                  plural(tables.symbols.size(), "I/O symbol"), shown(lists_text(tables)),
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
-  for (const std::string& line : more) text += line + "\n";
+  for (const std::string_view line : more) text.append(line).append("\n");
   text += fmt::format("can move: {} of {}, using {} of {}\n", std::count(moves.begin(), moves.end(), true),
                       plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
-  text += fmt::format("not driven: {} of {}", undriven.size(), plural(events, "event"));
-  for (std::size_t i = 0; i < undriven.size() && i < kNamesShown; ++i) {
-    text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(undriven[i]));
+  text += fmt::format("not driven: {} of {}", undriven, plural(events, "event"));
+  const trace::NameIndex names(tables.symbol_names);
+  for (std::size_t i = 0; i < undriven_shown.size(); ++i) {
+    text += fmt::format("{} {}", i == 0 ? ":" : ",", shown(names[2 * undriven_shown[i]]));
   }
-  if (undriven.size() > kNamesShown) text += fmt::format(" and {} more", undriven.size() - kNamesShown);
+  if (undriven > kNamesShown) text += fmt::format(" and {} more", undriven - kNamesShown);
   return text + "\n";
 }
 

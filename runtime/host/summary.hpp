@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/tables/tables.hpp"
@@ -17,7 +17,7 @@ std::string lists_text(const tables::PlantTables& tables);
 /// The plant's inputs, the devices that can move, and the events that are not driven. `more` are further lines, after
 /// the first. A behavior in `behaviours` drives the numbers of its devices.
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
-                    const std::vector<std::string>& more = {}, std::span<const engine::Behaviour> behaviours = {});
+                    std::span<const std::string_view> more = {}, std::span<const engine::Behaviour> behaviours = {});
 
 /// A line for each behavior that replaces functions of the model, and for each that the program has no code for; else
 /// empty.

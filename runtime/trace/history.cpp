@@ -7,18 +7,22 @@ namespace symplant::trace {
 
 History::History(const PlantNames& names)
     : names_(names),
-      values_(names.tables().symbols.size()),
-      changed_(values_.size()),
-      rose_(values_.size(), -1),
+      bits_(names.tables().symbols.size()),
+      numbers_(names.tables().operation_slots + names.tables().event_slots),
+      changed_(bits_.size()),
+      rose_(bits_.size()),
       unit_changed_(names.tables().units.size()) {
   const tables::PlantTables& tables = names.tables();
   for (const tables::InitialValue& initial : tables.initial_values) {
-    if (tables.symbols[initial.symbol].type() != tables::DataType::boolean) values_[initial.symbol] = initial.value;
+    const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
+    if (symbol.type() != tables::DataType::boolean) numbers_[slot(symbol)] = initial.value;
   }
   for (const tables::SharedAddress& shared :
        tables.shared_addresses) {  // numbers of one address share one initial value
-    if (tables.symbols[shared.symbol].type() == tables::DataType::boolean) continue;
-    if (values_[shared.symbol] == 0) values_[shared.symbol] = values_[shared.leader];
+    const tables::SymbolRow& symbol = tables.symbols[shared.symbol];
+    if (symbol.type() == tables::DataType::boolean) continue;
+    std::uint64_t& number = numbers_[slot(symbol)];
+    if (number == 0) number = value(shared.leader);
   }
   units_.reserve(tables.units.size());
   for (const tables::UnitRow& unit : tables.units) {
@@ -26,11 +30,26 @@ History::History(const PlantNames& names)
   }
 }
 
+std::size_t History::slot(const tables::SymbolRow& symbol) const {
+  return symbol.index + (symbol.direction() == tables::Direction::event ? names_.tables().operation_slots : 0);
+}
+
+std::uint64_t History::value(std::uint32_t symbol) const {
+  const tables::SymbolRow& row = names_.tables().symbols[symbol];
+  return row.type() == tables::DataType::boolean ? bits_[symbol] : numbers_[slot(row)];
+}
+
 void History::apply(const Record& record) {
   if (record.kind == Record::Kind::change) {
-    if (record.value != 0 && values_[record.of] == 0) rose_[record.of] = record.time;
-    values_[record.of] = record.value;
-    changed_[record.of] = record.time;
+    const tables::SymbolRow& symbol = names_.tables().symbols[record.of];
+    const bool came_on = record.value != 0 && value(record.of) == 0;
+    if (came_on && symbol.direction() == tables::Direction::operation) rose_[record.of] = record.time + 1;
+    if (symbol.type() == tables::DataType::boolean) {
+      bits_[record.of] = record.value != 0;
+    } else {
+      numbers_[slot(symbol)] = record.value;
+    }
+    if (changed_[record.of] != record.time) changed_[record.of] = record.time;
   } else if (record.kind == Record::Kind::unit) {
     units_[record.of] = static_cast<std::uint32_t>(record.value);
     unit_changed_[record.of] = record.time;
@@ -40,7 +59,7 @@ void History::apply(const Record& record) {
 std::vector<std::uint32_t> History::last_operations(std::uint32_t unit, std::size_t most) const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
-    if (names_.is_operation(symbol) && rose_[symbol] >= 0) found.push_back(symbol);
+    if (names_.is_operation(symbol) && rose(symbol) >= 0) found.push_back(symbol);
   }
   std::stable_sort(found.begin(), found.end(),
                    [this](std::uint32_t a, std::uint32_t b) { return rose_[a] > rose_[b]; });

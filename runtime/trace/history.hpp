@@ -8,10 +8,12 @@
 #include "symplant/tables/tables.hpp"
 #include "symplant/trace/plant_names.hpp"
 #include "symplant/trace/record.hpp"
+#include "symplant/trace/zeroed_array.hpp"
 
 namespace symplant::trace {
 
-/// Updated by the thread that drains a recorder; does not access the plant. `names` must outlive it.
+/// Updated by the thread that drains a recorder; does not access the plant. `names` must outlive it. Takes memory for
+/// what has changed, at most 16 bytes for a symbol and 12 for a unit.
 class History {
  public:
   explicit History(const PlantNames& names);
@@ -19,24 +21,28 @@ class History {
   /// O(1).
   void apply(const Record& record);
 
-  std::uint64_t value(std::uint32_t symbol) const { return values_[symbol]; }
+  std::uint64_t value(std::uint32_t symbol) const;
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
   /// Time of its latest change; 0 if it never changed.
   tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
   tables::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
-  /// Time at which it last came on; -1: never.
-  tables::Time rose(std::uint32_t symbol) const { return rose_[symbol]; }
+  /// Time at which an operation last came on; -1: never.
+  tables::Time rose(std::uint32_t operation) const { return rose_[operation] - 1; }
 
   /// The operations of a unit that have been on, the latest first; at most `most`.
   std::vector<std::uint32_t> last_operations(std::uint32_t unit, std::size_t most) const;
 
  private:
   const PlantNames& names_;
-  std::vector<std::uint64_t> values_;
-  std::vector<tables::Time> changed_;
-  std::vector<tables::Time> rose_;
+  /// The index of a numeric symbol in `numbers_`.
+  std::size_t slot(const tables::SymbolRow& symbol) const;
+
+  std::vector<bool> bits_;              ///< by symbol, if it is BOOL
+  std::vector<std::uint64_t> numbers_;  ///< by slot: operations, then events
+  ZeroedArray<tables::Time> changed_;
+  ZeroedArray<tables::Time> rose_;    ///< one more than the time, for operations
   std::vector<std::uint32_t> units_;  ///< pack_unit
-  std::vector<tables::Time> unit_changed_;
+  ZeroedArray<tables::Time> unit_changed_;
 };
 
 }  // namespace symplant::trace

@@ -8,14 +8,11 @@ namespace symplant::trace {
 
 PlantNames::PlantNames(const tables::PlantTables& tables)
     : tables_(tables),
-      symbols_(tables::split_names(tables.symbol_names)),
-      units_(tables::split_names(tables.unit_names)),
+      symbols_(tables.symbol_names),
+      units_(tables.unit_names),
       states_(tables::split_names(tables.state_names)),
       requirements_(tables::split_names(tables.requirement_names)),
-      lists_(tables::split_names(tables.list_names)),
-      first_of_(tables.units.size() + 1) {
-  symbols_.resize(2 * tables.symbols.size());
-  units_.resize(tables.units.size());
+      lists_(tables::split_names(tables.list_names)) {
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
   for (const tables::TypeRow& type : tables.types) {
@@ -23,14 +20,18 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
     states += type.states;
   }
   states_.resize(states);
-  for (const tables::SymbolRow& symbol : tables.symbols) {
+}
+
+void PlantNames::group() const {
+  first_of_.resize(tables_.units.size() + 1);
+  for (const tables::SymbolRow& symbol : tables_.symbols) {
     if (symbol.unit != tables::kNone) ++first_of_[symbol.unit + 1];
   }
   for (std::size_t u = 1; u < first_of_.size(); ++u) first_of_[u] += first_of_[u - 1];
   by_unit_.resize(first_of_.back());
   std::vector<std::uint32_t> at(first_of_.begin(), first_of_.end() - 1);
-  for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) {
-    const std::uint32_t unit = tables.symbols[s].unit;
+  for (std::uint32_t s = 0; s < tables_.symbols.size(); ++s) {
+    const std::uint32_t unit = tables_.symbols[s].unit;
     if (unit != tables::kNone) by_unit_[at[unit]++] = s;
   }
 }
@@ -64,6 +65,7 @@ std::string PlantNames::cite(std::uint32_t symbol) const {
 }
 
 std::span<const std::uint32_t> PlantNames::symbols_of(std::uint32_t unit) const {
+  std::call_once(grouped_, [this] { group(); });
   return std::span(by_unit_).subspan(first_of_[unit], first_of_[unit + 1] - first_of_[unit]);
 }
 

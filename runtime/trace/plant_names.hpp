@@ -2,16 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "symplant/tables/tables.hpp"
+#include "symplant/trace/name_index.hpp"
 
 namespace symplant::trace {
 
-/// Views into the tables' blobs, which must outlive it. Construction is O(plant), members are O(1) unless noted.
+/// Views into the tables' blobs, which must outlive it. Construction is O(types and lists). Members are O(1) unless
+/// noted, after a first call that is O(plant): a run that needs no name of a symbol or unit has no index of them.
+/// Several threads may use it at the same time.
 class PlantNames {
  public:
   explicit PlantNames(const tables::PlantTables& tables);
@@ -46,17 +50,20 @@ class PlantNames {
   }
 
  private:
+  void group() const;
+
   const tables::PlantTables& tables_;
-  std::vector<std::string_view> symbols_;  ///< name and address of each symbol
-  std::vector<std::string_view> units_;
+  NameIndex symbols_;  ///< name and address of each symbol
+  NameIndex units_;
   std::vector<std::string_view> states_;
   std::vector<std::string_view> requirements_;
   std::vector<std::string_view> lists_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
-  std::vector<std::uint32_t> by_unit_;       ///< symbols of units, grouped by unit
-  std::vector<std::uint32_t>
-      first_of_;  ///< by unit: the index of its first symbol in by_unit_; one more entry at the end
+  mutable std::once_flag grouped_;
+  mutable std::vector<std::uint32_t> by_unit_;  ///< symbols of units, grouped by unit
+  /// By unit: the index of its first symbol in by_unit_; one more entry at the end.
+  mutable std::vector<std::uint32_t> first_of_;
 };
 
 }  // namespace symplant::trace

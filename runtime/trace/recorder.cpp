@@ -47,9 +47,18 @@ void Recorder::note_bits(const engine::WordChange& change, const std::vector<std
   }
 }
 
+void Recorder::start_again() noexcept {
+  if ((at_ & mask_) == 0 || read_.load(std::memory_order_acquire) != at_) return;
+  skip_from_ = at_;
+  at_ = (at_ | mask_) + 1;
+  skip_to_ = at_;
+  end_ = at_ + ring_.size();
+}
+
 bool Recorder::put(const Record& record) noexcept {
+  if (at_ == written_.load(std::memory_order_relaxed)) start_again();
   if (at_ == end_) {
-    end_ = read_.load(std::memory_order_acquire) + ring_.size();
+    end_ = std::max(read_.load(std::memory_order_acquire), skip_to_) + ring_.size();
     if (at_ == end_) return false;
   }
   ring_[at_++ & mask_] = record;
@@ -69,7 +78,7 @@ void Recorder::record_symbols(const engine::Instant& instant) noexcept {
   for (const std::uint32_t slot : instant.operation_slots) changed_[changed_count_++] = symbol_of_operation_slot_[slot];
   for (const std::uint32_t slot : instant.event_slots) changed_[changed_count_++] = symbol_of_event_slot_[slot];
   if (changed_count_ > 1) {
-    std::sort(changed_.begin(), changed_.begin() + static_cast<std::ptrdiff_t>(changed_count_));
+    std::sort(changed_.begin(), changed_.begin() + changed_count_);
   }
   for (std::size_t i = 0; i < changed_count_; ++i) {
     const std::uint32_t index = changed_[i];

@@ -8,12 +8,14 @@
 
 #include "symplant/plant/plant.hpp"
 #include "symplant/trace/record.hpp"
+#include "symplant/trace/zeroed_array.hpp"
 
 namespace symplant::trace {
 
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains the ring; both are
 /// wait-free. The records of an instant are its findings in their order, then changes of symbols in list order, then
-/// units. They become available to drain() together.
+/// units. They become available to drain() together. A ring that is empty starts again at its first slot, so that it
+/// takes memory only for the most records that it has held at once.
 class Recorder final : public engine::Observer {
  public:
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
@@ -36,7 +38,10 @@ class Recorder final : public engine::Observer {
   void drain(Take take) {
     const std::size_t end = written_.load(std::memory_order_acquire);
     std::size_t at = read_.load(std::memory_order_relaxed);
-    for (; at != end; ++at) take(ring_[at & mask_]);
+    for (; at != end; ++at) {
+      if (at == skip_from_) at = skip_to_;
+      take(ring_[at & mask_]);
+    }
     read_.store(at, std::memory_order_release);
   }
 
@@ -48,6 +53,7 @@ class Recorder final : public engine::Observer {
   void record_symbols(const engine::Instant& instant) noexcept;
   void record_units(const engine::Instant& instant) noexcept;
   bool put(const Record& record) noexcept;
+  void start_again() noexcept;
   void publish() noexcept;
 
   const tables::PlantTables& tables_;
@@ -56,13 +62,16 @@ class Recorder final : public engine::Observer {
   std::vector<std::uint32_t> symbol_of_event_;
   std::vector<std::uint32_t> symbol_of_operation_slot_;
   std::vector<std::uint32_t> symbol_of_event_slot_;
-  std::vector<std::uint32_t> changed_;  ///< symbols changed in this instant; never grows
+  ZeroedArray<std::uint32_t> changed_;  ///< symbols changed in this instant
   std::size_t changed_count_ = 0;
   std::vector<std::uint32_t> units_;  ///< as last recorded: pack_unit
-  std::vector<Record> ring_;
+  ZeroedArray<Record> ring_;
   std::size_t mask_;
   std::size_t at_ = 0;   ///< index of the next record; ahead of written_ while an instant is recorded
   std::size_t end_ = 0;  ///< end of the free room, as last read
+  // The indexes from skip_from_ to skip_to_ hold no records. Written only while the ring is empty, read only while not.
+  std::size_t skip_from_ = 0;
+  std::size_t skip_to_ = 0;
   std::atomic<std::size_t> written_{0};
   std::atomic<std::size_t> read_{0};
   std::atomic<std::uint64_t> lost_changes_{0};

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures how long check and generate take for a list of a million rows, as whole processes:
+# Measures how long check, generate, model and map take for a list of a million rows, as whole processes:
 #   tests/bench/million.sh BUILD [ROWS [RUNS]]
 # BUILD is the build folder of the preset bench. The best of several runs counts: other load on the machine only
 # increases the time.
@@ -51,3 +51,5 @@ row "generate, nothing there yet" sh -c 'rm -rf "$3"; exec "$1" generate "$2" -o
 row "generate, nothing changed" "$build/symplant" generate "$list" -o "$folder/plant"
 row "check, every name at fault" "$build/symplant" check "$bad"
 row "check --format json, every name at fault" "$build/symplant" check --format json --output "$folder/result" "$bad"
+for format in json html table; do row "model --format $format" "$build/symplant" model --format $format "$list"; done
+row "map" "$build/symplant" map "$list"

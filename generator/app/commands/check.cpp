@@ -85,7 +85,7 @@ class Check {
       context_.err << "warning: " << check::renamed_rule(word) << "\n";
     }
     for (const std::string& plant : options_.plants) look_at(plant);
-    write_result(context_, options_.output, rendered(), inputs_);
+    write_result(context_, options_.output, base::whole(rendered()), inputs_);
   }
 
  private:

@@ -88,8 +88,8 @@ void write(const GenerateOptions& options, const emit::EmitResult& emitted, std:
     const std::vector<std::string> plant_files = inputs;
     inputs.insert(inputs.end(), emitted.inputs.begin(), emitted.inputs.end());
     if (!options.templates.empty()) inputs.push_back(options.templates);  // its time changes if a template is added
-    if (!write_result(context, options.depfile, depfile(in_folder(options, "tables_gen.cpp"), inputs), plant_files))
-      return;
+    const std::string rule = depfile(in_folder(options, "tables_gen.cpp"), inputs);
+    if (!write_result(context, options.depfile, base::whole(rule), plant_files)) return;
   }
   context.out << fmt::format("{}: {} files, {} of them new or changed\n", options.folder, emitted.files.size(),
                              changed);

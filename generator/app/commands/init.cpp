@@ -57,8 +57,8 @@ void init(const InitOptions& options, Context& context) {
     context.exit_code = host::kBadInput;
     return;
   }
-  write_result(context, options.output, emit::skeleton(compiled->plant, compiled->evidence, reference(options)),
-               {options.list});
+  write_result(context, options.output,
+               base::whole(emit::skeleton(compiled->plant, compiled->evidence, reference(options))), {options.list});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 #include <ostream>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
@@ -23,8 +24,10 @@ struct ModelOptions {
 };
 
 void show(const ModelOptions& options, Context& context) {
-  const auto compiled = compile_for(context, options.plant, options.plant_options);
-  if (!compiled) return;
+  auto made = compile_for(context, options.plant, options.plant_options);
+  if (!made) return;
+  const auto compiled = std::make_shared<const Compiled>(std::move(*made));
+  context.kept = compiled;
   std::vector<std::uint32_t> units;
   for (std::uint32_t u = 0; u < compiled->plant.units.size(); ++u) {
     if (text::matches_pattern(compiled->plant.units[u].path, options.device)) units.push_back(u);

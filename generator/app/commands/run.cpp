@@ -6,11 +6,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "base/large_memory.hpp"
 #include "symplant/host/run_options.hpp"
 
 namespace symplant::app {
@@ -49,6 +50,42 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   return lines;
 }
 
+/// What a running plant needs of a compiled one: the rest is freed before the start.
+class Prepared {
+ public:
+  explicit Prepared(Compiled compiled)
+      : tables_(std::move(compiled.tables)),
+        rows_(tables_.tables()),
+        description_(compiled.plant.description),
+        controllers_(std::move(compiled.plant.links)),
+        more_(more(compiled.plant)),
+        inputs_(compiled.plant.input_files()),
+        more_views_(more_.begin(), more_.end()),
+        input_views_(inputs_.begin(), inputs_.end()) {
+    for (const description::LinkDescription& link : description_->links) links_.push_back({link.controller, link.url});
+    for (const model::ControllerLink& link : controllers_) settings_.push_back(link.settings());
+  }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
+
+  /// Refers to this object.
+  host::PlantProgram program() const {
+    return {.tables = rows_, .links = links_, .link_settings = settings_, .more = more_views_, .inputs = input_views_};
+  }
+
+ private:
+  const lower::EngineTables tables_;
+  const tables::PlantTables rows_;
+  const std::shared_ptr<const description::Description> description_;  ///< its texts are in links and settings
+  const std::vector<model::ControllerLink> controllers_;
+  const std::vector<std::string> more_;
+  const std::vector<std::string> inputs_;
+  const std::vector<std::string_view> more_views_;
+  const std::vector<std::string_view> input_views_;
+  std::vector<host::DefaultLink> links_;
+  std::vector<link::LinkSettings> settings_;
+};
+
 }  // namespace
 
 void add_run(CLI::App& app, Context& context) {
@@ -64,21 +101,12 @@ void add_run(CLI::App& app, Context& context) {
       "  symplant run plant.json --link PLC1=modbus-tcp-server://:1502 --link PLC2=modbus-tcp-server://:1503\n"
       "  symplant run symbols.csv --scenario first_cycle.json --vcd run.vcd --junit report.xml");
   command->callback([options, &context] {
-    const auto compiled = compile_for(context, options->plant, options->plant_options);
+    auto compiled = compile_for(context, options->plant, options->plant_options);
     if (!compiled) return;
-    const tables::PlantTables tables = compiled->tables.tables();
-    host::PlantProgram program{.tables = tables};
-    program.more = more(compiled->plant);
-    program.inputs = compiled->plant.input_files();
-    std::vector<host::DefaultLink> links;
-    for (const description::LinkDescription& link : compiled->plant.description->links) {
-      links.push_back({link.controller, link.url});
-    }
-    program.links = links;
-    std::vector<link::LinkSettings> settings;
-    for (const model::ControllerLink& link : compiled->plant.links) settings.push_back(link.settings());
-    program.link_settings = settings;
-    context.exit_code = host::run(program, options->run, context.out, context.err);
+    const Prepared prepared(std::move(*compiled));
+    compiled.reset();
+    base::return_freed_memory();
+    context.exit_code = host::run(prepared.program(), options->run, context.out, context.err);
   });
 }
 

@@ -51,7 +51,7 @@ void add_schema(CLI::App& app, Context& context) {
       context.err << "error: the format `" << options->format << "` is not supported by this version of symplant yet\n";
       context.exit_code = host::kBadInput;
     } else {
-      write_result(context, options->output, std::string(found->text()), {});
+      write_result(context, options->output, base::whole(std::string(found->text())), {});
     }
   });
 }

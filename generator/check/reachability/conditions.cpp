@@ -4,29 +4,40 @@
 namespace symplant::check {
 namespace {
 
-void add_conditions(const model::Unit& unit, std::vector<WrittenCondition>& found) {
+void add_conditions(const model::Unit& unit, const model::PlantModel& plant, std::vector<WrittenCondition>& found) {
+  const auto verdict_of = [&](std::size_t condition) {
+    return decide(unit.conditions[condition], plant, AllStates(plant));
+  };
   std::vector<bool> seen(unit.first_input);
   for (const model::Transition& transition : unit.transitions) {
     if (transition.when == model::kNone || seen[transition.when]) continue;
     seen[transition.when] = true;
-    found.push_back({&unit, &unit.conditions[transition.when], unit.described->transitions[transition.given].when, true,
-                     transition_pointer(unit, transition, "when")});
+    found.push_back({&unit,
+                     &unit.conditions[transition.when],
+                     unit.described->transitions[transition.given].when,
+                     &transition,
+                     {},
+                     verdict_of(transition.when)});
   }
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
     const auto& [name, text] = unit.described->inputs[i - unit.first_input];
-    found.push_back({&unit, &unit.conditions[i], text, false,
-                     description::key_pointer(*unit.described, description::DeviceKey::inputs) / name});
+    found.push_back({&unit, &unit.conditions[i], text, nullptr, name, verdict_of(i)});
   }
 }
 
 }  // namespace
+
+description::Pointer WrittenCondition::pointer() const {
+  return transition != nullptr ? transition_pointer(*unit, *transition, "when")
+                               : description::key_pointer(*unit->described, description::DeviceKey::inputs) / input;
+}
 
 std::vector<WrittenCondition> conditions_of(const Subject& subject) {
   const model::PlantModel& plant = subject.plant;
   std::vector<WrittenCondition> found;
   if (!is_described(subject)) return found;
   for (const model::Unit& unit : plant.units) {
-    if (!unit.conditions.empty()) add_conditions(unit, found);
+    if (!unit.conditions.empty()) add_conditions(unit, plant, found);
   }
   return found;
 }

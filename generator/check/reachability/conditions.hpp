@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "check/reachability/decide.hpp"
 #include "check/rule.hpp"
 #include "symplant/condition/tree.hpp"
 
@@ -14,11 +15,17 @@ struct WrittenCondition {
   const model::Unit* unit;
   const condition::Tree* tree;
   std::string_view text;
-  bool is_when;
-  description::Pointer pointer;  ///< of the first location where the device has this text
+  /// The first transition with this text; null for an input of a behavior.
+  const model::Transition* transition;
+  std::string_view input;  ///< its name
+  Verdict verdict;         ///< if every state of every device is possible
+
+  /// Of the first location where the device has this text.
+  description::Pointer pointer() const;
 };
 
-/// Those of devices, in the order of their devices. O(transitions).
+/// Those of devices, in the order of their devices. Examines each once: O(transitions) plus
+/// decide() for each.
 std::vector<WrittenCondition> conditions_of(const Subject& subject);
 
 }  // namespace symplant::check

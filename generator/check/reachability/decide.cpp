@@ -61,6 +61,7 @@ class Decision {
       if (found == atoms.end()) atoms.push_back(tree.atom);
       node.things = {node.thing};
     }
+    node.children.reserve(tree.children.size());
     for (const Tree& child : tree.children) {
       node.children.push_back(node_of(child));
       const auto& more = node.children.back().things;
@@ -97,6 +98,11 @@ class Decision {
 
   /// Children that look at a thing in common, in one group; groups have nothing in common.
   std::vector<std::vector<const Node*>> groups_of(const Node& node) const {
+    if (node.things.size() == 1) {
+      std::vector<const Node*> all;
+      for (const Node& child : node.children) all.push_back(&child);
+      return {std::move(all)};
+    }
     std::vector<std::size_t> leader(node.children.size());
     std::iota(leader.begin(), leader.end(), std::size_t{0});
     const auto find = [&](std::size_t child) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "check/reachability/conditions.hpp"
-#include "check/reachability/decide.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -19,13 +18,13 @@ is always on. What the condition should prevent can happen.
 
 void check_condition_always_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  const AllStates all(plant);
   for (const WrittenCondition& condition : subject.conditions) {
-    if (!decide(*condition.tree, plant, all).always()) continue;
-    diagnostics.add(rule.info, about(*condition.unit),
-                    fmt::format("`{}` always holds, so that {}: correct or remove it", condition.text,
-                                condition.is_when ? "it never holds the transition back" : "this input is always on"),
-                    described_location(plant, *condition.unit, condition.pointer));
+    if (!condition.verdict.always()) continue;
+    diagnostics.add(
+        rule.info, about(*condition.unit),
+        fmt::format("`{}` always holds, so that {}: correct or remove it", condition.text,
+                    condition.transition != nullptr ? "it never holds the transition back" : "this input is always on"),
+        described_location(plant, *condition.unit, condition.pointer()));
   }
 }
 

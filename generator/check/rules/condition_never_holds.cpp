@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "check/reachability/conditions.hpp"
-#include "check/reachability/decide.hpp"
 #include "check/rules.hpp"
 
 namespace symplant::check {
@@ -20,13 +19,13 @@ is never moving.
 
 void check_condition_never_holds(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  const AllStates all(plant);
   for (const WrittenCondition& condition : subject.conditions) {
-    if (!decide(*condition.tree, plant, all).never()) continue;
-    diagnostics.add(rule.info, about(*condition.unit),
-                    fmt::format("`{}` can never hold, so that {}: correct it", condition.text,
-                                condition.is_when ? "the transition is never taken" : "this input is always off"),
-                    described_location(plant, *condition.unit, condition.pointer));
+    if (!condition.verdict.never()) continue;
+    diagnostics.add(
+        rule.info, about(*condition.unit),
+        fmt::format("`{}` can never hold, so that {}: correct it", condition.text,
+                    condition.transition != nullptr ? "the transition is never taken" : "this input is always off"),
+        described_location(plant, *condition.unit, condition.pointer()));
   }
 }
 

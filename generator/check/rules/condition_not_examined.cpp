@@ -21,14 +21,13 @@ other checks assume that it may hold.
 
 void check_condition_not_examined(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
-  const AllStates all(plant);
   for (const WrittenCondition& condition : subject.conditions) {
-    if (decide(*condition.tree, plant, all).known()) continue;
+    if (condition.verdict.known()) continue;
     diagnostics.add(rule.info, about(*condition.unit),
                     fmt::format("this condition of `{}` has more than {} combinations of parts that depend on each "
                                 "other: it was not examined",
                                 condition.unit->path, kMostWorlds),
-                    described_location(plant, *condition.unit, condition.pointer));
+                    described_location(plant, *condition.unit, condition.pointer()));
   }
 }
 

@@ -45,7 +45,9 @@ struct Cell {
   Outcome run() const {
     std::ostringstream out;
     std::ostringstream err;
-    const int code = host::run({.tables = tables.rows, .inputs = {folder / "plant.json"}}, options, out, err);
+    const std::string input = folder / "plant.json";
+    const std::string_view inputs[] = {input};
+    const int code = host::run({.tables = tables.rows, .inputs = inputs}, options, out, err);
     return {code, out.str(), err.str()};
   }
   std::string file(const std::string& name) const { return read_bytes(folder / name); }

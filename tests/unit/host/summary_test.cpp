@@ -31,7 +31,8 @@ TEST_CASE("The summary shows what can move and names the events that no device d
   tables.units = units;
   tables.symbol_names = names;
   tables.list_names = {"cell.csv", 9};
-  const std::string text = host::summary(tables, 0x1234, {"a further line"});
+  const std::string_view more[] = {"a further line"};
+  const std::string text = host::summary(tables, 0x1234, more);
   CHECK(contains(text, "plant cell: 4 I/O symbols from cell.csv (1 operation, 3 events), model 0000000000001234\n"));
   CHECK(contains(text, "a further line\n"));
   CHECK(contains(text, "can move: 1 of 2 devices, using 1 of 1 operation\n"));

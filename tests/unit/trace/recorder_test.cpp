@@ -66,6 +66,26 @@ TEST_CASE("Changes that do not fit into the ring are counted, and the first ones
   CHECK(drained(recorder).size() == 1);  // there is space again
 }
 
+TEST_CASE("An empty ring starts again at its first slot and has room for as many records as before") {
+  FreePlant p;
+  trace::Recorder recorder(p.tables, 8);
+  recorder.attach(p.plant);
+  int time = 0;
+  for (const std::size_t records : {3U, 8U, 1U, 7U, 8U, 5U}) {
+    const int first = time + 1;
+    for (std::size_t i = 0; i < records; ++i) {
+      ++time;
+      p.plant.set_operation(0, time % 2 == 1);
+      p.plant.advance_to(time, &recorder);
+    }
+    const auto changes = drained(recorder);
+    REQUIRE(changes.size() == records);
+    CHECK(changes.front().time == first);
+    CHECK(changes.back().time == time);
+  }
+  CHECK(recorder.lost_changes() == 0);
+}
+
 TEST_CASE("A thread may drain while the plant runs: every change comes once, in order") {
   FreePlant p;
   trace::Recorder recorder(p.tables, 1 << 12);

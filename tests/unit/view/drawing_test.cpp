@@ -48,7 +48,7 @@ bool is_xml(const std::string& text) {
 TEST_CASE("SVG comes from Graphviz if it works, with a message") {
   FakeRunner runner(std::string("<svg>by Graphviz</svg>"));
   const CompiledText cell = described_cell();
-  const view::View view = render(cell, "svg", &runner);
+  const Rendered view = render(cell, "svg", &runner);
   CHECK(view.text == "<svg>by Graphviz</svg>");
   CHECK(view.decisions == std::vector<std::string>{"the picture is laid out by Graphviz"});
   CHECK(runner.program == "dot");
@@ -60,7 +60,7 @@ TEST_CASE("symplant draws SVG itself if Graphviz is missing, fails or gives no p
   const CompiledText cell = described_cell();
   const std::string own = render(cell, "svg").text;
   FakeRunner absent(ProcessError{ProcessError::Kind::absent, "`dot` is not on the path"});
-  const view::View view = render(cell, "svg", &absent);
+  const Rendered view = render(cell, "svg", &absent);
   CHECK(view.text == own);
   CHECK(view.decisions ==
         std::vector<std::string>{"the picture is laid out by symplant itself, since `dot` is not on the path"});

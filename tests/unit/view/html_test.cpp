@@ -104,7 +104,7 @@ TEST_CASE("Devices of one structure share the page's drawing, with any condition
 
 TEST_CASE("A page of some devices contains only their symbols") {
   const CompiledText cell = described_cell();
-  const std::string page = view::find_format("html")->render({cell.plant(), cell.tables(), {2}, nullptr}).text;
+  const std::string page = render(cell, "html", {2}).text;
   const Json data = data_of(page);
   REQUIRE(data.at("units").size() == 1);
   CHECK(data.at("symbols").size() == 4);

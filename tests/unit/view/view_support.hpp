@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -111,11 +112,23 @@ inline CompiledText hostile_cell() {
   return compiled;
 }
 
-inline view::View render(const CompiledText& compiled, std::string_view format,
-                         base::ProcessRunner* programs = nullptr) {
+struct Rendered {
+  std::string text;
+  std::vector<std::string> decisions;
+};
+
+inline Rendered render(const CompiledText& compiled, std::string_view format, std::vector<std::uint32_t> units,
+                       base::ProcessRunner* programs = nullptr) {
+  view::View view =
+      view::find_format(format)->render({compiled.plant(), compiled.tables(), std::move(units), programs});
+  return {base::text_of(view.text), std::move(view.decisions)};
+}
+
+/// All units.
+inline Rendered render(const CompiledText& compiled, std::string_view format, base::ProcessRunner* programs = nullptr) {
   std::vector<std::uint32_t> units;
   for (std::uint32_t u = 0; u < compiled.plant().units.size(); ++u) units.push_back(u);
-  return view::find_format(format)->render({compiled.plant(), compiled.tables(), units, programs});
+  return render(compiled, format, std::move(units), programs);
 }
 
 inline void check_view_golden(const CompiledText& compiled, std::string_view format, const std::string& file) {
