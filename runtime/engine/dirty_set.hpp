@@ -73,6 +73,7 @@ struct BlockSet {
     word |= bit_in_word(position);
     items[(*size)++] = position;
   }
+  bool has(std::uint32_t position) const noexcept { return (marks[position / 64] & bit_in_word(position)) != 0; }
   bool empty() const noexcept { return *size == 0; }
   /// Calls `function` for each; the set is empty afterwards. Nothing may be marked meanwhile.
   template <class Function>

@@ -8,91 +8,20 @@
 
 #include "symplant/engine/arena.hpp"
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/engine/block.hpp"
 #include "symplant/engine/dirty_set.hpp"
 #include "symplant/engine/engine_index.hpp"
+#include "symplant/engine/event_changes.hpp"
 #include "symplant/engine/finding_ring.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/mark_range.hpp"
+#include "symplant/engine/planes.hpp"
 #include "symplant/engine/short_events.hpp"
 #include "symplant/engine/unit_state.hpp"
-#include "symplant/engine/wheel.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::engine {
-
-/// The head of the flat block; the arrays of the changing state follow it. The block has no pointers and may be copied.
-struct BlockHead {
-  std::uint64_t magic;
-  std::uint64_t model;  ///< model_hash of the plant whose state this is
-  std::uint64_t size;   ///< of the block, in bytes
-  std::uint64_t seed;
-  tables::Time cycle;
-  tables::Time now;
-  std::uint32_t started;       ///< 0: the first instant, at time 0, has not run yet
-  std::uint32_t acted;         ///< 1: an outside action (force, set_state, ...) happened since the last instant
-  std::uint64_t event_forces;  ///< number of forced BOOL events
-  Wheel wheel;
-};
-
-/// The changing state of a general unit in addition to its UnitState.
-struct GeneralState {
-  std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
-  std::uint8_t settled;       ///< as last published: the state in which it is settled, or kNoState
-  std::uint8_t moving;        ///< as last published: 1 if it is moving
-  std::uint8_t counted;       ///< 1: its disabled_by changed in this round
-};
-
-/// The state of a `timed` transition.
-struct Record {
-  tables::Time ready;   ///< if its cause holds: when it has held long enough; in a halted unit the time left
-  std::uint32_t draws;  ///< random numbers drawn so far
-  std::uint32_t holds;  ///< 1: its cause holds
-};
-
-struct MonitorState {
-  tables::Time deadline;
-  std::uint32_t running;
-  std::uint32_t held;  ///< 1: its condition held at the end of the last instant
-};
-
-struct BehaviourState {
-  tables::Time wake;  ///< when woken() is due, or kNever; in a halted unit the time left
-  std::uint32_t draws;
-  std::uint16_t woken;  ///< 1: `wake` has been reached, and the unit has not stepped since
-  std::uint16_t ill;    ///< 1: the link of its operations is lost
-};
-
-/// Bits of a condition's state: its inputs, its truth as last published, and whether it waits for evaluation.
-inline constexpr std::uint8_t kInputs = 0x3F;
-inline constexpr std::uint8_t kTruth = 0x40;
-inline constexpr std::uint8_t kWaiting = 0x80;
-
-/// The numeric symbols of one direction, with their forces.
-struct ValuePlane {
-  void take(Arena& arena, std::size_t slots) noexcept;
-  std::uint64_t effective(std::uint32_t slot) const noexcept {
-    return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
-  }
-
-  std::uint64_t* made;    ///< before forces: set by the link (as sampled) or by the model
-  std::uint64_t* values;  ///< after forces
-  std::uint64_t* forced;  ///< one bit per slot
-  std::uint64_t* forced_to;
-  BlockSet dirty;  ///< slots to examine when the next instant begins or this round ends
-};
-
-/// The BOOL symbols of one direction, with their forces.
-struct BitPlane {
-  void take(Arena& arena, std::size_t words) noexcept;
-  std::uint64_t effective(std::uint32_t word) const noexcept { return (made[word] & ~forced[word]) | forced_on[word]; }
-
-  std::uint64_t* made;  ///< before forces: set by the link (as sampled) or by the model
-  std::uint64_t* bits;  ///< after forces
-  std::uint64_t* forced;
-  std::uint64_t* forced_on;  ///< the forced bits that are forced on
-  BlockSet dirty;            ///< words to examine when the next instant begins or this round ends
-};
 
 class Engine {
  public:
@@ -177,7 +106,7 @@ class Engine {
   std::size_t block_size;
 
   // --- outside the flat block: not part of the saved state
-  DirtySet changed_events;  ///< words, since the link last cleared it
+  EventChanges event_changes;
   DirtySet changed_event_slots;
   FindingRing findings;
 
@@ -224,7 +153,6 @@ class Engine {
   void arrive_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void step_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void step_settled(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void touch_events(std::uint32_t word) noexcept;
   void switch_events_now(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   void leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
              std::uint16_t transition) noexcept;
@@ -287,10 +215,10 @@ class Engine {
   // publishing the changes of one round to the next (engine_publish.cpp)
   void sample_operations() noexcept;
   void apply_actions() noexcept;
-  void change_operations(std::uint32_t word) noexcept;
+  void change_operations(std::uint32_t word, std::uint64_t now) noexcept;
   void change_operation_value(std::uint32_t slot) noexcept;
-  void publish(bool by_round) noexcept;
-  void publish_event_word(std::uint32_t word, bool by_round) noexcept;
+  void publish() noexcept;
+  void publish_event_word(std::uint32_t word) noexcept;
   void publish_values() noexcept;
   void publish_unit(std::uint32_t unit) noexcept;
   void flip_bits(const WatchIndex& watches, std::uint32_t word, std::uint64_t bits) noexcept;
@@ -302,7 +230,7 @@ class Engine {
 
   // the end of an instant (engine_close.cpp)
   void close_instant() noexcept;
-  void close_events() noexcept;
+  std::span<const WordChange> close_events() noexcept;
   std::uint64_t close_cycle(std::uint32_t word, std::uint64_t changed) noexcept;
   void close_event_values() noexcept;
   void close_requirements() noexcept;
@@ -334,13 +262,9 @@ class Engine {
   List<std::uint32_t> counted_;         ///< general units whose disabled_by changed in this round
   List<std::uint32_t> waiting_;         ///< conditions to evaluate
   DirtySet touched_requirements_;
-  DirtySet touched_events_;          ///< event words that changed in this instant
-  std::uint64_t* events_before_;     ///< those words as they were when the instant began
-  std::uint64_t* events_flickered_;  ///< the bits of those words that any round changed
-  DirtySet touched_slots_;           ///< event slots that changed in this instant
-  std::uint64_t* values_before_;     ///< those slots as they were when the instant began
+  DirtySet touched_slots_;        ///< event slots that changed in this instant
+  std::uint64_t* values_before_;  ///< those slots as they were when the instant began
   List<WordChange> operation_changes_;
-  List<WordChange> event_changes_;
   List<std::uint32_t> operation_slot_changes_;
   List<std::uint32_t> event_slot_changes_;
   MarkRange marks_;                ///< units, symbols or requirements to report, in ascending order

@@ -19,9 +19,11 @@ void for_address(const SharedPositions& shared, bool bit, std::uint32_t position
   for (const SharedPosition& other : others) function(other.position - base);
 }
 
-void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept {
-  word = on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
+std::uint64_t with_bit(std::uint64_t word, std::uint32_t bit, bool on) noexcept {
+  return on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
 }
+
+void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = with_bit(word, bit, on); }
 
 }  // namespace
 
@@ -73,10 +75,8 @@ bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
   if (moved) return false;
   if (is_bit(row)) {
     unpublished_ = true;
-    for_address(shared, true, row.index, [&](std::uint32_t bit) {
-      set_bit(events.made[bit / 64], bit, value != 0);
-      events.dirty.mark(bit / 64);
-    });
+    for_address(shared, true, row.index,
+                [&](std::uint32_t bit) { events.make(bit / 64, with_bit(events.made(bit / 64), bit, value != 0)); });
   } else {
     make_event_value(row.index, value);
     for_address(shared, false, row.index, [&](std::uint32_t slot) { touch_readers(tables::Direction::event, slot); });
@@ -96,9 +96,7 @@ void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexc
     for_address(shared, true, row.index, [&](std::uint32_t bit) {
       const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
       if (!operation && was != forced) forced ? ++head->event_forces : --head->event_forces;
-      set_bit(plane.forced[bit / 64], bit, forced);
-      set_bit(plane.forced_on[bit / 64], bit, forced && value != 0);
-      plane.dirty.mark(bit / 64);
+      plane.force(bit / 64, bit_in_word(bit), forced && value != 0, forced && value == 0);
     });
     see_events();
     return;
@@ -168,8 +166,8 @@ void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t 
     const std::uint64_t bit = bits & (~bits + 1);
     const std::uint32_t position = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
     for (const SharedPosition& other : index.shared_events.with(position)) {
-      set_bit(events.made[other.position / 64], other.position, (on & bit) != 0);
-      events.dirty.mark(other.position / 64);
+      const std::uint32_t other_word = other.position / 64;
+      events.make(other_word, with_bit(events.made(other_word), other.position, (on & bit) != 0));
     }
   }
 }
@@ -189,7 +187,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   unpublished_ = true;
   see_events();
   if (head->started == 0 || head->acted != 0) requeue();
-  for (std::uint32_t word = 0; word < tables.event_bits / 64; ++word) changed_events.mark(word);
+  event_changes.note_all(tables.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables.event_slots; ++slot) changed_event_slots.mark(slot);
   return true;
 }

@@ -50,8 +50,11 @@ SYMPLANT_ALWAYS_INLINE WordChange Engine::switch_alone(const tables::UnitRow& ro
   if ((masks.on | masks.off) == 0) return {word, 0};  // a unit without events may lie after the plane's last word
   const std::uint64_t before = events.bits[word];
   const std::uint64_t now = (before & ~(masks.off << (row.event_bit % 64))) | masks.on << (row.event_bit % 64);
-  events.made[word] = events.bits[word] = now;
-  if (now != before) changed_events.mark(word);
+  events.bits[word] = now;
+  if (now != before) {
+    event_changes.note(word, before);
+    event_changes.next_instant();
+  }
   return {word, before ^ now};
 }
 
@@ -81,7 +84,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool sample, Observ
   observer_ = observer;
   if (sample && (!written_words.empty() || !written_slots.empty())) sample_operations();
   if (head->acted != 0) apply_actions();
-  if (unpublished_) publish(false);
+  if (unpublished_) publish();
   run_rounds();
   close_instant();
 }

@@ -82,7 +82,7 @@ bool BehaviourView::operation(std::uint8_t operation) const noexcept {
 
 bool BehaviourView::event(std::uint8_t event) const noexcept {
   const std::uint32_t bit = engine_.tables.units[unit_].event_bit + event;
-  return (engine_.events.made[bit / 64] & bit_in_word(bit)) != 0;
+  return (engine_.events.made(bit / 64) & bit_in_word(bit)) != 0;
 }
 
 bool BehaviourView::input(std::uint32_t input) const noexcept {

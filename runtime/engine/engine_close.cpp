@@ -15,20 +15,16 @@ std::uint64_t Engine::close_cycle(std::uint32_t word, std::uint64_t changed) noe
   return found;
 }
 
-SYMPLANT_ALWAYS_INLINE void Engine::close_events() noexcept {
+/// The net changes of events, if the observer or a finding needs them.
+SYMPLANT_ALWAYS_INLINE std::span<const WordChange> Engine::close_events() noexcept {
   const tables::Time cycle = head->cycle;
-  touched_events_.take_all([&](std::uint32_t word) {
-    const std::uint64_t changed = events_before_[word] ^ events.bits[word];
-    std::uint64_t too_short = events_flickered_[word] & ~changed;
-    if (changed != 0) {
-      event_changes_.add({word, changed});
-      changed_events.mark(word);
-      if (cycle != 0) too_short |= close_cycle(word, changed);
-    }
-    if (too_short != 0) {
-      short_events_.add({word, too_short});
-      suspects_ |= suspect(tables::FindingKind::event_too_short);
-    }
+  if (observer_ == nullptr && cycle == 0 && !event_changes.flickered()) return {};
+  return event_changes.close(events.bits, [&](const WordChange& change, std::uint64_t flickered) {
+    std::uint64_t too_short = flickered;
+    if (cycle != 0 && change.bits != 0) too_short |= close_cycle(change.word, change.bits);
+    if (too_short == 0) return;
+    short_events_.add({change.word, too_short});
+    suspects_ |= suspect(tables::FindingKind::event_too_short);
   });
 }
 
@@ -125,7 +121,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
 }
 
 void Engine::close_instant() noexcept {
-  close_events();
+  const std::span<const WordChange> changed_events = close_events();
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();
   const bool unfinished = close_operations();
@@ -136,11 +132,13 @@ void Engine::close_instant() noexcept {
   }
   finish_units();
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
-                               event_changes_.size | operation_slot_changes_.size | event_slot_changes_.size) != 0) {
-    observer_->instant({head->now, touched_.view(), operation_changes_.view(), event_changes_.view(),
+                               static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |
+                               event_slot_changes_.size) != 0) {
+    observer_->instant({head->now, touched_.view(), operation_changes_.view(), changed_events,
                         operation_slot_changes_.view(), event_slot_changes_.view()});
   }
-  touched_.size = operation_changes_.size = event_changes_.size = 0;
+  event_changes.next_instant();
+  touched_.size = operation_changes_.size = 0;
   operation_slot_changes_.size = event_slot_changes_.size = 0;
 }
 

@@ -44,8 +44,7 @@ inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noex
 constexpr std::uint32_t suspect(tables::FindingKind kind) noexcept { return 1U << static_cast<std::uint32_t>(kind); }
 
 inline void Engine::make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
-  events.made[word] = (events.made[word] & ~off) | on;
-  events.dirty.mark(word);
+  events.make(word, (events.made(word) & ~off) | on);
   unpublished_ = true;
   if (!index.shared_events.empty()) make_followers(word, on, off);
 }
@@ -54,13 +53,6 @@ inline void Engine::switch_events(const tables::UnitRow& row, const tables::Even
   if ((masks.on | masks.off) == 0) return;
   const std::uint32_t shift = row.event_bit % 64;
   make_event_bits(row.event_bit / 64, masks.on << shift, masks.off << shift);
-}
-
-/// Called before a word of events changes; the first call in an instant stores the word.
-SYMPLANT_ALWAYS_INLINE void Engine::touch_events(std::uint32_t word) noexcept {
-  if (!touched_events_.mark(word)) return;
-  events_before_[word] = events.bits[word];
-  events_flickered_[word] = 0;
 }
 
 /// As switch_events(), by the one step of a unit in this round. If no condition watches the word and none of its events
@@ -78,10 +70,12 @@ SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row
   const std::uint64_t before = events.bits[word];
   const std::uint64_t now = (before & ~(masks.off << shift)) | (masks.on << shift);
   if (now == before) return;
-  touch_events(word);
-  events_flickered_[word] |= before ^ now;
+  if (events.dirty.has(word)) {
+    switch_events(row, masks);
+    return;
+  }
+  event_changes.note(word, before);
   events.bits[word] = now;
-  events.made[word] = (events.made[word] & ~(masks.off << shift)) | (masks.on << shift);
 }
 
 inline void Engine::clear_wheel(std::uint32_t entry) noexcept {

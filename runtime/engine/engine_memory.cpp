@@ -29,7 +29,7 @@ void ValuePlane::take(Arena& arena, std::size_t slots) noexcept {
 }
 
 void BitPlane::take(Arena& arena, std::size_t words) noexcept {
-  made = arena.take<std::uint64_t>(words);
+  made_ = arena.take<std::uint64_t>(words);
   bits = arena.take<std::uint64_t>(words);
   forced = arena.take<std::uint64_t>(words);
   forced_on = arena.take<std::uint64_t>(words);
@@ -58,7 +58,7 @@ void Engine::position(Arena& arena) noexcept {
   position_names(arena);
   place_block(arena);
 
-  changed_events.take(arena, event_words);
+  event_changes.take(arena, event_words);
   changed_event_slots.take(arena, tables.event_slots);
   findings.take(arena);
   queue_ = arena.take<std::uint32_t>(tables.units.size());
@@ -70,14 +70,10 @@ void Engine::position(Arena& arena) noexcept {
   waiting_.take(arena, tables.conditions.size());
   touched_requirements_.take(arena, tables.requirements.size());
   violated_.take(arena, tables.requirements.size());
-  touched_events_.take(arena, event_words);
-  events_before_ = arena.take<std::uint64_t>(event_words);
-  events_flickered_ = arena.take<std::uint64_t>(event_words);
   short_events_.take(arena, event_words);
   touched_slots_.take(arena, tables.event_slots);
   values_before_ = arena.take<std::uint64_t>(tables.event_slots);
   operation_changes_.take(arena, operation_words);
-  event_changes_.take(arena, event_words);
   operation_slot_changes_.take(arena, tables.operation_slots);
   event_slot_changes_.take(arena, tables.event_slots);
   marks_.take(arena, std::max({tables.units.size(), tables.symbols.size(), tables.requirements.size()}));
@@ -170,7 +166,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   }
   for (std::size_t b = 0; b < tables.behaviour_units.size(); ++b) behaviour_states[b].wake = tables::kNever;
   reset_conditions();
-  for (std::uint32_t word = 0; word < tables.event_bits / 64; ++word) changed_events.mark(word);
+  event_changes.note_all(tables.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables.event_slots; ++slot) changed_event_slots.mark(slot);
 }
 

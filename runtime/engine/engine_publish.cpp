@@ -12,8 +12,11 @@ namespace symplant::engine {
 void Engine::sample_operations() noexcept {
   const bool acted = head->acted != 0;
   written_words.take_all([&](std::uint32_t word) {
-    operations.made[word] = written_operations[word];
-    acted ? operations.dirty.mark(word) : change_operations(word);
+    if (acted) {
+      operations.make(word, written_operations[word]);
+    } else {
+      change_operations(word, operations.sample(word, written_operations[word]));
+    }
   });
   written_slots.take_all([&](std::uint32_t slot) {
     operation_values.made[slot] = written_values[slot];
@@ -23,13 +26,13 @@ void Engine::sample_operations() noexcept {
 
 /// Applies forces and releases of operations; those of events are published as the rounds' changes are.
 void Engine::apply_actions() noexcept {
-  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word); });
+  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word, operations.effective(word)); });
   operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
   head->acted = 0;
 }
 
-void Engine::change_operations(std::uint32_t word) noexcept {
-  const std::uint64_t now = operations.effective(word);
+/// `now`: the levels of the word's operations from now on.
+void Engine::change_operations(std::uint32_t word, std::uint64_t now) noexcept {
   const std::uint64_t changed = operations.bits[word] ^ now;
   if (changed == 0) return;
   operations.bits[word] = now;
@@ -52,9 +55,9 @@ void Engine::change_operation_value(std::uint32_t slot) noexcept {
   touch_readers(tables::Direction::operation, slot);
 }
 
-void Engine::publish(bool by_round) noexcept {
+void Engine::publish() noexcept {
   unpublished_ = false;
-  events.dirty.take_all([&](std::uint32_t word) { publish_event_word(word, by_round); });
+  events.dirty.take_all([&](std::uint32_t word) { publish_event_word(word); });
   if (!event_values.dirty.empty()) publish_values();
   if (moved_.size != 0) {
     for (const std::uint32_t unit : moved_.view()) publish_unit(unit);
@@ -64,12 +67,11 @@ void Engine::publish(bool by_round) noexcept {
   if (counted_.size != 0) settle_disables();
 }
 
-void Engine::publish_event_word(std::uint32_t word, bool by_round) noexcept {
+void Engine::publish_event_word(std::uint32_t word) noexcept {
   const std::uint64_t now = events.effective(word);
   const std::uint64_t changed = events.bits[word] ^ now;
   if (changed == 0) return;
-  touch_events(word);
-  if (by_round) events_flickered_[word] |= changed;
+  event_changes.note(word, events.bits[word]);
   events.bits[word] = now;
   if ((index.event_watches.watched(word) & changed) != 0) flip_bits(index.event_watches, word, changed);
 }

@@ -157,7 +157,7 @@ void Engine::run_rounds() noexcept {
   round_ = 1;
   active_ = false;
   first_round();
-  if (unpublished_) publish(true);
+  if (unpublished_) publish();
   while (queued_ != 0 && active_) {
     const std::uint32_t count = queued_;
     queued_ = 0;
@@ -165,7 +165,7 @@ void Engine::run_rounds() noexcept {
     ++round_;
     if (round_ == limit / 2 + 1) forget_steps();
     further_round(count, round_ > limit / 2);
-    if (unpublished_) publish(true);
+    if (unpublished_) publish();
     if (round_ != limit || !active_) continue;
     const bool found = look_for_loops();
     round_ = found ? 0 : round_;

@@ -7,9 +7,11 @@
 namespace symplant::engine {
 namespace {
 
-std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
-  return static_cast<std::uint8_t>((plane[bit / 64] >> (bit % 64)) & 1);
+std::uint8_t digit_of(std::uint64_t word, std::uint32_t bit) noexcept {
+  return static_cast<std::uint8_t>((word >> (bit % 64)) & 1);
 }
+
+std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept { return digit_of(plane[bit / 64], bit); }
 
 std::uint8_t force_of(const BitPlane& plane, std::uint32_t bit) noexcept {
   return digit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + digit_of(plane.forced_on, bit));
@@ -62,7 +64,7 @@ void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexc
     hash.byte(digit_of(reported, bit));
   }
   for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
-    hash.byte(digit_of(events.made, bit));
+    hash.byte(digit_of(events.made(bit / 64), bit));
     hash.byte(force_of(events, bit));
   }
 }
@@ -86,7 +88,8 @@ void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& sy
   const bool operation = symbol.direction() == tables::Direction::operation;
   if (symbol.type() == tables::DataType::boolean) {
     const BitPlane& plane = operation ? operations : events;
-    hash.byte(digit_of(operation ? written_operations : plane.made, symbol.index));
+    const std::uint32_t word = symbol.index / 64;
+    hash.byte(digit_of(operation ? written_operations[word] : plane.made(word), symbol.index));
     hash.byte(force_of(plane, symbol.index));
     return;
   }

@@ -99,14 +99,14 @@ std::span<const std::uint64_t> Plant::events() const noexcept {
   return {engine_->events.bits, tables_.event_bits / 64};
 }
 
-std::span<const std::uint32_t> Plant::changed_events() const noexcept { return engine_->changed_events.list.view(); }
+std::span<const std::uint32_t> Plant::changed_events() const noexcept { return engine_->event_changes.since_forgotten(); }
 
 std::span<const std::uint32_t> Plant::changed_event_values() const noexcept {
   return engine_->changed_event_slots.list.view();
 }
 
 void Plant::forget_changed_events() noexcept {
-  engine_->changed_events.clear();
+  engine_->event_changes.forget();
   engine_->changed_event_slots.clear();
 }
 

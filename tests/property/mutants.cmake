@@ -43,7 +43,7 @@ symplant_mutant(break_counted_while_disabled
 
 symplant_mutant(step_reads_this_round
   "  for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);"
-  "  for (std::uint32_t i = 0; i < count; ++i) { step(touched_.items[i]); if (unpublished_) publish(true); }")
+  "  for (std::uint32_t i = 0; i < count; ++i) { step(touched_.items[i]); if (unpublished_) publish(); }")
 
 symplant_mutant(automatic_not_before_commanded
   "  if (ready.automatic != kNoTransition) {"
