@@ -22,6 +22,13 @@ struct BlockHead {
   Wheel wheel;
 };
 
+/// A word of BOOL operations, in addition to its levels.
+struct OperationWord {
+  std::uint64_t written;   ///< as the PLC wrote them; sampled by the next instant that samples
+  std::uint64_t served;    ///< those that were served since they rose
+  std::uint64_t reported;  ///< those that had a finding when they rose
+};
+
 /// The changing state of a general unit in addition to its UnitState.
 struct GeneralState {
   std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now

@@ -89,13 +89,11 @@ class Engine {
   BitPlane events;
   ValuePlane operation_values;
   ValuePlane event_values;
-  std::uint64_t* written_operations;  ///< as the PLC wrote them; sampled by the next instant that samples
+  OperationWord* operation_words;
   std::uint64_t* written_values;
   BlockSet written_words;
   BlockSet written_slots;
   std::uint64_t* disarmed;  ///< operations that are disarmed
-  std::uint64_t* served;    ///< operations that were served since they rose
-  std::uint64_t* reported;  ///< operations that had a finding when they rose
   GeneralState* general_states;
   Record* records;
   std::uint8_t* condition_states;
@@ -128,13 +126,19 @@ class Engine {
   void hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
   void hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept;
 
-  // one instant (engine.cpp)
-  void instant(tables::Time time, bool sample, Observer* observer) noexcept;
+  // one instant (engine_advance.cpp)
+  void instant(tables::Time time, bool due, bool sample, Observer* observer) noexcept;
   void start() noexcept;
-  void queue_due(tables::Time time) noexcept;
-  WordChange switch_alone(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
-  bool arrive_alone(tables::Time at, Observer* observer) noexcept;
+  void queue_due(tables::Time time, bool fast) noexcept;
+  void queue_entry(std::uint32_t entry) noexcept;
   void queue_other(std::uint32_t entry) noexcept;
+
+  // the fast path (engine_fast.hpp)
+  bool depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  bool arrive_fast(std::uint32_t unit) noexcept;
+  void switch_fast(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
+  bool close_fast(std::uint32_t word, std::uint64_t changed) noexcept;
+  bool events_are_seen(std::uint32_t word) const noexcept;
   void queue(std::uint32_t unit) noexcept;
   void touch(std::uint32_t unit) noexcept;
 
@@ -145,13 +149,8 @@ class Engine {
   void forget_steps() noexcept;
   bool look_for_loops() noexcept;
   void step(std::uint32_t unit) noexcept;
-  void step_any(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void leave_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
-                   std::uint16_t transition) noexcept;
   void forget_queue() noexcept;
   bool may_leave(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t here) const noexcept;
-  void arrive_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void step_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void step_settled(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void switch_events_now(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   void leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
@@ -213,9 +212,9 @@ class Engine {
   std::uint8_t wanted_by_behaviour(std::uint32_t unit) noexcept;
 
   // publishing the changes of one round to the next (engine_publish.cpp)
-  void sample_operations() noexcept;
+  void sample_operations(bool fast) noexcept;
   void apply_actions() noexcept;
-  void change_operations(std::uint32_t word, std::uint64_t now) noexcept;
+  void change_operations(std::uint32_t word, std::uint64_t now, bool fast) noexcept;
   void change_operation_value(std::uint32_t slot) noexcept;
   void publish() noexcept;
   void publish_event_word(std::uint32_t word) noexcept;

@@ -30,13 +30,13 @@ void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = 
 void Engine::write_operation(std::uint32_t bit, bool on) noexcept {
   const std::uint32_t word = bit / 64;
   const std::uint64_t mask = bit_in_word(bit);
-  written_operations[word] = on ? written_operations[word] | mask : written_operations[word] & ~mask;
+  operation_words[word].written = on ? operation_words[word].written | mask : operation_words[word].written & ~mask;
   written_words.mark(word);
   if (!index.shared_operations.empty()) write_shared(bit, on);
 }
 
 void Engine::write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
-  written_operations[word] = (written_operations[word] & ~mask) | (bits & mask);
+  operation_words[word].written = (operation_words[word].written & ~mask) | (bits & mask);
   written_words.mark(word);
   if (!index.shared_operations.empty()) write_shared(word, mask, bits);
 }
@@ -50,7 +50,7 @@ void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t 
 
 void Engine::write_shared(std::uint32_t bit, bool on) noexcept {
   for (const SharedPosition& other : index.shared_operations.with(bit)) {
-    set_bit(written_operations[other.position / 64], other.position, on);
+    set_bit(operation_words[other.position / 64].written, other.position, on);
     written_words.mark(other.position / 64);
   }
 }
@@ -125,14 +125,14 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   state.target = target;
   if (!moving) {
     state.flags |= kMoving;  // as in every move while the old state is left
-    switch_events(row, type.leave[before]);
+    switch_events(row, type.at[before].leave);
     if (behaves(unit)) report_left(unit, before);
   }
   state.state = target;
   state.transition = kNoTransition;
   state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway | kConflict | kStopped));
-  switch_events(row, type.enter[target]);
+  switch_events(row, type.at[target].enter);
   if (behaves(unit)) report_entered(unit, target);
   stepped(unit, row);
   touch(unit);

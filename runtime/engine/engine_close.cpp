@@ -68,24 +68,18 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
   return !met;
 }
 
-/// Clears `served` and `reported` of operations that fell.
-SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
-  const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
-  served[change.word] &= ~fallen;
-  reported[change.word] &= ~fallen;
-}
-
 /// Whether an operation of the word may have a finding: it rose and no transition fired on it, or it fell without
 /// having been served.
 bool Engine::may_be_finding(const WordChange& change) const noexcept {
   const std::uint64_t on = operations.bits[change.word];
-  if ((change.bits & ~on & ~served[change.word] & ~reported[change.word]) != 0) return true;
-  for (std::uint64_t bits = change.bits & on & ~served[change.word]; bits != 0; bits &= bits - 1) {
+  if ((change.bits & ~on & ~operation_words[change.word].served & ~operation_words[change.word].reported) != 0)
+    return true;
+  for (std::uint64_t bits = change.bits & on & ~operation_words[change.word].served; bits != 0; bits &= bits - 1) {
     const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
     const std::uint32_t unit = index.unit_of_operation[bit];
     if (unit == tables::kNone || (units[unit].flags & (kMoving | kHalted)) == kMoving) continue;
     const tables::UnitRow& row = tables.units[unit];
-    const std::uint64_t starts = index.types[row.type].starts[units[unit].state] << (row.operation_bit % 64);
+    const std::uint64_t starts = index.types[row.type].at[units[unit].state].starts << (row.operation_bit % 64);
     if ((units[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;
   }
   return false;
@@ -95,7 +89,7 @@ bool Engine::may_be_finding(const WordChange& change) const noexcept {
 /// after the findings.
 SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
   for (const WordChange& change : operation_changes_.view()) {
-    if ((change.bits & ~served[change.word]) == 0 || !may_be_finding(change)) continue;
+    if ((change.bits & ~operation_words[change.word].served) == 0 || !may_be_finding(change)) continue;
     suspects_ |= suspect(tables::FindingKind::command_without_effect) | suspect(tables::FindingKind::lost_command);
     return true;
   }
@@ -109,8 +103,8 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
   const tables::UnitRow* const rows = tables.units.data();
   for (const std::uint32_t unit : touched_.view()) {
     UnitState& state = states[unit];
-    const tables::UnitRow& row = rows[unit];
-    serve(state, row);
+    if ((state.flags & kTouched) == 0) continue;  // took the fast path
+    serve(state, rows[unit]);
     std::uint16_t flags = state.flags & static_cast<std::uint16_t>(~kOfThisInstant);
     if ((flags & (kConflict | kStopped)) != 0) {
       if ((flags & kConflict) != 0) flags |= kConflictReported;

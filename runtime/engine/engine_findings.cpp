@@ -65,19 +65,20 @@ bool Engine::is_operation_finding(tables::FindingKind kind, std::uint32_t unit, 
   const tables::UnitRow& row = tables.units[unit];
   const TypeIndex& type = index.types[row.type];
   const std::uint64_t mask = std::uint64_t{1} << (bit - row.operation_bit);
-  return ((type.leads[state.state] | type.starts[state.state]) & mask) == 0;
+  return ((type.at[state.state].leads | type.at[state.state].starts) & mask) == 0;
 }
 
 void Engine::report_operations(tables::FindingKind kind) noexcept {
   const bool lost = kind == tables::FindingKind::lost_command;
   for (const WordChange& change : operation_changes_.view()) {
     const std::uint64_t on = operations.bits[change.word];
-    std::uint64_t bits = change.bits & ~served[change.word] & (lost ? ~on & ~reported[change.word] : on);
+    std::uint64_t bits =
+        change.bits & ~operation_words[change.word].served & (lost ? ~on & ~operation_words[change.word].reported : on);
     for (; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t unit = index.unit_of_operation[bit];
       if (unit == tables::kNone || !is_operation_finding(kind, unit, bit)) continue;
-      if (!lost) reported[change.word] |= bit_in_word(bit);
+      if (!lost) operation_words[change.word].reported |= bit_in_word(bit);
       marks_.mark(index.symbol_of_operation[bit]);
     }
   }

@@ -74,10 +74,10 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
-  switch_events(row, type.enter[here]);
+  switch_events(row, type.at[here].enter);
   const bool further = behaves(unit);
   if (further) report_entered(unit, here);
-  if (further || type.automatic[here] || may_leave(row, type, here)) queue(unit);
+  if (further || type.at[here].automatic || may_leave(row, type, here)) queue(unit);
 }
 
 /// Fires a transition: serves and disarms operations, then begins the move, or settles at once if it takes no time.
@@ -93,10 +93,10 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     automatic = fired.on == tables::kNoOperation;
     if (!automatic) {
       const std::uint64_t on = operation_mask(fired.on) << (row.operation_bit % 64);
-      served[word] |= on;
+      operation_words[word].served |= on;
       if (fired.once && type.actuation == tables::Actuation::latched) disarmed[word] |= on;
     } else if (type.actuation == tables::Actuation::latched && type.operations != 0) {
-      disarmed[word] |= (type.leads[here] << (row.operation_bit % 64)) & operations.bits[word];
+      disarmed[word] |= (type.at[here].leads << (row.operation_bit % 64)) & operations.bits[word];
     }
   }
   clear_wheel(unit);
@@ -107,14 +107,14 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   state.whole = duration;
   state.flags |= kMoving;
   if (duration == 0 || behaves(unit)) {
-    switch_events(row, type.leave[here]);
+    switch_events(row, type.at[here].leave);
     if (behaves(unit)) report_left(unit, here);
     if (duration == 0) {
       settle(unit, row, type);
       return;
     }
   } else {
-    switch_events_now(row, type.leave[here]);
+    switch_events_now(row, type.at[here].leave);
   }
   travel(unit, state, duration);
   if (!automatic && type.actuation != tables::Actuation::latched) queue(unit);
@@ -125,7 +125,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
   const std::uint8_t here = units[unit].state;
   const std::uint64_t on = operations_on(row, type);
   Ready ready{kNoTransition, kNoTransition, false, 0};
-  if ((on & type.starts[here]) != 0 || type.automatic[here] || units[unit].holding != 0) {
+  if ((on & type.at[here].starts) != 0 || type.at[here].automatic || units[unit].holding != 0) {
     ready = ready_transitions(unit, row, type, on);
   }
   if (ready.automatic != kNoTransition) {
@@ -133,7 +133,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
     return;
   }
   const std::uint8_t further = behaves(unit) ? wanted_by_behaviour(unit) : tables::kNoState;
-  const bool stay_wanted = (on & type.leads[here] & ~ready.served) != 0 || further == here;
+  const bool stay_wanted = (on & type.at[here].leads & ~ready.served) != 0 || further == here;
   std::uint8_t wanted = ready.first == kNoTransition ? tables::kNoState : type.transitions[ready.first].to;
   bool conflict = ready.several;
   if (further != tables::kNoState && further != here) {
@@ -151,8 +151,10 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
   }
 }
 
-void Engine::step_any(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
+void Engine::step(std::uint32_t unit) noexcept {
   UnitState& state = units[unit];
+  const tables::UnitRow& row = tables.units[unit];
+  const TypeIndex& type = index.types[row.type];
   if ((state.flags & kHalted) != 0) return;
   state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped));
   if (behaves(unit)) wake_behaviour(unit, row);

@@ -55,14 +55,20 @@ inline void Engine::switch_events(const tables::UnitRow& row, const tables::Even
   make_event_bits(row.event_bit / 64, masks.on << shift, masks.off << shift);
 }
 
+/// Whether a condition watches the word of events, or one of them is forced or shared: then changes must wait for the
+/// end of the round.
+SYMPLANT_ALWAYS_INLINE bool Engine::events_are_seen(std::uint32_t word) const noexcept {
+  return !unseen_events_ &&
+         (events.forced[word] != 0 || index.event_watches.watched(word) != 0 || !index.shared_events.empty());
+}
+
 /// As switch_events(), by the one step of a unit in this round. If no condition watches the word and none of its events
 /// is forced or shared, the change is made at once: no other unit can observe it within the round.
 SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row,
                                                       const tables::EventMasks& masks) noexcept {
   if ((masks.on | masks.off) == 0) return;  // a unit without events may lie after the plane's last word
   const std::uint32_t word = row.event_bit / 64;
-  if (!unseen_events_ &&
-      (events.forced[word] != 0 || index.event_watches.watched(word) != 0 || !index.shared_events.empty())) {
+  if (events_are_seen(word) || events.dirty.has(word)) {
     switch_events(row, masks);
     return;
   }
@@ -70,10 +76,6 @@ SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row
   const std::uint64_t before = events.bits[word];
   const std::uint64_t now = (before & ~(masks.off << shift)) | (masks.on << shift);
   if (now == before) return;
-  if (events.dirty.has(word)) {
-    switch_events(row, masks);
-    return;
-  }
   event_changes.note(word, before);
   events.bits[word] = now;
 }
@@ -92,8 +94,8 @@ inline void Engine::set_wheel(std::uint32_t entry, tables::Time due) noexcept {
 SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const TypeIndex& type,
                                               std::uint8_t here) const noexcept {
   const std::uint64_t on = operations_on(row, type);
-  if ((on & type.starts[here]) != 0) return true;
-  return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.leads[here]) == 0;
+  if ((on & type.at[here].starts) != 0) return true;
+  return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.at[here].leads) == 0;
 }
 
 inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t from) noexcept {
@@ -104,15 +106,23 @@ inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std
   }
 }
 
+/// Clears `served` and `reported` of operations that fell.
+SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
+  OperationWord& word = operation_words[change.word];
+  const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
+  word.served &= ~fallen;
+  if (word.reported != 0) word.reported &= ~fallen;
+}
+
 /// Serves the operations that lead to the state in which a unit is settled, or to which it moves, as an instant ends.
 SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::UnitRow& row) noexcept {
   const std::uint32_t word = row.operation_bit / 64;
-  const std::uint64_t unserved = operations.bits[word] & ~served[word];
+  const std::uint64_t unserved = operations.bits[word] & ~operation_words[word].served;
   if (unserved == 0) return;
   const TypeIndex& type = index.types[row.type];
   if (type.operations == 0) return;
   const std::uint8_t position = (state.flags & kMoving) != 0 ? state.target : state.state;
-  served[word] |= unserved & (type.leads[position] << (row.operation_bit % 64));
+  operation_words[word].served |= unserved & (type.at[position].leads << (row.operation_bit % 64));
 }
 
 /// Begins a move that takes `duration` > 0.

@@ -52,7 +52,6 @@ Engine* Engine::make(const tables::PlantTables& tables, std::span<const Behaviou
 }
 
 void Engine::position(Arena& arena) noexcept {
-  const std::size_t operation_words = tables.operation_bits / 64;
   const std::size_t event_words = tables.event_bits / 64;
   index.build(tables, arena);
   position_names(arena);
@@ -73,7 +72,7 @@ void Engine::position(Arena& arena) noexcept {
   short_events_.take(arena, event_words);
   touched_slots_.take(arena, tables.event_slots);
   values_before_ = arena.take<std::uint64_t>(tables.event_slots);
-  operation_changes_.take(arena, operation_words);
+  operation_changes_.take(arena, tables.operation_bits / 64);
   operation_slot_changes_.take(arena, tables.operation_slots);
   event_slot_changes_.take(arena, tables.event_slots);
   marks_.take(arena, std::max({tables.units.size(), tables.symbols.size(), tables.requirements.size()}));
@@ -111,22 +110,20 @@ std::uint32_t Engine::memory_of(std::size_t behaviour) const noexcept {
 
 void Engine::place_block(Arena& arena) noexcept {
   // One word more, always 0: units without operations read it.
-  const std::size_t operation_words = tables.operation_bits / 64 + 1;
+  const std::size_t operation_word_count = tables.operation_bits / 64 + 1;
   const std::size_t entries = tables.units.size() + tables.requirements.size() + tables.behaviour_units.size();
   head = arena.take<BlockHead>(1);
   const std::size_t begin = arena.used() - sizeof(BlockHead);
   units = arena.take<UnitState>(entries);
-  operations.take(arena, operation_words);
+  operations.take(arena, operation_word_count);
   events.take(arena, tables.event_bits / 64);
   operation_values.take(arena, tables.operation_slots);
   event_values.take(arena, tables.event_slots);
-  written_operations = arena.take<std::uint64_t>(operation_words);
   written_values = arena.take<std::uint64_t>(tables.operation_slots);
-  written_words.take(arena, operation_words);
+  written_words.take(arena, operation_word_count);
   written_slots.take(arena, tables.operation_slots);
-  disarmed = arena.take<std::uint64_t>(operation_words);
-  served = arena.take<std::uint64_t>(operation_words);
-  reported = arena.take<std::uint64_t>(operation_words);
+  disarmed = arena.take<std::uint64_t>(operation_word_count);
+  operation_words = arena.take<OperationWord>(operation_word_count);
   general_states = arena.take<GeneralState>(index.general.size());
   records = arena.take<Record>(index.general.records());
   condition_states = arena.take<std::uint8_t>(tables.conditions.size());
@@ -157,7 +154,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
     units[unit].transition = kNoTransition;
     if (row.general != 0 || !index.types[row.type].plain) units[unit].flags = kGeneral;
     if (row.general != 0 && behaviour_of(general_row(unit)) != nullptr) units[unit].flags |= kBehaves;
-    switch_events(row, index.types[row.type].enter[row.initial]);
+    switch_events(row, index.types[row.type].at[row.initial].enter);
   }
   for (std::uint32_t position = 0; position < index.general.size(); ++position) {
     general_states[position].settled = tables::kNoState;

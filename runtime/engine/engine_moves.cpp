@@ -80,7 +80,8 @@ void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const Ty
   state.whole = back;
   state.flags &= static_cast<std::uint16_t>(~kMidway);
   if (transition != kNoTransition) {
-    served[row.operation_bit / 64] |= operation_mask(type.transitions[transition].on) << (row.operation_bit % 64);
+    operation_words[row.operation_bit / 64].served |= operation_mask(type.transitions[transition].on)
+                                                      << (row.operation_bit % 64);
   }
   stepped(unit, row);
   const tables::Time left = time_back(back, travelled, forth);

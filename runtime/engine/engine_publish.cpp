@@ -7,45 +7,6 @@
 
 namespace symplant::engine {
 
-/// Samples the operations as the PLC wrote them. If an outside action happened too, apply_actions() computes the effect
-/// of both.
-void Engine::sample_operations() noexcept {
-  const bool acted = head->acted != 0;
-  written_words.take_all([&](std::uint32_t word) {
-    if (acted) {
-      operations.make(word, written_operations[word]);
-    } else {
-      change_operations(word, operations.sample(word, written_operations[word]));
-    }
-  });
-  written_slots.take_all([&](std::uint32_t slot) {
-    operation_values.made[slot] = written_values[slot];
-    acted ? operation_values.dirty.mark(slot) : change_operation_value(slot);
-  });
-}
-
-/// Applies forces and releases of operations; those of events are published as the rounds' changes are.
-void Engine::apply_actions() noexcept {
-  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word, operations.effective(word)); });
-  operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
-  head->acted = 0;
-}
-
-/// `now`: the levels of the word's operations from now on.
-void Engine::change_operations(std::uint32_t word, std::uint64_t now) noexcept {
-  const std::uint64_t changed = operations.bits[word] ^ now;
-  if (changed == 0) return;
-  operations.bits[word] = now;
-  disarmed[word] &= now;  // an operation that a round reads as off is armed
-  operation_changes_.add({word, changed});
-  const UnitOfOperation unit_of = index.unit_of_operation;  // a copy, so that touch() cannot alias it
-  for (std::uint64_t bits = changed; bits != 0; bits &= bits - 1) {
-    const std::uint32_t unit = unit_of[word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (unit != tables::kNone) touch(unit);
-  }
-  if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
-}
-
 void Engine::change_operation_value(std::uint32_t slot) noexcept {
   const std::uint64_t now = operation_values.effective(slot);
   if (operation_values.values[slot] == now) return;

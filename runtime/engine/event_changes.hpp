@@ -32,6 +32,11 @@ class EventChanges {
     }
   }
 
+  /// As note(), while every event has changed at most once in this instant.
+  void note_first(std::uint32_t number, std::uint64_t bits) noexcept {
+    if (words_[number].instant != instant_) add(number, bits);
+  }
+
   /// The words noted in this instant, with their net changes `bits`; words without a net change are left out. Calls
   /// `function(change, flickered)` for each word, before it is left out: `flickered` are the bits that changed and
   /// changed back.

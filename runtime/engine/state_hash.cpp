@@ -57,11 +57,12 @@ void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexc
   const tables::UnitRow& row = tables.units[unit];
   const tables::TypeRow& type = tables.types[row.type];
   for (std::uint32_t bit = row.operation_bit; bit < row.operation_bit + type.operations; ++bit) {
-    hash.byte(digit_of(written_operations, bit));
+    const OperationWord& word = operation_words[bit / 64];
+    hash.byte(digit_of(word.written, bit));
     hash.byte(static_cast<std::uint8_t>(1 - digit_of(disarmed, bit)));
     hash.byte(force_of(operations, bit));
-    hash.byte(digit_of(served, bit));
-    hash.byte(digit_of(reported, bit));
+    hash.byte(digit_of(word.served, bit));
+    hash.byte(digit_of(word.reported, bit));
   }
   for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
     hash.byte(digit_of(events.made(bit / 64), bit));
@@ -89,7 +90,7 @@ void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& sy
   if (symbol.type() == tables::DataType::boolean) {
     const BitPlane& plane = operation ? operations : events;
     const std::uint32_t word = symbol.index / 64;
-    hash.byte(digit_of(operation ? written_operations[word] : plane.made(word), symbol.index));
+    hash.byte(digit_of(operation ? operation_words[word].written : plane.made(word), symbol.index));
     hash.byte(force_of(plane, symbol.index));
     return;
   }

@@ -8,6 +8,8 @@ namespace symplant::engine {
 void Wheel::clear() noexcept {
   last_ = 0;
   bound_ = tables::kNever;
+  inserted_ = -1;
+  bucket_ = 0;
   words_ = 0;
   occupied_.fill(0);
   heads_.fill(tables::kNone);
@@ -36,19 +38,26 @@ Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) c
   return range;
 }
 
+/// Neighbors of one due time move together.
 void Wheel::redistribute(UnitState* units, std::uint32_t bucket) noexcept {
-  std::uint32_t unit = heads_[bucket];
+  std::uint32_t first = heads_[bucket];
   vacate(bucket);
-  const std::uint32_t now = digit_of(last_, 0);
-  while (unit != tables::kNone) {
-    const std::uint32_t next = units[unit].next;
-    link(units, unit, units[unit].due == last_ ? now : bucket_of(units[unit].due));
-    unit = next;
+  while (first != tables::kNone) {
+    const tables::Time due = units[first].due;
+    std::uint32_t last = first;
+    std::uint32_t next = units[last].next;
+    while (next != tables::kNone && units[next].due == due) {
+      last = next;
+      next = units[last].next;
+    }
+    link(units, first, last, bucket_of(due));
+    first = next;
   }
 }
 
 tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
   if (limit < bound_) return tables::kNever;
+  inserted_ = -1;
   while (words_ != 0) {
     const std::uint32_t bucket = lowest_bucket();
     if (bucket < kTransitions) {

@@ -30,7 +30,7 @@ function(symplant_mutant NAME FROM TO)
 endfunction()
 
 symplant_mutant(armed_not_restored_while_disabled
-  "  disarmed[word] &= now;"
+  "    disarmed[word] &= now;"
   "  for (std::uint64_t off = disarmed[word] & ~now; off != 0; off &= off - 1) { if ((units[index.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(off))]].flags & kDisabled) == 0) disarmed[word] &= ~(off & (~off + 1)); }")
 
 symplant_mutant(after_not_restarted_by_a_break
@@ -42,15 +42,15 @@ symplant_mutant(break_counted_while_disabled
   "  if ((state.flags & kHalted) != 0) { if ((state.flags & (kFrozen | kMoving)) == 0 && index.types[tables.units[unit].type].records != 0) forget_causes(unit, index.types[tables.units[unit].type], state.state); return; }")
 
 symplant_mutant(step_reads_this_round
-  "  for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);"
-  "  for (std::uint32_t i = 0; i < count; ++i) { step(touched_.items[i]); if (unpublished_) publish(); }")
+  "    if ((units[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);"
+  "    if ((units[touched_.items[i]].flags & kTouched) != 0) { step(touched_.items[i]); if (unpublished_) publish(); }")
 
 symplant_mutant(automatic_not_before_commanded
   "  if (ready.automatic != kNoTransition) {"
   "  if (ready.automatic != kNoTransition && ready.first == kNoTransition) {")
 
 symplant_mutant(own_state_not_wanted
-  "  const bool stay_wanted = (on & type.leads[here] & ~ready.served) != 0 || further == here;"
+  "  const bool stay_wanted = (on & type.at[here].leads & ~ready.served) != 0 || further == here;"
   "  const bool stay_wanted = further == here;")
 
 symplant_mutant(rounding_up_in_turning_round

@@ -1,0 +1,163 @@
+// Begins an instant: samples operations, queues units that are due, and steps plain units at once (the fast path).
+//
+// A plain unit reads only its own state and operations, and no other unit reads it. Its first step of an instant
+// therefore needs no queue: depart_fast() restates step_settled() and leave(), arrive_fast() restates settle(), and
+// close_fast() restates finish_operations(). Each returns false without any effect if the unit may do more than that:
+// then it is touched, and takes the general path.
+#include <bit>
+
+#include "symplant/engine/engine_inline.hpp"
+
+namespace symplant::engine {
+
+/// As switch_events_now(), for the only change of these events so far in this instant.
+SYMPLANT_ALWAYS_INLINE void Engine::switch_fast(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept {
+  const std::uint32_t word = row.event_bit / 64;
+  const std::uint32_t shift = row.event_bit % 64;
+  const std::uint64_t before = events.bits[word];
+  const std::uint64_t now = (before & ~(masks.off << shift)) | (masks.on << shift);
+  if (now == before) return;
+  event_changes.note_first(word, before);
+  events.bits[word] = now;
+}
+
+SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables::UnitRow& row,
+                                                const TypeIndex& type) noexcept {
+  UnitState& state = units[unit];
+  const std::uint32_t word = row.operation_bit / 64;
+  const std::uint32_t shift = row.operation_bit % 64;
+  const std::uint64_t on = (operations.bits[word] >> shift) & type.operations;
+  constexpr std::uint16_t kNotFast = kGeneral | kMoving | kConflict | kStopped | kTouched;
+  if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) return false;
+  const std::uint8_t here = state.state;
+  const Departure& departure = type.departure(here, on);
+  if (departure.to == here) {
+    operation_words[word].served |= on << shift;
+    return true;
+  }
+  if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;
+  const tables::Time duration = tables.times[row.times + departure.times].takes;
+  if (duration == 0 || duration >= tables::kNever - now_) return false;
+  operation_words[word].served |= on << shift;
+  state.target = departure.to;
+  state.transition = departure.transition;
+  state.whole = duration;
+  state.flags = kMoving;
+  head->wheel.insert(units, unit, now_ + duration);
+  if (type.events != 0) switch_fast(row, type.at[here].leave);
+  active_ = true;
+  if (observer_ != nullptr) touched_.add(unit);
+  return true;
+}
+
+/// `entry` was due and is no longer in the wheel; its flag kTimed is still set.
+SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
+  UnitState& state = units[entry];
+  if (state.flags != (kMoving | kTimed)) return false;
+  const tables::UnitRow& row = tables.units[entry];
+  const TypeIndex& type = index.types[row.type];
+  const std::uint8_t here = state.target;
+  const std::uint64_t on = (operations.bits[row.operation_bit / 64] >> (row.operation_bit % 64)) & type.operations;
+  if ((on & (on - 1)) != 0 || type.departure(here, on).to != here) return false;
+  if (type.events != 0) {
+    if (events_are_seen(row.event_bit / 64)) return false;
+    switch_fast(row, type.at[here].enter);
+  }
+  state.state = here;
+  state.transition = kNoTransition;
+  state.whole = 0;
+  state.flags = 0;
+  active_ = true;
+  if (observer_ != nullptr) touched_.add(entry);
+  return true;
+}
+
+/// After the units of a word with changed operations took the fast path or were touched.
+SYMPLANT_ALWAYS_INLINE bool Engine::close_fast(std::uint32_t word, std::uint64_t changed) noexcept {
+  OperationWord& operation = operation_words[word];
+  if (observer_ != nullptr || (changed & ~operation.served) != 0) return false;
+  finish_operations({word, changed});
+  return true;
+}
+
+/// `now`: the levels of the word's operations from now on.
+SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::uint64_t now, bool fast) noexcept {
+  const std::uint64_t changed = operations.bits[word] ^ now;
+  if (changed == 0) return;
+  operations.bits[word] = now;
+  const UnitOfOperation::Word unit_of = index.unit_of_operation.of_word(word);
+  for (std::uint64_t bits = changed; bits != 0;) {
+    const std::uint32_t unit = unit_of[static_cast<std::uint32_t>(std::countr_zero(bits))];
+    if (unit == tables::kNone) {
+      bits &= bits - 1;
+      continue;
+    }
+    const tables::UnitRow& row = tables.units[unit];
+    const TypeIndex& type = index.types[row.type];
+    bits &= ~(type.operations << (row.operation_bit % 64));
+    if (fast && depart_fast(unit, row, type)) continue;
+    disarmed[word] &= now;  // an operation that a round reads as off is armed
+    touch(unit);
+  }
+  if (!fast || !close_fast(word, changed)) operation_changes_.add({word, changed});
+  if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
+}
+
+/// Samples the operations as the PLC wrote them. If an outside action happened too, apply_actions() computes the effect
+/// of both.
+void Engine::sample_operations(bool fast) noexcept {
+  const bool acted = head->acted != 0;
+  written_words.take_all([&](std::uint32_t word) {
+    const std::uint64_t written = operation_words[word].written;
+    if (acted) {
+      operations.make(word, written);
+    } else {
+      change_operations(word, operations.sample(word, written), fast);
+    }
+  });
+  if (written_slots.empty()) return;
+  written_slots.take_all([&](std::uint32_t slot) {
+    operation_values.made[slot] = written_values[slot];
+    acted ? operation_values.dirty.mark(slot) : change_operation_value(slot);
+  });
+}
+
+/// Applies forces and releases of operations; those of events are published as the rounds' changes are.
+void Engine::apply_actions() noexcept {
+  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word, operations.effective(word), false); });
+  operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
+  head->acted = 0;
+}
+
+/// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
+void Engine::queue_due(tables::Time time, bool fast) noexcept {
+  for (std::uint32_t entry = head->wheel.take(time); entry != tables::kNone;) {
+    const std::uint32_t next = units[entry].next;
+    if (!fast || !arrive_fast(entry)) queue_entry(entry);
+    entry = next;
+  }
+}
+
+void Engine::queue_entry(std::uint32_t entry) noexcept {
+  units[entry].flags &= static_cast<std::uint16_t>(~kTimed);
+  const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
+  if (entry < unit_count) {
+    touch(entry);
+  } else {
+    queue_other(entry - unit_count);
+  }
+}
+
+void Engine::queue_other(std::uint32_t entry) noexcept {
+  const auto requirement_count = static_cast<std::uint32_t>(tables.requirements.size());
+  if (entry < requirement_count) {
+    touched_requirements_.mark(entry);
+    return;
+  }
+  const std::uint32_t behaviour = entry - requirement_count;
+  behaviour_states[behaviour].woken = 1;
+  behaviour_states[behaviour].wake = tables::kNever;
+  touch(tables.behaviour_units[behaviour].unit);
+}
+
+}  // namespace symplant::engine
