@@ -78,13 +78,14 @@ struct BlockSet {
   /// Calls `function` for each; the set is empty afterwards. Nothing may be marked meanwhile.
   template <class Function>
   void take_all(Function function) noexcept {
-    const std::uint64_t count = *size;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const std::uint32_t position = items[i];
-      marks[position / 64] = 0;
-      function(position);
-    }
+    const std::uint32_t* const begin = items;
+    const std::uint32_t* const end = begin + *size;
+    std::uint64_t* const all = marks;
     *size = 0;
+    for (const std::uint32_t* position = begin; position != end; ++position) {
+      all[*position / 64] = 0;
+      function(*position);
+    }
   }
 
   std::uint64_t* size;

@@ -133,8 +133,8 @@ class Engine {
   void queue_entry(std::uint32_t entry) noexcept;
   void queue_other(std::uint32_t entry) noexcept;
 
-  // the fast path (engine_fast.hpp)
-  bool depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  // the fast path (engine_fast.cpp)
+  bool depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint64_t on) noexcept;
   bool arrive_fast(std::uint32_t unit) noexcept;
   void switch_fast(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   bool close_fast(std::uint32_t word, std::uint64_t changed) noexcept;

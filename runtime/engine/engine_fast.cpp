@@ -1,9 +1,8 @@
 // Begins an instant: samples operations, queues units that are due, and steps plain units at once (the fast path).
 //
 // A plain unit reads only its own state and operations, and no other unit reads it. Its first step of an instant
-// therefore needs no queue: depart_fast() restates step_settled() and leave(), arrive_fast() restates settle(), and
-// close_fast() restates finish_operations(). Each returns false without any effect if the unit may do more than that:
-// then it is touched, and takes the general path.
+// therefore needs no queue: depart_fast() restates step_settled() and leave(), arrive_fast() restates settle(). Each
+// returns false without any effect if the unit may do more than that: then it is touched, and takes the general path.
 #include <bit>
 
 #include "symplant/engine/engine_inline.hpp"
@@ -21,29 +20,24 @@ SYMPLANT_ALWAYS_INLINE void Engine::switch_fast(const tables::UnitRow& row, cons
   events.bits[word] = now;
 }
 
-SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables::UnitRow& row,
-                                                const TypeIndex& type) noexcept {
+/// `on`: the operations of the unit that are on. If it returns true they are served.
+SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                                std::uint64_t on) noexcept {
   UnitState& state = units[unit];
-  const std::uint32_t word = row.operation_bit / 64;
-  const std::uint32_t shift = row.operation_bit % 64;
-  const std::uint64_t on = (operations.bits[word] >> shift) & type.operations;
   constexpr std::uint16_t kNotFast = kGeneral | kMoving | kConflict | kStopped | kTouched;
   if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) return false;
   const std::uint8_t here = state.state;
-  const Departure& departure = type.departure(here, on);
-  if (departure.to == here) {
-    operation_words[word].served |= on << shift;
-    return true;
-  }
+  const Departure departure = type.departure(here, on);
+  if (departure.to == here) return true;
   if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;
+  const tables::Time now = now_;
   const tables::Time duration = tables.times[row.times + departure.times].takes;
-  if (duration == 0 || duration >= tables::kNever - now_) return false;
-  operation_words[word].served |= on << shift;
+  if (duration == 0 || duration >= tables::kNever - now) return false;
   state.target = departure.to;
   state.transition = departure.transition;
   state.whole = duration;
   state.flags = kMoving;
-  head->wheel.insert(units, unit, now_ + duration);
+  head->wheel.insert(units, unit, now + duration);
   if (type.events != 0) switch_fast(row, type.at[here].leave);
   active_ = true;
   if (observer_ != nullptr) touched_.add(unit);
@@ -72,10 +66,9 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   return true;
 }
 
-/// After the units of a word with changed operations took the fast path or were touched.
+/// Restates finish_operations(), for a word in which no operation may have a finding.
 SYMPLANT_ALWAYS_INLINE bool Engine::close_fast(std::uint32_t word, std::uint64_t changed) noexcept {
-  OperationWord& operation = operation_words[word];
-  if (observer_ != nullptr || (changed & ~operation.served) != 0) return false;
+  if (observer_ != nullptr || (changed & ~operation_words[word].served) != 0) return false;
   finish_operations({word, changed});
   return true;
 }
@@ -85,6 +78,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
   const std::uint64_t changed = operations.bits[word] ^ now;
   if (changed == 0) return;
   operations.bits[word] = now;
+  std::uint64_t served = operation_words[word].served;
   const UnitOfOperation::Word unit_of = index.unit_of_operation.of_word(word);
   for (std::uint64_t bits = changed; bits != 0;) {
     const std::uint32_t unit = unit_of[static_cast<std::uint32_t>(std::countr_zero(bits))];
@@ -94,11 +88,16 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
     }
     const tables::UnitRow& row = tables.units[unit];
     const TypeIndex& type = index.types[row.type];
-    bits &= ~(type.operations << (row.operation_bit % 64));
-    if (fast && depart_fast(unit, row, type)) continue;
-    disarmed[word] &= now;  // an operation that a round reads as off is armed
-    touch(unit);
+    const std::uint64_t of_unit = type.operations << (row.operation_bit % 64);
+    bits &= ~of_unit;
+    if (fast && depart_fast(unit, row, type, (now & of_unit) >> (row.operation_bit % 64))) {
+      served |= now & of_unit;
+    } else {
+      disarmed[word] &= now;  // an operation that a round reads as off is armed
+      touch(unit);
+    }
   }
+  operation_words[word].served = served;
   if (!fast || !close_fast(word, changed)) operation_changes_.add({word, changed});
   if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
 }
