@@ -27,6 +27,7 @@ struct OperationWord {
   std::uint64_t written;   ///< as the PLC wrote them; sampled by the next instant that samples
   std::uint64_t served;    ///< those that were served since they rose
   std::uint64_t reported;  ///< those that had a finding when they rose
+  std::uint64_t waiting;   ///< 1: written since it was sampled last
 };
 
 /// The changing state of a general unit in addition to its UnitState.

@@ -60,6 +60,25 @@ struct DirtySet {
   std::uint64_t* marks;
 };
 
+/// A list whose data, with its size, lies in the flat block.
+struct BlockList {
+  void take(Arena& arena, std::size_t capacity) noexcept {
+    size = arena.take<std::uint64_t>(1);
+    items = arena.take<std::uint32_t>(capacity);
+  }
+  void add(std::uint32_t item) noexcept { items[(*size)++] = item; }
+  bool empty() const noexcept { return *size == 0; }
+  /// The list is empty afterwards; the returned items are valid until the next add().
+  std::span<const std::uint32_t> take_all() noexcept {
+    const std::size_t count = *size;
+    *size = 0;
+    return {items, count};
+  }
+
+  std::uint64_t* size;
+  std::uint32_t* items;
+};
+
 /// A DirtySet whose data, with its size, lies in the flat block.
 struct BlockSet {
   void take(Arena& arena, std::size_t positions) noexcept {

@@ -34,6 +34,7 @@ class Engine {
   tables::Time next_due() const noexcept;
 
   // Actions from outside (engine_acts.cpp).
+  void wait_for_sample(std::uint32_t word) noexcept;
   void write_operation(std::uint32_t bit, bool on) noexcept;
   void write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void write_shared(std::uint32_t bit, bool on) noexcept;
@@ -91,7 +92,7 @@ class Engine {
   ValuePlane event_values;
   OperationWord* operation_words;
   std::uint64_t* written_values;
-  BlockSet written_words;
+  BlockList written_words;  ///< those that wait to be sampled
   BlockSet written_slots;
   std::uint64_t* disarmed;  ///< operations that are disarmed
   GeneralState* general_states;

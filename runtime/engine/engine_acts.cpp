@@ -27,17 +27,24 @@ void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = 
 
 }  // namespace
 
+/// Called after a word of operations is written.
+inline void Engine::wait_for_sample(std::uint32_t word) noexcept {
+  if (operation_words[word].waiting != 0) return;
+  operation_words[word].waiting = 1;
+  written_words.add(word);
+}
+
 void Engine::write_operation(std::uint32_t bit, bool on) noexcept {
   const std::uint32_t word = bit / 64;
-  const std::uint64_t mask = bit_in_word(bit);
-  operation_words[word].written = on ? operation_words[word].written | mask : operation_words[word].written & ~mask;
-  written_words.mark(word);
+  set_bit(operation_words[word].written, bit, on);
+  wait_for_sample(word);
   if (!index.shared_operations.empty()) write_shared(bit, on);
 }
 
 void Engine::write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
-  operation_words[word].written = (operation_words[word].written & ~mask) | (bits & mask);
-  written_words.mark(word);
+  std::uint64_t& written = operation_words[word].written;
+  written = (written & ~mask) | (bits & mask);
+  wait_for_sample(word);
   if (!index.shared_operations.empty()) write_shared(word, mask, bits);
 }
 
@@ -51,7 +58,7 @@ void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t 
 void Engine::write_shared(std::uint32_t bit, bool on) noexcept {
   for (const SharedPosition& other : index.shared_operations.with(bit)) {
     set_bit(operation_words[other.position / 64].written, other.position, on);
-    written_words.mark(other.position / 64);
+    wait_for_sample(other.position / 64);
   }
 }
 

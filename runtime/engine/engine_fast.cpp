@@ -27,13 +27,13 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
   constexpr std::uint16_t kNotFast = kGeneral | kMoving | kConflict | kStopped | kTouched;
   if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) return false;
   const std::uint8_t here = state.state;
-  const Departure departure = type.departure(here, on);
+  const Departure departure = type.at[here].departure(on);
   if (departure.to == here) return true;
   if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;
   const tables::Time now = now_;
   const tables::Time duration = tables.times[row.times + departure.times].takes;
   if (duration == 0 || duration >= tables::kNever - now) return false;
-  state.target = departure.to;
+  state.target = static_cast<std::uint8_t>(departure.to);
   state.transition = departure.transition;
   state.whole = duration;
   state.flags = kMoving;
@@ -52,7 +52,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   const TypeIndex& type = index.types[row.type];
   const std::uint8_t here = state.target;
   const std::uint64_t on = (operations.bits[row.operation_bit / 64] >> (row.operation_bit % 64)) & type.operations;
-  if ((on & (on - 1)) != 0 || type.departure(here, on).to != here) return false;
+  if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) return false;
   if (type.events != 0) {
     if (events_are_seen(row.event_bit / 64)) return false;
     switch_fast(row, type.at[here].enter);
@@ -106,14 +106,15 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
 /// of both.
 void Engine::sample_operations(bool fast) noexcept {
   const bool acted = head->acted != 0;
-  written_words.take_all([&](std::uint32_t word) {
+  for (const std::uint32_t word : written_words.take_all()) {
+    operation_words[word].waiting = 0;
     const std::uint64_t written = operation_words[word].written;
     if (acted) {
       operations.make(word, written);
     } else {
       change_operations(word, operations.sample(word, written), fast);
     }
-  });
+  }
   if (written_slots.empty()) return;
   written_slots.take_all([&](std::uint32_t slot) {
     operation_values.made[slot] = written_values[slot];

@@ -86,6 +86,7 @@ Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std
 void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
   Departure* departure = arrays.departures;
   for (std::uint8_t state = 0; state < row.states; ++state) {
+    arrays.at[state].departures = departure;
     *departure++ = departure_of(row, arrays, state, 0);
     for (std::uint8_t operation = 0; operation < row.operations; ++operation) {
       *departure++ = departure_of(row, arrays, state, bit(operation));
@@ -110,12 +111,10 @@ TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
     if (type.plain) fill_departures(row, arrays);
   }
   type.at = arrays.at;
-  type.departures = arrays.departures;
   type.transitions = row.transitions.data();
   type.from_order = arrays.from_order;
   type.record_of = arrays.record_of;
   type.operations = row.operations == tables::kMaxOperations ? ~std::uint64_t{0} : bit(row.operations) - 1;
-  type.operation_count = row.operations;
   type.states = row.states;
   type.events = row.events;
   type.rest = row.rest;

@@ -15,33 +15,35 @@ namespace symplant::engine {
 inline constexpr std::uint16_t kNoRecord = 0xFFFF;
 inline constexpr std::uint16_t kNoTransition = 0xFFFF;
 
-/// What a unit reads in one state of its type.
-struct StateIndex {
-  tables::EventMasks enter;
-  tables::EventMasks leave;
-  std::uint64_t starts;      ///< the operations that are the `on` of a transition from it
-  std::uint64_t leads;       ///< the operations that lead to it
-  std::uint32_t from_begin;  ///< its first index in from_order; those of the next state follow
-  bool automatic;            ///< an automatic transition starts from it
-};
-
 /// What a settled unit of a plain type does if at most one of its operations is on.
 struct Departure {
   std::uint16_t transition;  ///< kNoTransition for a spring return
   std::uint16_t times;       ///< index of its times among those of the unit (UnitRow::times)
-  std::uint8_t to;  ///< the same state: it stays, and the operation leads there; kNoState: see the general path
+  std::uint32_t to;  ///< the same state: it stays, and the operation leads there; kNoState: see the general path
+};
+
+/// What a unit reads in one state of its type.
+struct StateIndex {
+  tables::EventMasks enter;
+  tables::EventMasks leave;
+  std::uint64_t starts;         ///< the operations that are the `on` of a transition from it
+  std::uint64_t leads;          ///< the operations that lead to it
+  const Departure* departures;  ///< of a plain type: without an operation, then by operation
+  std::uint32_t from_begin;     ///< its first index in from_order; those of the next state follow
+  bool automatic;               ///< an automatic transition starts from it
+
+  /// Only of a plain type. `on`: the operations that are on, at most one.
+  const Departure& departure(std::uint64_t on) const noexcept { return departures[std::bit_width(on)]; }
 };
 
 /// A type's transitions by the state from which they start, and its operations as masks (bit o: operation o).
 struct TypeIndex {
   const StateIndex* at;  ///< by state; one more at the end
-  const Departure* departures;
   const tables::Transition* transitions;
   const std::uint16_t* from_order;  ///< transition numbers by the state from which they start, in table order
   const std::uint16_t* record_of;   ///< a transition -> its index among its unit's records, or kNoRecord
   std::uint64_t operations;         ///< all of them
   std::uint32_t records;            ///< transitions with a record
-  std::uint8_t operation_count;
   std::uint8_t states;
   std::uint8_t events;
   std::uint8_t rest;
@@ -51,10 +53,6 @@ struct TypeIndex {
 
   std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
     return {from_order + at[state].from_begin, from_order + at[state + 1].from_begin};
-  }
-  /// Only of a plain type. `on`: its operations that are on, at most one.
-  const Departure& departure(std::uint8_t state, std::uint64_t on) const noexcept {
-    return departures[state * (operation_count + 1U) + static_cast<std::uint32_t>(std::bit_width(on))];
   }
 };
 

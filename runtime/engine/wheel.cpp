@@ -30,10 +30,13 @@ void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
 
 Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept {
   std::uint32_t unit = heads_[bucket];
-  Range range{units[unit].due, units[unit].due};
+  tables::Time due = units[unit].due;
+  Range range{due, due};
   while ((unit = units[unit].next) != tables::kNone) {
-    range.first = std::min(range.first, units[unit].due);
-    range.last = std::max(range.last, units[unit].due);
+    if (units[unit].due == due) continue;
+    due = units[unit].due;
+    range.first = std::min(range.first, due);
+    range.last = std::max(range.last, due);
   }
   return range;
 }
