@@ -215,7 +215,8 @@ class Engine {
   // publishing the changes of one round to the next (engine_publish.cpp)
   void sample_operations(bool fast) noexcept;
   void apply_actions() noexcept;
-  void change_operations(std::uint32_t word, std::uint64_t now, bool fast) noexcept;
+  template <bool kFast>
+  void change_operations(std::uint32_t word, std::uint64_t now) noexcept;
   void change_operation_value(std::uint32_t slot) noexcept;
   void publish() noexcept;
   void publish_event_word(std::uint32_t word) noexcept;

@@ -45,7 +45,8 @@ void Engine::write_operations(std::uint32_t word, std::uint64_t mask, std::uint6
   std::uint64_t& written = operation_words[word].written;
   written = (written & ~mask) | (bits & mask);
   wait_for_sample(word);
-  if (!index.shared_operations.empty()) write_shared(word, mask, bits);
+  if (!index.shared_operations.empty()) [[unlikely]]
+    write_shared(word, mask, bits);
 }
 
 void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {

@@ -25,14 +25,16 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
                                                 std::uint64_t on) noexcept {
   UnitState& state = units[unit];
   constexpr std::uint16_t kNotFast = kGeneral | kMoving | kConflict | kStopped | kTouched;
-  if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) return false;
+  if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) [[unlikely]]
+    return false;
   const std::uint8_t here = state.state;
   const Departure departure = type.at[here].departure(on);
   if (departure.to == here) return true;
   if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;
   const tables::Time now = now_;
   const tables::Time duration = tables.times[row.times + departure.times].takes;
-  if (duration == 0 || duration >= tables::kNever - now) return false;
+  if (duration == 0 || duration >= tables::kNever - now) [[unlikely]]
+    return false;
   state.target = static_cast<std::uint8_t>(departure.to);
   state.transition = departure.transition;
   state.whole = duration;
@@ -40,7 +42,8 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
   head->wheel.insert(units, unit, now + duration);
   if (type.events != 0) switch_fast(row, type.at[here].leave);
   active_ = true;
-  if (observer_ != nullptr) touched_.add(unit);
+  if (observer_ != nullptr) [[unlikely]]
+    touched_.add(unit);
   return true;
 }
 
@@ -54,7 +57,8 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   const std::uint64_t on = (operations.bits[row.operation_bit / 64] >> (row.operation_bit % 64)) & type.operations;
   if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) return false;
   if (type.events != 0) {
-    if (events_are_seen(row.event_bit / 64)) return false;
+    if (events_are_seen(row.event_bit / 64)) [[unlikely]]
+      return false;
     switch_fast(row, type.at[here].enter);
   }
   state.state = here;
@@ -62,7 +66,8 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   state.whole = 0;
   state.flags = 0;
   active_ = true;
-  if (observer_ != nullptr) touched_.add(entry);
+  if (observer_ != nullptr) [[unlikely]]
+    touched_.add(entry);
   return true;
 }
 
@@ -74,7 +79,8 @@ SYMPLANT_ALWAYS_INLINE bool Engine::close_fast(std::uint32_t word, std::uint64_t
 }
 
 /// `now`: the levels of the word's operations from now on.
-SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::uint64_t now, bool fast) noexcept {
+template <bool kFast>
+SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::uint64_t now) noexcept {
   const std::uint64_t changed = operations.bits[word] ^ now;
   if (changed == 0) return;
   operations.bits[word] = now;
@@ -82,7 +88,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
   const UnitOfOperation::Word unit_of = index.unit_of_operation.of_word(word);
   for (std::uint64_t bits = changed; bits != 0;) {
     const std::uint32_t unit = unit_of[static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (unit == tables::kNone) {
+    if (unit == tables::kNone) [[unlikely]] {
       bits &= bits - 1;
       continue;
     }
@@ -90,7 +96,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
     const TypeIndex& type = index.types[row.type];
     const std::uint64_t of_unit = type.operations << (row.operation_bit % 64);
     bits &= ~of_unit;
-    if (fast && depart_fast(unit, row, type, (now & of_unit) >> (row.operation_bit % 64))) {
+    if (kFast && depart_fast(unit, row, type, (now & of_unit) >> (row.operation_bit % 64))) [[likely]] {
       served |= now & of_unit;
     } else {
       disarmed[word] &= now;  // an operation that a round reads as off is armed
@@ -98,7 +104,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
     }
   }
   operation_words[word].served = served;
-  if (!fast || !close_fast(word, changed)) operation_changes_.add({word, changed});
+  if (!kFast || !close_fast(word, changed)) operation_changes_.add({word, changed});
   if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
 }
 
@@ -107,12 +113,14 @@ SYMPLANT_ALWAYS_INLINE void Engine::change_operations(std::uint32_t word, std::u
 void Engine::sample_operations(bool fast) noexcept {
   const bool acted = head->acted != 0;
   for (const std::uint32_t word : written_words.take_all()) {
-    operation_words[word].waiting = 0;
-    const std::uint64_t written = operation_words[word].written;
-    if (acted) {
-      operations.make(word, written);
+    OperationWord& operation = operation_words[word];
+    operation.waiting = 0;
+    if (fast) [[likely]] {
+      change_operations<true>(word, operations.sample(word, operation.written));
+    } else if (!acted) {
+      change_operations<false>(word, operations.sample(word, operation.written));
     } else {
-      change_operations(word, operations.sample(word, written), fast);
+      operations.make(word, operation.written);
     }
   }
   if (written_slots.empty()) return;
@@ -124,7 +132,7 @@ void Engine::sample_operations(bool fast) noexcept {
 
 /// Applies forces and releases of operations; those of events are published as the rounds' changes are.
 void Engine::apply_actions() noexcept {
-  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word, operations.effective(word), false); });
+  operations.dirty.take_all([&](std::uint32_t word) { change_operations<false>(word, operations.effective(word)); });
   operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
   head->acted = 0;
 }
@@ -133,7 +141,8 @@ void Engine::apply_actions() noexcept {
 void Engine::queue_due(tables::Time time, bool fast) noexcept {
   for (std::uint32_t entry = head->wheel.take(time); entry != tables::kNone;) {
     const std::uint32_t next = units[entry].next;
-    if (!fast || !arrive_fast(entry)) queue_entry(entry);
+    if (!fast || !arrive_fast(entry)) [[unlikely]]
+      queue_entry(entry);
     entry = next;
   }
 }

@@ -24,9 +24,10 @@ struct TypeArrays {
 };
 
 bool is_plain(const tables::TypeRow& row) noexcept {
-  return std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
-    return t.on != tables::kNoOperation && t.when == tables::kNoCondition && !t.timed && !t.once;
-  });
+  return row.operations < tables::kMaxOperations &&
+         std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
+           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && !t.timed && !t.once;
+         });
 }
 
 /// Sorts transition numbers by the state from which they start (a counting sort).

@@ -33,7 +33,7 @@ struct StateIndex {
   bool automatic;               ///< an automatic transition starts from it
 
   /// Only of a plain type. `on`: the operations that are on, at most one.
-  const Departure& departure(std::uint64_t on) const noexcept { return departures[std::bit_width(on)]; }
+  const Departure& departure(std::uint64_t on) const noexcept { return departures[std::bit_width(2 * on + 1) - 1]; }
 };
 
 /// A type's transitions by the state from which they start, and its operations as masks (bit o: operation o).
@@ -48,7 +48,8 @@ struct TypeIndex {
   std::uint8_t events;
   std::uint8_t rest;
   tables::Actuation actuation;
-  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations.
+  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations. It has
+  /// less than 64 of them, so that StateIndex::departure() is cheap.
   bool plain;
 
   std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
