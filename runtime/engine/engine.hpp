@@ -130,6 +130,7 @@ class Engine {
   // one instant (engine_advance.cpp)
   void instant(tables::Time time, bool due, bool sample, Observer* observer) noexcept;
   void start() noexcept;
+  bool only_fast_steps() const noexcept;
   void queue_due(tables::Time time, bool fast) noexcept;
   void queue_entry(std::uint32_t entry) noexcept;
   void queue_other(std::uint32_t entry) noexcept;

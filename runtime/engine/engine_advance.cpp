@@ -17,6 +17,14 @@ void Engine::start() noexcept {
   for (std::uint32_t r = 0; r < tables.requirements.size(); ++r) touched_requirements_.mark(r);
 }
 
+/// Whether all steps of an instant took the fast path, and its changes need no close: run_rounds() and close_instant()
+/// would have no effect.
+SYMPLANT_ALWAYS_INLINE bool Engine::only_fast_steps() const noexcept {
+  return observer_ == nullptr && head->cycle == 0 &&
+         (touched_.size | operation_changes_.size | operation_slot_changes_.size | touched_requirements_.list.size) ==
+             0;
+}
+
 SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool due, bool sample, Observer* observer) noexcept {
   head->now = now_ = at;
   observer_ = observer;
@@ -25,7 +33,12 @@ SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool due, bool samp
   if (sample && (!written_words.empty() || !written_slots.empty())) sample_operations(fast);
   if (due) queue_due(at, fast);
   if (head->acted != 0) apply_actions();
-  if (unpublished_) publish();
+  if (unpublished_) {
+    publish();
+  } else if (fast && only_fast_steps()) {
+    event_changes.next_instant();
+    return;
+  }
   run_rounds();
   close_instant();
 }

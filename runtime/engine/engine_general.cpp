@@ -74,9 +74,13 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
-  switch_events(row, type.at[here].enter);
   const bool further = behaves(unit);
-  if (further) report_entered(unit, here);
+  if (further) {  // the behavior may switch the same events again
+    switch_events(row, type.at[here].enter);
+    report_entered(unit, here);
+  } else {
+    switch_events_now(row, type.at[here].enter);
+  }
   if (further || type.at[here].automatic || may_leave(row, type, here)) queue(unit);
 }
 
@@ -87,6 +91,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   const std::uint8_t here = state.state;
   const tables::Time duration = takes(unit, row, type, target, transition);
   bool automatic = false;
+  std::uint64_t others = operations_on(row, type);  // operations that may act on the move
   if (transition != kNoTransition) {
     const tables::Transition& fired = type.transitions[transition];
     const std::uint32_t word = row.operation_bit / 64;
@@ -94,6 +99,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     if (!automatic) {
       const std::uint64_t on = operation_mask(fired.on) << (row.operation_bit % 64);
       operation_words[word].served |= on;
+      others &= ~operation_mask(fired.on);
       if (fired.once && type.actuation == tables::Actuation::latched) disarmed[word] |= on;
     } else if (type.actuation == tables::Actuation::latched && type.operations != 0) {
       disarmed[word] |= (type.at[here].leads << (row.operation_bit % 64)) & operations.bits[word];
@@ -117,7 +123,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     switch_events_now(row, type.at[here].leave);
   }
   travel(unit, state, duration);
-  if (!automatic && type.actuation != tables::Actuation::latched) queue(unit);
+  if (!automatic && type.actuation != tables::Actuation::latched && (others != 0 || behaves(unit))) queue(unit);
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const tables::UnitRow& row,
