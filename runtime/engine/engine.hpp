@@ -24,6 +24,8 @@
 namespace symplant::engine {
 
 class Engine {
+  friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
+
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
   static Engine* make(const tables::PlantTables& tables, std::span<const Behaviour> behaviours, Arena& arena) noexcept;
@@ -34,29 +36,59 @@ class Engine {
   tables::Time next_due() const noexcept;
 
   // Actions from outside (engine_acts.cpp).
-  void wait_for_sample(std::uint32_t word) noexcept;
   void write_operation(std::uint32_t bit, bool on) noexcept;
   void write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
-  void write_shared(std::uint32_t bit, bool on) noexcept;
-  void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
   bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
   void force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept;
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
   void set_quality(std::size_t behaviour, bool well) noexcept;
   bool restore(std::span<const std::byte> block) noexcept;
+
+  // What Plant shows; its comments define it. All symbols are after forces.
+  std::uint64_t model_hash() const noexcept { return head_->model; }
+  std::uint64_t state_hash() const noexcept;
+  tables::Time now() const noexcept { return head_->now; }
+  std::span<const std::uint64_t> operations() const noexcept { return {operations_.bits, tables_.operation_bits / 64}; }
+  std::span<const std::uint64_t> events() const noexcept { return {events_.bits, tables_.event_bits / 64}; }
+  std::span<const std::uint64_t> disarmed() const noexcept { return {disarmed_, tables_.operation_bits / 64}; }
+  std::uint64_t operation_value(std::uint32_t slot) const noexcept { return operation_values_.values[slot]; }
+  std::uint64_t event_value(std::uint32_t slot) const noexcept { return event_values_.values[slot]; }
+  bool is_forced(std::uint32_t symbol) const noexcept;
+  bool is_pending(std::uint32_t requirement) const noexcept { return monitors_[requirement].running != 0; }
+  const EventChanges& changed_events() const noexcept { return event_changes_; }
+  const DirtySet& changed_event_values() const noexcept { return changed_event_slots_; }
+  void forget_changed_events() noexcept;
+  bool take_finding(tables::Finding& finding) noexcept { return findings_.pop(finding); }
+  std::uint64_t lost_findings() const noexcept { return findings_.lost(); }
+  std::span<const std::byte> save() const noexcept { return {reinterpret_cast<const std::byte*>(head_), block_size_}; }
+  const UnitState& unit(std::uint32_t unit) const noexcept { return units_[unit]; }
+  /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
+  tables::Time remaining(std::uint32_t unit) const noexcept {
+    const UnitState& state = units_[unit];
+    return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head_->now;
+  }
+
+ private:
+  // position() sets all other members.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
+  Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
+      : tables_(plant_tables), behaviours_(code) {}
+  void position(Arena& arena) noexcept;
+  void position_names(Arena& arena) noexcept;
+  void place_block(Arena& arena) noexcept;
+  void reset_values() noexcept;
+  void reset_conditions() noexcept;
+
+  // actions from outside (engine_acts.cpp)
+  void wait_for_sample(std::uint32_t word) noexcept;
+  void write_shared(std::uint32_t bit, bool on) noexcept;
+  void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void requeue() noexcept;
   void see_events() noexcept;
   void touch_readers(tables::Direction direction, std::uint32_t slot) noexcept;
 
-  std::uint64_t state_hash() const noexcept;
-  /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
-  tables::Time remaining(std::uint32_t unit) const noexcept {
-    const UnitState& state = units[unit];
-    return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head->now;
-  }
-
-  // For custom behaviors (behaviour.cpp).
+  // for custom behaviors (engine_behaviour.cpp)
   void make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_event_value(std::uint32_t slot, std::uint64_t value) noexcept;
@@ -67,58 +99,17 @@ class Engine {
   tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
   /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
-  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.general.position_of(unit)]; }
+  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index_.general.position_of(unit)]; }
   std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
-  const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index.general.row_of(unit); }
+  const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index_.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
-  bool truth(std::uint32_t condition) const noexcept { return (condition_states[condition] & kTruth) != 0; }
+  bool truth(std::uint32_t condition) const noexcept { return (condition_states_[condition] & kTruth) != 0; }
   std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
     const std::uint32_t word = row.operation_bit / 64;
     return type.operations == 0
                ? 0
-               : ((operations.bits[word] & ~disarmed[word]) >> (row.operation_bit % 64)) & type.operations;
+               : ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
   }
-
-  const tables::PlantTables& tables;
-  std::span<const Behaviour> behaviours;
-  EngineIndex index;
-
-  // --- in the flat block, from `head` on
-  BlockHead* head;
-  UnitState* units;  ///< followed by a wheel entry for each requirement and each behavior
-  BitPlane operations;
-  BitPlane events;
-  ValuePlane operation_values;
-  ValuePlane event_values;
-  OperationWord* operation_words;
-  std::uint64_t* written_values;
-  BlockList written_words;  ///< those that wait to be sampled
-  BlockSet written_slots;
-  std::uint64_t* disarmed;  ///< operations that are disarmed
-  GeneralState* general_states;
-  Record* records;
-  std::uint8_t* condition_states;
-  MonitorState* monitors;
-  BehaviourState* behaviour_states;
-  std::byte* behaviour_memory;
-  ShortEvents short_events;
-  std::size_t block_size;
-
-  // --- outside the flat block: not part of the saved state
-  EventChanges event_changes;
-  DirtySet changed_event_slots;
-  FindingRing findings;
-
- private:
-  // position() sets all other members.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
-  Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
-      : tables(plant_tables), behaviours(code) {}
-  void position(Arena& arena) noexcept;
-  void position_names(Arena& arena) noexcept;
-  void place_block(Arena& arena) noexcept;
-  void reset_values() noexcept;
-  void reset_conditions() noexcept;
 
   // the digest of the state (state_hash.cpp)
   void hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
@@ -200,14 +191,14 @@ class Engine {
   void resume_times(std::uint32_t unit) noexcept;
   const Behaviour* behaviour_of(const GeneralRow& general) const noexcept;
   std::uint32_t wheel_entry_of_requirement(std::uint32_t requirement) const noexcept {
-    return static_cast<std::uint32_t>(tables.units.size()) + requirement;
+    return static_cast<std::uint32_t>(tables_.units.size()) + requirement;
   }
   std::uint32_t wheel_entry_of_behaviour(std::uint32_t behaviour) const noexcept {
-    return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables.requirements.size())) + behaviour;
+    return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables_.requirements.size())) + behaviour;
   }
 
   // calls of custom behaviors (behaviour.cpp)
-  bool behaves(std::uint32_t unit) const noexcept { return (units[unit].flags & kBehaves) != 0; }
+  bool behaves(std::uint32_t unit) const noexcept { return (units_[unit].flags & kBehaves) != 0; }
   void wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept;
   void report_left(std::uint32_t unit, std::uint8_t state) noexcept;
   void report_entered(std::uint32_t unit, std::uint8_t state) noexcept;
@@ -254,6 +245,35 @@ class Engine {
   void report_loops() noexcept;
   void report_requirements() noexcept;
 
+  const tables::PlantTables& tables_;
+  std::span<const Behaviour> behaviours_;
+  EngineIndex index_;
+
+  // --- in the flat block, from `head` on
+  BlockHead* head_;
+  UnitState* units_;  ///< followed by a wheel entry for each requirement and each behavior
+  BitPlane operations_;
+  BitPlane events_;
+  ValuePlane operation_values_;
+  ValuePlane event_values_;
+  OperationWord* operation_words_;
+  std::uint64_t* written_values_;
+  BlockList written_words_;  ///< those that wait to be sampled
+  BlockSet written_slots_;
+  std::uint64_t* disarmed_;  ///< operations that are disarmed
+  GeneralState* general_states_;
+  Record* records_;
+  std::uint8_t* condition_states_;
+  MonitorState* monitors_;
+  BehaviourState* behaviour_states_;
+  std::byte* behaviour_memory_;
+  ShortEvents recent_rises_;  ///< of events, in real time
+  std::size_t block_size_;
+
+  // --- outside the flat block: not part of the saved state
+  EventChanges event_changes_;
+  DirtySet changed_event_slots_;
+  FindingRing findings_;
   const std::uint64_t* name_hashes_;    ///< of each general unit: fnv1a64 of its name in upper case
   const std::uint64_t* memory_begins_;  ///< of each behavior's unit: offset in behaviour_memory; one more at the end
   std::uint32_t* queue_;                ///< capacity for every unit once

@@ -17,21 +17,21 @@ constexpr std::uint8_t kLoopSteps = 3;     ///< a unit with so many steps in the
 /// Empties the queue without stepping its units. A behavior that called wake_at() where it may only read (see
 /// Behaviour) is then woken at its unit's next step.
 void Engine::forget_queue() noexcept {
-  for (std::uint32_t i = 0; i < queued_; ++i) units[queue_[i]].flags &= static_cast<std::uint16_t>(~kQueued);
+  for (std::uint32_t i = 0; i < queued_; ++i) units_[queue_[i]].flags &= static_cast<std::uint16_t>(~kQueued);
   queued_ = 0;
 }
 
 /// Resets the step counts. A frozen unit keeps the number of its loop there.
 void Engine::forget_steps() noexcept {
   for (const std::uint32_t unit : touched_.view()) {
-    if ((units[unit].flags & kFrozen) == 0) units[unit].steps = 0;
+    if ((units_[unit].flags & kFrozen) == 0) units_[unit].steps = 0;
   }
 }
 
 bool Engine::look_for_loops() noexcept {
   bool found = false;
   for (const std::uint32_t unit : touched_.view()) {
-    UnitState& state = units[unit];
+    UnitState& state = units_[unit];
     if ((state.flags & kFrozen) != 0 || state.steps < kLoopSteps) continue;
     if (!found && loops_ != 0xFF) ++loops_;
     found = true;
@@ -48,7 +48,7 @@ bool Engine::look_for_loops() noexcept {
 SYMPLANT_ALWAYS_INLINE void Engine::first_round() noexcept {
   const std::uint32_t count = touched_.size;
   for (std::uint32_t i = 0; i < count; ++i) {
-    if ((units[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);
+    if ((units_[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);
   }
 }
 
@@ -58,10 +58,10 @@ void Engine::further_round(std::uint32_t count, bool counting) noexcept {
   bool any = false;
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t unit = queue_[i];
-    units[unit].flags &= static_cast<std::uint16_t>(~kQueued);
+    units_[unit].flags &= static_cast<std::uint16_t>(~kQueued);
     active_ = false;
     step(unit);
-    if (counting && active_ && units[unit].steps < kLoopSteps) ++units[unit].steps;
+    if (counting && active_ && units_[unit].steps < kLoopSteps) ++units_[unit].steps;
     any = any || active_;
   }
   active_ = any;
