@@ -24,7 +24,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::switch_fast(const tables::UnitRow& row, cons
 SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                                                 std::uint64_t on) noexcept {
   UnitState& state = units_[unit];
-  constexpr std::uint16_t kNotFast = kGeneral | kMoving | kConflict | kStopped | kTouched;
+  constexpr std::uint16_t kNotFast = kGeneral | kMoving | kHalted | kConflict | kStopped | kTouched;
   if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) [[unlikely]]
     return false;
   const std::uint8_t here = state.state;
@@ -50,12 +50,14 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
 /// `entry` was due and is no longer in the wheel; its flag kTimed is still set.
 SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   UnitState& state = units_[entry];
-  if (state.flags != (kMoving | kTimed)) return false;
+  if (state.flags != (kMoving | kTimed)) [[unlikely]]
+    return false;
   const tables::UnitRow& row = tables_.units[entry];
   const TypeIndex& type = index_.types[row.type];
   const std::uint8_t here = state.target;
   const std::uint64_t on = (operations_.bits[row.operation_bit / 64] >> (row.operation_bit % 64)) & type.operations;
-  if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) return false;
+  if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) [[unlikely]]
+    return false;
   if (type.events != 0) {
     if (events_are_seen(row.event_bit / 64)) [[unlikely]]
       return false;

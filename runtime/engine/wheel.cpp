@@ -60,7 +60,7 @@ void Wheel::redistribute(UnitState* units, std::uint32_t bucket) noexcept {
 
 tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
   if (limit < bound_) return tables::kNever;
-  inserted_ = -1;
+  inserted_ = -1;  // what follows may change its bucket
   while (words_ != 0) {
     const std::uint32_t bucket = lowest_bucket();
     if (bucket < kTransitions) {

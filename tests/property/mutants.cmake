@@ -76,3 +76,40 @@ symplant_mutant(no_round_after_enabling
 symplant_mutant(watch_expires_one_instant_late
   "  if (!met && head_->now < monitor.deadline) return false;"
   "  if (!met && head_->now <= monitor.deadline) return false;")
+
+# Of the fast path (engine_fast.cpp) and of what it needs.
+symplant_mutant(fast_departure_with_several_operations
+  "  if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) [[unlikely]]"
+  "  if ((state.flags & kNotFast) != 0) [[unlikely]]")
+
+symplant_mutant(fast_departure_switches_watched_events
+  "  if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;"
+  "  if (departure.to == tables::kNoState) return false;")
+
+symplant_mutant(fast_arrival_without_a_second_round
+  "  if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) [[unlikely]]"
+  "  if ((on & (on - 1)) != 0) [[unlikely]]")
+
+symplant_mutant(fast_arrival_not_reported
+  "    touched_.add(entry);"
+  "    (void)entry;")
+
+symplant_mutant(fast_close_forgets_findings
+  "  if (observer_ != nullptr || (changed & ~operation_words_[word].served) != 0) return false;"
+  "  if (observer_ != nullptr) return false;")
+
+symplant_mutant(fast_instant_without_short_events
+  "  return observer_ == nullptr && head_->cycle == 0 &&"
+  "  return observer_ == nullptr &&")
+
+symplant_mutant(no_second_round_with_another_operation_on
+  "(others != 0 || behaves(unit))) queue(unit);"
+  "behaves(unit)) queue(unit);")
+
+symplant_mutant(due_time_put_into_a_stale_bucket
+  "  inserted_ = -1;  // what follows may change its bucket"
+  "")
+
+symplant_mutant(spring_returns_by_any_transition
+  "returns ? transition.to == row.rest :"
+  "returns ? true :")
