@@ -91,7 +91,6 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   const std::uint8_t here = state.state;
   const tables::Time duration = takes(unit, row, type, target, transition);
   bool automatic = false;
-  std::uint64_t others = operations_on(row, type);  // operations that may act on the move
   if (transition != kNoTransition) {
     const tables::Transition& fired = type.transitions[transition];
     const std::uint32_t word = row.operation_bit / 64;
@@ -99,7 +98,6 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     if (!automatic) {
       const std::uint64_t on = operation_mask(fired.on) << (row.operation_bit % 64);
       operation_words_[word].served |= on;
-      others &= ~operation_mask(fired.on);
       if (fired.once && type.actuation == tables::Actuation::latched) disarmed_[word] |= on;
     } else if (type.actuation == tables::Actuation::latched && type.operations != 0) {
       disarmed_[word] |= (type.at[here].leads << (row.operation_bit % 64)) & operations_.bits[word];
@@ -123,7 +121,8 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     switch_events_now(row, type.at[here].leave);
   }
   travel(unit, state, duration);
-  if (!automatic && type.actuation != tables::Actuation::latched && (others != 0 || behaves(unit))) queue(unit);
+  // A command back would have kept the unit in its state, so that only a behavior can act on the move in this instant.
+  if (!automatic && type.actuation != tables::Actuation::latched && behaves(unit)) queue(unit);
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const tables::UnitRow& row,

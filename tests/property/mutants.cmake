@@ -102,10 +102,6 @@ symplant_mutant(fast_instant_without_short_events
   "  return observer_ == nullptr && head_->cycle == 0 &&"
   "  return observer_ == nullptr &&")
 
-symplant_mutant(no_second_round_with_another_operation_on
-  "(others != 0 || behaves(unit))) queue(unit);"
-  "behaves(unit)) queue(unit);")
-
 symplant_mutant(due_time_put_into_a_stale_bucket
   "  inserted_ = -1;  // what follows may change its bucket"
   "")
