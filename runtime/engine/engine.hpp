@@ -100,16 +100,10 @@ class Engine {
   /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
   std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index_.general.position_of(unit)]; }
-  std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
   const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index_.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   bool truth(std::uint32_t condition) const noexcept { return (condition_states_[condition] & kTruth) != 0; }
-  std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
-    const std::uint32_t word = row.operation_bit / 64;
-    return type.operations == 0
-               ? 0
-               : ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
-  }
+  std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept;
 
   // the digest of the state (state_hash.cpp)
   void hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;

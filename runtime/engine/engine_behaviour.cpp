@@ -140,7 +140,7 @@ tables::Time BehaviourView::model_after(std::uint16_t transition) noexcept {
 
 void* BehaviourView::memory_bytes(std::size_t size) noexcept {
   if (size > engine_.memory_of(position_)) std::terminate();
-  return engine_.behaviour_memory_ + engine_.memory_begin(position_);
+  return engine_.behaviour_memory_ + engine_.memory_begins_[position_];
 }
 
 }  // namespace symplant::engine

@@ -18,6 +18,14 @@ constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
 
 constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
 
+/// The operations of a unit that are on and armed.
+inline std::uint64_t Engine::operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
+  const std::uint32_t word = row.operation_bit / 64;
+  return type.operations == 0
+             ? 0
+             : ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
+}
+
 SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
   if ((units_[unit].flags & kTouched) != 0) return;
   units_[unit].flags |= kTouched;

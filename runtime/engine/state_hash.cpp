@@ -82,7 +82,7 @@ void Engine::hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noe
   hash.time(state.woken != 0 ? 0 : left);
   const auto* memory = reinterpret_cast<const std::uint8_t*>(behaviour_memory_);
   for (std::uint32_t i = 0; i < memory_of(general.behaviour); ++i)
-    hash.byte(memory[memory_begin(general.behaviour) + i]);
+    hash.byte(memory[memory_begins_[general.behaviour] + i]);
 }
 
 void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept {
