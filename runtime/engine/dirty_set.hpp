@@ -60,6 +60,25 @@ struct DirtySet {
   std::uint64_t* marks;
 };
 
+/// A list whose data, with its size, lies in the flat block.
+struct BlockList {
+  void take(Arena& arena, std::size_t capacity) noexcept {
+    size = arena.take<std::uint64_t>(1);
+    items = arena.take<std::uint32_t>(capacity);
+  }
+  void add(std::uint32_t item) noexcept { items[(*size)++] = item; }
+  bool empty() const noexcept { return *size == 0; }
+  /// The list is empty afterwards; the returned items are valid until the next add().
+  std::span<const std::uint32_t> take_all() noexcept {
+    const std::size_t count = *size;
+    *size = 0;
+    return {items, count};
+  }
+
+  std::uint64_t* size;
+  std::uint32_t* items;
+};
+
 /// A DirtySet whose data, with its size, lies in the flat block.
 struct BlockSet {
   void take(Arena& arena, std::size_t positions) noexcept {
@@ -73,17 +92,19 @@ struct BlockSet {
     word |= bit_in_word(position);
     items[(*size)++] = position;
   }
+  bool has(std::uint32_t position) const noexcept { return (marks[position / 64] & bit_in_word(position)) != 0; }
   bool empty() const noexcept { return *size == 0; }
   /// Calls `function` for each; the set is empty afterwards. Nothing may be marked meanwhile.
   template <class Function>
   void take_all(Function function) noexcept {
-    const std::uint64_t count = *size;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const std::uint32_t position = items[i];
-      marks[position / 64] = 0;
-      function(position);
-    }
+    const std::uint32_t* const begin = items;
+    const std::uint32_t* const end = begin + *size;
+    std::uint64_t* const all = marks;
     *size = 0;
+    for (const std::uint32_t* position = begin; position != end; ++position) {
+      all[*position / 64] = 0;
+      function(*position);
+    }
   }
 
   std::uint64_t* size;

@@ -8,93 +8,24 @@
 
 #include "symplant/engine/arena.hpp"
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/engine/block.hpp"
 #include "symplant/engine/dirty_set.hpp"
 #include "symplant/engine/engine_index.hpp"
+#include "symplant/engine/event_changes.hpp"
 #include "symplant/engine/finding_ring.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/mark_range.hpp"
+#include "symplant/engine/planes.hpp"
 #include "symplant/engine/short_events.hpp"
 #include "symplant/engine/unit_state.hpp"
-#include "symplant/engine/wheel.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::engine {
 
-/// The head of the flat block; the arrays of the changing state follow it. The block has no pointers and may be copied.
-struct BlockHead {
-  std::uint64_t magic;
-  std::uint64_t model;  ///< model_hash of the plant whose state this is
-  std::uint64_t size;   ///< of the block, in bytes
-  std::uint64_t seed;
-  tables::Time cycle;
-  tables::Time now;
-  std::uint32_t started;       ///< 0: the first instant, at time 0, has not run yet
-  std::uint32_t acted;         ///< 1: an outside action (force, set_state, ...) happened since the last instant
-  std::uint64_t event_forces;  ///< number of forced BOOL events
-  Wheel wheel;
-};
-
-/// The changing state of a general unit in addition to its UnitState.
-struct GeneralState {
-  std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
-  std::uint8_t settled;       ///< as last published: the state in which it is settled, or kNoState
-  std::uint8_t moving;        ///< as last published: 1 if it is moving
-  std::uint8_t counted;       ///< 1: its disabled_by changed in this round
-};
-
-/// The state of a `timed` transition.
-struct Record {
-  tables::Time ready;   ///< if its cause holds: when it has held long enough; in a halted unit the time left
-  std::uint32_t draws;  ///< random numbers drawn so far
-  std::uint32_t holds;  ///< 1: its cause holds
-};
-
-struct MonitorState {
-  tables::Time deadline;
-  std::uint32_t running;
-  std::uint32_t held;  ///< 1: its condition held at the end of the last instant
-};
-
-struct BehaviourState {
-  tables::Time wake;  ///< when woken() is due, or kNever; in a halted unit the time left
-  std::uint32_t draws;
-  std::uint16_t woken;  ///< 1: `wake` has been reached, and the unit has not stepped since
-  std::uint16_t ill;    ///< 1: the link of its operations is lost
-};
-
-/// Bits of a condition's state: its inputs, its truth as last published, and whether it waits for evaluation.
-inline constexpr std::uint8_t kInputs = 0x3F;
-inline constexpr std::uint8_t kTruth = 0x40;
-inline constexpr std::uint8_t kWaiting = 0x80;
-
-/// The numeric symbols of one direction, with their forces.
-struct ValuePlane {
-  void take(Arena& arena, std::size_t slots) noexcept;
-  std::uint64_t effective(std::uint32_t slot) const noexcept {
-    return (forced[slot / 64] & bit_in_word(slot)) != 0 ? forced_to[slot] : made[slot];
-  }
-
-  std::uint64_t* made;    ///< before forces: set by the link (as sampled) or by the model
-  std::uint64_t* values;  ///< after forces
-  std::uint64_t* forced;  ///< one bit per slot
-  std::uint64_t* forced_to;
-  BlockSet dirty;  ///< slots to examine when the next instant begins or this round ends
-};
-
-/// The BOOL symbols of one direction, with their forces.
-struct BitPlane {
-  void take(Arena& arena, std::size_t words) noexcept;
-  std::uint64_t effective(std::uint32_t word) const noexcept { return (made[word] & ~forced[word]) | forced_on[word]; }
-
-  std::uint64_t* made;  ///< before forces: set by the link (as sampled) or by the model
-  std::uint64_t* bits;  ///< after forces
-  std::uint64_t* forced;
-  std::uint64_t* forced_on;  ///< the forced bits that are forced on
-  BlockSet dirty;            ///< words to examine when the next instant begins or this round ends
-};
-
 class Engine {
+  friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
+
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
   static Engine* make(const tables::PlantTables& tables, std::span<const Behaviour> behaviours, Arena& arena) noexcept;
@@ -107,26 +38,57 @@ class Engine {
   // Actions from outside (engine_acts.cpp).
   void write_operation(std::uint32_t bit, bool on) noexcept;
   void write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
-  void write_shared(std::uint32_t bit, bool on) noexcept;
-  void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
   bool set_input(std::uint32_t symbol, std::uint64_t value) noexcept;
   void force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept;
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
   void set_quality(std::size_t behaviour, bool well) noexcept;
   bool restore(std::span<const std::byte> block) noexcept;
+
+  // What Plant shows; its comments define it. All symbols are after forces.
+  std::uint64_t model_hash() const noexcept { return head_->model; }
+  std::uint64_t state_hash() const noexcept;
+  tables::Time now() const noexcept { return head_->now; }
+  std::span<const std::uint64_t> operations() const noexcept { return {operations_.bits, tables_.operation_bits / 64}; }
+  std::span<const std::uint64_t> events() const noexcept { return {events_.bits, tables_.event_bits / 64}; }
+  std::span<const std::uint64_t> disarmed() const noexcept { return {disarmed_, tables_.operation_bits / 64}; }
+  std::uint64_t operation_value(std::uint32_t slot) const noexcept { return operation_values_.values[slot]; }
+  std::uint64_t event_value(std::uint32_t slot) const noexcept { return event_values_.values[slot]; }
+  bool is_forced(std::uint32_t symbol) const noexcept;
+  bool is_pending(std::uint32_t requirement) const noexcept { return monitors_[requirement].running != 0; }
+  const EventChanges& changed_events() const noexcept { return event_changes_; }
+  const DirtySet& changed_event_values() const noexcept { return changed_event_slots_; }
+  void forget_changed_events() noexcept;
+  bool take_finding(tables::Finding& finding) noexcept { return findings_.pop(finding); }
+  std::uint64_t lost_findings() const noexcept { return findings_.lost(); }
+  std::span<const std::byte> save() const noexcept { return {reinterpret_cast<const std::byte*>(head_), block_size_}; }
+  const UnitState& unit(std::uint32_t unit) const noexcept { return units_[unit]; }
+  /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
+  tables::Time remaining(std::uint32_t unit) const noexcept {
+    const UnitState& state = units_[unit];
+    return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head_->now;
+  }
+
+ private:
+  // position() sets all other members.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
+  Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
+      : tables_(plant_tables), behaviours_(code) {}
+  void position(Arena& arena) noexcept;
+  void position_names(Arena& arena) noexcept;
+  void place_block(Arena& arena) noexcept;
+  void reset_values() noexcept;
+  void reset_conditions() noexcept;
+
+  // actions from outside (engine_acts.cpp)
+  void wait_for_sample(std::uint32_t word) noexcept;
+  void write_shared(std::uint32_t bit, bool on) noexcept;
+  void write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   void requeue() noexcept;
   void see_events() noexcept;
   void touch_readers(tables::Direction direction, std::uint32_t slot) noexcept;
 
-  std::uint64_t state_hash() const noexcept;
-  /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
-  tables::Time remaining(std::uint32_t unit) const noexcept {
-    const UnitState& state = units[unit];
-    return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head->now;
-  }
-
-  // For custom behaviors (behaviour.cpp).
+  // for custom behaviors (engine_behaviour.cpp)
   void make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept;
   void make_event_value(std::uint32_t slot, std::uint64_t value) noexcept;
@@ -137,60 +99,11 @@ class Engine {
   tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
   /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
-  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index.general.position_of(unit)]; }
-  std::uint64_t memory_begin(std::uint32_t behaviour) const noexcept { return memory_begins_[behaviour]; }
-  const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index.general.row_of(unit); }
+  std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index_.general.position_of(unit)]; }
+  const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index_.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
-  bool truth(std::uint32_t condition) const noexcept { return (condition_states[condition] & kTruth) != 0; }
-  std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
-    const std::uint32_t word = row.operation_bit / 64;
-    return type.operations == 0
-               ? 0
-               : ((operations.bits[word] & ~disarmed[word]) >> (row.operation_bit % 64)) & type.operations;
-  }
-
-  const tables::PlantTables& tables;
-  std::span<const Behaviour> behaviours;
-  EngineIndex index;
-
-  // --- in the flat block, from `head` on
-  BlockHead* head;
-  UnitState* units;  ///< followed by a wheel entry for each requirement and each behavior
-  BitPlane operations;
-  BitPlane events;
-  ValuePlane operation_values;
-  ValuePlane event_values;
-  std::uint64_t* written_operations;  ///< as the PLC wrote them; sampled by the next instant that samples
-  std::uint64_t* written_values;
-  BlockSet written_words;
-  BlockSet written_slots;
-  std::uint64_t* disarmed;  ///< operations that are disarmed
-  std::uint64_t* served;    ///< operations that were served since they rose
-  std::uint64_t* reported;  ///< operations that had a finding when they rose
-  GeneralState* general_states;
-  Record* records;
-  std::uint8_t* condition_states;
-  MonitorState* monitors;
-  BehaviourState* behaviour_states;
-  std::byte* behaviour_memory;
-  ShortEvents short_events;
-  std::size_t block_size;
-
-  // --- outside the flat block: not part of the saved state
-  DirtySet changed_events;  ///< words, since the link last cleared it
-  DirtySet changed_event_slots;
-  FindingRing findings;
-
- private:
-  // position() sets all other members.
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
-  Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
-      : tables(plant_tables), behaviours(code) {}
-  void position(Arena& arena) noexcept;
-  void position_names(Arena& arena) noexcept;
-  void place_block(Arena& arena) noexcept;
-  void reset_values() noexcept;
-  void reset_conditions() noexcept;
+  bool truth(std::uint32_t condition) const noexcept { return (condition_states_[condition] & kTruth) != 0; }
+  std::uint64_t operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept;
 
   // the digest of the state (state_hash.cpp)
   void hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
@@ -199,13 +112,20 @@ class Engine {
   void hash_behaviour(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept;
   void hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& symbol) const noexcept;
 
-  // one instant (engine.cpp)
-  void instant(tables::Time time, bool sample, Observer* observer) noexcept;
+  // one instant (engine_advance.cpp)
+  void instant(tables::Time time, bool due, bool sample, Observer* observer) noexcept;
   void start() noexcept;
-  void queue_due(tables::Time time) noexcept;
-  WordChange switch_alone(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
-  bool arrive_alone(tables::Time at, Observer* observer) noexcept;
+  bool only_fast_steps() const noexcept;
+  void queue_due(tables::Time time, bool fast) noexcept;
+  void queue_entry(std::uint32_t entry) noexcept;
   void queue_other(std::uint32_t entry) noexcept;
+
+  // the fast path (engine_fast.cpp)
+  bool depart_fast(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint64_t on) noexcept;
+  bool arrive_fast(std::uint32_t unit) noexcept;
+  void switch_fast(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
+  bool close_fast(std::uint32_t word, std::uint64_t changed) noexcept;
+  bool events_are_seen(std::uint32_t word) const noexcept;
   void queue(std::uint32_t unit) noexcept;
   void touch(std::uint32_t unit) noexcept;
 
@@ -216,15 +136,9 @@ class Engine {
   void forget_steps() noexcept;
   bool look_for_loops() noexcept;
   void step(std::uint32_t unit) noexcept;
-  void step_any(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void leave_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
-                   std::uint16_t transition) noexcept;
   void forget_queue() noexcept;
   bool may_leave(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t here) const noexcept;
-  void arrive_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void step_plain(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void step_settled(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
-  void touch_events(std::uint32_t word) noexcept;
   void switch_events_now(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   void leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
              std::uint16_t transition) noexcept;
@@ -273,26 +187,27 @@ class Engine {
   void resume_times(std::uint32_t unit) noexcept;
   const Behaviour* behaviour_of(const GeneralRow& general) const noexcept;
   std::uint32_t wheel_entry_of_requirement(std::uint32_t requirement) const noexcept {
-    return static_cast<std::uint32_t>(tables.units.size()) + requirement;
+    return static_cast<std::uint32_t>(tables_.units.size()) + requirement;
   }
   std::uint32_t wheel_entry_of_behaviour(std::uint32_t behaviour) const noexcept {
-    return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables.requirements.size())) + behaviour;
+    return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables_.requirements.size())) + behaviour;
   }
 
   // calls of custom behaviors (behaviour.cpp)
-  bool behaves(std::uint32_t unit) const noexcept { return (units[unit].flags & kBehaves) != 0; }
+  bool behaves(std::uint32_t unit) const noexcept { return (units_[unit].flags & kBehaves) != 0; }
   void wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept;
   void report_left(std::uint32_t unit, std::uint8_t state) noexcept;
   void report_entered(std::uint32_t unit, std::uint8_t state) noexcept;
   std::uint8_t wanted_by_behaviour(std::uint32_t unit) noexcept;
 
   // publishing the changes of one round to the next (engine_publish.cpp)
-  void sample_operations() noexcept;
+  void sample_operations(bool fast) noexcept;
   void apply_actions() noexcept;
-  void change_operations(std::uint32_t word) noexcept;
+  template <bool kFast>
+  void change_operations(std::uint32_t word, std::uint64_t now) noexcept;
   void change_operation_value(std::uint32_t slot) noexcept;
-  void publish(bool by_round) noexcept;
-  void publish_event_word(std::uint32_t word, bool by_round) noexcept;
+  void publish() noexcept;
+  void publish_event_word(std::uint32_t word) noexcept;
   void publish_values() noexcept;
   void publish_unit(std::uint32_t unit) noexcept;
   void flip_bits(const WatchIndex& watches, std::uint32_t word, std::uint64_t bits) noexcept;
@@ -304,7 +219,7 @@ class Engine {
 
   // the end of an instant (engine_close.cpp)
   void close_instant() noexcept;
-  void close_events() noexcept;
+  std::span<const WordChange> close_events() noexcept;
   std::uint64_t close_cycle(std::uint32_t word, std::uint64_t changed) noexcept;
   void close_event_values() noexcept;
   void close_requirements() noexcept;
@@ -326,6 +241,35 @@ class Engine {
   void report_loops() noexcept;
   void report_requirements() noexcept;
 
+  const tables::PlantTables& tables_;
+  std::span<const Behaviour> behaviours_;
+  EngineIndex index_;
+
+  // --- in the flat block, from `head` on
+  BlockHead* head_;
+  UnitState* units_;  ///< followed by a wheel entry for each requirement and each behavior
+  BitPlane operations_;
+  BitPlane events_;
+  ValuePlane operation_values_;
+  ValuePlane event_values_;
+  OperationWord* operation_words_;
+  std::uint64_t* written_values_;
+  BlockList written_words_;  ///< those that wait to be sampled
+  BlockSet written_slots_;
+  std::uint64_t* disarmed_;  ///< operations that are disarmed
+  GeneralState* general_states_;
+  Record* records_;
+  std::uint8_t* condition_states_;
+  MonitorState* monitors_;
+  BehaviourState* behaviour_states_;
+  std::byte* behaviour_memory_;
+  ShortEvents recent_rises_;  ///< of events, in real time
+  std::size_t block_size_;
+
+  // --- outside the flat block: not part of the saved state
+  EventChanges event_changes_;
+  DirtySet changed_event_slots_;
+  FindingRing findings_;
   const std::uint64_t* name_hashes_;    ///< of each general unit: fnv1a64 of its name in upper case
   const std::uint64_t* memory_begins_;  ///< of each behavior's unit: offset in behaviour_memory; one more at the end
   std::uint32_t* queue_;                ///< capacity for every unit once
@@ -336,13 +280,9 @@ class Engine {
   List<std::uint32_t> counted_;         ///< general units whose disabled_by changed in this round
   List<std::uint32_t> waiting_;         ///< conditions to evaluate
   DirtySet touched_requirements_;
-  DirtySet touched_events_;          ///< event words that changed in this instant
-  std::uint64_t* events_before_;     ///< those words as they were when the instant began
-  std::uint64_t* events_flickered_;  ///< the bits of those words that any round changed
-  DirtySet touched_slots_;           ///< event slots that changed in this instant
-  std::uint64_t* values_before_;     ///< those slots as they were when the instant began
+  DirtySet touched_slots_;        ///< event slots that changed in this instant
+  std::uint64_t* values_before_;  ///< those slots as they were when the instant began
   List<WordChange> operation_changes_;
-  List<WordChange> event_changes_;
   List<std::uint32_t> operation_slot_changes_;
   List<std::uint32_t> event_slot_changes_;
   MarkRange marks_;                ///< units, symbols or requirements to report, in ascending order

@@ -19,24 +19,34 @@ void for_address(const SharedPositions& shared, bool bit, std::uint32_t position
   for (const SharedPosition& other : others) function(other.position - base);
 }
 
-void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept {
-  word = on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
+std::uint64_t with_bit(std::uint64_t word, std::uint32_t bit, bool on) noexcept {
+  return on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
 }
+
+void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = with_bit(word, bit, on); }
 
 }  // namespace
 
+/// Called after a word of operations is written.
+inline void Engine::wait_for_sample(std::uint32_t word) noexcept {
+  if (operation_words_[word].waiting != 0) return;
+  operation_words_[word].waiting = 1;
+  written_words_.add(word);
+}
+
 void Engine::write_operation(std::uint32_t bit, bool on) noexcept {
   const std::uint32_t word = bit / 64;
-  const std::uint64_t mask = bit_in_word(bit);
-  written_operations[word] = on ? written_operations[word] | mask : written_operations[word] & ~mask;
-  written_words.mark(word);
-  if (!index.shared_operations.empty()) write_shared(bit, on);
+  set_bit(operation_words_[word].written, bit, on);
+  wait_for_sample(word);
+  if (!index_.shared_operations.empty()) write_shared(bit, on);
 }
 
 void Engine::write_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
-  written_operations[word] = (written_operations[word] & ~mask) | (bits & mask);
-  written_words.mark(word);
-  if (!index.shared_operations.empty()) write_shared(word, mask, bits);
+  std::uint64_t& written = operation_words_[word].written;
+  written = (written & ~mask) | (bits & mask);
+  wait_for_sample(word);
+  if (!index_.shared_operations.empty()) [[unlikely]]
+    write_shared(word, mask, bits);
 }
 
 void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept {
@@ -47,63 +57,72 @@ void Engine::write_shared(std::uint32_t word, std::uint64_t mask, std::uint64_t 
 }
 
 void Engine::write_shared(std::uint32_t bit, bool on) noexcept {
-  for (const SharedPosition& other : index.shared_operations.with(bit)) {
-    set_bit(written_operations[other.position / 64], other.position, on);
-    written_words.mark(other.position / 64);
+  for (const SharedPosition& other : index_.shared_operations.with(bit)) {
+    set_bit(operation_words_[other.position / 64].written, other.position, on);
+    wait_for_sample(other.position / 64);
   }
 }
 
 void Engine::write_operation_value(std::uint32_t slot, std::uint64_t value) noexcept {
-  for_address(index.shared_operations, false, slot, [&](std::uint32_t position) {
-    written_values[position] = value;
-    written_slots.mark(position);
+  for_address(index_.shared_operations, false, slot, [&](std::uint32_t position) {
+    written_values_[position] = value;
+    written_slots_.mark(position);
   });
 }
 
 bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
-  const tables::SymbolRow& row = tables.symbols[symbol];
+  const tables::SymbolRow& row = tables_.symbols[symbol];
   if (row.direction() == tables::Direction::operation) return false;
-  const SharedPositions& shared = index.shared_events;
+  const SharedPositions& shared = index_.shared_events;
   bool moved = row.moved();
   if (!shared.empty() && is_bit(row)) {
     for (const SharedPosition& other : shared.with(row.index)) {
-      moved = moved || tables.symbols[index.symbol_of_event[other.position]].moved();
+      moved = moved || tables_.symbols[index_.symbol_of_event[other.position]].moved();
     }
   }
   if (moved) return false;
   if (is_bit(row)) {
     unpublished_ = true;
-    for_address(shared, true, row.index, [&](std::uint32_t bit) {
-      set_bit(events.made[bit / 64], bit, value != 0);
-      events.dirty.mark(bit / 64);
-    });
+    for_address(shared, true, row.index,
+                [&](std::uint32_t bit) { events_.make(bit / 64, with_bit(events_.made(bit / 64), bit, value != 0)); });
   } else {
     make_event_value(row.index, value);
     for_address(shared, false, row.index, [&](std::uint32_t slot) { touch_readers(tables::Direction::event, slot); });
   }
-  head->acted = 1;
+  head_->acted = 1;
   return true;
 }
 
-void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
-  const tables::SymbolRow& row = tables.symbols[symbol];
+bool Engine::is_forced(std::uint32_t symbol) const noexcept {
+  const tables::SymbolRow& row = tables_.symbols[symbol];
   const bool operation = row.direction() == tables::Direction::operation;
-  const SharedPositions& shared = operation ? index.shared_operations : index.shared_events;
-  head->acted = 1;
+  const std::uint64_t* const forced =
+      is_bit(row) ? (operation ? operations_ : events_).forced : (operation ? operation_values_ : event_values_).forced;
+  return (forced[row.index / 64] & bit_in_word(row.index)) != 0;
+}
+
+void Engine::forget_changed_events() noexcept {
+  event_changes_.forget();
+  changed_event_slots_.clear();
+}
+
+void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept {
+  const tables::SymbolRow& row = tables_.symbols[symbol];
+  const bool operation = row.direction() == tables::Direction::operation;
+  const SharedPositions& shared = operation ? index_.shared_operations : index_.shared_events;
+  head_->acted = 1;
   unpublished_ = true;
   if (is_bit(row)) {
-    BitPlane& plane = operation ? operations : events;
+    BitPlane& plane = operation ? operations_ : events_;
     for_address(shared, true, row.index, [&](std::uint32_t bit) {
       const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
-      if (!operation && was != forced) forced ? ++head->event_forces : --head->event_forces;
-      set_bit(plane.forced[bit / 64], bit, forced);
-      set_bit(plane.forced_on[bit / 64], bit, forced && value != 0);
-      plane.dirty.mark(bit / 64);
+      if (!operation && was != forced) forced ? ++head_->event_forces : --head_->event_forces;
+      plane.force(bit / 64, bit_in_word(bit), forced && value != 0, forced && value == 0);
     });
     see_events();
     return;
   }
-  ValuePlane& plane = operation ? operation_values : event_values;
+  ValuePlane& plane = operation ? operation_values_ : event_values_;
   for_address(shared, false, row.index, [&](std::uint32_t slot) {
     set_bit(plane.forced[slot / 64], slot, forced);
     plane.forced_to[slot] = forced ? value : 0;
@@ -113,13 +132,13 @@ void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexc
 
 /// Touches the units whose custom behavior reads a numeric symbol.
 void Engine::touch_readers(tables::Direction direction, std::uint32_t slot) noexcept {
-  for (const ValueReader& reader : index.value_readers.of(direction, slot)) touch(reader.unit);
+  for (const ValueReader& reader : index_.value_readers.of(direction, slot)) touch(reader.unit);
 }
 
 void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
-  UnitState& state = units[unit];
-  const tables::UnitRow& row = tables.units[unit];
-  const TypeIndex& type = index.types[row.type];
+  UnitState& state = units_[unit];
+  const tables::UnitRow& row = tables_.units[unit];
+  const TypeIndex& type = index_.types[row.type];
   const std::uint8_t before = state.state;
   const bool moving = (state.flags & kMoving) != 0;
   clear_wheel(unit);
@@ -127,38 +146,38 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   state.target = target;
   if (!moving) {
     state.flags |= kMoving;  // as in every move while the old state is left
-    switch_events(row, type.leave[before]);
+    switch_events(row, type.at[before].leave);
     if (behaves(unit)) report_left(unit, before);
   }
   state.state = target;
   state.transition = kNoTransition;
   state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway | kConflict | kStopped));
-  switch_events(row, type.enter[target]);
+  switch_events(row, type.at[target].enter);
   if (behaves(unit)) report_entered(unit, target);
   stepped(unit, row);
   touch(unit);
-  head->acted = 1;
+  head_->acted = 1;
 }
 
 /// Updates unseen_events_, after forces of events changed.
 void Engine::see_events() noexcept {
-  unseen_events_ = head->event_forces == 0 && index.event_watches.empty() && index.shared_events.empty();
+  unseen_events_ = head_->event_forces == 0 && index_.event_watches.empty() && index_.shared_events.empty();
 }
 
 void Engine::set_quality(std::size_t behaviour, bool well) noexcept {
-  BehaviourState& state = behaviour_states[behaviour];
+  BehaviourState& state = behaviour_states_[behaviour];
   if ((state.ill == 0) == well) return;
   state.ill = well ? 0 : 1;
-  touch(tables.behaviour_units[behaviour].unit);
-  head->acted = 1;
+  touch(tables_.behaviour_units[behaviour].unit);
+  head_->acted = 1;
 }
 
 void Engine::make_event_value(std::uint32_t slot, std::uint64_t value) noexcept {
   unpublished_ = true;
-  for_address(index.shared_events, false, slot, [&](std::uint32_t position) {
-    event_values.made[position] = value;
-    event_values.dirty.mark(position);
+  for_address(index_.shared_events, false, slot, [&](std::uint32_t position) {
+    event_values_.made[position] = value;
+    event_values_.dirty.mark(position);
   });
 }
 
@@ -167,37 +186,37 @@ void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t 
   for (std::uint64_t bits = on | off; bits != 0; bits &= bits - 1) {
     const std::uint64_t bit = bits & (~bits + 1);
     const std::uint32_t position = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-    for (const SharedPosition& other : index.shared_events.with(position)) {
-      set_bit(events.made[other.position / 64], other.position, (on & bit) != 0);
-      events.dirty.mark(other.position / 64);
+    for (const SharedPosition& other : index_.shared_events.with(position)) {
+      const std::uint32_t other_word = other.position / 64;
+      events_.make(other_word, with_bit(events_.made(other_word), other.position, (on & bit) != 0));
     }
   }
 }
 
 bool Engine::restore(std::span<const std::byte> block) noexcept {
   BlockHead other{};
-  if (block.size() != block_size) return false;
+  if (block.size() != block_size_) return false;
   std::memcpy(&other, block.data(), sizeof other);
-  if (other.magic != head->magic || other.model != head->model || other.size != block_size) return false;
-  std::memmove(reinterpret_cast<std::byte*>(head), block.data(), block.size());
-  for (const tables::BehaviourUnit& behaviour : tables.behaviour_units) {  // custom behaviors are not in the block
-    std::uint16_t& flags = units[behaviour.unit].flags;
+  if (other.magic != head_->magic || other.model != head_->model || other.size != block_size_) return false;
+  std::memmove(reinterpret_cast<std::byte*>(head_), block.data(), block.size());
+  for (const tables::BehaviourUnit& behaviour : tables_.behaviour_units) {  // custom behaviors are not in the block
+    std::uint16_t& flags = units_[behaviour.unit].flags;
     flags &= static_cast<std::uint16_t>(~kBehaves);
     if (behaviour_of(general_row(behaviour.unit)) != nullptr) flags |= kBehaves;
   }
   touched_.size = moved_.size = 0;
   unpublished_ = true;
   see_events();
-  if (head->started == 0 || head->acted != 0) requeue();
-  for (std::uint32_t word = 0; word < tables.event_bits / 64; ++word) changed_events.mark(word);
-  for (std::uint32_t slot = 0; slot < tables.event_slots; ++slot) changed_event_slots.mark(slot);
+  if (head_->started == 0 || head_->acted != 0) requeue();
+  event_changes_.note_all(tables_.event_bits / 64);
+  for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
   return true;
 }
 
 /// Queues the units that were touched in the saved plant for the next instant.
 void Engine::requeue() noexcept {
-  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) {
-    const std::uint16_t flags = units[unit].flags;
+  for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) {
+    const std::uint16_t flags = units_[unit].flags;
     if ((flags & kTouched) != 0) touched_.add(unit);
     if ((flags & kDriven) != 0) moved_.add(unit);
   }

@@ -7,131 +7,79 @@
 namespace symplant::engine {
 
 tables::Time Engine::next_due() const noexcept {
-  return head->started == 0 || head->acted != 0 ? head->now : head->wheel.peek(units);
-}
-
-void Engine::queue_other(std::uint32_t entry) noexcept {
-  const auto requirement_count = static_cast<std::uint32_t>(tables.requirements.size());
-  if (entry < requirement_count) {
-    touched_requirements_.mark(entry);
-    return;
-  }
-  const std::uint32_t behaviour = entry - requirement_count;
-  behaviour_states[behaviour].woken = 1;
-  behaviour_states[behaviour].wake = tables::kNever;
-  touch(tables.behaviour_units[behaviour].unit);
+  return head_->started == 0 || head_->acted != 0 ? head_->now : head_->wheel.peek(units_);
 }
 
 /// Touches every unit and requirement: the first instant, at time 0, steps all of them.
 void Engine::start() noexcept {
-  head->started = 1;
-  for (std::uint32_t unit = 0; unit < tables.units.size(); ++unit) touch(unit);
-  for (std::uint32_t r = 0; r < tables.requirements.size(); ++r) touched_requirements_.mark(r);
+  head_->started = 1;
+  for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) touch(unit);
+  for (std::uint32_t r = 0; r < tables_.requirements.size(); ++r) touched_requirements_.mark(r);
 }
 
-/// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
-SYMPLANT_ALWAYS_INLINE void Engine::queue_due(tables::Time time) noexcept {
-  const auto unit_count = static_cast<std::uint32_t>(tables.units.size());
-  for (std::uint32_t entry = head->wheel.take(time); entry != tables::kNone; entry = units[entry].next) {
-    const std::uint16_t flags = units[entry].flags;
-    units[entry].flags = static_cast<std::uint16_t>(flags & ~kTimed) | (entry < unit_count ? kTouched : 0);
-    if (entry < unit_count) {
-      if ((flags & kTouched) == 0) touched_.add(entry);
-    } else {
-      queue_other(entry - unit_count);
-    }
-  }
+/// Whether all steps of an instant took the fast path, and its changes need no close: run_rounds() and close_instant()
+/// would have no effect.
+SYMPLANT_ALWAYS_INLINE bool Engine::only_fast_steps() const noexcept {
+  return observer_ == nullptr && head_->cycle == 0 &&
+         (touched_.size | operation_changes_.size | operation_slot_changes_.size | touched_requirements_.list.size) ==
+             0;
 }
 
-/// As switch_events(), if no event is forced or watched: then both planes of events are equal.
-SYMPLANT_ALWAYS_INLINE WordChange Engine::switch_alone(const tables::UnitRow& row,
-                                                       const tables::EventMasks& masks) noexcept {
-  const std::uint32_t word = row.event_bit / 64;
-  if ((masks.on | masks.off) == 0) return {word, 0};  // a unit without events may lie after the plane's last word
-  const std::uint64_t before = events.bits[word];
-  const std::uint64_t now = (before & ~(masks.off << (row.event_bit % 64))) | masks.on << (row.event_bit % 64);
-  events.made[word] = events.bits[word] = now;
-  if (now != before) changed_events.mark(word);
-  return {word, before ^ now};
-}
-
-/// The fast path of the most frequent instant: one plain unit arrives, and no other unit is affected. Has the effect of
-/// instant(). Returns false without any effect if the instant is a different one.
-SYMPLANT_ALWAYS_INLINE bool Engine::arrive_alone(tables::Time at, Observer* observer) noexcept {
-  const std::uint32_t unit = head->wheel.sole(units, at);
-  if (unit >= tables.units.size() || !unseen_events_ || unpublished_ || head->cycle != 0) return false;
-  UnitState& state = units[unit];
-  const tables::UnitRow& row = tables.units[unit];
-  const TypeIndex& type = index.types[row.type];
-  if (state.flags != (kMoving | kTimed) || may_leave(row, type, state.target)) return false;
-  head->wheel.take(at);
-  head->now = at;
-  state.state = state.target;
-  state.transition = kNoTransition;
-  state.whole = 0;
-  state.flags = 0;
-  serve(state, row);
-  const WordChange change = switch_alone(row, type.enter[state.state]);
-  if (observer != nullptr) observer->instant({at, {&unit, 1}, {}, {&change, change.bits != 0 ? 1U : 0U}, {}, {}});
-  return true;
-}
-
-SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool sample, Observer* observer) noexcept {
-  head->now = now_ = at;
+SYMPLANT_ALWAYS_INLINE void Engine::instant(tables::Time at, bool due, bool sample, Observer* observer) noexcept {
+  head_->now = now_ = at;
   observer_ = observer;
-  if (sample && (!written_words.empty() || !written_slots.empty())) sample_operations();
-  if (head->acted != 0) apply_actions();
-  if (unpublished_) publish(false);
+  active_ = false;
+  const bool fast = head_->acted == 0 && !unpublished_;
+  if (sample && (!written_words_.empty() || !written_slots_.empty())) sample_operations(fast);
+  if (due) queue_due(at, fast);
+  if (head_->acted != 0) apply_actions();
+  if (unpublished_) {
+    publish();
+  } else if (fast && only_fast_steps()) {
+    event_changes_.next_instant();
+    return;
+  }
   run_rounds();
   close_instant();
 }
 
 void Engine::advance_to(tables::Time target, Observer* observer) noexcept {
-  target = std::max(target, head->now);
-  if (head->started == 0 || head->acted != 0) advance_before(target, observer);
-  if (head->started == 0) {
+  target = std::max(target, head_->now);
+  if (head_->started == 0 || head_->acted != 0) advance_before(target, observer);
+  if (head_->started == 0) {
     start();
-    instant(target, true, observer);
+    instant(target, false, true, observer);
     return;
   }
   for (;;) {
-    const tables::Time due = head->wheel.earliest(units, target);
+    const tables::Time due = head_->wheel.earliest(units_, target);
     if (due < target) {
-      if (arrive_alone(due, observer)) continue;
-      queue_due(due);
-      instant(due, false, observer);
+      instant(due, true, false, observer);
       continue;
     }
-    const bool written = !written_words.empty() || !written_slots.empty() || head->acted != 0;
-    head->now = target;
-    if (due == target && due != tables::kNever) {
-      if (!written && arrive_alone(due, observer)) return;
-      queue_due(due);
-    } else if (!written) {
-      return;
-    }
-    instant(target, true, observer);
+    const bool written = !written_words_.empty() || !written_slots_.empty() || head_->acted != 0;
+    head_->now = target;
+    const bool any_due = due == target && due != tables::kNever;
+    if (any_due || written) instant(target, any_due, true, observer);
     return;
   }
 }
 
 void Engine::advance_before(tables::Time target, Observer* observer) noexcept {
-  if (target <= head->now) return;
-  if (head->started == 0) {
+  if (target <= head_->now) return;
+  if (head_->started == 0) {
     start();
-    instant(head->now, false, observer);
-  } else if (head->acted != 0) {
-    if (head->wheel.earliest(units, head->now) == head->now) queue_due(head->now);
-    instant(head->now, false, observer);
+    instant(head_->now, false, false, observer);
+  } else if (head_->acted != 0) {
+    const bool due = head_->wheel.earliest(units_, head_->now) == head_->now;
+    instant(head_->now, due, false, observer);
   }
   for (;;) {
-    const tables::Time due = head->wheel.earliest(units, target);
+    const tables::Time due = head_->wheel.earliest(units_, target);
     if (due >= target) break;
-    if (arrive_alone(due, observer)) continue;
-    queue_due(due);
-    instant(due, false, observer);
+    instant(due, true, false, observer);
   }
-  head->now = target;
+  head_->now = target;
 }
 
 }  // namespace symplant::engine

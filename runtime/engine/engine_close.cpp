@@ -8,35 +8,31 @@ namespace symplant::engine {
 
 /// Events of a word that fall now and rose less than a cycle ago. Only in real time (`cycle` is not 0).
 std::uint64_t Engine::close_cycle(std::uint32_t word, std::uint64_t changed) noexcept {
-  const std::uint64_t risen = changed & events.bits[word];
+  const std::uint64_t risen = changed & events_.bits[word];
   const std::uint64_t fallen = changed & ~risen;
-  const std::uint64_t found = fallen == 0 ? 0 : short_events.fell(word, fallen, head->now, head->cycle);
-  if (risen != 0) short_events.rose(word, risen, head->now);
+  const std::uint64_t found = fallen == 0 ? 0 : recent_rises_.fell(word, fallen, head_->now, head_->cycle);
+  if (risen != 0) recent_rises_.rose(word, risen, head_->now);
   return found;
 }
 
-SYMPLANT_ALWAYS_INLINE void Engine::close_events() noexcept {
-  const tables::Time cycle = head->cycle;
-  touched_events_.take_all([&](std::uint32_t word) {
-    const std::uint64_t changed = events_before_[word] ^ events.bits[word];
-    std::uint64_t too_short = events_flickered_[word] & ~changed;
-    if (changed != 0) {
-      event_changes_.add({word, changed});
-      changed_events.mark(word);
-      if (cycle != 0) too_short |= close_cycle(word, changed);
-    }
-    if (too_short != 0) {
-      short_events_.add({word, too_short});
-      suspects_ |= suspect(tables::FindingKind::event_too_short);
-    }
+/// The net changes of events, if the observer or a finding needs them.
+SYMPLANT_ALWAYS_INLINE std::span<const WordChange> Engine::close_events() noexcept {
+  const tables::Time cycle = head_->cycle;
+  if (observer_ == nullptr && cycle == 0 && !event_changes_.flickered()) return {};
+  return event_changes_.close(events_.bits, [&](const WordChange& change, std::uint64_t flickered) {
+    std::uint64_t too_short = flickered;
+    if (cycle != 0 && change.bits != 0) too_short |= close_cycle(change.word, change.bits);
+    if (too_short == 0) return;
+    short_events_.add({change.word, too_short});
+    suspects_ |= suspect(tables::FindingKind::event_too_short);
   });
 }
 
 void Engine::close_event_values() noexcept {
   touched_slots_.take_all([&](std::uint32_t slot) {
-    if (values_before_[slot] == event_values.values[slot]) return;
+    if (values_before_[slot] == event_values_.values[slot]) return;
     event_slot_changes_.add(slot);
-    changed_event_slots.mark(slot);
+    changed_event_slots_.mark(slot);
   });
 }
 
@@ -50,8 +46,8 @@ void Engine::close_requirements() noexcept {
 
 /// Evaluates a requirement; true if it is violated in this instant.
 bool Engine::close_requirement(std::uint32_t requirement) noexcept {
-  const tables::RequirementRow& row = tables.requirements[requirement];
-  MonitorState& monitor = monitors[requirement];
+  const tables::RequirementRow& row = tables_.requirements[requirement];
+  MonitorState& monitor = monitors_[requirement];
   const bool holds = truth(row.condition);
   const bool begins = holds && monitor.held == 0;
   monitor.held = holds ? 1 : 0;
@@ -60,37 +56,31 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
   const std::uint32_t entry = wheel_entry_of_requirement(requirement);
   if (begins && monitor.running == 0) {
     monitor.running = 1;
-    monitor.deadline = later(head->now, row.within);
-    if (monitor.deadline > head->now) set_wheel(entry, monitor.deadline);
+    monitor.deadline = later(head_->now, row.within);
+    if (monitor.deadline > head_->now) set_wheel(entry, monitor.deadline);
   }
   if (monitor.running == 0) return false;
   const bool met = truth(row.expected);
-  if (!met && head->now < monitor.deadline) return false;
+  if (!met && head_->now < monitor.deadline) return false;
   clear_wheel(entry);
   monitor.running = 0;
   monitor.deadline = 0;
   return !met;
 }
 
-/// Clears `served` and `reported` of operations that fell.
-SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
-  const std::uint64_t fallen = change.bits & ~operations.bits[change.word];
-  served[change.word] &= ~fallen;
-  reported[change.word] &= ~fallen;
-}
-
 /// Whether an operation of the word may have a finding: it rose and no transition fired on it, or it fell without
 /// having been served.
 bool Engine::may_be_finding(const WordChange& change) const noexcept {
-  const std::uint64_t on = operations.bits[change.word];
-  if ((change.bits & ~on & ~served[change.word] & ~reported[change.word]) != 0) return true;
-  for (std::uint64_t bits = change.bits & on & ~served[change.word]; bits != 0; bits &= bits - 1) {
+  const std::uint64_t on = operations_.bits[change.word];
+  if ((change.bits & ~on & ~operation_words_[change.word].served & ~operation_words_[change.word].reported) != 0)
+    return true;
+  for (std::uint64_t bits = change.bits & on & ~operation_words_[change.word].served; bits != 0; bits &= bits - 1) {
     const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-    const std::uint32_t unit = index.unit_of_operation[bit];
-    if (unit == tables::kNone || (units[unit].flags & (kMoving | kHalted)) == kMoving) continue;
-    const tables::UnitRow& row = tables.units[unit];
-    const std::uint64_t starts = index.types[row.type].starts[units[unit].state] << (row.operation_bit % 64);
-    if ((units[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;
+    const std::uint32_t unit = index_.unit_of_operation[bit];
+    if (unit == tables::kNone || (units_[unit].flags & (kMoving | kHalted)) == kMoving) continue;
+    const tables::UnitRow& row = tables_.units[unit];
+    const std::uint64_t starts = index_.types[row.type].at[units_[unit].state].starts << (row.operation_bit % 64);
+    if ((units_[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;
   }
   return false;
 }
@@ -99,7 +89,7 @@ bool Engine::may_be_finding(const WordChange& change) const noexcept {
 /// after the findings.
 SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
   for (const WordChange& change : operation_changes_.view()) {
-    if ((change.bits & ~served[change.word]) == 0 || !may_be_finding(change)) continue;
+    if ((change.bits & ~operation_words_[change.word].served) == 0 || !may_be_finding(change)) continue;
     suspects_ |= suspect(tables::FindingKind::command_without_effect) | suspect(tables::FindingKind::lost_command);
     return true;
   }
@@ -109,12 +99,12 @@ SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
 
 SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
   constexpr std::uint16_t kOfThisInstant = kTouched | kEnabledNow | kFrozenNow | kConflictReported | kStoppedReported;
-  UnitState* const states = units;
-  const tables::UnitRow* const rows = tables.units.data();
+  UnitState* const states = units_;
+  const tables::UnitRow* const rows = tables_.units.data();
   for (const std::uint32_t unit : touched_.view()) {
     UnitState& state = states[unit];
-    const tables::UnitRow& row = rows[unit];
-    serve(state, row);
+    if ((state.flags & kTouched) == 0) continue;  // took the fast path
+    serve(state, rows[unit]);
     std::uint16_t flags = state.flags & static_cast<std::uint16_t>(~kOfThisInstant);
     if ((flags & (kConflict | kStopped)) != 0) {
       if ((flags & kConflict) != 0) flags |= kConflictReported;
@@ -125,7 +115,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
 }
 
 void Engine::close_instant() noexcept {
-  close_events();
+  const std::span<const WordChange> changed_events = close_events();
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();
   const bool unfinished = close_operations();
@@ -136,11 +126,13 @@ void Engine::close_instant() noexcept {
   }
   finish_units();
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
-                               event_changes_.size | operation_slot_changes_.size | event_slot_changes_.size) != 0) {
-    observer_->instant({head->now, touched_.view(), operation_changes_.view(), event_changes_.view(),
+                               static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |
+                               event_slot_changes_.size) != 0) {
+    observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,
                         operation_slot_changes_.view(), event_slot_changes_.view()});
   }
-  touched_.size = operation_changes_.size = event_changes_.size = 0;
+  event_changes_.next_instant();
+  touched_.size = operation_changes_.size = 0;
   operation_slot_changes_.size = event_slot_changes_.size = 0;
 }
 

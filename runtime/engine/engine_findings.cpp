@@ -28,8 +28,8 @@ void Engine::report_findings() noexcept {
 }
 
 void Engine::report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
-  const tables::Finding finding{head->now, of, kind, more};
-  findings.add(finding);
+  const tables::Finding finding{head_->now, of, kind, more};
+  findings_.add(finding);
   reported_any_ = true;
   if (observer_ != nullptr) observer_->finding(finding);
 }
@@ -41,7 +41,7 @@ void Engine::report_marked(tables::FindingKind kind) noexcept {
 
 void Engine::report_units(tables::FindingKind kind) noexcept {
   for (const std::uint32_t unit : touched_.view()) {
-    const std::uint32_t flags = units[unit].flags;
+    const std::uint32_t flags = units_[unit].flags;
     bool found = false;
     if (kind == tables::FindingKind::conflicting_operations)
       found = (flags & (kConflict | kConflictReported)) == kConflict;
@@ -56,29 +56,30 @@ void Engine::report_units(tables::FindingKind kind) noexcept {
 }
 
 bool Engine::is_operation_finding(tables::FindingKind kind, std::uint32_t unit, std::uint32_t bit) const noexcept {
-  const UnitState& state = units[unit];
+  const UnitState& state = units_[unit];
   if ((state.flags & kFrozen) != 0) return false;
   const bool disabled = (state.flags & kDisabled) != 0;
   if (kind == tables::FindingKind::lost_command) return true;
   if (kind == tables::FindingKind::command_to_a_disabled_unit) return disabled;
   if (disabled || (state.flags & kMoving) != 0) return false;
-  const tables::UnitRow& row = tables.units[unit];
-  const TypeIndex& type = index.types[row.type];
+  const tables::UnitRow& row = tables_.units[unit];
+  const TypeIndex& type = index_.types[row.type];
   const std::uint64_t mask = std::uint64_t{1} << (bit - row.operation_bit);
-  return ((type.leads[state.state] | type.starts[state.state]) & mask) == 0;
+  return ((type.at[state.state].leads | type.at[state.state].starts) & mask) == 0;
 }
 
 void Engine::report_operations(tables::FindingKind kind) noexcept {
   const bool lost = kind == tables::FindingKind::lost_command;
   for (const WordChange& change : operation_changes_.view()) {
-    const std::uint64_t on = operations.bits[change.word];
-    std::uint64_t bits = change.bits & ~served[change.word] & (lost ? ~on & ~reported[change.word] : on);
+    const std::uint64_t on = operations_.bits[change.word];
+    std::uint64_t bits = change.bits & ~operation_words_[change.word].served &
+                         (lost ? ~on & ~operation_words_[change.word].reported : on);
     for (; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-      const std::uint32_t unit = index.unit_of_operation[bit];
+      const std::uint32_t unit = index_.unit_of_operation[bit];
       if (unit == tables::kNone || !is_operation_finding(kind, unit, bit)) continue;
-      if (!lost) reported[change.word] |= bit_in_word(bit);
-      marks_.mark(index.symbol_of_operation[bit]);
+      if (!lost) operation_words_[change.word].reported |= bit_in_word(bit);
+      marks_.mark(index_.symbol_of_operation[bit]);
     }
   }
   report_marked(kind);
@@ -88,9 +89,9 @@ void Engine::report_short_events() noexcept {
   for (const WordChange& change : short_events_.view()) {
     for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-      const std::uint32_t symbol = index.symbol_of_event[bit];
-      const std::uint32_t unit = tables.symbols.empty() ? tables::kNone : tables.symbols[symbol].unit;
-      if (unit == tables::kNone || (units[unit].flags & kFrozen) == 0) marks_.mark(symbol);
+      const std::uint32_t symbol = index_.symbol_of_event[bit];
+      const std::uint32_t unit = tables_.symbols.empty() ? tables::kNone : tables_.symbols[symbol].unit;
+      if (unit == tables::kNone || (units_[unit].flags & kFrozen) == 0) marks_.mark(symbol);
     }
   }
   short_events_.size = 0;
@@ -102,7 +103,7 @@ void Engine::report_loops() noexcept {
   std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit in table order
   first.fill(tables::kNone);
   for (const std::uint32_t unit : touched_.view()) {
-    if ((units[unit].flags & kFrozenNow) != 0) first[units[unit].steps] = std::min(first[units[unit].steps], unit);
+    if ((units_[unit].flags & kFrozenNow) != 0) first[units_[unit].steps] = std::min(first[units_[unit].steps], unit);
   }
   for (;;) {
     const auto next = std::min_element(first.begin(), first.end());
@@ -110,7 +111,7 @@ void Engine::report_loops() noexcept {
     *next = tables::kNone;
     const auto loop = static_cast<std::uint8_t>(next - first.begin());
     for (const std::uint32_t unit : touched_.view()) {
-      if ((units[unit].flags & kFrozenNow) != 0 && units[unit].steps == loop) marks_.mark(unit);
+      if ((units_[unit].flags & kFrozenNow) != 0 && units_[unit].steps == loop) marks_.mark(unit);
     }
     report_marked(tables::FindingKind::instantaneous_loop);
   }

@@ -14,12 +14,12 @@ SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const 
     record.holds = 0;
     return false;
   }
-  units[unit].holding = 1;
+  units_[unit].holding = 1;
   if (record.holds == 0) {
     record.holds = 1;
-    record.ready = later(head->now, after(unit, row, transition));
+    record.ready = later(head_->now, after(unit, row, transition));
   }
-  if (record.ready <= head->now) return true;
+  if (record.ready <= head_->now) return true;
   earliest = std::min(earliest, record.ready);
   return false;
 }
@@ -33,7 +33,7 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
   const bool general = row.general != 0;
   const std::uint32_t first_condition = general ? general_row(unit).first_condition : 0;
   const std::uint32_t first_record = general ? general_row(unit).first_record : 0;
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   state.holding = 0;
   for (const std::uint16_t n : type.from(state.state)) {
     const tables::Transition& transition = type.transitions[n];
@@ -42,7 +42,7 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
     const bool cause = (automatic || (on & operation_mask(transition.on)) != 0) &&
                        (transition.when == tables::kNoCondition || truth(first_condition + transition.when));
     if (type.record_of[n] != kNoRecord) {
-      Record& record = records[first_record + type.record_of[n]];
+      Record& record = records_[first_record + type.record_of[n]];
       if (!holds_long_enough(unit, row, n, cause, record, earliest)) continue;
     }
     if (!cause) continue;
@@ -62,28 +62,32 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
 }
 
 void Engine::found_conflict(std::uint32_t unit) noexcept {
-  units[unit].flags |= kConflict;
+  units_[unit].flags |= kConflict;
   suspects_ |= suspect(tables::FindingKind::conflicting_operations);
 }
 
 void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   const std::uint8_t here = state.target;
   state.state = here;
   state.transition = kNoTransition;
   state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
-  switch_events(row, type.enter[here]);
   const bool further = behaves(unit);
-  if (further) report_entered(unit, here);
-  if (further || type.automatic[here] || may_leave(row, type, here)) queue(unit);
+  if (further) {  // the behavior may switch the same events again
+    switch_events(row, type.at[here].enter);
+    report_entered(unit, here);
+  } else {
+    switch_events_now(row, type.at[here].enter);
+  }
+  if (further || type.at[here].automatic || may_leave(row, type, here)) queue(unit);
 }
 
 /// Fires a transition: serves and disarms operations, then begins the move, or settles at once if it takes no time.
 void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                    std::uint16_t transition) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   const std::uint8_t here = state.state;
   const tables::Time duration = takes(unit, row, type, target, transition);
   bool automatic = false;
@@ -93,10 +97,10 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     automatic = fired.on == tables::kNoOperation;
     if (!automatic) {
       const std::uint64_t on = operation_mask(fired.on) << (row.operation_bit % 64);
-      served[word] |= on;
-      if (fired.once && type.actuation == tables::Actuation::latched) disarmed[word] |= on;
+      operation_words_[word].served |= on;
+      if (fired.once && type.actuation == tables::Actuation::latched) disarmed_[word] |= on;
     } else if (type.actuation == tables::Actuation::latched && type.operations != 0) {
-      disarmed[word] |= (type.leads[here] << (row.operation_bit % 64)) & operations.bits[word];
+      disarmed_[word] |= (type.at[here].leads << (row.operation_bit % 64)) & operations_.bits[word];
     }
   }
   clear_wheel(unit);
@@ -107,25 +111,26 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   state.whole = duration;
   state.flags |= kMoving;
   if (duration == 0 || behaves(unit)) {
-    switch_events(row, type.leave[here]);
+    switch_events(row, type.at[here].leave);
     if (behaves(unit)) report_left(unit, here);
     if (duration == 0) {
       settle(unit, row, type);
       return;
     }
   } else {
-    switch_events_now(row, type.leave[here]);
+    switch_events_now(row, type.at[here].leave);
   }
   travel(unit, state, duration);
-  if (!automatic && type.actuation != tables::Actuation::latched) queue(unit);
+  // A command back would have kept the unit in its state, so that only a behavior can act on the move in this instant.
+  if (!automatic && type.actuation != tables::Actuation::latched && behaves(unit)) queue(unit);
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const tables::UnitRow& row,
                                                  const TypeIndex& type) noexcept {
-  const std::uint8_t here = units[unit].state;
+  const std::uint8_t here = units_[unit].state;
   const std::uint64_t on = operations_on(row, type);
   Ready ready{kNoTransition, kNoTransition, false, 0};
-  if ((on & type.starts[here]) != 0 || type.automatic[here] || units[unit].holding != 0) {
+  if ((on & type.at[here].starts) != 0 || type.at[here].automatic || units_[unit].holding != 0) {
     ready = ready_transitions(unit, row, type, on);
   }
   if (ready.automatic != kNoTransition) {
@@ -133,7 +138,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
     return;
   }
   const std::uint8_t further = behaves(unit) ? wanted_by_behaviour(unit) : tables::kNoState;
-  const bool stay_wanted = (on & type.leads[here] & ~ready.served) != 0 || further == here;
+  const bool stay_wanted = (on & type.at[here].leads & ~ready.served) != 0 || further == here;
   std::uint8_t wanted = ready.first == kNoTransition ? tables::kNoState : type.transitions[ready.first].to;
   bool conflict = ready.several;
   if (further != tables::kNoState && further != here) {
@@ -151,14 +156,16 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
   }
 }
 
-void Engine::step_any(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
-  UnitState& state = units[unit];
+void Engine::step(std::uint32_t unit) noexcept {
+  UnitState& state = units_[unit];
+  const tables::UnitRow& row = tables_.units[unit];
+  const TypeIndex& type = index_.types[row.type];
   if ((state.flags & kHalted) != 0) return;
   state.flags &= static_cast<std::uint16_t>(~(kConflict | kStopped));
   if (behaves(unit)) wake_behaviour(unit, row);
   if ((state.flags & kMoving) == 0) {
     step_settled(unit, row, type);
-  } else if ((state.flags & kMidway) == 0 && state.due <= head->now) {
+  } else if ((state.flags & kMidway) == 0 && state.due <= head_->now) {
     clear_wheel(unit);
     settle(unit, row, type);
   } else {

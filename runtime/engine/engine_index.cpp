@@ -11,83 +11,112 @@ constexpr std::uint64_t bit(std::uint8_t operation) noexcept { return std::uint6
 constexpr bool is_operation(std::uint8_t on) noexcept { return on < tables::kMaxOperations; }
 
 struct TypeArrays {
-  TypeArrays(const tables::TypeRow& row, Arena& arena) noexcept
-      : from_begin(arena.take<std::uint32_t>(row.states + std::size_t{1})),
+  TypeArrays(const tables::TypeRow& row, bool plain, Arena& arena) noexcept
+      : at(arena.take<StateIndex>(row.states + std::size_t{1})),
+        departures(arena.take<Departure>(plain ? row.states * (row.operations + std::size_t{1}) : 0)),
         from_order(arena.take<std::uint16_t>(row.transitions.size())),
-        only_transition(arena.take<std::uint16_t>(row.states)),
-        record_of(arena.take<std::uint16_t>(row.transitions.size())),
-        automatic(arena.take<bool>(row.states)),
-        starts(arena.take<std::uint64_t>(row.states)),
-        leads(arena.take<std::uint64_t>(row.states)) {}
+        record_of(arena.take<std::uint16_t>(row.transitions.size())) {}
 
-  std::uint32_t* from_begin;
+  StateIndex* at;
+  Departure* departures;
   std::uint16_t* from_order;
-  std::uint16_t* only_transition;
   std::uint16_t* record_of;
-  bool* automatic;
-  std::uint64_t* starts;
-  std::uint64_t* leads;
 };
+
+bool is_plain(const tables::TypeRow& row) noexcept {
+  return row.operations < tables::kMaxOperations &&
+         std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
+           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && !t.timed && !t.once;
+         });
+}
 
 /// Sorts transition numbers by the state from which they start (a counting sort).
 void fill_order(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
-  std::uint32_t* const begin = arrays.from_begin;
-  for (const tables::Transition& transition : row.transitions) ++begin[transition.from + 1];
-  for (std::size_t state = 0; state < row.states; ++state) begin[state + 1] += begin[state];
+  StateIndex* const at = arrays.at;
+  for (const tables::Transition& transition : row.transitions) ++at[transition.from + 1].from_begin;
+  for (std::size_t state = 0; state < row.states; ++state) at[state + 1].from_begin += at[state].from_begin;
   for (std::size_t n = row.transitions.size(); n-- > 0;) {  // from the last, so that each state keeps table order
-    arrays.from_order[--begin[row.transitions[n].from + 1]] = static_cast<std::uint16_t>(n);
+    arrays.from_order[--at[row.transitions[n].from + 1].from_begin] = static_cast<std::uint16_t>(n);
   }
-  // begin[state + 1] now holds the begin of `state`: shift all by one.
-  for (std::size_t state = 0; state < row.states; ++state) begin[state] = begin[state + 1];
-  begin[row.states] = static_cast<std::uint32_t>(row.transitions.size());
-  for (std::size_t state = 0; state < row.states; ++state) {
-    const bool one = begin[state + 1] - begin[state] == 1;
-    arrays.only_transition[state] = one ? arrays.from_order[begin[state]] : kNoRecord;
-  }
+  // at[state + 1] now holds the begin of `state`: shift all by one.
+  for (std::size_t state = 0; state < row.states; ++state) at[state].from_begin = at[state + 1].from_begin;
+  at[row.states].from_begin = static_cast<std::uint32_t>(row.transitions.size());
 }
 
-void fill_masks(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
+void fill_states(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
+  for (std::size_t state = 0; state < row.states; ++state) {
+    arrays.at[state].enter = row.enter[state];
+    arrays.at[state].leave = row.leave[state];
+  }
   for (const tables::Transition& transition : row.transitions) {
-    if (transition.on == tables::kNoOperation) arrays.automatic[transition.from] = true;
+    if (transition.on == tables::kNoOperation) arrays.at[transition.from].automatic = true;
     if (!is_operation(transition.on)) continue;
-    arrays.starts[transition.from] |= bit(transition.on);
-    arrays.leads[transition.to] |= bit(transition.on);
+    arrays.at[transition.from].starts |= bit(transition.on);
+    arrays.at[transition.to].leads |= bit(transition.on);
   }
   for (std::uint8_t operation = 0; operation < row.operations; ++operation) {
     const std::uint8_t target = row.operation_targets[operation];
-    if (target != tables::kNoState) arrays.leads[target] |= bit(operation);
+    if (target != tables::kNoState) arrays.at[target].leads |= bit(operation);
+  }
+}
+
+/// The departure from a state if only `on` is on; to kNoState if the unit may have a finding.
+Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std::uint8_t state,
+                       std::uint64_t on) noexcept {
+  constexpr Departure kGeneralPath{kNoTransition, 0, tables::kNoState};
+  const StateIndex& at = arrays.at[state];
+  const bool returns = on == 0 && row.actuation == tables::Actuation::spring && state != row.rest;
+  if ((on & at.starts) == 0 && !returns) {
+    return (on & ~at.leads) == 0 ? Departure{kNoTransition, 0, state} : kGeneralPath;
+  }
+  Departure departure{kNoTransition, row.travel, returns ? row.rest : tables::kNoState};
+  bool found = false;
+  for (std::uint32_t i = at.from_begin; i < arrays.at[state + 1].from_begin; ++i) {
+    const std::uint16_t n = arrays.from_order[i];
+    const tables::Transition& transition = row.transitions[n];
+    const bool counts = returns ? transition.to == row.rest : is_operation(transition.on) && bit(transition.on) == on;
+    if (!counts) continue;
+    if (!found) {
+      departure = {returns ? kNoTransition : n, transition.dt, transition.to};
+      found = true;
+    } else if (transition.to != departure.to) {
+      return kGeneralPath;
+    }
+  }
+  return departure;
+}
+
+void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
+  Departure* departure = arrays.departures;
+  for (std::uint8_t state = 0; state < row.states; ++state) {
+    arrays.at[state].departures = departure;
+    *departure++ = departure_of(row, arrays, state, 0);
+    for (std::uint8_t operation = 0; operation < row.operations; ++operation) {
+      *departure++ = departure_of(row, arrays, state, bit(operation));
+    }
   }
 }
 
 TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
-  const TypeArrays arrays(row, arena);
   TypeIndex type{};
-  type.plain = true;
+  type.plain = is_plain(row);
+  const TypeArrays arrays(row, type.plain, arena);
   for (std::size_t n = 0; n < row.transitions.size(); ++n) {
-    const tables::Transition& transition = row.transitions[n];
-    if (!is_operation(transition.on) || transition.when != tables::kNoCondition || transition.timed ||
-        transition.once) {
-      type.plain = false;
-    }
+    const bool timed = row.transitions[n].timed;
     if (arrays.record_of != nullptr) {
-      arrays.record_of[n] = transition.timed ? static_cast<std::uint16_t>(type.records) : kNoRecord;
+      arrays.record_of[n] = timed ? static_cast<std::uint16_t>(type.records) : kNoRecord;
     }
-    if (transition.timed) ++type.records;
+    if (timed) ++type.records;
   }
-  if (arrays.from_begin != nullptr) {
+  if (arrays.at != nullptr) {
     fill_order(row, arrays);
-    fill_masks(row, arrays);
+    fill_states(row, arrays);
+    if (type.plain) fill_departures(row, arrays);
   }
+  type.at = arrays.at;
   type.transitions = row.transitions.data();
-  type.from_begin = arrays.from_begin;
   type.from_order = arrays.from_order;
-  type.only_transition = arrays.only_transition;
   type.record_of = arrays.record_of;
-  type.automatic = arrays.automatic;
-  type.starts = arrays.starts;
-  type.leads = arrays.leads;
-  type.enter = row.enter.data();
-  type.leave = row.leave.data();
   type.times = row.times.data();
   type.travel = row.travel;
   type.operations = row.operations == tables::kMaxOperations ? ~std::uint64_t{0} : bit(row.operations) - 1;

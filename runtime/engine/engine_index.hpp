@@ -1,6 +1,7 @@
 // Look-ups for the running engine, built once from the tables.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,20 +13,35 @@
 namespace symplant::engine {
 
 inline constexpr std::uint16_t kNoRecord = 0xFFFF;
+inline constexpr std::uint16_t kNoTransition = 0xFFFF;
+
+/// What a settled unit of a plain type does if at most one of its operations is on.
+struct Departure {
+  std::uint16_t transition;  ///< kNoTransition for a spring return
+  std::uint16_t dt;          ///< its times, as Transition::dt
+  std::uint32_t to;  ///< the same state: it stays, and the operation leads there; kNoState: see the general path
+};
+
+/// What a unit reads in one state of its type.
+struct StateIndex {
+  tables::EventMasks enter;
+  tables::EventMasks leave;
+  std::uint64_t starts;         ///< the operations that are the `on` of a transition from it
+  std::uint64_t leads;          ///< the operations that lead to it
+  const Departure* departures;  ///< of a plain type: without an operation, then by operation
+  std::uint32_t from_begin;     ///< its first index in from_order; those of the next state follow
+  bool automatic;               ///< an automatic transition starts from it
+
+  /// Only of a plain type. `on`: the operations that are on, at most one.
+  const Departure& departure(std::uint64_t on) const noexcept { return departures[std::bit_width(2 * on + 1) - 1]; }
+};
 
 /// A type's transitions by the state from which they start, and its operations as masks (bit o: operation o).
 struct TypeIndex {
+  const StateIndex* at;  ///< by state; one more at the end
   const tables::Transition* transitions;
-  const std::uint32_t* from_begin;  ///< a state -> its first index in from_order; one more at the end
-  const std::uint16_t* from_order;  ///< transition numbers by the state from which they start, in table order
-  const std::uint16_t*
-      only_transition;             ///< a state -> the only transition from it, or kNoRecord if there is not exactly one
-  const std::uint16_t* record_of;  ///< a transition -> its index among its unit's records, or kNoRecord
-  const bool* automatic;           ///< a state -> whether an automatic transition starts from it
-  const std::uint64_t* starts;     ///< a state -> the operations that are the `on` of a transition from it
-  const std::uint64_t* leads;      ///< a state -> the operations that lead to it
-  const tables::EventMasks* enter;
-  const tables::EventMasks* leave;
+  const std::uint16_t* from_order;       ///< transition numbers by the state from which they start, in table order
+  const std::uint16_t* record_of;        ///< a transition -> its index among its unit's records, or kNoRecord
   const tables::TransitionTimes* times;  ///< those that all devices share
   std::uint64_t operations;              ///< all of them
   std::uint32_t records;                 ///< transitions with a record
@@ -34,11 +50,12 @@ struct TypeIndex {
   std::uint8_t rest;
   tables::Actuation actuation;
   std::uint16_t travel;  ///< TypeRow::travel
-  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations.
+  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations. It has
+  /// less than 64 of them, so that StateIndex::departure() is cheap.
   bool plain;
 
   std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
-    return {from_order + from_begin[state], from_order + from_begin[state + 1]};
+    return {from_order + at[state].from_begin, from_order + at[state + 1].from_begin};
   }
 };
 
@@ -51,6 +68,20 @@ class UnitOfOperation {
     const std::uint8_t step = steps_[bit];
     return step == kNoStep ? tables::kNone : first_[bit / 64] + step;
   }
+  /// The bits of one word.
+  class Word {
+   public:
+    std::uint32_t operator[](std::uint32_t bit) const noexcept {
+      return steps_[bit] == kNoStep ? tables::kNone : first_ + steps_[bit];
+    }
+
+   private:
+    friend class UnitOfOperation;
+    Word(std::uint32_t first, const std::uint8_t* steps) noexcept : first_(first), steps_(steps) {}
+    std::uint32_t first_;
+    const std::uint8_t* steps_;
+  };
+  Word of_word(std::uint32_t word) const noexcept { return {first_[word], steps_ + std::size_t{word} * 64}; }
 
  private:
   static constexpr std::uint8_t kNoStep = 0xFF;

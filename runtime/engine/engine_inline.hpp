@@ -23,28 +23,36 @@ SYMPLANT_ALWAYS_INLINE const tables::TransitionTimes& Engine::times_of(const tab
                                                                        const TypeIndex& type,
                                                                        std::uint16_t dt) const noexcept {
   if ((dt & tables::kOfDevice) == 0) return type.times[dt];
-  return tables.times[row.times + static_cast<std::uint32_t>(dt ^ tables::kOfDevice)];
+  return tables_.times[row.times + static_cast<std::uint32_t>(dt ^ tables::kOfDevice)];
+}
+
+/// The operations of a unit that are on and armed.
+inline std::uint64_t Engine::operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
+  const std::uint32_t word = row.operation_bit / 64;
+  return type.operations == 0
+             ? 0
+             : ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
-  if ((units[unit].flags & kTouched) != 0) return;
-  units[unit].flags |= kTouched;
+  if ((units_[unit].flags & kTouched) != 0) return;
+  units_[unit].flags |= kTouched;
   touched_.add(unit);
 }
 
 /// Queues a unit for the next round. Before an instant's first round touching it is enough.
 inline void Engine::queue(std::uint32_t unit) noexcept {
   touch(unit);
-  if (round_ == 0 || (units[unit].flags & kQueued) != 0) return;
-  units[unit].flags |= kQueued;
+  if (round_ == 0 || (units_[unit].flags & kQueued) != 0) return;
+  units_[unit].flags |= kQueued;
   queue_[queued_++] = unit;
 }
 
 /// Marks that a unit stepped in this round.
 inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noexcept {
   active_ = true;
-  if (row.general == 0 || (units[unit].flags & kDriven) != 0) return;
-  units[unit].flags |= kDriven;
+  if (row.general == 0 || (units_[unit].flags & kDriven) != 0) return;
+  units_[unit].flags |= kDriven;
   moved_.add(unit);
   unpublished_ = true;
 }
@@ -52,10 +60,9 @@ inline void Engine::stepped(std::uint32_t unit, const tables::UnitRow& row) noex
 constexpr std::uint32_t suspect(tables::FindingKind kind) noexcept { return 1U << static_cast<std::uint32_t>(kind); }
 
 inline void Engine::make_event_bits(std::uint32_t word, std::uint64_t on, std::uint64_t off) noexcept {
-  events.made[word] = (events.made[word] & ~off) | on;
-  events.dirty.mark(word);
+  events_.make(word, (events_.made(word) & ~off) | on);
   unpublished_ = true;
-  if (!index.shared_events.empty()) make_followers(word, on, off);
+  if (!index_.shared_events.empty()) make_followers(word, on, off);
 }
 
 inline void Engine::switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept {
@@ -64,11 +71,11 @@ inline void Engine::switch_events(const tables::UnitRow& row, const tables::Even
   make_event_bits(row.event_bit / 64, masks.on << shift, masks.off << shift);
 }
 
-/// Called before a word of events changes; the first call in an instant stores the word.
-SYMPLANT_ALWAYS_INLINE void Engine::touch_events(std::uint32_t word) noexcept {
-  if (!touched_events_.mark(word)) return;
-  events_before_[word] = events.bits[word];
-  events_flickered_[word] = 0;
+/// Whether a condition watches the word of events, or one of them is forced or shared: then changes must wait for the
+/// end of the round.
+SYMPLANT_ALWAYS_INLINE bool Engine::events_are_seen(std::uint32_t word) const noexcept {
+  return !unseen_events_ &&
+         (events_.forced[word] != 0 || index_.event_watches.watched(word) != 0 || !index_.shared_events.empty());
 }
 
 /// As switch_events(), by the one step of a unit in this round. If no condition watches the word and none of its events
@@ -77,56 +84,61 @@ SYMPLANT_ALWAYS_INLINE void Engine::switch_events_now(const tables::UnitRow& row
                                                       const tables::EventMasks& masks) noexcept {
   if ((masks.on | masks.off) == 0) return;  // a unit without events may lie after the plane's last word
   const std::uint32_t word = row.event_bit / 64;
-  if (!unseen_events_ &&
-      (events.forced[word] != 0 || index.event_watches.watched(word) != 0 || !index.shared_events.empty())) {
+  if (events_are_seen(word) || events_.dirty.has(word)) {
     switch_events(row, masks);
     return;
   }
   const std::uint32_t shift = row.event_bit % 64;
-  const std::uint64_t before = events.bits[word];
+  const std::uint64_t before = events_.bits[word];
   const std::uint64_t now = (before & ~(masks.off << shift)) | (masks.on << shift);
   if (now == before) return;
-  touch_events(word);
-  events_flickered_[word] |= before ^ now;
-  events.bits[word] = now;
-  events.made[word] = (events.made[word] & ~(masks.off << shift)) | (masks.on << shift);
+  event_changes_.note(word, before);
+  events_.bits[word] = now;
 }
 
 inline void Engine::clear_wheel(std::uint32_t entry) noexcept {
-  if ((units[entry].flags & kTimed) != 0) head->wheel.remove(units, entry);
+  if ((units_[entry].flags & kTimed) != 0) head_->wheel.remove(units_, entry);
 }
 
 inline void Engine::set_wheel(std::uint32_t entry, tables::Time due) noexcept {
   clear_wheel(entry);
-  units[entry].due = due;
-  if (due != tables::kNever) head->wheel.insert(units, entry, due);
+  units_[entry].due = due;
+  if (due != tables::kNever) head_->wheel.insert(units_, entry, due);
 }
 
 /// Whether a unit settled in `here` may have a cause to leave it: an operation, or for a spring the lack of one.
 SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const TypeIndex& type,
                                               std::uint8_t here) const noexcept {
   const std::uint64_t on = operations_on(row, type);
-  if ((on & type.starts[here]) != 0) return true;
-  return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.leads[here]) == 0;
+  if ((on & type.at[here].starts) != 0) return true;
+  return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.at[here].leads) == 0;
 }
 
 inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t from) noexcept {
-  units[unit].holding = 0;
+  units_[unit].holding = 0;
   const std::uint32_t first = general_row(unit).first_record;
   for (const std::uint16_t n : type.from(from)) {
-    if (type.record_of[n] != kNoRecord) records[first + type.record_of[n]].holds = 0;
+    if (type.record_of[n] != kNoRecord) records_[first + type.record_of[n]].holds = 0;
   }
+}
+
+/// Clears `served` and `reported` of operations that fell.
+SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
+  OperationWord& word = operation_words_[change.word];
+  const std::uint64_t fallen = change.bits & ~operations_.bits[change.word];
+  word.served &= ~fallen;
+  if (word.reported != 0) word.reported &= ~fallen;
 }
 
 /// Serves the operations that lead to the state in which a unit is settled, or to which it moves, as an instant ends.
 SYMPLANT_ALWAYS_INLINE void Engine::serve(const UnitState& state, const tables::UnitRow& row) noexcept {
   const std::uint32_t word = row.operation_bit / 64;
-  const std::uint64_t unserved = operations.bits[word] & ~served[word];
+  const std::uint64_t unserved = operations_.bits[word] & ~operation_words_[word].served;
   if (unserved == 0) return;
-  const TypeIndex& type = index.types[row.type];
+  const TypeIndex& type = index_.types[row.type];
   if (type.operations == 0) return;
   const std::uint8_t position = (state.flags & kMoving) != 0 ? state.target : state.state;
-  served[word] |= unserved & (type.leads[position] << (row.operation_bit % 64));
+  operation_words_[word].served |= unserved & (type.at[position].leads << (row.operation_bit % 64));
 }
 
 /// Begins a move that takes `duration` > 0.
@@ -134,14 +146,14 @@ SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state,
   if (duration >= tables::kNever - now_) {
     state.due = tables::kNever;
   } else {
-    head->wheel.insert(units, unit, now_ + duration);
+    head_->wheel.insert(units_, unit, now_ + duration);
   }
 }
 
 inline const Behaviour* Engine::behaviour_of(const GeneralRow& general) const noexcept {
   if (general.behaviour == tables::kNone) return nullptr;
-  const std::uint32_t name = tables.behaviour_units[general.behaviour].name;
-  return name < behaviours.size() ? &behaviours[name] : nullptr;
+  const std::uint32_t name = tables_.behaviour_units[general.behaviour].name;
+  return name < behaviours_.size() ? &behaviours_[name] : nullptr;
 }
 
 }  // namespace symplant::engine

@@ -17,7 +17,7 @@ tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time f
 }  // namespace
 
 Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept {
-  const UnitState& state = units[unit];
+  const UnitState& state = units_[unit];
   std::uint64_t forth = 0;  // operations that command the current move
   for (const std::uint16_t n : type.from(state.state)) {
     const tables::Transition& transition = type.transitions[n];
@@ -43,7 +43,7 @@ Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std:
 }
 
 void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
-  const UnitState& state = units[unit];
+  const UnitState& state = units_[unit];
   const bool automatic =
       state.transition != kNoTransition && type.transitions[state.transition].on == tables::kNoOperation;
   if (automatic || type.actuation == tables::Actuation::latched) return;
@@ -63,14 +63,14 @@ void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const T
   } else {
     stop_midway(unit);
     if (on == 0) return;
-    units[unit].flags |= kStopped;
+    units_[unit].flags |= kStopped;
     suspects_ |= suspect(tables::FindingKind::stopped_under_another_command);
   }
 }
 
 void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                         std::uint16_t transition) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   const tables::Time forth = state.whole;
   const tables::Time travelled = std::max<tables::Time>(0, forth - remaining(unit));
   std::swap(state.state, state.target);
@@ -80,29 +80,30 @@ void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const Ty
   state.whole = back;
   state.flags &= static_cast<std::uint16_t>(~kMidway);
   if (transition != kNoTransition) {
-    served[row.operation_bit / 64] |= operation_mask(type.transitions[transition].on) << (row.operation_bit % 64);
+    operation_words_[row.operation_bit / 64].served |= operation_mask(type.transitions[transition].on)
+                                                       << (row.operation_bit % 64);
   }
   stepped(unit, row);
   const tables::Time left = time_back(back, travelled, forth);
-  state.due = later(head->now, left);
-  if (left != 0 && state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
+  state.due = later(head_->now, left);
+  if (left != 0 && state.due != tables::kNever) head_->wheel.insert(units_, unit, state.due);
   queue(unit);
 }
 
 void Engine::stop_midway(std::uint32_t unit) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   if ((state.flags & kMidway) != 0) return;
   clear_wheel(unit);
-  if (state.due != tables::kNever) state.due -= head->now;
+  if (state.due != tables::kNever) state.due -= head_->now;
   state.flags |= kMidway;
 }
 
 void Engine::go_on(std::uint32_t unit) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   if ((state.flags & kMidway) == 0) return;
   state.flags &= static_cast<std::uint16_t>(~kMidway);
-  state.due = later(head->now, state.due);
-  if (state.due != tables::kNever) head->wheel.insert(units, unit, state.due);
+  state.due = later(head_->now, state.due);
+  if (state.due != tables::kNever) head_->wheel.insert(units_, unit, state.due);
 }
 
 }  // namespace symplant::engine

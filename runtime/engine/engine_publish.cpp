@@ -7,55 +7,19 @@
 
 namespace symplant::engine {
 
-/// Samples the operations as the PLC wrote them. If an outside action happened too, apply_actions() computes the effect
-/// of both.
-void Engine::sample_operations() noexcept {
-  const bool acted = head->acted != 0;
-  written_words.take_all([&](std::uint32_t word) {
-    operations.made[word] = written_operations[word];
-    acted ? operations.dirty.mark(word) : change_operations(word);
-  });
-  written_slots.take_all([&](std::uint32_t slot) {
-    operation_values.made[slot] = written_values[slot];
-    acted ? operation_values.dirty.mark(slot) : change_operation_value(slot);
-  });
-}
-
-/// Applies forces and releases of operations; those of events are published as the rounds' changes are.
-void Engine::apply_actions() noexcept {
-  operations.dirty.take_all([&](std::uint32_t word) { change_operations(word); });
-  operation_values.dirty.take_all([&](std::uint32_t slot) { change_operation_value(slot); });
-  head->acted = 0;
-}
-
-void Engine::change_operations(std::uint32_t word) noexcept {
-  const std::uint64_t now = operations.effective(word);
-  const std::uint64_t changed = operations.bits[word] ^ now;
-  if (changed == 0) return;
-  operations.bits[word] = now;
-  disarmed[word] &= now;  // an operation that a round reads as off is armed
-  operation_changes_.add({word, changed});
-  const UnitOfOperation unit_of = index.unit_of_operation;  // a copy, so that touch() cannot alias it
-  for (std::uint64_t bits = changed; bits != 0; bits &= bits - 1) {
-    const std::uint32_t unit = unit_of[word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits))];
-    if (unit != tables::kNone) touch(unit);
-  }
-  if ((index.operation_watches.watched(word) & changed) != 0) flip_bits(index.operation_watches, word, changed);
-}
-
 void Engine::change_operation_value(std::uint32_t slot) noexcept {
-  const std::uint64_t now = operation_values.effective(slot);
-  if (operation_values.values[slot] == now) return;
-  operation_values.values[slot] = now;
+  const std::uint64_t now = operation_values_.effective(slot);
+  if (operation_values_.values[slot] == now) return;
+  operation_values_.values[slot] = now;
   operation_slot_changes_.add(slot);
-  compare_value(tables.operation_value_watches, slot, now);
+  compare_value(tables_.operation_value_watches, slot, now);
   touch_readers(tables::Direction::operation, slot);
 }
 
-void Engine::publish(bool by_round) noexcept {
+void Engine::publish() noexcept {
   unpublished_ = false;
-  events.dirty.take_all([&](std::uint32_t word) { publish_event_word(word, by_round); });
-  if (!event_values.dirty.empty()) publish_values();
+  events_.dirty.take_all([&](std::uint32_t word) { publish_event_word(word); });
+  if (!event_values_.dirty.empty()) publish_values();
   if (moved_.size != 0) {
     for (const std::uint32_t unit : moved_.view()) publish_unit(unit);
     moved_.size = 0;
@@ -64,33 +28,32 @@ void Engine::publish(bool by_round) noexcept {
   if (counted_.size != 0) settle_disables();
 }
 
-void Engine::publish_event_word(std::uint32_t word, bool by_round) noexcept {
-  const std::uint64_t now = events.effective(word);
-  const std::uint64_t changed = events.bits[word] ^ now;
+void Engine::publish_event_word(std::uint32_t word) noexcept {
+  const std::uint64_t now = events_.effective(word);
+  const std::uint64_t changed = events_.bits[word] ^ now;
   if (changed == 0) return;
-  touch_events(word);
-  if (by_round) events_flickered_[word] |= changed;
-  events.bits[word] = now;
-  if ((index.event_watches.watched(word) & changed) != 0) flip_bits(index.event_watches, word, changed);
+  event_changes_.note(word, events_.bits[word]);
+  events_.bits[word] = now;
+  if ((index_.event_watches.watched(word) & changed) != 0) flip_bits(index_.event_watches, word, changed);
 }
 
 void Engine::publish_values() noexcept {
-  event_values.dirty.take_all([&](std::uint32_t slot) {
-    const std::uint64_t now = event_values.effective(slot);
-    if (event_values.values[slot] == now) return;
-    if (touched_slots_.mark(slot)) values_before_[slot] = event_values.values[slot];
-    event_values.values[slot] = now;
-    compare_value(tables.event_value_watches, slot, now);
+  event_values_.dirty.take_all([&](std::uint32_t slot) {
+    const std::uint64_t now = event_values_.effective(slot);
+    if (event_values_.values[slot] == now) return;
+    if (touched_slots_.mark(slot)) values_before_[slot] = event_values_.values[slot];
+    event_values_.values[slot] = now;
+    compare_value(tables_.event_value_watches, slot, now);
   });
 }
 
 /// Publishes the state of a unit that stepped to conditions and to the units that it disables.
 void Engine::publish_unit(std::uint32_t unit) noexcept {
-  UnitState& state = units[unit];
+  UnitState& state = units_[unit];
   state.flags &= static_cast<std::uint16_t>(~kDriven);
-  const std::uint32_t position = index.general.position_of(unit);
-  const GeneralRow& general = index.general.rows()[position];
-  GeneralState& reported_state = general_states[position];
+  const std::uint32_t position = index_.general.position_of(unit);
+  const GeneralRow& general = index_.general.rows()[position];
+  GeneralState& reported_state = general_states_[position];
   const bool moving = (state.flags & kMoving) != 0;
   const std::uint8_t before = reported_state.settled;
   const std::uint8_t now = moving ? tables::kNoState : state.state;
@@ -99,7 +62,7 @@ void Engine::publish_unit(std::uint32_t unit) noexcept {
   reported_state.settled = now;
   reported_state.moving = moving ? 1 : 0;
   for (std::uint32_t w = general.watch_begin; w < general.watch_end; ++w) {
-    const tables::UnitWatch& watch = tables.unit_watches[w];
+    const tables::UnitWatch& watch = tables_.unit_watches[w];
     const bool changed = watch.state == tables::kMovingState
                              ? moving_changed
                              : (now != before && (watch.state == now || watch.state == before));
@@ -107,12 +70,12 @@ void Engine::publish_unit(std::uint32_t unit) noexcept {
   }
   if (now == before) return;
   for (std::uint32_t d = general.disable_begin; d < general.disable_end; ++d) {
-    const tables::DisableRow& disable = tables.disables[d];
+    const tables::DisableRow& disable = tables_.disables[d];
     if (disable.state != now && disable.state != before) continue;
-    const std::uint32_t other = index.general.position_of(disable.unit);
-    general_states[other].disabled_by += disable.state == now ? 1U : ~0U;
-    if (general_states[other].counted != 0) continue;
-    general_states[other].counted = 1;
+    const std::uint32_t other = index_.general.position_of(disable.unit);
+    general_states_[other].disabled_by += disable.state == now ? 1U : ~0U;
+    if (general_states_[other].counted != 0) continue;
+    general_states_[other].counted = 1;
     counted_.add(other);
   }
 }
@@ -129,13 +92,13 @@ void Engine::compare_value(std::span<const tables::ValueWatch> watches, std::uin
   auto watch = std::lower_bound(watches.begin(), watches.end(), slot,
                                 [](const tables::ValueWatch& a, std::uint32_t b) { return a.slot < b; });
   for (; watch != watches.end() && watch->slot == slot; ++watch) {
-    const bool was = (condition_states[watch->condition] >> watch->input & 1) != 0;
+    const bool was = (condition_states_[watch->condition] >> watch->input & 1) != 0;
     if (was != tables::holds(*watch, value)) flip(watch->condition, watch->input);
   }
 }
 
 void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
-  std::uint8_t& state = condition_states[condition];
+  std::uint8_t& state = condition_states_[condition];
   state ^= static_cast<std::uint8_t>(1U << input);
   if ((state & kWaiting) != 0) return;
   state |= kWaiting;
@@ -146,17 +109,17 @@ void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
 /// Whether a unit steps if one of its conditions changes. A unit in a move that it always completes reads its
 /// conditions when it arrives.
 bool Engine::looks_at_conditions(std::uint32_t unit) const noexcept {
-  const std::uint16_t flags = units[unit].flags;
+  const std::uint16_t flags = units_[unit].flags;
   if ((flags & (kMoving | kBehaves)) != kMoving) return (flags & kHalted) == 0;
-  return index.types[tables.units[unit].type].actuation != tables::Actuation::latched;
+  return index_.types[tables_.units[unit].type].actuation != tables::Actuation::latched;
 }
 
 void Engine::settle_conditions() noexcept {
   while (waiting_.size != 0) {
     const std::uint32_t condition = waiting_.items[--waiting_.size];
-    std::uint8_t& state = condition_states[condition];
+    std::uint8_t& state = condition_states_[condition];
     state &= static_cast<std::uint8_t>(~kWaiting);
-    const tables::ConditionRow& row = tables.conditions[condition];
+    const tables::ConditionRow& row = tables_.conditions[condition];
     const bool now = (row.truth >> (state & kInputs) & 1) != 0;
     if (now == ((state & kTruth) != 0)) continue;
     state ^= kTruth;
@@ -176,10 +139,10 @@ void Engine::settle_conditions() noexcept {
 
 void Engine::settle_disables() noexcept {
   for (const std::uint32_t position : counted_.view()) {
-    general_states[position].counted = 0;
-    const std::uint32_t unit = index.general.rows()[position].unit;
-    UnitState& state = units[unit];
-    const bool disable = general_states[position].disabled_by != 0;
+    general_states_[position].counted = 0;
+    const std::uint32_t unit = index_.general.rows()[position].unit;
+    UnitState& state = units_[unit];
+    const bool disable = general_states_[position].disabled_by != 0;
     if (disable == ((state.flags & kDisabled) != 0)) continue;
     active_ = true;
     touch(unit);

@@ -3,11 +3,10 @@
 
 #include <cstdint>
 
+#include "symplant/engine/engine_index.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::engine {
-
-inline constexpr std::uint16_t kNoTransition = 0xFFFF;
 
 /// All bits zero: a unit settled in state 0, not in the wheel. Times are absolute. While a unit is disabled, frozen or
 /// stopped midway they are the time left.
@@ -41,7 +40,7 @@ enum : std::uint16_t {
   kStopped = 1 << 11,           ///< stopped under another command
   kStoppedReported = 1 << 12,   ///< had kStopped at the end of the last instant
   kFrozenNow = 1 << 13,         ///< was frozen in this instant
-  kGeneral = 1 << 14,           ///< constant: UnitRow::general, or of a type that is not plain
+  kGeneral = 1 << 14,           ///< constant: UnitRow::general, or of a type that is not plain: never on the fast path
   kBehaves = 1 << 15,           ///< constant: has a custom behavior
 };
 /// A unit with one of these flags makes no step, and its times do not run.

@@ -8,6 +8,8 @@ namespace symplant::engine {
 void Wheel::clear() noexcept {
   last_ = 0;
   bound_ = tables::kNever;
+  inserted_ = -1;
+  bucket_ = 0;
   words_ = 0;
   occupied_.fill(0);
   heads_.fill(tables::kNone);
@@ -28,27 +30,37 @@ void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
 
 Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept {
   std::uint32_t unit = heads_[bucket];
-  Range range{units[unit].due, units[unit].due};
+  tables::Time due = units[unit].due;
+  Range range{due, due};
   while ((unit = units[unit].next) != tables::kNone) {
-    range.first = std::min(range.first, units[unit].due);
-    range.last = std::max(range.last, units[unit].due);
+    if (units[unit].due == due) continue;
+    due = units[unit].due;
+    range.first = std::min(range.first, due);
+    range.last = std::max(range.last, due);
   }
   return range;
 }
 
+/// Neighbors of one due time move together.
 void Wheel::redistribute(UnitState* units, std::uint32_t bucket) noexcept {
-  std::uint32_t unit = heads_[bucket];
+  std::uint32_t first = heads_[bucket];
   vacate(bucket);
-  const std::uint32_t now = digit_of(last_, 0);
-  while (unit != tables::kNone) {
-    const std::uint32_t next = units[unit].next;
-    link(units, unit, units[unit].due == last_ ? now : bucket_of(units[unit].due));
-    unit = next;
+  while (first != tables::kNone) {
+    const tables::Time due = units[first].due;
+    std::uint32_t last = first;
+    std::uint32_t next = units[last].next;
+    while (next != tables::kNone && units[next].due == due) {
+      last = next;
+      next = units[last].next;
+    }
+    link(units, first, last, bucket_of(due));
+    first = next;
   }
 }
 
 tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
   if (limit < bound_) return tables::kNever;
+  inserted_ = -1;  // what follows may change its bucket
   while (words_ != 0) {
     const std::uint32_t bucket = lowest_bucket();
     if (bucket < kTransitions) {

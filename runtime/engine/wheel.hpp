@@ -27,8 +27,12 @@ class Wheel {
   void insert(UnitState* units, std::uint32_t unit, tables::Time due) noexcept {
     units[unit].due = due;
     units[unit].flags |= kTimed;
-    link(units, unit, bucket_of(due));
-    bound_ = std::min(bound_, due);
+    if (due != inserted_) {  // units that leave together often arrive together
+      inserted_ = due;
+      bucket_ = bucket_of(due);
+      bound_ = std::min(bound_, due);
+    }
+    link(units, unit, unit, bucket_);
   }
   void remove(UnitState* units, std::uint32_t unit) noexcept;
 
@@ -61,13 +65,14 @@ class Wheel {
     const auto level = static_cast<std::uint32_t>(63 - std::countl_zero(difference | 1)) / kBits;
     return level * kTransitions + digit_of(due, level);
   }
-  void link(UnitState* units, std::uint32_t unit, std::uint32_t bucket) noexcept {
+  /// Puts a chain of units, linked from `first` to `last`, at the front of a bucket.
+  void link(UnitState* units, std::uint32_t first, std::uint32_t last, std::uint32_t bucket) noexcept {
     const std::uint32_t head = heads_[bucket];
-    units[unit].next = head;
-    units[unit].previous = tables::kNone;
-    heads_[bucket] = unit;
+    units[last].next = head;
+    units[first].previous = tables::kNone;
+    heads_[bucket] = first;
     if (head != tables::kNone) {
-      units[head].previous = unit;
+      units[head].previous = last;
     } else {
       occupy(bucket);
     }
@@ -95,8 +100,10 @@ class Wheel {
   /// The first and last due time of a bucket that is not empty. O(units in the bucket).
   Range bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept;
 
-  tables::Time last_;    ///< no entry is before it
-  tables::Time bound_;   ///< no entry is before it: a call with nothing due costs one comparison
+  tables::Time last_;      ///< no entry is before it
+  tables::Time bound_;     ///< no entry is before it: a call with nothing due costs one comparison
+  tables::Time inserted_;  ///< due time of the last insert(), or -1 if `bucket_` may no longer be its bucket
+  std::uint32_t bucket_;
   std::uint32_t words_;  ///< bit w: occupied_[w] is not 0
   std::array<std::uint64_t, kLevels * kWords> occupied_;
   std::array<std::uint32_t, kLevels * kTransitions> heads_;

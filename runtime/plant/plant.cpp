@@ -8,14 +8,6 @@
 #include "symplant/engine/engine.hpp"
 
 namespace symplant::plant {
-namespace {
-
-bool bit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept {
-  return ((plane[bit / 64] >> (bit % 64)) & 1) != 0;
-}
-
-}  // namespace
-
 std::size_t Plant::memory_size(const tables::PlantTables& tables,
                                std::span<const engine::Behaviour> behaviours) noexcept {
   engine::Arena counting(nullptr);
@@ -32,7 +24,7 @@ Plant::Plant(const tables::PlantTables& tables, std::span<std::byte> memory,
   reset();
 }
 
-std::uint64_t Plant::model_hash() const noexcept { return engine_->head->model; }
+std::uint64_t Plant::model_hash() const noexcept { return engine_->model_hash(); }
 
 void Plant::reset(std::uint64_t seed, tables::Time cycle) noexcept { engine_->reset(seed, cycle); }
 
@@ -52,14 +44,7 @@ void Plant::force(std::uint32_t symbol, std::uint64_t value) noexcept { engine_-
 
 void Plant::release(std::uint32_t symbol) noexcept { engine_->force(symbol, false, 0); }
 
-bool Plant::is_forced(std::uint32_t symbol) const noexcept {
-  const tables::SymbolRow& row = tables_.symbols[symbol];
-  const bool operation = row.direction() == tables::Direction::operation;
-  if (row.type() == tables::DataType::boolean) {
-    return bit_of(operation ? engine_->operations.forced : engine_->events.forced, row.index);
-  }
-  return bit_of(operation ? engine_->operation_values.forced : engine_->event_values.forced, row.index);
-}
+bool Plant::is_forced(std::uint32_t symbol) const noexcept { return engine_->is_forced(symbol); }
 
 void Plant::set_state(std::uint32_t unit, std::uint8_t state) noexcept {
   if (state < tables_.types[tables_.units[unit].type].states) engine_->set_state(unit, state);
@@ -77,41 +62,36 @@ void Plant::advance_before(tables::Time time, engine::Observer* observer) noexce
   engine_->advance_before(time, observer);
 }
 
-tables::Time Plant::now() const noexcept { return engine_->head->now; }
+tables::Time Plant::now() const noexcept { return engine_->now(); }
 
 tables::Time Plant::next_due() const noexcept { return engine_->next_due(); }
 
-bool Plant::operation(std::uint32_t bit) const noexcept { return bit_of(engine_->operations.bits, bit); }
-
-bool Plant::event(std::uint32_t bit) const noexcept { return bit_of(engine_->events.bits, bit); }
-
-std::uint64_t Plant::operation_value(std::uint32_t slot) const noexcept {
-  return engine_->operation_values.values[slot];
+bool Plant::operation(std::uint32_t bit) const noexcept {
+  return (engine_->operations()[bit / 64] >> (bit % 64) & 1) != 0;
 }
 
-std::uint64_t Plant::event_value(std::uint32_t slot) const noexcept { return engine_->event_values.values[slot]; }
+bool Plant::event(std::uint32_t bit) const noexcept { return (engine_->events()[bit / 64] >> (bit % 64) & 1) != 0; }
 
-std::span<const std::uint64_t> Plant::operations() const noexcept {
-  return {engine_->operations.bits, tables_.operation_bits / 64};
+std::uint64_t Plant::operation_value(std::uint32_t slot) const noexcept { return engine_->operation_value(slot); }
+
+std::uint64_t Plant::event_value(std::uint32_t slot) const noexcept { return engine_->event_value(slot); }
+
+std::span<const std::uint64_t> Plant::operations() const noexcept { return engine_->operations(); }
+
+std::span<const std::uint64_t> Plant::events() const noexcept { return engine_->events(); }
+
+std::span<const std::uint32_t> Plant::changed_events() const noexcept {
+  return engine_->changed_events().since_forgotten();
 }
-
-std::span<const std::uint64_t> Plant::events() const noexcept {
-  return {engine_->events.bits, tables_.event_bits / 64};
-}
-
-std::span<const std::uint32_t> Plant::changed_events() const noexcept { return engine_->changed_events.list.view(); }
 
 std::span<const std::uint32_t> Plant::changed_event_values() const noexcept {
-  return engine_->changed_event_slots.list.view();
+  return engine_->changed_event_values().list.view();
 }
 
-void Plant::forget_changed_events() noexcept {
-  engine_->changed_events.clear();
-  engine_->changed_event_slots.clear();
-}
+void Plant::forget_changed_events() noexcept { engine_->forget_changed_events(); }
 
 UnitView Plant::unit(std::uint32_t unit) const noexcept {
-  const engine::UnitState& state = engine_->units[unit];
+  const engine::UnitState& state = engine_->unit(unit);
   const auto is = [&](std::uint16_t flag) { return (state.flags & flag) != 0; };
   UnitView view{
       state.state, state.state, is(engine::kMoving), is(engine::kMidway), is(engine::kDisabled), is(engine::kFrozen),
@@ -124,19 +104,15 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   return view;
 }
 
-std::span<const std::uint64_t> Plant::disarmed() const noexcept {
-  return {engine_->disarmed, tables_.operation_bits / 64};
-}
+std::span<const std::uint64_t> Plant::disarmed() const noexcept { return engine_->disarmed(); }
 
-bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->monitors[requirement].running != 0; }
+bool Plant::is_pending(std::uint32_t requirement) const noexcept { return engine_->is_pending(requirement); }
 
-bool Plant::take_finding(tables::Finding& finding) noexcept { return engine_->findings.pop(finding); }
+bool Plant::take_finding(tables::Finding& finding) noexcept { return engine_->take_finding(finding); }
 
-std::uint64_t Plant::lost_findings() const noexcept { return engine_->findings.lost(); }
+std::uint64_t Plant::lost_findings() const noexcept { return engine_->lost_findings(); }
 
-std::span<const std::byte> Plant::save() const noexcept {
-  return {reinterpret_cast<const std::byte*>(engine_->head), engine_->block_size};
-}
+std::span<const std::byte> Plant::save() const noexcept { return engine_->save(); }
 
 bool Plant::restore(std::span<const std::byte> block) noexcept { return engine_->restore(block); }
 

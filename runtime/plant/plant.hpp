@@ -109,8 +109,8 @@ class Plant {
   std::span<const std::uint64_t> operations() const noexcept;  ///< the whole bit plane, as sampled by the last instant
   std::span<const std::uint64_t> events() const noexcept;
 
-  /// The words of events() that changed since forget_changed_events(), each once, in no order; all after a reset or a
-  /// restore.
+  /// The words of events() that changed since forget_changed_events(), each once, in no order; also a word that changed
+  /// and changed back. All words after a reset or a restore.
   std::span<const std::uint32_t> changed_events() const noexcept;
   /// The slots of event_value() that changed since forget_changed_events(), each once, in no order; all after a reset
   /// or a restore.

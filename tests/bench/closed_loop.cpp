@@ -1,4 +1,4 @@
-// Nanoseconds per motion in closed loop: the engine on the loads grid and distinct, and the hand-written limit.
+// Nanoseconds per motion in closed loop: the engine on all loads, and two plants written by hand for one load.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -67,7 +67,12 @@ void memory(benchmark::State& state) {
 }
 
 BENCHMARK_TEMPLATE(closed_loop, LimitGrid)->Name("limit, grid")->Arg(1'000)->Arg(10'000)->Arg(100'000);
+BENCHMARK_TEMPLATE(closed_loop, HeapGrid)->Name("heap, grid")->Arg(1'000)->Arg(10'000)->Arg(100'000);
 BENCHMARK_TEMPLATE(closed_loop, EngineGrid)->Name("engine, grid")->Arg(1'000)->Arg(10'000)->Arg(100'000);
+BENCHMARK_TEMPLATE(closed_loop, EngineObserved)->Name("engine, observed grid")->Arg(1'000)->Arg(10'000)->Arg(100'000);
+BENCHMARK_TEMPLATE(closed_loop, EngineTypes<1>)->Name("engine, grid of 1 type")->Arg(10'000);
+BENCHMARK_TEMPLATE(closed_loop, EngineTypes<10>)->Name("engine, grid of 10 types")->Arg(10'000);
+BENCHMARK_TEMPLATE(closed_loop, EngineTypes<100>)->Name("engine, grid of 100 types")->Arg(10'000);
 BENCHMARK_TEMPLATE(closed_loop, EngineDistinct)->Name("engine, distinct")->Arg(1'000)->Arg(10'000)->Arg(100'000);
 BENCHMARK_TEMPLATE(closed_loop, EngineRich)->Name("engine, rich")->Arg(1'000)->Arg(10'000)->Arg(100'000);
 BENCHMARK(idle)->Name("engine, idle advance_to")->Arg(1'000)->Arg(100'000);

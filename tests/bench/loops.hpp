@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "bench/heap.hpp"
 #include "bench/limit.hpp"
 #include "bench/two_state_plant.hpp"
 
@@ -28,10 +29,11 @@ std::int64_t answer(std::uint32_t word, std::uint64_t arrived, Give give) {
   return motions;
 }
 
-/// *grid* on the hand-written limit: a step is a scan of 10 ms.
-class LimitGrid {
+/// *grid* on a hand-written plant: a step is a scan of 10 ms.
+template <class Plant>
+class HandGrid {
  public:
-  explicit LimitGrid(std::uint32_t devices) : plant_(devices, kTicks) {
+  explicit HandGrid(std::uint32_t devices) : plant_(devices, kTicks) {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {  // a hundredth of the devices starts in each tick
       for (std::uint32_t d = tick; d < devices; d += kTicks) give(plant_.operations.data(), 2 * d + 1);
       step();
@@ -61,8 +63,10 @@ class LimitGrid {
     word = (word & ~both) | (std::uint64_t{1} << (bit % 64));
   }
 
-  LimitPlant plant_;
+  Plant plant_;
 };
+using LimitGrid = HandGrid<LimitPlant>;
+using HeapGrid = HandGrid<HeapPlant>;
 
 /// A plant of the engine, and the changed events that the controller reads.
 template <class Made>
@@ -81,7 +85,7 @@ class EngineLoop {
     std::int64_t motions = 0;
     for (const std::uint32_t word : plant().changed_events()) {
       const std::uint64_t now = plant().events()[word];
-      const std::uint64_t arrived = now & ~seen_[word];
+      const std::uint64_t arrived = now & ~seen_[word] & Made::kStateEvents;
       seen_[word] = now;
       motions += answer(word, arrived, [this](std::uint32_t bit) {
         const std::uint64_t both = std::uint64_t{3} << (bit % 64 & ~1U);
@@ -97,27 +101,41 @@ class EngineLoop {
   std::vector<std::uint64_t> seen_;
 };
 
+/// Counts what it receives.
+class CountingObserver final : public engine::Observer {
+ public:
+  void instant(const engine::Instant& instant) noexcept override { changes_ += instant.units.size(); }
+
+ private:
+  std::size_t changes_ = 0;
+};
+
 /// *grid*: arrivals fall on a 10 ms scan; a step is a scan.
-template <class Made>
+template <class Made, bool kObserved = false>
 class EngineScan : public EngineLoop<Made> {
  public:
   explicit EngineScan(std::uint32_t devices) : EngineLoop<Made>(devices, {kTicks * kTick}) {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
-      for (std::uint32_t d = tick; d < devices; d += kTicks) this->plant().set_operation(2 * d + 1, true);
+      for (std::uint32_t d = tick; d < devices; d += kTicks) this->plant().set_operation(Made::kStride * d + 1, true);
       step();
     }
   }
 
   std::int64_t step() {
-    this->plant().advance_to(now_);
+    this->plant().advance_to(now_, kObserved ? &observer_ : nullptr);
     now_ += kTick;
     return this->answer_plant();
   }
 
  private:
   tables::Time now_ = 0;
+  CountingObserver observer_;
 };
 using EngineGrid = EngineScan<TwoStatePlant>;
+using EngineObserved = EngineScan<TwoStatePlant, true>;
+/// *types*: *grid* with devices of several types in random order.
+template <std::uint32_t kTypes>
+using EngineTypes = EngineScan<ManyTypesPlant<kTypes>>;
 /// *rich*: the same, and each device has a condition, an `after` and a disable.
 using EngineRich = EngineScan<RichPlant>;
 

@@ -1,7 +1,7 @@
 // Runs a closed loop for a given number of steps, so that callgrind can count instructions. The difference of two runs,
 // divided by the difference of their motion counts, is the cost of a motion.
 //
-//   motions limit|grid|distinct|rich DEVICES STEPS
+//   motions LOAD DEVICES STEPS
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -18,21 +18,29 @@ long long run(std::uint32_t devices, long steps) {
   return motions;
 }
 
+struct Load {
+  std::string_view name;
+  long long (*run)(std::uint32_t devices, long steps);
+};
+
+using namespace symplant::bench;
+constexpr Load kLoads[] = {
+    {"limit", run<LimitGrid>},           {"heap", run<HeapGrid>},           {"grid", run<EngineGrid>},
+    {"observed", run<EngineObserved>},   {"types1", run<EngineTypes<1>>},   {"types10", run<EngineTypes<10>>},
+    {"types100", run<EngineTypes<100>>}, {"distinct", run<EngineDistinct>}, {"rich", run<EngineRich>},
+};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace symplant::bench;
-  if (argc != 4) {
-    std::fputs("usage: motions limit|grid|distinct|rich DEVICES STEPS\n", stderr);
-    return 2;
+  for (const Load& load : kLoads) {
+    if (argc != 4 || load.name != argv[1]) continue;
+    const auto devices = static_cast<std::uint32_t>(std::atol(argv[2]));
+    std::printf("%lld motions\n", load.run(devices, std::atol(argv[3])));
+    return 0;
   }
-  const std::string_view load = argv[1];
-  const auto devices = static_cast<std::uint32_t>(std::atol(argv[2]));
-  const long steps = std::atol(argv[3]);
-  const long long motions = load == "limit"  ? run<LimitGrid>(devices, steps)
-                            : load == "grid" ? run<EngineGrid>(devices, steps)
-                            : load == "rich" ? run<EngineRich>(devices, steps)
-                                             : run<EngineDistinct>(devices, steps);
-  std::printf("%lld motions\n", motions);
-  return 0;
+  std::fputs("usage: motions LOAD DEVICES STEPS, where LOAD is", stderr);
+  for (const Load& load : kLoads) std::fprintf(stderr, " %s", load.name.data());
+  std::fputs("\n", stderr);
+  return 2;
 }

@@ -19,6 +19,9 @@ namespace symplant::bench {
 
 /// The devices, conditions, times and disables of RichPlant. Throws if the files are rejected.
 struct RichFiles {
+  static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
+  static constexpr std::uint64_t kStateEvents = TwoStatePlant::kStateEvents;
+
   RichFiles(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     test::MemoryFileSystem files;
     std::string& list = files.files["list.csv"];

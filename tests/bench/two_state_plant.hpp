@@ -29,6 +29,8 @@ struct TwoStatePlant {
     plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }
 
+  static constexpr std::uint32_t kStride = 2;  ///< bits of a device in each plane
+  static constexpr std::uint64_t kStateEvents = ~std::uint64_t{0};
   static constexpr std::array<tables::Transition, 2> kTransitions{
       {{0, 1, 1, false, tables::kNoCondition, false, tables::kOfDevice},
        {1, 0, 0, false, tables::kNoCondition, false, tables::kOfDevice}}};
@@ -44,8 +46,57 @@ struct TwoStatePlant {
   std::unique_ptr<plant::Plant> plant;
 };
 
-/// The same with all costly features: each device leaves only if a distant device is not settled in its first state
-/// or another one is, for 10 ms; one device in eight disables its neighbor while it is settled in its second
+/// N devices of `kTypes` types in random order. All have two states; the types differ in their number of operations and
+/// in the events that they switch in addition to those of the two states.
+template <std::uint32_t kTypes>
+struct ManyTypesPlant {
+  ManyTypesPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    masks.reserve(4 * kTypes);
+    for (std::uint32_t n = 0; n < kTypes; ++n) {
+      const std::uint64_t first = 1 | std::uint64_t{n / 32 % 8} << 2;
+      const std::uint64_t second = 2 | std::uint64_t{n / 4 % 8} << 5;
+      masks.insert(masks.end(), {{first, 0}, {second, 0}, {0, first}, {0, second}});
+      const std::span<const tables::EventMasks> of_type = std::span(masks).subspan(4 * n, 4);
+      types.push_back({static_cast<std::uint8_t>(2 + n % 4),
+                       8,
+                       2,
+                       tables::kNoState,
+                       tables::Actuation::latched,
+                       TwoStatePlant::kTransitions,
+                       of_type.first(2),
+                       of_type.last(2),
+                       std::span(kTargets).first(2 + n % 4),
+                       {}});
+    }
+    times.push_back({0, travel_times.front()});
+    std::uint32_t random = 12345;
+    for (std::uint32_t d = 0; d < devices; ++d) {
+      random = random * 1664525 + 1013904223;
+      units.push_back({(random >> 10 & 0xFFFF) % kTypes, 0, 0, kStride * d, kStride * d, 0});
+    }
+    tables.types = types;
+    tables.units = units;
+    tables.times = times;
+    tables.operation_bits = tables.event_bits = (kStride * devices + 63) / 64 * 64;
+    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
+    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+  }
+
+  static constexpr std::uint32_t kStride = 8;
+  static constexpr std::uint64_t kStateEvents = 0x0303'0303'0303'0303;
+  static constexpr std::array<std::uint8_t, 5> kTargets{0, 1, tables::kNoState, tables::kNoState, tables::kNoState};
+
+  std::vector<tables::EventMasks> masks;
+  std::vector<tables::TypeRow> types;
+  std::vector<tables::UnitRow> units;
+  std::vector<tables::TransitionTimes> times;
+  tables::PlantTables tables{};
+  std::vector<std::max_align_t> memory;
+  std::unique_ptr<plant::Plant> plant;
+};
+
+/// TwoStatePlant with all costly features: each device leaves only if a distant device is not settled in its first
+/// state or another one is, for 10 ms; one device in eight disables its neighbor while it is settled in its second
 /// state.
 struct RichPlant {
   RichPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
@@ -71,6 +122,8 @@ struct RichPlant {
     plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }
 
+  static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
+  static constexpr std::uint64_t kStateEvents = TwoStatePlant::kStateEvents;
   static constexpr tables::Time kAfter = 10 * tables::kMillisecond;
   static constexpr std::uint32_t kFar = 37;
   static constexpr std::uint32_t kFarther = 61;

@@ -2,6 +2,7 @@
 #include "property/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <unordered_map>
 
@@ -27,6 +28,7 @@ class Run {
         tables_(tables),
         behaviours_(with_behaviours ? engine_behaviours(tables) : std::vector<engine::Behaviour>()),
         engine_(std::make_unique<EnginePlant>(tables, behaviours_)),
+        twin_(std::make_unique<EnginePlant>(tables, behaviours_)),
         reference_(plant,
                    with_behaviours ? reference_behaviours(tables) : std::map<std::string, reference::Behaviour>()),
         counts_(counts),
@@ -51,7 +53,7 @@ class Run {
       case Kind::set_state:
         return set_state(action);
       case Kind::set_quality:
-        engine_->plant().set_quality(action.value != 0);
+        for (EnginePlant* engine : both()) engine->plant().set_quality(action.value != 0);
         reference_.set_quality(action.value != 0);
         ++counts_.qualities;
         return {};
@@ -70,12 +72,15 @@ class Run {
  private:
   struct Saved {
     std::vector<std::byte> engine;
+    std::vector<std::byte> twin;
     reference::World reference;
     CycleRises rises;
   };
 
+  std::array<EnginePlant*, 2> both() { return {engine_.get(), twin_.get()}; }
+
   std::string reset(const Action& action) {
-    engine_->plant().reset(action.value, action.time);
+    for (EnginePlant* engine : both()) engine->plant().reset(action.value, action.time);
     reference_.reset(action.value, action.time);
     rises_.clear();
     ++counts_.resets;
@@ -89,17 +94,18 @@ class Run {
     const bool operation = plant_.symbols[symbol].direction == tables::Direction::operation;
     if (action.kind == Kind::set) {
       if (!operation) return {};
-      engine_->write(symbol, action.value);
+      for (EnginePlant* engine : both()) engine->write(symbol, action.value);
       reference_.set_operation(symbol, action.value);
     } else if (action.kind == Kind::force) {
-      engine_->plant().force(symbol, action.value);
+      for (EnginePlant* engine : both()) engine->plant().force(symbol, action.value);
       reference_.force(symbol, action.value);
       ++counts_.forces;
     } else if (action.kind == Kind::release) {
-      engine_->plant().release(symbol);
+      for (EnginePlant* engine : both()) engine->plant().release(symbol);
       reference_.release(symbol);
     } else {
       const bool done = engine_->plant().set_input(symbol, action.value);
+      twin_->plant().set_input(symbol, action.value);
       if (done != reference_.set_input(symbol, action.value)) {
         return "set_input says " + std::string(done ? "true" : "false") + ", the reference the contrary";
       }
@@ -112,14 +118,17 @@ class Run {
   std::string set_state(const Action& action) {
     const auto found = units_.find(action.what);
     if (found == units_.end() || action.value >= plant_.units[found->second].states.size()) return {};
-    engine_->plant().set_state(found->second, static_cast<std::uint8_t>(action.value));
+    for (EnginePlant* engine : both()) {
+      engine->plant().set_state(found->second, static_cast<std::uint8_t>(action.value));
+    }
     reference_.set_state(found->second, static_cast<std::uint8_t>(action.value));
     return {};
   }
 
   std::string save() {
     const auto block = engine_->plant().save();
-    saves_.push_back({{block.begin(), block.end()}, reference_.save(), rises_});
+    const auto twin = twin_->plant().save();
+    saves_.push_back({{block.begin(), block.end()}, {twin.begin(), twin.end()}, reference_.save(), rises_});
     ++counts_.saves;
     return {};
   }
@@ -127,11 +136,15 @@ class Run {
   std::string restore(const Action& action) {
     if (saves_.empty()) return {};
     const Saved& saved = saves_[action.value % saves_.size()];
-    if (action.time != 0) {
+    const bool elsewhere = action.time != 0;
+    if (elsewhere) {  // into new plants, each the block of the other
       engine_ = std::make_unique<EnginePlant>(tables_, behaviours_);
+      twin_ = std::make_unique<EnginePlant>(tables_, behaviours_);
       ++counts_.restores_elsewhere;
     }
-    if (!engine_->plant().restore(saved.engine)) return "restore() refused a block of its own";
+    const bool restored = engine_->plant().restore(elsewhere ? saved.twin : saved.engine) &&
+                          twin_->plant().restore(elsewhere ? saved.engine : saved.twin);
+    if (!restored) return "restore() refused a block of its own model";
     reference_.restore(saved.reference);
     rises_ = saved.rises;
     ++counts_.restores;
@@ -170,16 +183,22 @@ class Run {
 
   std::string engine_follows(tables::Time reached, bool before) {
     const Shadow shadow(*engine_, plant_);
-    engine_->forget();
-    engine_->plant().forget_changed_events();
-    if (before) {
-      engine_->advance_before(reached);
-    } else {
-      engine_->advance_to(reached);
+    const bool twin_observed = counts_.advances % 4 == 0;  // so that both kinds of instants follow each other
+    for (EnginePlant* engine : both()) {
+      const bool observed = engine == engine_.get() || twin_observed;
+      engine->forget();
+      engine->plant().forget_changed_events();
+      if (before) {
+        engine->advance_before(reached, observed);
+      } else {
+        engine->advance_to(reached, observed);
+      }
     }
     std::string text = instants_difference(*engine_, reference_, plant_);
     if (text.empty()) text = state_difference(*engine_, reference_, plant_);
     if (text.empty()) text = shadow.difference(*engine_);
+    if (text.empty() && twin_observed) text = instants_difference(*twin_, reference_, plant_);
+    if (text.empty()) text = twin_difference(*engine_, *twin_);
     return text;
   }
 
@@ -197,7 +216,8 @@ class Run {
   const model::PlantModel& plant_;
   const tables::PlantTables& tables_;
   std::vector<engine::Behaviour> behaviours_;
-  std::unique_ptr<EnginePlant> engine_;
+  std::unique_ptr<EnginePlant> engine_;  ///< always observed
+  std::unique_ptr<EnginePlant> twin_;    ///< the same plant, not always observed
   reference::Plant reference_;
   RunCounts& counts_;
   CycleRises rises_;

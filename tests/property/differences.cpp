@@ -2,7 +2,7 @@
 #include "property/differences.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "support/reference/lines.hpp"
@@ -120,8 +120,37 @@ std::string state_difference(EnginePlant& engine, const reference::Plant& refere
   std::string text = units_difference(it, reference, plant);
   if (text.empty()) text = symbols_difference(engine, reference, plant);
   if (text.empty()) text = next_due_difference(it, reference);
-  if (text.empty() && getenv("NOHASH") == nullptr && it.state_hash() != reference.state_hash()) text = "state_hash";
+  if (text.empty() && it.state_hash() != reference.state_hash()) text = "state_hash";
   return text;
+}
+
+std::string twin_difference(EnginePlant& engine, EnginePlant& twin) {
+  plant::Plant& one = engine.plant();
+  plant::Plant& other = twin.plant();
+  const auto sorted = [](std::span<const std::uint32_t> indexes) {
+    std::vector<std::uint32_t> result(indexes.begin(), indexes.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto findings_of = [](plant::Plant& plant) {
+    std::vector<tables::Finding> findings;
+    for (tables::Finding finding{}; plant.take_finding(finding);) findings.push_back(finding);
+    return findings;
+  };
+  const auto same = [](auto a, auto b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
+  if (one.now() != other.now()) return "now without an observer";
+  if (!same(one.operations(), other.operations())) return "operations() without an observer";
+  if (!same(one.events(), other.events())) return "events() without an observer";
+  if (!same(one.disarmed(), other.disarmed())) return "disarmed() without an observer";
+  if (sorted(one.changed_events()) != sorted(other.changed_events())) return "changed_events() without an observer";
+  if (sorted(one.changed_event_values()) != sorted(other.changed_event_values())) {
+    return "changed_event_values() without an observer";
+  }
+  if (findings_of(one) != findings_of(other)) return "findings without an observer";
+  if (one.lost_findings() != other.lost_findings()) return "lost_findings() without an observer";
+  if (one.next_due() != other.next_due()) return "next_due without an observer";
+  if (one.state_hash() != other.state_hash()) return "state_hash without an observer";
+  return {};
 }
 
 Shadow::Shadow(const EnginePlant& engine, const model::PlantModel& plant) : plant_(plant) {

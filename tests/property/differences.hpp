@@ -15,6 +15,8 @@ namespace symplant::property {
 std::string instants_difference(const EnginePlant& engine, const reference::Plant& reference,
                                 const model::PlantModel& plant);
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant);
+/// Compares all that two plants show after the same actions, and takes their findings.
+std::string twin_difference(EnginePlant& engine, EnginePlant& twin);
 std::string next_due_difference(plant::Plant& engine, const reference::Plant& reference);
 
 /// What the engine showed before an advance, to check that it reports all changes after it.

@@ -30,8 +30,8 @@ function(symplant_mutant NAME FROM TO)
 endfunction()
 
 symplant_mutant(armed_not_restored_while_disabled
-  "  disarmed[word] &= now;"
-  "  for (std::uint64_t off = disarmed[word] & ~now; off != 0; off &= off - 1) { if ((units[index.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(off))]].flags & kDisabled) == 0) disarmed[word] &= ~(off & (~off + 1)); }")
+  "    disarmed_[word] &= now;"
+  "  for (std::uint64_t off = disarmed_[word] & ~now; off != 0; off &= off - 1) { if ((units_[index_.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(off))]].flags & kDisabled) == 0) disarmed_[word] &= ~(off & (~off + 1)); }")
 
 symplant_mutant(after_not_restarted_by_a_break
   "    record.holds = 0;"
@@ -39,18 +39,18 @@ symplant_mutant(after_not_restarted_by_a_break
 
 symplant_mutant(break_counted_while_disabled
   "  if ((state.flags & kHalted) != 0) return;"
-  "  if ((state.flags & kHalted) != 0) { if ((state.flags & (kFrozen | kMoving)) == 0 && index.types[tables.units[unit].type].records != 0) forget_causes(unit, index.types[tables.units[unit].type], state.state); return; }")
+  "  if ((state.flags & kHalted) != 0) { if ((state.flags & (kFrozen | kMoving)) == 0 && index_.types[tables_.units[unit].type].records != 0) forget_causes(unit, index_.types[tables_.units[unit].type], state.state); return; }")
 
 symplant_mutant(step_reads_this_round
-  "  for (std::uint32_t i = 0; i < count; ++i) step(touched_.items[i]);"
-  "  for (std::uint32_t i = 0; i < count; ++i) { step(touched_.items[i]); if (unpublished_) publish(true); }")
+  "    if ((units_[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);"
+  "    if ((units_[touched_.items[i]].flags & kTouched) != 0) { step(touched_.items[i]); if (unpublished_) publish(); }")
 
 symplant_mutant(automatic_not_before_commanded
   "  if (ready.automatic != kNoTransition) {"
   "  if (ready.automatic != kNoTransition && ready.first == kNoTransition) {")
 
 symplant_mutant(own_state_not_wanted
-  "  const bool stay_wanted = (on & type.leads[here] & ~ready.served) != 0 || further == here;"
+  "  const bool stay_wanted = (on & type.at[here].leads & ~ready.served) != 0 || further == here;"
   "  const bool stay_wanted = further == here;")
 
 symplant_mutant(rounding_up_in_turning_round
@@ -58,21 +58,54 @@ symplant_mutant(rounding_up_in_turning_round
   "static_cast<Wide>(travelled) / static_cast<Wide>(forth) + (static_cast<Wide>(back) * static_cast<Wide>(travelled) % static_cast<Wide>(forth) != 0 ? 1 : 0));")
 
 symplant_mutant(once_does_not_disarm
-  "      if (fired.once && type.actuation == tables::Actuation::latched) disarmed[word] |= on;"
+  "      if (fired.once && type.actuation == tables::Actuation::latched) disarmed_[word] |= on;"
   "")
 
 symplant_mutant(draw_counter_shared_by_transitions
-  "  Record& record = records[general_row(unit).first_record + type.record_of[transition]];"
-  "  Record& record = records[general_row(unit).first_record + 0 * type.record_of[transition]];")
+  "  Record& record = records_[general_row(unit).first_record + type.record_of[transition]];"
+  "  Record& record = records_[general_row(unit).first_record + 0 * type.record_of[transition]];")
 
 symplant_mutant(stopped_unit_still_disables
   "      state.flags |= kDisabled;"
-  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { general_states[position].settled = state.state; for (const tables::DisableRow& d : tables.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states[index.general.position_of(d.unit)].disabled_by; if ((units[d.unit].flags & kHalted) == 0) halt_times(d.unit); units[d.unit].flags |= kDisabled; touch(d.unit); } }")
+  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { general_states_[position].settled = state.state; for (const tables::DisableRow& d : tables_.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states_[index_.general.position_of(d.unit)].disabled_by; if ((units_[d.unit].flags & kHalted) == 0) halt_times(d.unit); units_[d.unit].flags |= kDisabled; touch(d.unit); } }")
 
 symplant_mutant(no_round_after_enabling
   "      resume_times(unit);"
   "      resume_times(unit); continue;")
 
 symplant_mutant(watch_expires_one_instant_late
-  "  if (!met && head->now < monitor.deadline) return false;"
-  "  if (!met && head->now <= monitor.deadline) return false;")
+  "  if (!met && head_->now < monitor.deadline) return false;"
+  "  if (!met && head_->now <= monitor.deadline) return false;")
+
+# Of the fast path (engine_fast.cpp) and of what it needs.
+symplant_mutant(fast_departure_with_several_operations
+  "  if ((state.flags & kNotFast) != 0 || (on & (on - 1)) != 0) [[unlikely]]"
+  "  if ((state.flags & kNotFast) != 0) [[unlikely]]")
+
+symplant_mutant(fast_departure_switches_watched_events
+  "  if (departure.to == tables::kNoState || (type.events != 0 && events_are_seen(row.event_bit / 64))) return false;"
+  "  if (departure.to == tables::kNoState) return false;")
+
+symplant_mutant(fast_arrival_without_a_second_round
+  "  if ((on & (on - 1)) != 0 || type.at[here].departure(on).to != here) [[unlikely]]"
+  "  if ((on & (on - 1)) != 0) [[unlikely]]")
+
+symplant_mutant(fast_arrival_not_reported
+  "    touched_.add(entry);"
+  "    (void)entry;")
+
+symplant_mutant(fast_close_forgets_findings
+  "  if (observer_ != nullptr || (changed & ~operation_words_[word].served) != 0) return false;"
+  "  if (observer_ != nullptr) return false;")
+
+symplant_mutant(fast_instant_without_short_events
+  "  return observer_ == nullptr && head_->cycle == 0 &&"
+  "  return observer_ == nullptr &&")
+
+symplant_mutant(due_time_put_into_a_stale_bucket
+  "  inserted_ = -1;  // what follows may change its bucket"
+  "")
+
+symplant_mutant(spring_returns_by_any_transition
+  "returns ? transition.to == row.rest :"
+  "returns ? true :")

@@ -20,7 +20,7 @@ namespace {
 void bring_to(EnginePlant& it, tables::Time target) {
   for (int i = 0; i < 300; ++i) {
     const tables::Time due = it.plant().next_due();
-    it.advance_to(std::min(due, target));
+    it.advance_to(std::min(due, target), true);
     if (due >= target) return;
   }
 }
@@ -30,7 +30,7 @@ std::vector<reference::InstantRecord> trace_of(const tables::PlantTables& tables
   EnginePlant it(tables, {});
   Dice dice(seed);
   it.plant().reset(seed);
-  it.advance_to(0);
+  it.advance_to(0, true);
   for (int step = 0; step < 300; ++step) {
     const auto symbol = static_cast<std::uint32_t>(dice.below(tables.symbols.size()));
     if (tables.symbols[symbol].direction() == tables::Direction::operation) {
