@@ -14,9 +14,10 @@ namespace symplant::bench {
 /// N devices of one type with two states; unit u travels for times[u % times.size()] nanoseconds.
 struct TwoStatePlant {
   TwoStatePlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
-    types.push_back(
-        {2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, kEnter, kLeave, kTargets, {}});
     for (const tables::Time travel : travel_times) times.push_back({0, travel});
+    const bool one = times.size() == 1;  // then it is in the type, as the tool lowers it
+    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, one ? kTransitions : kOwnTransitions,
+                     kEnter, kLeave, kTargets, times});
     for (std::uint32_t d = 0; d < devices; ++d) {
       const auto entry = static_cast<std::uint32_t>(d % travel_times.size());
       units.push_back({0, 0, 0, 2 * d, 2 * d, entry});
@@ -31,7 +32,8 @@ struct TwoStatePlant {
 
   static constexpr std::uint32_t kStride = 2;  ///< bits of a device in each plane
   static constexpr std::uint64_t kStateEvents = ~std::uint64_t{0};
-  static constexpr std::array<tables::Transition, 2> kTransitions{
+  static constexpr std::array<tables::Transition, 2> kTransitions{{{0, 1, 1}, {1, 0, 0}}};
+  static constexpr std::array<tables::Transition, 2> kOwnTransitions{
       {{0, 1, 1, false, tables::kNoCondition, false, tables::kOfDevice},
        {1, 0, 0, false, tables::kNoCondition, false, tables::kOfDevice}}};
   static constexpr std::array<tables::EventMasks, 2> kEnter{{{1, 0}, {2, 0}}};
@@ -52,23 +54,16 @@ template <std::uint32_t kTypes>
 struct ManyTypesPlant {
   ManyTypesPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     masks.reserve(4 * kTypes);
+    times.push_back({0, travel_times.front()});
     for (std::uint32_t n = 0; n < kTypes; ++n) {
       const std::uint64_t first = 1 | std::uint64_t{n / 32 % 8} << 2;
       const std::uint64_t second = 2 | std::uint64_t{n / 4 % 8} << 5;
       masks.insert(masks.end(), {{first, 0}, {second, 0}, {0, first}, {0, second}});
       const std::span<const tables::EventMasks> of_type = std::span(masks).subspan(4 * n, 4);
-      types.push_back({static_cast<std::uint8_t>(2 + n % 4),
-                       8,
-                       2,
-                       tables::kNoState,
-                       tables::Actuation::latched,
-                       TwoStatePlant::kTransitions,
-                       of_type.first(2),
-                       of_type.last(2),
-                       std::span(kTargets).first(2 + n % 4),
-                       {}});
+      types.push_back({static_cast<std::uint8_t>(2 + n % 4), 8, 2, tables::kNoState, tables::Actuation::latched,
+                       TwoStatePlant::kTransitions, of_type.first(2), of_type.last(2),
+                       std::span(kTargets).first(2 + n % 4), times});
     }
-    times.push_back({0, travel_times.front()});
     std::uint32_t random = 12345;
     for (std::uint32_t d = 0; d < devices; ++d) {
       random = random * 1664525 + 1013904223;
@@ -76,7 +71,6 @@ struct ManyTypesPlant {
     }
     tables.types = types;
     tables.units = units;
-    tables.times = times;
     tables.operation_bits = tables.event_bits = (kStride * devices + 63) / 64 * 64;
     memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
     plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
