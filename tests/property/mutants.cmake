@@ -22,7 +22,7 @@ endfunction()
 function(symplant_mutant NAME FROM TO)
   symplant_planted_source(${NAME} ${PROJECT_SOURCE_DIR}/runtime/engine symplant/engine "${FROM}" "${TO}")
   set_target_properties(symplant_engine PROPERTIES UNITY_BUILD OFF) # one object is replaced, not all
-  add_executable(property_mutant_${NAME} main.cpp ${source})
+  add_executable(property_mutant_${NAME} $<TARGET_OBJECTS:property_main> ${source})
   target_include_directories(property_mutant_${NAME} BEFORE PRIVATE ${include})
   target_link_libraries(property_mutant_${NAME} PRIVATE symplant_property symplant_options)
   add_test(NAME property.mutant.${NAME} COMMAND property_mutant_${NAME} --wrong --quiet)
