@@ -75,6 +75,11 @@ Numbered numbered(const std::string& device) {
   return result;
 }
 
+std::string path_of(const std::string& line, const std::string& process) {
+  std::string path = line;
+  return path.append("_").append(process);
+}
+
 /// By name in upper case, so that the order of rows does not count.
 using Devices = std::map<std::string, std::uint32_t>;
 using Processes = std::map<std::string, Devices>;
@@ -95,7 +100,7 @@ class Writer {
     for (const auto& [line, processes] : lines_) {
       group_names_[line] = scope.unique(line);
       for (const auto& [process, devices] : processes) {
-        const std::string path = line + "_" + process;
+        const std::string path = path_of(line, process);
         group_names_[path] = scope.unique(path);
       }
     }
@@ -103,7 +108,7 @@ class Writer {
 
   void write_groups(RowWriter& rows) const {
     for (const auto& [line, processes] : lines_) {
-      for (const auto& [process, devices] : processes) add_process(rows, line + "_" + process, devices);
+      for (const auto& [process, devices] : processes) add_process(rows, path_of(line, process), devices);
       add_line(rows, line, processes);
     }
   }
@@ -128,7 +133,7 @@ class Writer {
     for (const std::string_view member : kPlantMembers) ++uses[member];
     for (const auto& [line, processes] : lines_) {
       for (const auto& [process, devices] : processes) {
-        if (uses[process] == 1) add(process, line + "_" + process);
+        if (uses[process] == 1) add(process, path_of(line, process));
         for (const auto& [device, unit] : devices) {
           if (uses[device] == 1) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
         }
@@ -161,7 +166,8 @@ class Writer {
       const Numbered parts = numbered(device);
       if (parts.is) series[parts.stem].emplace_back(parts.number, unit);
     }
-    for (auto& [stem, units] : series) {
+    for (auto& [stem, numbered_units] : series) {
+      auto& units = numbered_units;  // lambdas cannot capture a structured binding
       std::sort(units.begin(), units.end());
       const bool one_type = std::all_of(units.begin(), units.end(), [&](const auto& unit) {
         return tables_.units[unit.second].type == tables_.units[units.front().second].type;
@@ -191,7 +197,7 @@ class Writer {
     text::IdentifierScope scope;
     begin_group(rows, line);
     for (const auto& [process, devices] : processes) {
-      const std::string& type = group_names_.at(line + "_" + process);
+      const std::string& type = group_names_.at(path_of(line, process));
       rows.text("  ").text(type).text(" ").text(scope.unique(text::to_lower(process)));
       rows.text("() const noexcept { return ").text(type).text("(plant_); }\n");
     }
