@@ -46,6 +46,8 @@ constexpr bool check_model() noexcept {
                 "declare `static constexpr EventMasks l_enter(State x) noexcept` once, as a public member");
   static_assert(std::is_same_v<decltype(&Class::l_leave), decltype(&Base::l_leave)>,
                 "declare `static constexpr EventMasks l_leave(State x) noexcept` once, as a public member");
+  static_assert(&Class::l_disable == &Base::l_disable,
+                "l_disable cannot be replaced: which devices disable which is in the plant's description (`disables`)");
   static_assert(ConstexprModel<Class>,
                 "d_ext, d_int, l_enter and l_leave are called while compiling: declare them `constexpr`");
   return ConstexprModel<Class>;

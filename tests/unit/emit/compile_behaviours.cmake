@@ -72,6 +72,7 @@ with("use the State of the base" " public: enum class Mine { A }[semicolon] stat
 with("use the Guard of the base" " public: enum class Mine { A }[semicolon] static constexpr Moves d_int(State) noexcept { return go(State::EMPTY1, dt_to_EMPTY1).when(Mine::A)[semicolon] }")
 with("cannot lead from a state to itself" " public: static constexpr Moves d_int(State b) noexcept { return go(b, dt_to_EMPTY1)[semicolon] }")
 with("each either on or off" " public: static constexpr EventMasks l_enter(State) noexcept { return on(Event::I_FULL2) | off(Event::I_FULL2)[semicolon] }")
+with("l_disable cannot be replaced" " public: static std::span<const symplant::tables::DisableRow> l_disable(std::uint32_t, State) noexcept { return {}[semicolon] }")
 with("states, rest and actuation are in the" " public: static constexpr Actuation kActuation = Actuation::held[semicolon]")
 string(REPLACE "class WeighingScale :" "class WeighingScale final :" final "${skeleton}")
 compile("remove `final`" "${final}")
