@@ -149,6 +149,7 @@ std::vector<Template> further_templates(const EmitOptions& options, std::vector<
   std::sort(names.begin(), names.end());  // folders are listed in any order
   std::sort(result.errors.begin(), result.errors.end());
   std::vector<Template> templates;
+  templates.reserve(names.size());
   for (const std::string& name : names) templates.push_back({name, ""});
   return templates;
 }

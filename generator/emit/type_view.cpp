@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <compare>
 #include <set>
+#include <tuple>
 
 #include "emit/encode.hpp"
 #include "emit/model_text.hpp"
@@ -219,12 +219,11 @@ std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const mo
 std::vector<std::string> class_names(const lower::EngineTables& tables, const model::PlantModel& plant) {
   enum class Source { derived_from, given, device };  // base classes of the user's code get their names first
   struct Wanted {
-    Source source;
+    Source source{};
     std::string name;
     std::vector<std::string> tasks;  // what the types of one name differ in, whatever the order of rows
     std::string device;              // the first of its devices by name
-    std::size_t type;
-    auto operator<=>(const Wanted&) const = default;
+    std::size_t type = 0;
   };
   std::vector<Wanted> wanted(tables.types.size());
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
@@ -246,7 +245,9 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
     }
     std::sort(wanted[i].tasks.begin(), wanted[i].tasks.end());
   }
-  std::sort(wanted.begin(), wanted.end());
+  std::sort(wanted.begin(), wanted.end(), [](const Wanted& a, const Wanted& b) {
+    return std::tie(a.source, a.name, a.tasks, a.device) < std::tie(b.source, b.name, b.tasks, b.device);
+  });
 
   text::IdentifierScope scope(text::kGeneratedNames);
   std::set<std::string> own;  // names of the user's classes, which are taken
