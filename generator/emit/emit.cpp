@@ -126,10 +126,10 @@ void add_own_files(const Frame& frame, std::string_view name, const View& plant,
   }
 }
 
-/// The user's templates for further files; an error for every file that is not a template.
-std::vector<Template> further_templates(const EmitOptions& options, std::vector<std::string>& names,
-                                        EmitResult& result) {
-  if (options.templates_folder.empty()) return {};
+/// The further files for which the user has templates, sorted; an error for every file that is not a template.
+std::vector<std::string> further_files(const EmitOptions& options, EmitResult& result) {
+  std::vector<std::string> names;
+  if (options.templates_folder.empty()) return names;
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(options.templates_folder, ignored)) {
     const std::string file = entry.path().filename().string();
@@ -148,10 +148,7 @@ std::vector<Template> further_templates(const EmitOptions& options, std::vector<
   }
   std::sort(names.begin(), names.end());  // folders are listed in any order
   std::sort(result.errors.begin(), result.errors.end());
-  std::vector<Template> templates;
-  templates.reserve(names.size());
-  for (const std::string& name : names) templates.push_back({name, ""});
-  return templates;
+  return names;
 }
 
 }  // namespace
@@ -162,8 +159,9 @@ EmitResult emit(const model::PlantModel& plant, const lower::EngineTables& table
   const View view = plant_view(plant, tables);
   const auto embedded = embedded_templates();
   std::vector<Template> templates(embedded.begin(), embedded.end());
-  std::vector<std::string> names;  // of the further ones
-  for (const Template& further : further_templates(options, names, result)) templates.push_back(further);
+  const std::vector<std::string> further = further_files(options, result);
+  templates.reserve(templates.size() + further.size());
+  for (const std::string& name : further) templates.push_back({name, ""});
   for (const Template& own : templates) {
     const auto frame = frame_of(own, options, files, result);
     if (!frame) continue;
