@@ -80,6 +80,9 @@ std::string path_of(const std::string& line, const std::string& process) {
   return path.append("_").append(process);
 }
 
+/// A plant of more devices has no accessors for single devices itself: g++ takes time for the square of the members.
+constexpr std::size_t kMostDevicesOfPlant = 1000;
+
 /// By name in upper case, so that the order of rows does not count.
 using Devices = std::map<std::string, std::uint32_t>;
 using Processes = std::map<std::string, Devices>;
@@ -131,11 +134,12 @@ class Writer {
     };
     for (const auto& [line, processes] : lines_) add(line, line);
     for (const std::string_view member : kPlantMembers) ++uses[member];
+    const bool few = plant_.units.size() <= kMostDevicesOfPlant;
     for (const auto& [line, processes] : lines_) {
       for (const auto& [process, devices] : processes) {
         if (uses[process] == 1) add(process, path_of(line, process));
         for (const auto& [device, unit] : devices) {
-          if (uses[device] == 1) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
+          if (uses[device] == 1 && few) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
         }
       }
     }
@@ -188,7 +192,7 @@ class Writer {
     rows.text("> ").text(name).text("() const noexcept {  // by number\n");
     rows.text("    static constexpr symplant::plant::NumberedUnit kUnits[] = {");
     for (std::size_t i = 0; i < units.size(); ++i) {
-      rows.text(i == 0 ? "{" : ", {").number(units[i].first).text(", ").number(units[i].second).text("}");
+      rows.text(i == 0 ? "{" : ", {").number(units[i].first).text("U, ").number(units[i].second).text("}");
     }
     rows.text("};\n    return {plant_, kUnits};\n  }\n");
   }

@@ -46,6 +46,7 @@ View plant_view(const model::PlantModel& plant, const lower::EngineTables& table
   texts["close"] = "}";
   texts["unit_count"] = std::to_string(tables.units.size());
   texts["symbol_count"] = std::to_string(tables.symbols.size());
+  texts["random_time_count"] = std::to_string(tables.random_times.size());
   texts["type_count"] = std::to_string(tables.types.size());
   Accessors by_name = accessors(tables, plant, classes, texts["namespace"]);
   add_rows(view, "group_rows", !plant.units.empty(), std::move(by_name.groups));
@@ -94,7 +95,7 @@ std::optional<Frame> frame_of(const Template& own, const EmitOptions& options, c
                               EmitResult& result) {
   const auto file = std::filesystem::path(options.templates_folder) / (std::string(own.name) + ".mustache");
   std::error_code ignored;
-  if (options.templates_folder.empty() || !std::filesystem::exists(file, ignored)) {
+  if (options.templates_folder.empty() || (!own.text.empty() && !std::filesystem::exists(file, ignored))) {
     return Frame{"the built-in template " + std::string(own.name), std::string(own.text)};
   }
   auto read = files.read(file.string());
@@ -130,14 +131,20 @@ void add_own_files(const Frame& frame, std::string_view name, const View& plant,
 std::vector<std::string> further_files(const EmitOptions& options, EmitResult& result) {
   std::vector<std::string> names;
   if (options.templates_folder.empty()) return names;
+  std::error_code unreadable;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(options.templates_folder, ignored)) {
+  for (const auto& entry : std::filesystem::directory_iterator(options.templates_folder, unreadable)) {
     const std::string file = entry.path().filename().string();
-    if (file.front() == '.') continue;
-    if (entry.path().extension() != ".mustache" || entry.is_directory(ignored)) {
-      result.errors.push_back(
-          fmt::format("{}: not a template, so it would not be used: name it `{}.mustache`, or move it",
-                      entry.path().string(), file));
+    const std::string path = entry.path().string();
+    const bool named = file.ends_with(".mustache");
+    if (file.front() == '.' && !named) continue;  // hidden: of an editor or a version control
+    if (!named || !entry.is_regular_file(ignored)) {
+      const std::string advice = named ? "give a file" : fmt::format("name it `{}.mustache`, or move it", file);
+      result.errors.push_back(fmt::format("{}: not a template, so it would not be used: {}", path, advice));
+      continue;
+    }
+    if (file.front() == '.' || file.find_first_of("\\:*?\"<>|\n\r\t") != file.npos) {
+      result.errors.push_back(fmt::format("{}: the name of its file is not possible on every system: rename it", path));
       continue;
     }
     const std::string name = entry.path().stem().string();
@@ -145,6 +152,10 @@ std::vector<std::string> further_files(const EmitOptions& options, EmitResult& r
     if (std::none_of(own.begin(), own.end(), [&](const Template& known) { return known.name == name; })) {
       names.push_back(name);
     }
+  }
+  if (unreadable) {
+    result.errors.push_back(
+        fmt::format("{}: the folder cannot be read: {}", options.templates_folder, unreadable.message()));
   }
   std::sort(names.begin(), names.end());  // folders are listed in any order
   std::sort(result.errors.begin(), result.errors.end());

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace symplant::emit {
@@ -19,6 +20,7 @@ constexpr auto kKeys = std::to_array<Key>({
     {"close", "", false, "a closing brace"},
     {"unit_count", "", false, "devices of the plant"},
     {"symbol_count", "", false, "I/O symbols of the plant"},
+    {"random_time_count", "", false, "times of the plant that are drawn"},
     {"type_count", "", false, "device types of the plant"},
 
     {"types", "", true, "the device types"},
@@ -138,17 +140,30 @@ constexpr auto kKeys = std::to_array<Key>({
 
 std::span<const Key> keys() { return kKeys; }
 
-std::string fault_of_key(std::string_view key, const std::vector<std::string>& open_lists) {
-  const Key* elsewhere = nullptr;
-  for (const Key& known : kKeys) {
-    if (known.key != key) continue;
-    if (known.in.empty()) return {};
+std::string fault_of_key(std::string_view key, const std::vector<std::string>& open_lists, bool as_list) {
+  const auto as_used = [&](const Key& known) {
+    return known.list ? fmt::format("`{0}` is a list: write `{{{{#{0}}}}} ... {{{{/{0}}}}}`", key)
+                      : fmt::format("`{0}` is a text, not a list: write `{{{{{0}}}}}`", key);
+  };
+  const auto is_open = [&](const Key& known) {
     const std::string lists = " " + std::string(known.in) + " ";
-    for (const std::string& open : open_lists) {
-      if (lists.find(" " + open + " ") != std::string::npos) return {};
+    return known.in.empty() || std::any_of(open_lists.begin(), open_lists.end(), [&](const std::string& open) {
+             return lists.find(" " + open + " ") != std::string::npos;
+           });
+  };
+  const Key* elsewhere = nullptr;
+  const Key* misused = nullptr;
+  for (const Key& known : kKeys) {  // a key may have several rows
+    if (known.key != key) continue;
+    if (!is_open(known)) {
+      elsewhere = &known;
+    } else if (known.list != as_list) {
+      misused = &known;
+    } else {
+      return {};
     }
-    elsewhere = &known;
   }
+  if (misused != nullptr) return as_used(*misused);
   if (elsewhere == nullptr) return fmt::format("`{}` is not a key: see templates/README.md for the keys", key);
   const std::string_view list = elsewhere->in.substr(0, elsewhere->in.find(' '));
   return fmt::format("`{}` is known only within a list: write it between `{{{{#{}}}}}` and `{{{{/{}}}}}`", key, list,

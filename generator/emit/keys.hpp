@@ -20,7 +20,7 @@ struct Key {
 
 std::span<const Key> keys();
 
-/// Why a template may not use a key within these lists; empty if it may.
-std::string fault_of_key(std::string_view key, const std::vector<std::string>& open_lists);
+/// Why a template may not use a key within these lists, as a text or as a list; empty if it may.
+std::string fault_of_key(std::string_view key, const std::vector<std::string>& open_lists, bool as_list);
 
 }  // namespace symplant::emit

@@ -65,7 +65,8 @@ std::optional<TemplateError> fault_of(const Template& text) {
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
     const std::string name(key);
     if (kind != '/') {
-      if (std::string fault = fault_of_key(key, open_lists()); !fault.empty()) return TemplateError{line, fault};
+      if (std::string fault = fault_of_key(key, open_lists(), kind == '#' || kind == '^'); !fault.empty())
+        return TemplateError{line, fault};
     }
     if (kind == '#' || kind == '^') open_sections.push_back({name, line});
     if (kind != '/') continue;

@@ -222,20 +222,23 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
     Source source{};
     std::string name;
     std::vector<std::string> tasks;  // what the types of one name differ in, whatever the order of rows
-    std::string device;              // the first of its devices by name
+    std::string device;              // the path of its first device by name
+    std::uint32_t unit = 0;          // that device
     std::size_t type = 0;
   };
   std::vector<Wanted> wanted(tables.types.size());
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
     std::string& device = wanted[tables.units[u].type].device;
     std::string path = text::to_upper(plant.units[u].path);
-    if (device.empty() || path < device) device = std::move(path);
+    if (!device.empty() && device <= path) continue;
+    device = std::move(path);
+    wanted[tables.units[u].type].unit = u;
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const model::Unit& unit = plant.units[tables.types[i].example];
     const bool given = unit.described != nullptr && !unit.described->type.empty();
     wanted[i].source = !given ? Source::device : unit.has_behaviour() ? Source::derived_from : Source::given;
-    wanted[i].name = given ? unit.described->type : without_digits(unit.device);
+    wanted[i].name = given ? unit.described->type : without_digits(plant.units[wanted[i].unit].device);
     wanted[i].type = i;
     for (const std::uint32_t symbol : unit.operations) {
       wanted[i].tasks.push_back("O_" + text::to_upper(plant.symbols[symbol].reading.task));

@@ -1,4 +1,4 @@
-// The macros of <cerrno> on Linux, the BSDs, macOS and Windows; none of them can be an enumerator.
+// The macros of <cerrno> and <csignal> on Linux, the BSDs, macOS and Windows; none of them can be an enumerator.
 #pragma once
 
 #include <array>
@@ -162,6 +162,47 @@ inline constexpr auto kErrorMacros = std::to_array<std::string_view>({
     "EWOULDBLOCK",
     "EXDEV",
     "EXFULL",
+    "SIGABRT",
+    "SIGALRM",
+    "SIGBUS",
+    "SIGCHLD",
+    "SIGCLD",
+    "SIGCONT",
+    "SIGEMT",
+    "SIGFPE",
+    "SIGHUP",
+    "SIGILL",
+    "SIGINFO",
+    "SIGINT",
+    "SIGIO",
+    "SIGIOT",
+    "SIGKILL",
+    "SIGLOST",
+    "SIGPIPE",
+    "SIGPOLL",
+    "SIGPROF",
+    "SIGPWR",
+    "SIGQUIT",
+    "SIGRTMAX",
+    "SIGRTMIN",
+    "SIGSEGV",
+    "SIGSTKFLT",
+    "SIGSTKSZ",
+    "SIGSTOP",
+    "SIGSYS",
+    "SIGTERM",
+    "SIGTRAP",
+    "SIGTSTP",
+    "SIGTTIN",
+    "SIGTTOU",
+    "SIGURG",
+    "SIGUSR",
+    "SIGUSR1",
+    "SIGUSR2",
+    "SIGVTALRM",
+    "SIGWINCH",
+    "SIGXCPU",
+    "SIGXFSZ",
 });
 
 }  // namespace symplant::text

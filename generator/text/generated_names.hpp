@@ -14,7 +14,7 @@ inline constexpr auto kGeneratedNames = std::to_array<std::string_view>({
     "Dt",
     "Guard",
     "Moves",
-    "EventMasks",
+    "Events",
     "Actuation",
     "go",
     "on",

@@ -72,11 +72,11 @@ bool is_macro_like(std::string_view text) {
   const auto capital = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(text.begin(), text.end(), capital)) return false;
   if (std::binary_search(kErrorMacros.begin(), kErrorMacros.end(), text)) return true;
-  constexpr std::array kBeginnings{"ADJ_"sv,  "ATOMIC_"sv, "CLOCK_"sv,   "CLONE_"sv,  "CPU_"sv,   "FD_"sv,
-                                   "LC_"sv,   "MOD_"sv,    "PTHREAD_"sv, "RENAME_"sv, "SCHED_"sv, "SEEK_"sv,
-                                   "SIG"sv,   "STA_"sv,    "SYS_"sv,     "TIME_"sv,   "TIMER_"sv, "WCONT"sv,
-                                   "WEOF"sv,  "WEXIT"sv,   "WIF"sv,      "WNO"sv,     "WSTOP"sv,  "WTERM"sv,
-                                   "WUNTR"sv, "CSIGNAL"sv, "NFDBITS"sv,  "NZERO"sv};
+  if (text.find("_I_") != text.npos || text.find("_O_") != text.npos) return false;  // a symbol's name
+  constexpr std::array kBeginnings{"ADJ_"sv,  "ATOMIC_"sv,  "CLOCK_"sv,  "CLONE_"sv,  "CPU_"sv,    "FD_"sv,  "LC_"sv,
+                                   "MOD_"sv,  "PTHREAD_"sv, "RENAME_"sv, "SCHED_"sv,  "SEEK_"sv,   "STA_"sv, "SYS_"sv,
+                                   "TIME_"sv, "TIMER_"sv,   "WCONT"sv,   "WEOF"sv,    "WEXIT"sv,   "WIF"sv,  "WNO"sv,
+                                   "WSTOP"sv, "WTERM"sv,    "WUNTR"sv,   "CSIGNAL"sv, "NFDBITS"sv, "NZERO"sv};
   constexpr std::array kEnds{"_MAX"sv, "_MIN"sv, "_WIDTH"sv, "_BIT"sv, "_ENDIAN"sv, "_OK"sv, "_FILENO"sv, "_C"sv};
   return std::any_of(kBeginnings.begin(), kBeginnings.end(), [&](auto part) { return text.starts_with(part); }) ||
          std::any_of(kEnds.begin(), kEnds.end(), [&](auto part) { return text.ends_with(part); });

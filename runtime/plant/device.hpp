@@ -144,16 +144,19 @@ class NamedPlant : public OwnedPlant {
     }
   }
 
-  /// A BOOL symbol after forces: an operation as read by the last instant, or an event. O(1).
+  /// A BOOL symbol after forces: an operation as read by the last instant, or an event; of a number, whether it is not
+  /// 0. O(1).
   bool is_on(Symbol symbol) const noexcept {
     const tables::SymbolRow& symbol_row = row(symbol);
+    if (symbol_row.type() != tables::DataType::boolean) return value<double>(symbol) != 0;
     const bool operation = symbol_row.direction() == tables::Direction::operation;
     return operation ? this->operation(symbol_row.index) : event(symbol_row.index);
   }
-  /// A numeric symbol after forces. O(1).
+  /// A numeric symbol after forces; of a BOOL 0 or 1. O(1).
   template <class Number = double>
   Number value(Symbol symbol) const noexcept {
     const tables::SymbolRow& symbol_row = row(symbol);
+    if (symbol_row.type() == tables::DataType::boolean) return static_cast<Number>(is_on(symbol) ? 1 : 0);
     const bool operation = symbol_row.direction() == tables::Direction::operation;
     const std::uint64_t bits = operation ? operation_value(symbol_row.index) : event_value(symbol_row.index);
     if (is_real(symbol_row)) return static_cast<Number>(std::bit_cast<double>(bits));
@@ -180,16 +183,41 @@ class NamedPlant : public OwnedPlant {
   template <class Number>
   static std::uint64_t bits_of(const tables::SymbolRow& row, Number number) noexcept {
     static_assert(std::is_arithmetic_v<Number>, "a symbol's value is a bool or a number");
-    if (row.type() == tables::DataType::boolean) return number != Number{} ? 1 : 0;
-    if (row.type() == tables::DataType::real) {
-      return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(number)));
+    using tables::DataType;
+    switch (row.type()) {
+      case DataType::boolean:
+        return number != Number{} ? 1 : 0;
+      case DataType::real:
+        return std::bit_cast<std::uint64_t>(static_cast<double>(static_cast<float>(number)));
+      case DataType::lreal:
+        return std::bit_cast<std::uint64_t>(static_cast<double>(number));
+      case DataType::sint:
+        return narrowed<std::int8_t>(number);
+      case DataType::int_:
+        return narrowed<std::int16_t>(number);
+      case DataType::dint:
+        return narrowed<std::int32_t>(number);
+      case DataType::lint:
+        return narrowed<std::int64_t>(number);
+      case DataType::usint:
+      case DataType::byte:
+        return narrowed<std::uint8_t>(number);
+      case DataType::uint:
+      case DataType::word:
+        return narrowed<std::uint16_t>(number);
+      case DataType::udint:
+      case DataType::dword:
+        return narrowed<std::uint32_t>(number);
+      case DataType::ulint:
+      case DataType::lword:
+        return narrowed<std::uint64_t>(number);
     }
-    if (row.type() == tables::DataType::lreal) return std::bit_cast<std::uint64_t>(static_cast<double>(number));
-    if constexpr (std::is_floating_point_v<Number>) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
-    } else {
-      return static_cast<std::uint64_t>(number);
-    }
+    return 0;
+  }
+  /// In the slot's form: two's complement of 64 bits.
+  template <class To, class Number>
+  static std::uint64_t narrowed(Number number) noexcept {
+    return static_cast<std::uint64_t>(static_cast<To>(number));
   }
 };
 

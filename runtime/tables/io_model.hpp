@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -96,17 +97,23 @@ class Moves {
   std::size_t size_;
 };
 
-/// Two sets of events that are switched together; an event must not be in both `on` and `off`.
-constexpr EventMasks operator|(const EventMasks& a, const EventMasks& b) noexcept {
-  return {a.on | b.on, a.off | b.off};
-}
+/// Events of a class that are switched together, a bit each as in EventMasks.
+template <class Event>
+struct EventSet {
+  std::uint64_t on = 0;
+  std::uint64_t off = 0;
+
+  /// Both; an event must not be switched on by one and off by the other.
+  friend constexpr EventSet operator|(const EventSet& a, const EventSet& b) noexcept {
+    return {a.on | b.on, a.off | b.off};
+  }
+};
 
 /// The base of generated classes: the words in which their functions are written, and what a class without guards,
 /// spring or automatic transitions has. No data.
 struct IoModel {
   enum class Guard : std::uint16_t {};  ///< a class with guards has its own
   using Dt = tables::Dt;
-  using EventMasks = tables::EventMasks;
   using Actuation = tables::Actuation;
   using Time = tables::Time;
   static constexpr Stay kStay{};
@@ -132,13 +139,19 @@ struct IoModel {
   /// A time that is drawn each time: row `index` of PlantTables::random_times.
   static constexpr Time random_time(std::uint32_t index) noexcept { return -1 - static_cast<Time>(index); }
   /// The events that are switched on, and those that are switched off: `on(Event::I_A) | off(Event::I_B)`.
-  template <class... Events>
-  static constexpr EventMasks on(Events... events) noexcept {
-    return {(std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<std::uint8_t>(events))), 0};
+  template <class Event, std::same_as<Event>... More>
+  static constexpr EventSet<Event> on(Event event, More... more) noexcept {
+    return {(bit(event) | ... | bit(more)), 0};
   }
-  template <class... Events>
-  static constexpr EventMasks off(Events... events) noexcept {
-    return {0, (std::uint64_t{0} | ... | (std::uint64_t{1} << static_cast<std::uint8_t>(events)))};
+  template <class Event, std::same_as<Event>... More>
+  static constexpr EventSet<Event> off(Event event, More... more) noexcept {
+    return {0, (bit(event) | ... | bit(more))};
+  }
+
+ private:
+  template <class Event>
+  static constexpr std::uint64_t bit(Event event) noexcept {
+    return std::uint64_t{1} << static_cast<std::uint8_t>(event);
   }
 };
 

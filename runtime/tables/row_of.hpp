@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <type_traits>
 
 #include "symplant/tables/io_model.hpp"
@@ -23,6 +24,17 @@ concept ConstexprModel = requires {
                                Class::d_int(typename Class::State{}), Class::l_enter(typename Class::State{}),
                                Class::l_leave(typename Class::State{}), true)>;
 };
+
+template <class Class>
+concept HasSpringReturn = requires {
+  Class::spring_return(typename Class::State{});
+};
+
+template <class Class, class Base>
+constexpr bool same_spring_return() noexcept {
+  if constexpr (HasSpringReturn<Base>) return &Class::spring_return == &Base::spring_return;
+  return false;
+}
 
 /// Refuses, in words, a derived class that is not a model of its base's states, operations, events and guards.
 template <class Class, class Base>
@@ -43,13 +55,22 @@ constexpr bool check_model() noexcept {
   static_assert(std::is_same_v<decltype(&Class::d_int), decltype(&Base::d_int)>,
                 "declare `static constexpr Moves d_int(State b) noexcept` once, as a public member");
   static_assert(std::is_same_v<decltype(&Class::l_enter), decltype(&Base::l_enter)>,
-                "declare `static constexpr EventMasks l_enter(State x) noexcept` once, as a public member");
+                "declare `static constexpr Events l_enter(State x) noexcept` once, as a public member");
   static_assert(std::is_same_v<decltype(&Class::l_leave), decltype(&Base::l_leave)>,
-                "declare `static constexpr EventMasks l_leave(State x) noexcept` once, as a public member");
+                "declare `static constexpr Events l_leave(State x) noexcept` once, as a public member");
   static_assert(&Class::l_disable == &Base::l_disable,
                 "l_disable cannot be replaced: which devices disable which is in the plant's description (`disables`)");
+  if constexpr (requires { Base::dt_without_command; }) {
+    static_assert(&Class::dt_without_command == &Base::dt_without_command,
+                  "dt_without_command cannot be replaced: it is the `travel` of the plant's description");
+  }
+  if constexpr (HasSpringReturn<Base> || HasSpringReturn<Class>) {
+    static_assert(same_spring_return<Class, Base>(),
+                  "spring_return cannot be replaced: it is a transition of the plant's description");
+  }
   static_assert(ConstexprModel<Class>,
-                "d_ext, d_int, l_enter and l_leave are called while compiling: declare them `constexpr`");
+                "d_ext, d_int, l_enter and l_leave are called while compiling: declare them `constexpr`, and see other "
+                "errors about them");
   return ConstexprModel<Class>;
 }
 
@@ -79,11 +100,6 @@ constexpr Caused caused(State from, std::uint8_t on, const Move<State>& move) no
 }
 
 template <class Class>
-concept HasSpringReturn = requires {
-  Class::spring_return(typename Class::State{});
-};
-
-template <class Class>
 constexpr std::size_t count_moves() noexcept {
   std::size_t count = 0;
   for (const auto from : Class::kS) {
@@ -101,6 +117,7 @@ struct Numbered {
   std::array<TransitionTimes, Count + 1> times{};
   std::size_t time_count = 0;
   std::uint16_t travel = 0;
+  bool unknown_state = false;  ///< a move leads to a number that is no state
 
   /// Transition::dt; adds the times if no transition before has them.
   constexpr std::uint16_t number(const Dt& dt) noexcept {
@@ -131,13 +148,16 @@ constexpr Numbered<Count> numbered() noexcept {
     }
   }
 
+  Numbered<Count> numbered{};
+  for (const Caused& move : moves) numbered.unknown_state = numbered.unknown_state || move.to >= kStates;
+  if (numbered.unknown_state) return numbered;
+
   std::array<std::size_t, 3 * kStates + 1> begin{};  // a counting sort by kind and target
   for (const Caused& move : moves) ++begin[move.kind() * kStates + move.to + 1];
   for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
   std::array<std::size_t, Count> order{};
   for (std::size_t i = 0; i < Count; ++i) order[begin[moves[i].kind() * kStates + moves[i].to]++] = i;
 
-  Numbered<Count> numbered{};
   size = 0;
   for (std::uint32_t priority = 0; size < Count;) {  // in most classes there is one
     std::uint32_t next = kLast;
@@ -153,6 +173,15 @@ constexpr Numbered<Count> numbered() noexcept {
   }
   if constexpr (requires { Class::dt_without_command; }) numbered.travel = numbered.number(Class::dt_without_command);
   return numbered;
+}
+
+/// `once` needs an operation that it disarms.
+template <std::size_t Count>
+constexpr bool once_without_operation(const std::array<Transition, Count>& transitions) noexcept {
+  for (const Transition& transition : transitions) {
+    if (transition.once && transition.on >= kMaxOperations) return true;
+  }
+  return false;
 }
 
 template <std::size_t Count>
@@ -190,12 +219,18 @@ struct RowOf {
 
   static constexpr auto enter() noexcept {
     std::array<EventMasks, Class::kS.size()> rows{};
-    for (const auto x : Class::kS) rows[static_cast<std::size_t>(x)] = Class::l_enter(x);
+    for (const auto x : Class::kS) {
+      const auto events = Class::l_enter(x);
+      rows[static_cast<std::size_t>(x)] = {events.on, events.off};
+    }
     return rows;
   }
   static constexpr auto leave() noexcept {
     std::array<EventMasks, Class::kS.size()> rows{};
-    for (const auto x : Class::kS) rows[static_cast<std::size_t>(x)] = Class::l_leave(x);
+    for (const auto x : Class::kS) {
+      const auto events = Class::l_leave(x);
+      rows[static_cast<std::size_t>(x)] = {events.on, events.off};
+    }
     return rows;
   }
   static constexpr auto targets() noexcept {
@@ -207,7 +242,10 @@ struct RowOf {
   static constexpr auto kLeave = leave();
   static constexpr auto kTargets = targets();
 
-  static_assert(!leads_to_itself(kTransitions), "a move cannot lead from a state to itself: return kStay");
+  static_assert(!kNumbered.unknown_state, "a move leads to a value that is no state of the class");
+  static_assert(!once_without_operation(kTransitions), "`.once()` is for the moves of d_ext, which have an operation");
+  static_assert(kNumbered.unknown_state || !leads_to_itself(kTransitions),
+                "a move cannot lead from a state to itself: return kStay");
   static_assert(switches_soundly(kEnter, Class::kO.size()) && switches_soundly(kLeave, Class::kO.size()),
                 "l_enter and l_leave switch events of their device, each either on or off");
 };
@@ -234,6 +272,19 @@ constexpr TypeRow row_of() noexcept {
   } else {
     return {};
   }
+}
+
+/// Whether all times of the types are 0 or more, or one of `random_times` that are drawn.
+template <std::size_t Types>
+constexpr bool times_are_sound(const std::array<TypeRow, Types>& types, std::size_t random_times) noexcept {
+  for (const TypeRow& type : types) {
+    for (const TransitionTimes& times : type.times) {
+      for (const Time time : {times.after, times.takes}) {
+        if (time < 0 && static_cast<std::uint64_t>(-(time + 1)) >= random_times) return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// The functions of `Base` that `Class` replaces: values of ModelFunction, added.

@@ -1,5 +1,5 @@
-// The vehicle of the cell: it leaves P2 only on a command of 200 ms, and then drives slowly; its sensor at P1 is a
-// latch.
+// The vehicle of the cell: it leaves P2 only on a command of 200 ms, and then drives slowly; I_P1 stays on until it is
+// at P2. latch.
 #pragma once
 
 #include "types_gen.hpp"
@@ -18,8 +18,8 @@ class MyAgv : public AGV {
   }
 
   /// I_P1 stays on until the vehicle arrives at P2.
-  static constexpr EventMasks l_leave(State x) noexcept { return x == State::P1 ? EventMasks{} : AGV::l_leave(x); }
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept { return x == State::P1 ? Events{} : AGV::l_leave(x); }
+  static constexpr Events l_enter(State x) noexcept {
     return x == State::P2 ? on(Event::I_P2) | off(Event::I_P1) : AGV::l_enter(x);
   }
 };

@@ -86,6 +86,8 @@ TEST_CASE("A key that is unknown, outside its list, or misspelled is reported wi
   CHECK(with_template("a\x02").find(":1: the control character U+0002 is not allowed here") == 0);
   CHECK(with_template("\n{{#planets}}{{/planets}}").find(":2: `planets`") == 0);
   CHECK(with_template("\n\n{{> part}}").find(":3: ") == 0);
+  CHECK(with_template("{{types}}").find(":1: `types` is a list: write `{{#types}} ... {{/types}}`") == 0);
+  CHECK(with_template("{{#plant}}x{{/plant}}").find(":1: `plant` is a text, not a list: write `{{plant}}`") == 0);
   CHECK(with_template("\n{{class}}") ==
         ":2: `class` is known only within a list: write it between `{{#types}}` and `{{/types}}`");
   CHECK(with_template("{{#types}}{{#states}}{{class}}.{{name}} {{/states}}{{/types}}") == "D.NOT_A1 D.A1 ");
@@ -113,9 +115,9 @@ TEST_CASE("A folder may hold templates for further files, and nothing else") {
 TEST_CASE("An unclosed tag is reported with its line") { CHECK(with_template("\n\n{{plant").find(":3: ") == 0); }
 
 TEST_CASE("A list that is not closed, or closed without being open, is reported with its line") {
-  CHECK(with_template("\n{{#plant}}").find(":2: `plant` is opened and not closed") == 0);
-  CHECK(with_template("\n\n{{/plant}}").find(":3: `{{/plant}}` closes a list that is not open") == 0);
-  CHECK(with_template("{{#plant}}\n{{#list}}\n{{/plant}}{{/list}}").find(":3: ") == 0);
+  CHECK(with_template("\n{{#types}}").find(":2: `types` is opened and not closed") == 0);
+  CHECK(with_template("\n\n{{/types}}").find(":3: `{{/types}}` closes a list that is not open") == 0);
+  CHECK(with_template("{{#types}}\n{{#states}}\n{{/types}}{{/states}}").find(":3: ") == 0);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class L1_DOSE {
   symplant::plant::Device<::dosing::Scale> scale1() const noexcept { return {plant_, 1}; }  // L1_DOSE_SCALE1
   symplant::plant::Device<::dosing::Scale> scale2() const noexcept { return {plant_, 2}; }  // L1_DOSE_SCALE2
   symplant::plant::DeviceArray<::dosing::Scale> scale() const noexcept {  // by number
-    static constexpr symplant::plant::NumberedUnit kUnits[] = {{1, 1}, {2, 2}};
+    static constexpr symplant::plant::NumberedUnit kUnits[] = {{1U, 1}, {2U, 2}};
     return {plant_, kUnits};
   }
 

@@ -40,6 +40,7 @@ constexpr std::array<tables::TypeRow, 2> kTypes{{
     tables::row_of<::dosing::HOPPER>(),
     tables::row_of<::dosing::WeighingScale, ::dosing::Scale>(),
 }};
+static_assert(tables::times_are_sound(kTypes, 0), "a Dt of a class has a negative time");
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
 constexpr auto kOperation_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::operation, tables::AddressForm::number, false);

@@ -41,6 +41,7 @@ class HOPPER : public symplant::tables::IoModel {
   static constexpr Dt dt_to_OPEN{.takes = 1 * kSecond};
   static constexpr Dt dt_without_command{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -57,14 +58,14 @@ class HOPPER : public symplant::tables::IoModel {
   static constexpr Moves d_int(State) noexcept { return kStay; }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::OPEN: return on(Event::I_OPEN);
       case State::CLOSED: return on(Event::I_CLOSED);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::OPEN: return off(Event::I_OPEN);
       case State::CLOSED: return off(Event::I_CLOSED);
@@ -114,6 +115,7 @@ class Scale : public symplant::tables::IoModel {
   static constexpr Dt dt_to_FULL2{.takes = 1 * kSecond};
   static constexpr Dt dt_without_command{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -133,14 +135,14 @@ class Scale : public symplant::tables::IoModel {
   static constexpr Moves d_int(State) noexcept { return kStay; }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::EMPTY1: return on(Event::I_EMPTY1);
       case State::FULL2: return on(Event::I_FULL2);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::EMPTY1: return off(Event::I_EMPTY1);
       case State::FULL2: return off(Event::I_FULL2);

@@ -41,6 +41,7 @@ constexpr std::array<tables::TypeRow, 3> kTypes{{
     tables::row_of<::everything::MC>(),
     tables::row_of<::everything::MyStopper_u005C, ::everything::class_>(),
 }};
+static_assert(tables::times_are_sound(kTypes, 2), "a Dt of a class has a negative time");
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
 constexpr auto kOperation_real_number_free = tables::symbol_kind(tables::DataType::real, tables::Direction::operation, tables::AddressForm::number, false);

@@ -43,6 +43,7 @@ class AGV : public symplant::tables::IoModel {
   static constexpr Dt dt_to_P1 = own_dt(0);  // each device has its own: kTimes in tables_gen.cpp
   static constexpr Dt dt_to_P2{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -62,14 +63,14 @@ class AGV : public symplant::tables::IoModel {
   static constexpr Moves d_int(State) noexcept { return kStay; }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::P1: return on(Event::I_P1);
       case State::P2: return on(Event::I_P2);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::P1: return off(Event::I_P1);
       case State::P2: return off(Event::I_P2);
@@ -124,6 +125,7 @@ class MC : public symplant::tables::IoModel {
   static constexpr Dt dt_to_RUN2{.takes = 1 * kSecond};
   static constexpr Dt dt_to_IDLE1{.after = random_time(1)};  // normal, mean 500 ns, standard deviation 20 ns
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -145,14 +147,14 @@ class MC : public symplant::tables::IoModel {
   }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::IDLE1: return on(Event::I_IDLE1);
       case State::RUN2: return on(Event::I_RUN2, Event::I_BUSY3);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::IDLE1: return off(Event::I_IDLE1);
       case State::RUN2: return off(Event::I_RUN2, Event::I_BUSY3);
@@ -200,6 +202,7 @@ class class_ : public symplant::tables::IoModel {
   static constexpr Dt dt_to_RET{.takes = 8 * kNanosecond};
   static constexpr Dt dt_without_command{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -224,14 +227,14 @@ class class_ : public symplant::tables::IoModel {
   }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::ADV: return on(Event::I_ADV);
       case State::RET: return on(Event::I_RET);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::ADV: return off(Event::I_ADV);
       case State::RET: return off(Event::I_RET);

@@ -30,6 +30,7 @@ constexpr std::array<tables::TypeRow, 2> kTypes{{
     tables::row_of<::excell::AGV>(),
     tables::row_of<::excell::MC>(),
 }};
+static_assert(tables::times_are_sound(kTypes, 0), "a Dt of a class has a negative time");
 
 // The kinds of symbols: direction, type, form of the address, whether a device uses the symbol.
 constexpr auto kOperation_boolean_number_moved = tables::symbol_kind(tables::DataType::boolean, tables::Direction::operation, tables::AddressForm::number, true);

@@ -41,6 +41,7 @@ class AGV : public symplant::tables::IoModel {
   static constexpr Dt dt_to_P1{.takes = 1 * kSecond};
   static constexpr Dt dt_to_P2{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -60,14 +61,14 @@ class AGV : public symplant::tables::IoModel {
   static constexpr Moves d_int(State) noexcept { return kStay; }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::P1: return on(Event::I_P1);
       case State::P2: return on(Event::I_P2);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::P1: return off(Event::I_P1);
       case State::P2: return off(Event::I_P2);
@@ -115,6 +116,7 @@ class MC : public symplant::tables::IoModel {
   static constexpr Dt dt_to_IDLE1{.takes = 1 * kSecond};
   static constexpr Dt dt_to_RUN2{.takes = 1 * kSecond};
   using Moves = symplant::tables::Moves<State, Guard>;
+  using Events = symplant::tables::EventSet<Event>;
 
   /// d_ext(a, x): where operation x leads from state a.
   static constexpr Moves d_ext(State a, Operation x) noexcept {
@@ -134,14 +136,14 @@ class MC : public symplant::tables::IoModel {
   static constexpr Moves d_int(State) noexcept { return kStay; }
 
   /// l_enter(x), l_leave(x): the events that entering and leaving state x switch.
-  static constexpr EventMasks l_enter(State x) noexcept {
+  static constexpr Events l_enter(State x) noexcept {
     switch (x) {
       case State::IDLE1: return on(Event::I_IDLE1);
       case State::RUN2: return on(Event::I_RUN2);
       default: return {};
     }
   }
-  static constexpr EventMasks l_leave(State x) noexcept {
+  static constexpr Events l_leave(State x) noexcept {
     switch (x) {
       case State::IDLE1: return off(Event::I_IDLE1);
       case State::RUN2: return off(Event::I_RUN2);
