@@ -81,7 +81,8 @@ class Classes {
     const std::string_view other = difference(first, unit);
     if (other.empty()) return;
     faults_.add(here, description::ticked(name) + " is also the `behaviour` of " + description::ticked(first.path) +
-                          ", which has other " + std::string(other) + "; choose another name for one of them");
+                          ", which has other " + std::string(other) +
+                          ", or the same in another order; choose another name for one of them");
   }
 
   /// The first difference between two devices that the code of their behavior sees; empty: none.

@@ -1,5 +1,5 @@
 // The vehicle of the cell: it leaves P2 only on a command of 200 ms, and then drives slowly; I_P1 stays on until it is
-// at P2. latch.
+// at P2.
 #pragma once
 
 #include "types_gen.hpp"

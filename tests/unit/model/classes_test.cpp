@@ -66,7 +66,7 @@ TEST_CASE("A behavior named like a type, or like another behavior except for cas
 
 TEST_CASE("A behavior of devices with different structure is a fault that names the difference") {
   const std::string begin = "/devices/L_P_E/behaviour: `Mine` is also the `behaviour` of `L_P_D`, which has other ";
-  const std::string end = "; choose another name for one of them";
+  const std::string end = ", or the same in another order; choose another name for one of them";
   CHECK(faults_of_twins([](DeviceDescription& d) { d.type = "Other"; }) == begin + "`type`" + end);
   CHECK(faults_of_twins([](DeviceDescription& d) { d.states = {"C3"}; }) == begin + "states" + end);
   CHECK(faults_of_twins([](DeviceDescription& d) { d.inputs = {{"part", "L_P_D.A1"}}; }) == begin + "`inputs`" + end);
