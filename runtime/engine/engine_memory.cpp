@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E04;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E05;  // "symplan" and the version of the block's layout
 
 /// fnv1a64 of a unit's name in the upper case of ASCII.
 std::uint64_t hash_of_name(std::string_view name) noexcept {
