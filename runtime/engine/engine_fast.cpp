@@ -141,21 +141,14 @@ void Engine::apply_actions() noexcept {
 
 /// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
 void Engine::queue_due(tables::Time time, bool fast) noexcept {
-  for (std::uint32_t entry = head_->wheel.take(time); entry != tables::kNone;) {
-    const std::uint32_t next = units_[entry].next;
-    if (!fast || !arrive_fast(entry)) [[unlikely]]
-      queue_entry(entry);
-    entry = next;
-  }
-}
-
-void Engine::queue_entry(std::uint32_t entry) noexcept {
-  units_[entry].flags &= static_cast<std::uint16_t>(~kTimed);
   const auto unit_count = static_cast<std::uint32_t>(tables_.units.size());
-  if (entry < unit_count) {
-    touch(entry);
-  } else {
-    queue_other(entry - unit_count);
+  for (std::uint32_t entry = head_->wheel.take(time); entry != tables::kNone;) {
+    const std::uint32_t due = entry;
+    entry = units_[due].next;
+    if (fast && arrive_fast(due)) [[likely]]
+      continue;
+    units_[due].flags &= static_cast<std::uint16_t>(~kTimed);
+    due < unit_count ? touch(due) : queue_other(due - unit_count);
   }
 }
 

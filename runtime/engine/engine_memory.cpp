@@ -157,7 +157,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
     switch_events(row, index_.types[row.type].at[row.initial].enter);
   }
   for (std::uint32_t position = 0; position < index_.general.size(); ++position) {
-    general_states_[position].settled = tables::kNoState;
+    general_states_[position].position = tables::kNoState;
     moved_.add(index_.general.rows()[position].unit);
     units_[index_.general.rows()[position].unit].flags |= kDriven;
   }

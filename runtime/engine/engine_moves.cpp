@@ -16,6 +16,13 @@ tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time f
 
 }  // namespace
 
+/// What the operations of a moving unit command.
+struct Engine::Wishes {
+  bool forth;                       ///< to continue to the target
+  bool back;                        ///< to reverse
+  std::uint16_t return_transition;  ///< the transition that commands `back`, or kNoTransition
+};
+
 Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept {
   const UnitState& state = units_[unit];
   std::uint64_t forth = 0;  // operations that command the current move
