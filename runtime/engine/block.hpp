@@ -32,6 +32,7 @@ struct OperationWord {
 
 /// The changing state of a general unit in addition to its UnitState.
 struct GeneralState {
+  tables::Time whole;         ///< travel time of the current move
   std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
   std::uint8_t position;  ///< as last published: the state in which it is settled, or kMovingState; at first kNoState
   std::uint8_t counted;   ///< 1: its disabled_by changed in this round

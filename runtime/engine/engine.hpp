@@ -68,6 +68,8 @@ class Engine {
     const UnitState& state = units_[unit];
     return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head_->now;
   }
+  /// Total travel time of a moving unit, ns; 0 if it is settled.
+  tables::Time whole(std::uint32_t unit) const noexcept;
 
  private:
   // position() sets all other members.
@@ -101,6 +103,7 @@ class Engine {
   /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
   std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index_.general.position_of(unit)]; }
+  GeneralState& general_state(std::uint32_t unit) const noexcept;
   const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index_.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   bool truth(std::uint32_t condition) const noexcept { return (condition_states_[condition] & kTruth) != 0; }
@@ -175,6 +178,8 @@ class Engine {
   const tables::TransitionTimes& times_of(const tables::UnitRow& row, const TypeIndex& type,
                                           std::uint16_t dt) const noexcept;
   tables::Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, tables::Time time) noexcept;
+  tables::Time travel_time(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t from, std::uint8_t to,
+                           std::uint16_t& transition) const noexcept;
   std::uint16_t transition_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
   void halt_times(std::uint32_t unit) noexcept;
   void resume_times(std::uint32_t unit) noexcept;

@@ -151,7 +151,6 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   }
   state.state = target;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway | kConflict | kStopped));
   switch_events(row, type.at[target].enter);
   if (behaves(unit)) report_entered(unit, target);

@@ -37,7 +37,6 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
     return false;
   state.target = static_cast<std::uint8_t>(departure.to);
   state.transition = departure.transition;
-  state.whole = duration;
   state.flags = kMoving;
   head_->wheel.insert(units_, unit, now + duration);
   if (type.events != 0) switch_fast(row, type.at[here].leave);
@@ -65,7 +64,6 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   }
   state.state = here;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags = 0;
   active_ = true;
   if (observer_ != nullptr) [[unlikely]]

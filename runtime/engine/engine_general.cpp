@@ -79,7 +79,6 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   const std::uint8_t here = state.target;
   state.state = here;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
   const bool further = behaves(unit);
@@ -116,7 +115,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   stepped(unit, row);
   state.target = target;
   state.transition = transition;
-  state.whole = duration;
+  if (row.general != 0) general_state(unit).whole = duration;
   state.flags |= kMoving;
   if (duration == 0 || behaves(unit)) {
     switch_events(row, type.at[here].leave);

@@ -18,6 +18,10 @@ constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
 
 constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
 
+inline GeneralState& Engine::general_state(std::uint32_t unit) const noexcept {
+  return general_states_[index_.general.position_of(unit)];
+}
+
 /// The times of a Transition::dt or of TypeRow::travel.
 SYMPLANT_ALWAYS_INLINE const tables::TransitionTimes& Engine::times_of(const tables::UnitRow& row,
                                                                        const TypeIndex& type,
@@ -162,14 +166,22 @@ SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes(std::uint32_t unit, const tabl
   return takes_by_model(unit, row, type, target, transition);
 }
 
+/// The travel time of a move as the tables have it. Of a move without a command, `transition` becomes the one whose
+/// time it takes.
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::travel_time(const tables::UnitRow& row, const TypeIndex& type,
+                                                        std::uint8_t from, std::uint8_t to,
+                                                        std::uint16_t& transition) const noexcept {
+  if (transition == kNoTransition) {
+    transition = transition_without_command(type, from, to);
+    if (transition == kNoTransition) return times_of(row, type, type.travel).takes;
+  }
+  return times_of(row, type, type.transitions[transition].dt).takes;
+}
+
 SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& row,
                                                            const TypeIndex& type, std::uint8_t target,
                                                            std::uint16_t transition) noexcept {
-  if (transition == kNoTransition) {
-    transition = transition_without_command(type, units_[unit].state, target);
-    if (transition == kNoTransition) return times_of(row, type, type.travel).takes;
-  }
-  const tables::Time time = times_of(row, type, type.transitions[transition].dt).takes;
+  const tables::Time time = travel_time(row, type, units_[unit].state, target, transition);
   return time >= 0 ? time : drawn(unit, type, transition, time);
 }
 

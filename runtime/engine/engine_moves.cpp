@@ -78,13 +78,13 @@ void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const T
 void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                         std::uint16_t transition) noexcept {
   UnitState& state = units_[unit];
-  const tables::Time forth = state.whole;
+  const tables::Time forth = whole(unit);
   const tables::Time travelled = std::max<tables::Time>(0, forth - remaining(unit));
   std::swap(state.state, state.target);
   const tables::Time back = takes(unit, row, type, state.target, transition);
   clear_wheel(unit);
   state.transition = transition;
-  state.whole = back;
+  if (row.general != 0) general_state(unit).whole = back;
   state.flags &= static_cast<std::uint16_t>(~kMidway);
   if (transition != kNoTransition) {
     operation_words_[row.operation_bit / 64].served |= operation_mask(type.transitions[transition].on)

@@ -41,6 +41,16 @@ std::uint16_t Engine::transition_without_command(const TypeIndex& type, std::uin
   return kNoTransition;
 }
 
+tables::Time Engine::whole(std::uint32_t unit) const noexcept {
+  const UnitState& state = units_[unit];
+  if ((state.flags & kMoving) == 0) return 0;
+  const tables::UnitRow& row = tables_.units[unit];
+  if (row.general != 0) return general_state(unit).whole;
+  std::uint16_t transition = state.transition;
+  return travel_time(row, index_.types[row.type], state.state, state.target,
+                     transition);  // neither random nor replaced
+}
+
 /// Replaces all times of a unit by the time left.
 void Engine::halt_times(std::uint32_t unit) noexcept {
   UnitState& state = units_[unit];

@@ -27,7 +27,7 @@ void Engine::hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept
   hash.byte(static_cast<std::uint8_t>(state.transition));
   hash.byte(static_cast<std::uint8_t>(state.transition >> 8));
   hash.time(moving ? remaining(unit) : 0);
-  hash.time(state.whole);
+  hash.time(whole(unit));
   const bool disabled = (state.flags & kDisabled) != 0;
   const bool frozen = (state.flags & kFrozen) != 0;
   hash.byte(static_cast<std::uint8_t>((moving ? 1 : 0) | (disabled ? 2 : 0) | (frozen ? 4 : 0)));

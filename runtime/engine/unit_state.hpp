@@ -12,7 +12,6 @@ namespace symplant::engine {
 /// stopped midway they are the time left.
 struct UnitState {
   tables::Time due;    ///< moving: when it arrives; settled and in the wheel: when the first cause has held long enough
-  tables::Time whole;  ///< travel time of the current move
   std::uint32_t next;  ///< in its bucket of the wheel
   std::uint32_t previous;
   std::uint16_t transition;  ///< of the current move; kNoTransition if settled, or in a move without a command
@@ -22,7 +21,7 @@ struct UnitState {
   std::uint8_t holding;  ///< 1: settled, and the record of at least one transition from `state` has a cause that holds
   std::uint8_t steps;    ///< counted while loops are searched, up to kLoopSteps; of a frozen unit its loop's number
 };
-static_assert(sizeof(UnitState) == 32);
+static_assert(sizeof(UnitState) == 24);
 
 /// UnitState::flags
 enum : std::uint16_t {
