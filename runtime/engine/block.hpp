@@ -32,17 +32,17 @@ struct OperationWord {
 
 /// The changing state of a general unit in addition to its UnitState.
 struct GeneralState {
+  tables::Time whole;         ///< travel time of the current move
   std::uint32_t disabled_by;  ///< how many (unit, state) pairs disable it now
-  std::uint8_t settled;       ///< as last published: the state in which it is settled, or kNoState
-  std::uint8_t moving;        ///< as last published: 1 if it is moving
-  std::uint8_t counted;       ///< 1: its disabled_by changed in this round
+  std::uint8_t position;  ///< as last published: the state in which it is settled, or kMovingState; at first kNoState
+  std::uint8_t counted;   ///< 1: its disabled_by changed in this round
 };
 
 /// The state of a `timed` transition.
 struct Record {
   tables::Time ready;   ///< if its cause holds: when it has held long enough; in a halted unit the time left
   std::uint32_t draws;  ///< random numbers drawn so far
-  std::uint32_t holds;  ///< 1: its cause holds
+  std::uint32_t holds;  ///< 1: its cause holds; valid if UnitState::holding, for transitions from the unit's state
 };
 
 struct MonitorState {

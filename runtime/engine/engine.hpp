@@ -68,6 +68,8 @@ class Engine {
     const UnitState& state = units_[unit];
     return (state.flags & (kMidway | kHalted)) != 0 || state.due == tables::kNever ? state.due : state.due - head_->now;
   }
+  /// Total travel time of a moving unit, ns; 0 if it is settled.
+  tables::Time whole(std::uint32_t unit) const noexcept;
 
  private:
   // position() sets all other members.
@@ -96,10 +98,12 @@ class Engine {
   /// `transition` may be kNoTransition: a move to `target` without a command.
   tables::Time takes_by_model(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                               std::uint8_t target, std::uint16_t transition) noexcept;
-  tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
+  tables::Time after_by_model(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                              std::uint16_t transition) noexcept;
   /// Size of the memory of a unit's custom behavior, in bytes.
   std::uint32_t memory_of(std::size_t behaviour) const noexcept;
   std::uint64_t name_hash(std::uint32_t unit) const noexcept { return name_hashes_[index_.general.position_of(unit)]; }
+  GeneralState& general_state(std::uint32_t unit) const noexcept;
   const GeneralRow& general_row(std::uint32_t unit) const noexcept { return index_.general.row_of(unit); }
   void switch_events(const tables::UnitRow& row, const tables::EventMasks& masks) noexcept;
   bool truth(std::uint32_t condition) const noexcept { return (condition_states_[condition] & kTruth) != 0; }
@@ -117,7 +121,6 @@ class Engine {
   void start() noexcept;
   bool only_fast_steps() const noexcept;
   void queue_due(tables::Time time, bool fast) noexcept;
-  void queue_entry(std::uint32_t entry) noexcept;
   void queue_other(std::uint32_t entry) noexcept;
 
   // the fast path (engine_fast.cpp)
@@ -131,8 +134,7 @@ class Engine {
 
   // the rounds of an instant (engine_rounds.cpp)
   void run_rounds() noexcept;
-  void first_round() noexcept;
-  void further_round(std::uint32_t count, bool counting) noexcept;
+  void step_all(const std::uint32_t* units, std::uint32_t count, bool counting) noexcept;
   void forget_steps() noexcept;
   bool look_for_loops() noexcept;
   void step(std::uint32_t unit) noexcept;
@@ -145,12 +147,7 @@ class Engine {
   void settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
 
   // moving units (engine_moves.cpp)
-  /// What the operations of a moving unit command.
-  struct Wishes {
-    bool forth;                       ///< to continue to the target
-    bool back;                        ///< to reverse
-    std::uint16_t return_transition;  ///< the transition that commands `back`, or kNoTransition
-  };
+  struct Wishes;
   Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
   void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
   void turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
@@ -164,24 +161,25 @@ class Engine {
   void clear_wheel(std::uint32_t entry) noexcept;
 
   // causes and times (engine_times.cpp)
-  /// The ready transitions of a settled unit in a round.
-  struct Ready {
-    std::uint16_t automatic;  ///< the first automatic one, or kNoTransition
-    std::uint16_t first;      ///< the first commanded one, or kNoTransition
-    bool several;             ///< the commanded ones lead to different states
-    std::uint64_t served;     ///< the operations that command them
-  };
+  struct Ready;
   Ready ready_transitions(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                           std::uint64_t on) noexcept;
-  bool holds_long_enough(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition, bool cause,
-                         Record& record, tables::Time& earliest) noexcept;
-  void forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t state) noexcept;
+  bool holds_long_enough(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                         std::uint16_t transition, bool held, Record& record) noexcept;
+  std::uint8_t destination(std::uint32_t unit, const TypeIndex& type, std::uint64_t on, const Ready& ready) noexcept;
   tables::Time takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                      std::uint16_t transition) noexcept;
-  tables::Time after(std::uint32_t unit, const tables::UnitRow& row, std::uint16_t transition) noexcept;
+  tables::Time after(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                     std::uint16_t transition) noexcept;
+  tables::Time takes_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                  std::uint8_t target, std::uint16_t transition) noexcept;
+  tables::Time after_by_behaviour(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                  std::uint16_t transition) noexcept;
   const tables::TransitionTimes& times_of(const tables::UnitRow& row, const TypeIndex& type,
                                           std::uint16_t dt) const noexcept;
   tables::Time drawn(std::uint32_t unit, const TypeIndex& type, std::uint16_t transition, tables::Time time) noexcept;
+  tables::Time travel_time(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t from, std::uint8_t to,
+                           std::uint16_t& transition) const noexcept;
   std::uint16_t transition_without_command(const TypeIndex& type, std::uint8_t from, std::uint8_t to) const noexcept;
   void halt_times(std::uint32_t unit) noexcept;
   void resume_times(std::uint32_t unit) noexcept;

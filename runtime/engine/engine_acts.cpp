@@ -142,7 +142,7 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   const std::uint8_t before = state.state;
   const bool moving = (state.flags & kMoving) != 0;
   clear_wheel(unit);
-  if (state.holding != 0) forget_causes(unit, type, before);
+  state.holding = 0;
   state.target = target;
   if (!moving) {
     state.flags |= kMoving;  // as in every move while the old state is left
@@ -151,7 +151,6 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   }
   state.state = target;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway | kConflict | kStopped));
   switch_events(row, type.at[target].enter);
   if (behaves(unit)) report_entered(unit, target);

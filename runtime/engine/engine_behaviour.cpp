@@ -135,7 +135,8 @@ tables::Time BehaviourView::model_takes(std::uint16_t transition) noexcept {
 }
 
 tables::Time BehaviourView::model_after(std::uint16_t transition) noexcept {
-  return engine_.after_by_model(unit_, engine_.tables_.units[unit_], transition);
+  const tables::UnitRow& row = engine_.tables_.units[unit_];
+  return engine_.after_by_model(unit_, row, engine_.index_.types[row.type], transition);
 }
 
 void* BehaviourView::memory_bytes(std::size_t size) noexcept {

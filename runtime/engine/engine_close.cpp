@@ -70,17 +70,21 @@ bool Engine::close_requirement(std::uint32_t requirement) noexcept {
 
 /// Whether an operation of the word may have a finding: it rose and no transition fired on it, or it fell without
 /// having been served.
-bool Engine::may_be_finding(const WordChange& change) const noexcept {
+SYMPLANT_ALWAYS_INLINE bool Engine::may_be_finding(const WordChange& change) const noexcept {
+  const OperationWord& word = operation_words_[change.word];
+  const std::uint64_t unserved = change.bits & ~word.served;
+  if (unserved == 0) return false;
   const std::uint64_t on = operations_.bits[change.word];
-  if ((change.bits & ~on & ~operation_words_[change.word].served & ~operation_words_[change.word].reported) != 0)
-    return true;
-  for (std::uint64_t bits = change.bits & on & ~operation_words_[change.word].served; bits != 0; bits &= bits - 1) {
-    const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
-    const std::uint32_t unit = index_.unit_of_operation[bit];
-    if (unit == tables::kNone || (units_[unit].flags & (kMoving | kHalted)) == kMoving) continue;
+  if ((unserved & ~on & ~word.reported) != 0) return true;
+  const UnitOfOperation::Word unit_of = index_.unit_of_operation.of_word(change.word);
+  for (std::uint64_t bits = unserved & on; bits != 0; bits &= bits - 1) {
+    const std::uint32_t unit = unit_of[static_cast<std::uint32_t>(std::countr_zero(bits))];
+    if (unit == tables::kNone) continue;
+    const UnitState& state = units_[unit];
+    if ((state.flags & (kMoving | kHalted)) == kMoving) continue;
     const tables::UnitRow& row = tables_.units[unit];
-    const std::uint64_t starts = index_.types[row.type].at[units_[unit].state].starts << (row.operation_bit % 64);
-    if ((units_[unit].flags & kHalted) != 0 || (starts & bit_in_word(bit)) == 0) return true;
+    const std::uint64_t starts = index_.types[row.type].at[state.state].starts << (row.operation_bit % 64);
+    if ((state.flags & kHalted) != 0 || (starts & bits & (~bits + 1)) == 0) return true;
   }
   return false;
 }
@@ -89,7 +93,7 @@ bool Engine::may_be_finding(const WordChange& change) const noexcept {
 /// after the findings.
 SYMPLANT_ALWAYS_INLINE bool Engine::close_operations() noexcept {
   for (const WordChange& change : operation_changes_.view()) {
-    if ((change.bits & ~operation_words_[change.word].served) == 0 || !may_be_finding(change)) continue;
+    if (!may_be_finding(change)) continue;
     suspects_ |= suspect(tables::FindingKind::command_without_effect) | suspect(tables::FindingKind::lost_command);
     return true;
   }

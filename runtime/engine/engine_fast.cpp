@@ -37,7 +37,6 @@ SYMPLANT_ALWAYS_INLINE bool Engine::depart_fast(std::uint32_t unit, const tables
     return false;
   state.target = static_cast<std::uint8_t>(departure.to);
   state.transition = departure.transition;
-  state.whole = duration;
   state.flags = kMoving;
   head_->wheel.insert(units_, unit, now + duration);
   if (type.events != 0) switch_fast(row, type.at[here].leave);
@@ -65,7 +64,6 @@ SYMPLANT_ALWAYS_INLINE bool Engine::arrive_fast(std::uint32_t entry) noexcept {
   }
   state.state = here;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags = 0;
   active_ = true;
   if (observer_ != nullptr) [[unlikely]]
@@ -141,21 +139,14 @@ void Engine::apply_actions() noexcept {
 
 /// Queues all entries that are due at `time`, which Wheel::earliest has just returned.
 void Engine::queue_due(tables::Time time, bool fast) noexcept {
-  for (std::uint32_t entry = head_->wheel.take(time); entry != tables::kNone;) {
-    const std::uint32_t next = units_[entry].next;
-    if (!fast || !arrive_fast(entry)) [[unlikely]]
-      queue_entry(entry);
-    entry = next;
-  }
-}
-
-void Engine::queue_entry(std::uint32_t entry) noexcept {
-  units_[entry].flags &= static_cast<std::uint16_t>(~kTimed);
   const auto unit_count = static_cast<std::uint32_t>(tables_.units.size());
-  if (entry < unit_count) {
-    touch(entry);
-  } else {
-    queue_other(entry - unit_count);
+  for (std::uint32_t entry = head_->wheel.take(time); entry != tables::kNone;) {
+    const std::uint32_t due = entry;
+    entry = units_[due].next;
+    if (fast && arrive_fast(due)) [[likely]]
+      continue;
+    units_[due].flags &= static_cast<std::uint16_t>(~kTimed);
+    due < unit_count ? touch(due) : queue_other(due - unit_count);
   }
 }
 

@@ -5,23 +5,23 @@
 
 namespace symplant::engine {
 
-/// Whether a cause has held for its transition's `after`. If not yet, lowers `earliest` to the time at which it will
-/// have.
+/// The ready transitions of a settled unit in a round.
+struct Engine::Ready {
+  std::uint16_t automatic;  ///< the first automatic one, or kNoTransition
+  std::uint16_t first;      ///< the first commanded one, or kNoTransition
+  bool several;             ///< the commanded ones lead to different states
+  std::uint64_t served;     ///< the operations that command them
+};
+
+/// Whether a cause that holds has held for its transition's `after`. `held`: the unit's records are valid.
 SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const tables::UnitRow& row,
-                                                      std::uint16_t transition, bool cause, Record& record,
-                                                      tables::Time& earliest) noexcept {
-  if (!cause) {
-    record.holds = 0;
-    return false;
-  }
-  units_[unit].holding = 1;
-  if (record.holds == 0) {
+                                                      const TypeIndex& type, std::uint16_t transition, bool held,
+                                                      Record& record) noexcept {
+  if (!held || record.holds == 0) {
     record.holds = 1;
-    record.ready = later(head_->now, after(unit, row, transition));
+    record.ready = later(now_, after(unit, row, type, transition));
   }
-  if (record.ready <= head_->now) return true;
-  earliest = std::min(earliest, record.ready);
-  return false;
+  return record.ready <= now_;
 }
 
 /// Evaluates every transition from the state, also those after one that will fire: a cause that begins to hold draws
@@ -30,20 +30,27 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
   Ready ready{kNoTransition, kNoTransition, false, 0};
   tables::Time earliest = tables::kNever;
-  const bool general = row.general != 0;
-  const std::uint32_t first_condition = general ? general_row(unit).first_condition : 0;
-  const std::uint32_t first_record = general ? general_row(unit).first_record : 0;
+  const GeneralRow* const general = row.general != 0 ? &general_row(unit) : nullptr;
   UnitState& state = units_[unit];
-  state.holding = 0;
+  const bool held = state.holding != 0;
+  bool holding = false;
   for (const std::uint16_t n : type.from(state.state)) {
     const tables::Transition& transition = type.transitions[n];
     if (transition.on == tables::kSpringReturn) continue;
     const bool automatic = transition.on == tables::kNoOperation;
     const bool cause = (automatic || (on & operation_mask(transition.on)) != 0) &&
-                       (transition.when == tables::kNoCondition || truth(first_condition + transition.when));
+                       (transition.when == tables::kNoCondition || truth(general->first_condition + transition.when));
     if (type.record_of[n] != kNoRecord) {
-      Record& record = records_[first_record + type.record_of[n]];
-      if (!holds_long_enough(unit, row, n, cause, record, earliest)) continue;
+      Record& record = records_[general->first_record + type.record_of[n]];
+      if (!cause) {
+        record.holds = 0;
+        continue;
+      }
+      holding = true;
+      if (!holds_long_enough(unit, row, type, n, held, record)) {
+        earliest = std::min(earliest, record.ready);
+        continue;
+      }
     }
     if (!cause) continue;
     if (automatic) {
@@ -57,6 +64,7 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
       ready.several = true;
     }
   }
+  state.holding = holding ? 1 : 0;
   if ((state.flags & kTimed) == 0 ? earliest != tables::kNever : earliest != state.due) set_wheel(unit, earliest);
   return ready;
 }
@@ -71,7 +79,6 @@ void Engine::settle(std::uint32_t unit, const tables::UnitRow& row, const TypeIn
   const std::uint8_t here = state.target;
   state.state = here;
   state.transition = kNoTransition;
-  state.whole = 0;
   state.flags &= static_cast<std::uint16_t>(~(kMoving | kMidway));
   stepped(unit, row);
   const bool further = behaves(unit);
@@ -104,11 +111,11 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     }
   }
   clear_wheel(unit);
-  if (state.holding != 0) forget_causes(unit, type, here);
+  state.holding = 0;
   stepped(unit, row);
   state.target = target;
   state.transition = transition;
-  state.whole = duration;
+  if (row.general != 0) general_state(unit).whole = duration;
   state.flags |= kMoving;
   if (duration == 0 || behaves(unit)) {
     switch_events(row, type.at[here].leave);
@@ -125,19 +132,15 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
   if (!automatic && type.actuation != tables::Actuation::latched && behaves(unit)) queue(unit);
 }
 
-SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const tables::UnitRow& row,
-                                                 const TypeIndex& type) noexcept {
+/// The state for which a settled unit leaves by a command or by a spring's return, or kNoState.
+SYMPLANT_ALWAYS_INLINE std::uint8_t Engine::destination(std::uint32_t unit, const TypeIndex& type, std::uint64_t on,
+                                                        const Ready& ready) noexcept {
   const std::uint8_t here = units_[unit].state;
-  const std::uint64_t on = operations_on(row, type);
-  Ready ready{kNoTransition, kNoTransition, false, 0};
-  if ((on & type.at[here].starts) != 0 || type.at[here].automatic || units_[unit].holding != 0) {
-    ready = ready_transitions(unit, row, type, on);
-  }
-  if (ready.automatic != kNoTransition) {
-    leave(unit, row, type, type.transitions[ready.automatic].to, ready.automatic);
-    return;
-  }
   const std::uint8_t further = behaves(unit) ? wanted_by_behaviour(unit) : tables::kNoState;
+  if (ready.first == kNoTransition && further == tables::kNoState) {
+    const bool returns = type.actuation == tables::Actuation::spring && (on & type.at[here].leads) == 0;
+    return returns && here != type.rest ? type.rest : tables::kNoState;
+  }
   const bool stay_wanted = (on & type.at[here].leads & ~ready.served) != 0 || further == here;
   std::uint8_t wanted = ready.first == kNoTransition ? tables::kNoState : type.transitions[ready.first].to;
   bool conflict = ready.several;
@@ -145,18 +148,32 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
     conflict = conflict || (wanted != tables::kNoState && wanted != further);
     wanted = further;
   }
-  if (wanted != tables::kNoState) {
-    if (conflict || stay_wanted) {
-      found_conflict(unit);
-    } else {
-      leave(unit, row, type, wanted, ready.first);
-    }
-  } else if (!stay_wanted && type.actuation == tables::Actuation::spring && here != type.rest) {
-    leave(unit, row, type, type.rest, kNoTransition);
+  if (wanted != tables::kNoState && (conflict || stay_wanted)) {
+    found_conflict(unit);
+    return tables::kNoState;
   }
+  return wanted;
 }
 
-void Engine::step(std::uint32_t unit) noexcept {
+SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const tables::UnitRow& row,
+                                                 const TypeIndex& type) noexcept {
+  const StateIndex& at = type.at[units_[unit].state];
+  const std::uint64_t on = operations_on(row, type);
+  Ready ready{kNoTransition, kNoTransition, false, 0};
+  if ((on & at.starts) != 0 || at.automatic || units_[unit].holding != 0)
+    ready = ready_transitions(unit, row, type, on);
+  std::uint16_t transition = ready.first;
+  std::uint8_t target = tables::kNoState;
+  if (ready.automatic != kNoTransition) {
+    transition = ready.automatic;
+    target = type.transitions[transition].to;
+  } else {
+    target = destination(unit, type, on, ready);
+  }
+  if (target != tables::kNoState) leave(unit, row, type, target, transition);
+}
+
+SYMPLANT_ALWAYS_INLINE void Engine::step(std::uint32_t unit) noexcept {
   UnitState& state = units_[unit];
   const tables::UnitRow& row = tables_.units[unit];
   const TypeIndex& type = index_.types[row.type];
@@ -165,12 +182,29 @@ void Engine::step(std::uint32_t unit) noexcept {
   if (behaves(unit)) wake_behaviour(unit, row);
   if ((state.flags & kMoving) == 0) {
     step_settled(unit, row, type);
-  } else if ((state.flags & kMidway) == 0 && state.due <= head_->now) {
+  } else if ((state.flags & kMidway) == 0 && state.due <= now_) {
     clear_wheel(unit);
     settle(unit, row, type);
   } else {
     step_moving(unit, row, type);
   }
+}
+
+/// Steps units of this round, with `counting` counts their steps, and sets active_ if one steps. A unit that needs
+/// another round is queued; `units` may be the queue: its front has been read already.
+void Engine::step_all(const std::uint32_t* units, std::uint32_t count, bool counting) noexcept {
+  bool any = active_;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t unit = units[i];
+    if ((units_[unit].flags & kTouched) == 0) [[unlikely]]  // took the fast path
+      continue;
+    units_[unit].flags &= static_cast<std::uint16_t>(~kQueued);
+    active_ = false;
+    step(unit);
+    if (counting && active_ && units_[unit].steps < kLoopSteps) ++units_[unit].steps;
+    any = any || active_;
+  }
+  active_ = any;
 }
 
 }  // namespace symplant::engine

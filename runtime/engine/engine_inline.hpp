@@ -18,6 +18,10 @@ constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
 
 constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
 
+inline GeneralState& Engine::general_state(std::uint32_t unit) const noexcept {
+  return general_states_[index_.general.position_of(unit)];
+}
+
 /// The times of a Transition::dt or of TypeRow::travel.
 SYMPLANT_ALWAYS_INLINE const tables::TransitionTimes& Engine::times_of(const tables::UnitRow& row,
                                                                        const TypeIndex& type,
@@ -29,9 +33,7 @@ SYMPLANT_ALWAYS_INLINE const tables::TransitionTimes& Engine::times_of(const tab
 /// The operations of a unit that are on and armed.
 inline std::uint64_t Engine::operations_on(const tables::UnitRow& row, const TypeIndex& type) const noexcept {
   const std::uint32_t word = row.operation_bit / 64;
-  return type.operations == 0
-             ? 0
-             : ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
+  return ((operations_.bits[word] & ~disarmed_[word]) >> (row.operation_bit % 64)) & type.operations;
 }
 
 SYMPLANT_ALWAYS_INLINE void Engine::touch(std::uint32_t unit) noexcept {
@@ -114,14 +116,6 @@ SYMPLANT_ALWAYS_INLINE bool Engine::may_leave(const tables::UnitRow& row, const 
   return type.actuation == tables::Actuation::spring && here != type.rest && (on & type.at[here].leads) == 0;
 }
 
-inline void Engine::forget_causes(std::uint32_t unit, const TypeIndex& type, std::uint8_t from) noexcept {
-  units_[unit].holding = 0;
-  const std::uint32_t first = general_row(unit).first_record;
-  for (const std::uint16_t n : type.from(from)) {
-    if (type.record_of[n] != kNoRecord) records_[first + type.record_of[n]].holds = 0;
-  }
-}
-
 /// Clears `served` and `reported` of operations that fell.
 SYMPLANT_ALWAYS_INLINE void Engine::finish_operations(const WordChange& change) noexcept {
   OperationWord& word = operation_words_[change.word];
@@ -148,6 +142,47 @@ SYMPLANT_ALWAYS_INLINE void Engine::travel(std::uint32_t unit, UnitState& state,
   } else {
     head_->wheel.insert(units_, unit, now_ + duration);
   }
+}
+
+/// How long the cause of a transition must hold.
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::after(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                                  std::uint16_t transition) noexcept {
+  if (behaves(unit)) [[unlikely]]
+    return after_by_behaviour(unit, row, type, transition);
+  return after_by_model(unit, row, type, transition);
+}
+
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::after_by_model(std::uint32_t unit, const tables::UnitRow& row,
+                                                           const TypeIndex& type, std::uint16_t transition) noexcept {
+  const tables::Time time = times_of(row, type, type.transitions[transition].dt).after;
+  return time >= 0 ? time : drawn(unit, type, transition, time);
+}
+
+/// The travel time of the transition, or of a move without a command to `target`.
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
+                                                  std::uint8_t target, std::uint16_t transition) noexcept {
+  if (behaves(unit)) [[unlikely]]
+    return takes_by_behaviour(unit, row, type, target, transition);
+  return takes_by_model(unit, row, type, target, transition);
+}
+
+/// The travel time of a move as the tables have it. Of a move without a command, `transition` becomes the one whose
+/// time it takes.
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::travel_time(const tables::UnitRow& row, const TypeIndex& type,
+                                                        std::uint8_t from, std::uint8_t to,
+                                                        std::uint16_t& transition) const noexcept {
+  if (transition == kNoTransition) {
+    transition = transition_without_command(type, from, to);
+    if (transition == kNoTransition) return times_of(row, type, type.travel).takes;
+  }
+  return times_of(row, type, type.transitions[transition].dt).takes;
+}
+
+SYMPLANT_ALWAYS_INLINE tables::Time Engine::takes_by_model(std::uint32_t unit, const tables::UnitRow& row,
+                                                           const TypeIndex& type, std::uint8_t target,
+                                                           std::uint16_t transition) noexcept {
+  const tables::Time time = travel_time(row, type, units_[unit].state, target, transition);
+  return time >= 0 ? time : drawn(unit, type, transition, time);
 }
 
 inline const Behaviour* Engine::behaviour_of(const GeneralRow& general) const noexcept {

@@ -9,7 +9,7 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E04;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E05;  // "symplan" and the version of the block's layout
 
 /// fnv1a64 of a unit's name in the upper case of ASCII.
 std::uint64_t hash_of_name(std::string_view name) noexcept {
@@ -157,7 +157,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
     switch_events(row, index_.types[row.type].at[row.initial].enter);
   }
   for (std::uint32_t position = 0; position < index_.general.size(); ++position) {
-    general_states_[position].settled = tables::kNoState;
+    general_states_[position].position = tables::kNoState;
     moved_.add(index_.general.rows()[position].unit);
     units_[index_.general.rows()[position].unit].flags |= kDriven;
   }

@@ -16,6 +16,13 @@ tables::Time time_back(tables::Time back, tables::Time travelled, tables::Time f
 
 }  // namespace
 
+/// What the operations of a moving unit command.
+struct Engine::Wishes {
+  bool forth;                       ///< to continue to the target
+  bool back;                        ///< to reverse
+  std::uint16_t return_transition;  ///< the transition that commands `back`, or kNoTransition
+};
+
 Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept {
   const UnitState& state = units_[unit];
   std::uint64_t forth = 0;  // operations that command the current move
@@ -71,13 +78,13 @@ void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const T
 void Engine::turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                         std::uint16_t transition) noexcept {
   UnitState& state = units_[unit];
-  const tables::Time forth = state.whole;
+  const tables::Time forth = whole(unit);
   const tables::Time travelled = std::max<tables::Time>(0, forth - remaining(unit));
   std::swap(state.state, state.target);
   const tables::Time back = takes(unit, row, type, state.target, transition);
   clear_wheel(unit);
   state.transition = transition;
-  state.whole = back;
+  if (row.general != 0) general_state(unit).whole = back;
   state.flags &= static_cast<std::uint16_t>(~kMidway);
   if (transition != kNoTransition) {
     operation_words_[row.operation_bit / 64].served |= operation_mask(type.transitions[transition].on)

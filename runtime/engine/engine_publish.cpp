@@ -1,11 +1,45 @@
 // Publishes the changes of an instant's start or of one round: images after forces, conditions, disabled units.
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "symplant/engine/engine_inline.hpp"
 #include "symplant/tables/compare.hpp"
 
 namespace symplant::engine {
+
+void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
+  std::uint8_t& state = condition_states_[condition];
+  state ^= static_cast<std::uint8_t>(1U << input);
+  if ((state & kWaiting) != 0) return;
+  state |= kWaiting;
+  waiting_.add(condition);
+  unpublished_ = true;
+}
+
+/// Publishes the state of a unit that stepped to conditions and to the units that it disables.
+SYMPLANT_ALWAYS_INLINE void Engine::publish_unit(std::uint32_t unit) noexcept {
+  UnitState& state = units_[unit];
+  state.flags &= static_cast<std::uint16_t>(~kDriven);
+  const std::uint32_t position = index_.general.position_of(unit);
+  const GeneralRow& general = index_.general.rows()[position];
+  const std::uint8_t now = (state.flags & kMoving) != 0 ? tables::kMovingState : state.state;
+  const std::uint8_t before = std::exchange(general_states_[position].position, now);
+  if (now == before) return;
+  for (std::uint32_t w = general.watch_begin; w < general.watch_end; ++w) {
+    const tables::UnitWatch& watch = tables_.unit_watches[w];
+    if (watch.state == now || watch.state == before) flip(watch.condition, watch.input);
+  }
+  for (std::uint32_t d = general.disable_begin; d < general.disable_end; ++d) {
+    const tables::DisableRow& disable = tables_.disables[d];
+    if (disable.state != now && disable.state != before) continue;
+    const std::uint32_t other = index_.general.position_of(disable.unit);
+    general_states_[other].disabled_by += disable.state == now ? 1U : ~0U;
+    if (general_states_[other].counted != 0) continue;
+    general_states_[other].counted = 1;
+    counted_.add(other);
+  }
+}
 
 void Engine::change_operation_value(std::uint32_t slot) noexcept {
   const std::uint64_t now = operation_values_.effective(slot);
@@ -47,39 +81,6 @@ void Engine::publish_values() noexcept {
   });
 }
 
-/// Publishes the state of a unit that stepped to conditions and to the units that it disables.
-void Engine::publish_unit(std::uint32_t unit) noexcept {
-  UnitState& state = units_[unit];
-  state.flags &= static_cast<std::uint16_t>(~kDriven);
-  const std::uint32_t position = index_.general.position_of(unit);
-  const GeneralRow& general = index_.general.rows()[position];
-  GeneralState& reported_state = general_states_[position];
-  const bool moving = (state.flags & kMoving) != 0;
-  const std::uint8_t before = reported_state.settled;
-  const std::uint8_t now = moving ? tables::kNoState : state.state;
-  const bool moving_changed = moving != (reported_state.moving != 0);
-  if (now == before && !moving_changed) return;
-  reported_state.settled = now;
-  reported_state.moving = moving ? 1 : 0;
-  for (std::uint32_t w = general.watch_begin; w < general.watch_end; ++w) {
-    const tables::UnitWatch& watch = tables_.unit_watches[w];
-    const bool changed = watch.state == tables::kMovingState
-                             ? moving_changed
-                             : (now != before && (watch.state == now || watch.state == before));
-    if (changed) flip(watch.condition, watch.input);
-  }
-  if (now == before) return;
-  for (std::uint32_t d = general.disable_begin; d < general.disable_end; ++d) {
-    const tables::DisableRow& disable = tables_.disables[d];
-    if (disable.state != now && disable.state != before) continue;
-    const std::uint32_t other = index_.general.position_of(disable.unit);
-    general_states_[other].disabled_by += disable.state == now ? 1U : ~0U;
-    if (general_states_[other].counted != 0) continue;
-    general_states_[other].counted = 1;
-    counted_.add(other);
-  }
-}
-
 void Engine::flip_bits(const WatchIndex& watches, std::uint32_t word, std::uint64_t bits) noexcept {
   for (bits &= watches.watched(word); bits != 0; bits &= bits - 1) {
     const std::uint32_t bit = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -95,15 +96,6 @@ void Engine::compare_value(std::span<const tables::ValueWatch> watches, std::uin
     const bool was = (condition_states_[watch->condition] >> watch->input & 1) != 0;
     if (was != tables::holds(*watch, value)) flip(watch->condition, watch->input);
   }
-}
-
-void Engine::flip(std::uint32_t condition, std::uint8_t input) noexcept {
-  std::uint8_t& state = condition_states_[condition];
-  state ^= static_cast<std::uint8_t>(1U << input);
-  if ((state & kWaiting) != 0) return;
-  state |= kWaiting;
-  waiting_.add(condition);
-  unpublished_ = true;
 }
 
 /// Whether a unit steps if one of its conditions changes. A unit in a move that it always completes reads its

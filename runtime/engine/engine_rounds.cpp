@@ -10,7 +10,6 @@ namespace symplant::engine {
 namespace {
 
 constexpr std::uint32_t kFirstLook = 200;  ///< rounds before the first search for loops
-constexpr std::uint8_t kLoopSteps = 3;     ///< a unit with so many steps in the second half of them is in a loop
 
 }  // namespace
 
@@ -44,34 +43,11 @@ bool Engine::look_for_loops() noexcept {
   return found;
 }
 
-/// Steps all touched units. Those without the flag kTouched took the fast path.
-SYMPLANT_ALWAYS_INLINE void Engine::first_round() noexcept {
-  const std::uint32_t count = touched_.size;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if ((units_[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);
-  }
-}
-
-/// Steps the first `count` units of the queue, and with `counting` counts their steps. A unit that needs another round
-/// is queued at the front, in slots that have been read already.
-void Engine::further_round(std::uint32_t count, bool counting) noexcept {
-  bool any = false;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t unit = queue_[i];
-    units_[unit].flags &= static_cast<std::uint16_t>(~kQueued);
-    active_ = false;
-    step(unit);
-    if (counting && active_ && units_[unit].steps < kLoopSteps) ++units_[unit].steps;
-    any = any || active_;
-  }
-  active_ = any;
-}
-
 void Engine::run_rounds() noexcept {
   if (touched_.size == 0) return;
   std::uint32_t limit = kFirstLook;
   round_ = 1;
-  first_round();
+  step_all(touched_.items, touched_.size, false);
   if (unpublished_) publish();
   while (queued_ != 0 && active_) {
     const std::uint32_t count = queued_;
@@ -79,7 +55,7 @@ void Engine::run_rounds() noexcept {
     active_ = false;
     ++round_;
     if (round_ == limit / 2 + 1) forget_steps();
-    further_round(count, round_ > limit / 2);
+    step_all(queue_, count, round_ > limit / 2);
     if (unpublished_) publish();
     if (round_ != limit || !active_) continue;
     const bool found = look_for_loops();

@@ -27,7 +27,7 @@ void Engine::hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept
   hash.byte(static_cast<std::uint8_t>(state.transition));
   hash.byte(static_cast<std::uint8_t>(state.transition >> 8));
   hash.time(moving ? remaining(unit) : 0);
-  hash.time(state.whole);
+  hash.time(whole(unit));
   const bool disabled = (state.flags & kDisabled) != 0;
   const bool frozen = (state.flags & kFrozen) != 0;
   hash.byte(static_cast<std::uint8_t>((moving ? 1 : 0) | (disabled ? 2 : 0) | (frozen ? 4 : 0)));
@@ -36,7 +36,9 @@ void Engine::hash_move(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept
 void Engine::hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const noexcept {
   const tables::UnitRow& row = tables_.units[unit];
   const TypeIndex& type = index_.types[row.type];
-  const bool halted = (units_[unit].flags & kHalted) != 0;
+  const UnitState& state = units_[unit];
+  const bool halted = (state.flags & kHalted) != 0;
+  const bool holding = state.holding != 0;
   const GeneralRow* general = row.general != 0 ? &general_row(unit) : nullptr;
   const Behaviour* behaviour = general != nullptr ? behaviour_of(*general) : nullptr;
   const std::uint32_t first_record = general != nullptr ? general->first_record : 0;
@@ -45,7 +47,7 @@ void Engine::hash_transitions(tables::Fnv1a64& hash, std::uint32_t unit) const n
     Record record{};
     if (type.record_of[n] != kNoRecord) record = records_[first_record + type.record_of[n]];
     const bool remembers = by_behaviour || times_of(row, type, type.transitions[n].dt).after != 0;
-    const bool held = remembers && record.holds != 0;
+    const bool held = remembers && holding && type.transitions[n].from == state.state && record.holds != 0;
     hash.byte(held ? 1 : 0);
     const bool counted_down = !halted && record.ready != tables::kNever;
     hash.time(!held ? 0 : counted_down ? std::max<tables::Time>(0, record.ready - head_->now) : record.ready);

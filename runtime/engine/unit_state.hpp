@@ -12,17 +12,16 @@ namespace symplant::engine {
 /// stopped midway they are the time left.
 struct UnitState {
   tables::Time due;    ///< moving: when it arrives; settled and in the wheel: when the first cause has held long enough
-  tables::Time whole;  ///< travel time of the current move
   std::uint32_t next;  ///< in its bucket of the wheel
   std::uint32_t previous;
   std::uint16_t transition;  ///< of the current move; kNoTransition if settled, or in a move without a command
   std::uint8_t state;        ///< in which it is settled, or from which it moves
   std::uint8_t target;       ///< to which it moves; `state` if it is settled
   std::uint16_t flags;
-  std::uint8_t holding;  ///< 1: the record of at least one transition has a cause that holds
-  std::uint8_t steps;    ///< counted while loops are searched, up to 3; of a frozen unit the number of its loop
+  std::uint8_t holding;  ///< 1: settled, and the record of at least one transition from `state` has a cause that holds
+  std::uint8_t steps;    ///< counted while loops are searched, up to kLoopSteps; of a frozen unit its loop's number
 };
-static_assert(sizeof(UnitState) == 32);
+static_assert(sizeof(UnitState) == 24);
 
 /// UnitState::flags
 enum : std::uint16_t {
@@ -43,6 +42,8 @@ enum : std::uint16_t {
   kGeneral = 1 << 14,           ///< constant: UnitRow::general, or of a type that is not plain: never on the fast path
   kBehaves = 1 << 15,           ///< constant: has a custom behavior
 };
+/// A unit with so many steps in the second half of the rounds before a search for loops is in a loop.
+inline constexpr std::uint8_t kLoopSteps = 3;
 /// A unit with one of these flags makes no step, and its times do not run.
 inline constexpr std::uint16_t kHalted = kDisabled | kFrozen;
 

@@ -12,6 +12,7 @@ void Wheel::clear() noexcept {
   bucket_ = 0;
   words_ = 0;
   occupied_.fill(0);
+  mixed_.fill(0);
   heads_.fill(tables::kNone);
 }
 
@@ -26,19 +27,6 @@ void Wheel::remove(UnitState* units, std::uint32_t unit) noexcept {
     if (state.next == tables::kNone) vacate(bucket);
   }
   state.flags &= static_cast<std::uint16_t>(~kTimed);
-}
-
-Wheel::Range Wheel::bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept {
-  std::uint32_t unit = heads_[bucket];
-  tables::Time due = units[unit].due;
-  Range range{due, due};
-  while ((unit = units[unit].next) != tables::kNone) {
-    if (units[unit].due == due) continue;
-    due = units[unit].due;
-    range.first = std::min(range.first, due);
-    range.last = std::max(range.last, due);
-  }
-  return range;
 }
 
 /// Neighbors of one due time move together.
@@ -67,6 +55,19 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
       bound_ = (last_ & ~tables::Time{kTransitions - 1}) | bucket;
       return bound_ <= limit ? bound_ : tables::kNever;
     }
+    if (!is_mixed(bucket)) {  // it becomes the bucket of its one due time unchanged
+      const tables::Time due = units[heads_[bucket]].due;
+      if (due > limit) {
+        bound_ = due;
+        return tables::kNever;
+      }
+      last_ = due;
+      const std::uint32_t now = digit_of(due, 0);
+      heads_[now] = heads_[bucket];
+      vacate(bucket);
+      occupy(now);
+      continue;
+    }
     // The bucket's first time: the higher groups of last_, the bucket's digit, then zeros.
     const std::uint32_t shift = bucket / kTransitions * kBits;
     const std::uint64_t above = shift + kBits < 64 ? ~std::uint64_t{0} << (shift + kBits) : 0;
@@ -76,18 +77,8 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
       bound_ = base;
       return tables::kNever;
     }
-    // Cut the bucket even if its first entry is not due yet: time has reached the bucket, and without the cut every
-    // later call would walk it.
-    const auto [first, last] = bucket_range(units, bucket);
-    last_ = first <= limit ? first : base;
-    if (first == last && first <= limit) {  // all at one time: it becomes the bucket of that time unchanged
-      const std::uint32_t now = digit_of(last_, 0);
-      heads_[now] = heads_[bucket];
-      vacate(bucket);
-      occupy(now);
-    } else {
-      redistribute(units, bucket);
-    }
+    last_ = base;
+    redistribute(units, bucket);
   }
   bound_ = tables::kNever;
   return tables::kNever;
@@ -96,7 +87,11 @@ tables::Time Wheel::earliest(UnitState* units, tables::Time limit) noexcept {
 tables::Time Wheel::peek(const UnitState* units) const noexcept {
   if (words_ == 0) return tables::kNever;
   const std::uint32_t bucket = lowest_bucket();
-  return bucket < kTransitions ? (last_ & ~tables::Time{kTransitions - 1}) | bucket : bucket_range(units, bucket).first;
+  std::uint32_t unit = heads_[bucket];
+  tables::Time first = units[unit].due;
+  if (!is_mixed(bucket)) return first;
+  while ((unit = units[unit].next) != tables::kNone) first = std::min(first, units[unit].due);
+  return first;
 }
 
 std::uint32_t Wheel::take(tables::Time time) noexcept {

@@ -39,7 +39,8 @@ class Wheel {
   /// The earliest due time up to and including `limit`, or kNever. Afterwards no due time before the returned time may
   /// be inserted (or before `limit`, if it returned kNever).
   tables::Time earliest(UnitState* units, tables::Time limit) noexcept;
-  /// The earliest due time of all, or kNever; changes nothing. O(units of one bucket).
+  /// The earliest due time of all, or kNever; changes nothing. O(1), or O(units of one bucket) if it has several due
+  /// times.
   tables::Time peek(const UnitState* units) const noexcept;
 
   /// Removes all units that are due at `time`, which earliest() has just returned. Returns the first of them; the
@@ -65,7 +66,7 @@ class Wheel {
     const auto level = static_cast<std::uint32_t>(63 - std::countl_zero(difference | 1)) / kBits;
     return level * kTransitions + digit_of(due, level);
   }
-  /// Puts a chain of units, linked from `first` to `last`, at the front of a bucket.
+  /// Puts a chain of units of one due time, linked from `first` to `last`, at the front of a bucket.
   void link(UnitState* units, std::uint32_t first, std::uint32_t last, std::uint32_t bucket) noexcept {
     const std::uint32_t head = heads_[bucket];
     units[last].next = head;
@@ -73,10 +74,13 @@ class Wheel {
     heads_[bucket] = first;
     if (head != tables::kNone) {
       units[head].previous = last;
+      if (units[head].due != units[first].due) mixed_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
     } else {
       occupy(bucket);
     }
   }
+  /// False: all entries of the bucket have one due time.
+  bool is_mixed(std::uint32_t bucket) const noexcept { return (mixed_[bucket / 64] >> (bucket % 64) & 1) != 0; }
   void occupy(std::uint32_t bucket) noexcept {
     occupied_[bucket / 64] |= std::uint64_t{1} << (bucket % 64);
     words_ |= std::uint32_t{1} << (bucket / 64);
@@ -84,6 +88,7 @@ class Wheel {
   /// Marks a bucket as empty.
   void vacate(std::uint32_t bucket) noexcept {
     heads_[bucket] = tables::kNone;
+    mixed_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
     occupied_[bucket / 64] &= ~(std::uint64_t{1} << (bucket % 64));
     if (occupied_[bucket / 64] == 0) words_ &= ~(std::uint32_t{1} << (bucket / 64));
   }
@@ -93,12 +98,6 @@ class Wheel {
     return word * 64 + static_cast<std::uint32_t>(std::countr_zero(occupied_[word]));
   }
   void redistribute(UnitState* units, std::uint32_t bucket) noexcept;
-  struct Range {
-    tables::Time first;
-    tables::Time last;
-  };
-  /// The first and last due time of a bucket that is not empty. O(units in the bucket).
-  Range bucket_range(const UnitState* units, std::uint32_t bucket) const noexcept;
 
   tables::Time last_;      ///< no entry is before it
   tables::Time bound_;     ///< no entry is before it: a call with nothing due costs one comparison
@@ -106,6 +105,7 @@ class Wheel {
   std::uint32_t bucket_;
   std::uint32_t words_;  ///< bit w: occupied_[w] is not 0
   std::array<std::uint64_t, kLevels * kWords> occupied_;
+  std::array<std::uint64_t, kLevels * kWords> mixed_;  ///< the buckets whose entries may differ in their due times
   std::array<std::uint32_t, kLevels * kTransitions> heads_;
 };
 

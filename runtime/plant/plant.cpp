@@ -99,8 +99,8 @@ UnitView Plant::unit(std::uint32_t unit) const noexcept {
   if (!view.moving) return view;
   view.target = state.target;
   view.remaining = std::max<tables::Time>(engine_->remaining(unit), 0);
-  const double whole = static_cast<double>(state.whole);
-  view.progress = state.whole == 0 ? 1.0 : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / whole);
+  const auto whole = static_cast<double>(engine_->whole(unit));
+  view.progress = whole == 0 ? 1.0 : std::max(0.0, 1.0 - static_cast<double>(view.remaining) / whole);
   return view;
 }
 

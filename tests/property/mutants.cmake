@@ -34,16 +34,20 @@ symplant_mutant(armed_not_restored_while_disabled
   "  for (std::uint64_t off = disarmed_[word] & ~now; off != 0; off &= off - 1) { if ((units_[index_.unit_of_operation[word * 64 + static_cast<std::uint32_t>(std::countr_zero(off))]].flags & kDisabled) == 0) disarmed_[word] &= ~(off & (~off + 1)); }")
 
 symplant_mutant(after_not_restarted_by_a_break
-  "    record.holds = 0;"
+  "        record.holds = 0;"
   "")
+
+symplant_mutant(after_remembered_from_an_earlier_visit
+  "  if (!held || record.holds == 0) {"
+  "  if ((!held && false) || record.holds == 0) {")
 
 symplant_mutant(break_counted_while_disabled
   "  if ((state.flags & kHalted) != 0) return;"
-  "  if ((state.flags & kHalted) != 0) { if ((state.flags & (kFrozen | kMoving)) == 0 && index_.types[tables_.units[unit].type].records != 0) forget_causes(unit, index_.types[tables_.units[unit].type], state.state); return; }")
+  "  if ((state.flags & kHalted) != 0) { if ((state.flags & kFrozen) == 0) state.holding = 0; return; }")
 
 symplant_mutant(step_reads_this_round
-  "    if ((units_[touched_.items[i]].flags & kTouched) != 0) step(touched_.items[i]);"
-  "    if ((units_[touched_.items[i]].flags & kTouched) != 0) { step(touched_.items[i]); if (unpublished_) publish(); }")
+  "    any = any || active_;"
+  "    any = any || active_; if (unpublished_) publish();")
 
 symplant_mutant(automatic_not_before_commanded
   "  if (ready.automatic != kNoTransition) {"
@@ -67,7 +71,7 @@ symplant_mutant(draw_counter_shared_by_transitions
 
 symplant_mutant(stopped_unit_still_disables
   "      state.flags |= kDisabled;"
-  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { general_states_[position].settled = state.state; for (const tables::DisableRow& d : tables_.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states_[index_.general.position_of(d.unit)].disabled_by; if ((units_[d.unit].flags & kHalted) == 0) halt_times(d.unit); units_[d.unit].flags |= kDisabled; touch(d.unit); } }")
+  "      state.flags |= kDisabled; if ((state.flags & kMoving) != 0) { general_states_[position].position = state.state; for (const tables::DisableRow& d : tables_.disables) { if (d.by != unit || d.state != state.state) continue; ++general_states_[index_.general.position_of(d.unit)].disabled_by; if ((units_[d.unit].flags & kHalted) == 0) halt_times(d.unit); units_[d.unit].flags |= kDisabled; touch(d.unit); } }")
 
 symplant_mutant(no_round_after_enabling
   "      resume_times(unit);"
@@ -105,6 +109,10 @@ symplant_mutant(fast_instant_without_short_events
 symplant_mutant(due_time_put_into_a_stale_bucket
   "  inserted_ = -1;  // what follows may change its bucket"
   "")
+
+symplant_mutant(bucket_with_several_due_times_handed_over
+  "    if (!is_mixed(bucket)) {"
+  "    if (bucket != 0) {")
 
 symplant_mutant(spring_returns_by_any_transition
   "returns ? transition.to == row.rest :"
