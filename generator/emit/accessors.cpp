@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <unordered_map>
 
 #include "text/ascii.hpp"
 #include "text/identifier.hpp"
@@ -111,7 +112,8 @@ class Writer {
   /// Lines always; processes and devices under a name that nothing else in the plant has.
   void write_plant(RowWriter& rows) const {
     text::IdentifierScope scope{kPlantMembers};
-    std::map<std::string_view, std::size_t> uses;
+    std::unordered_map<std::string_view, std::size_t> uses;
+    uses.reserve(plant_.units.size());
     for (const auto& [line, processes] : lines_) {
       ++uses[line];
       for (const auto& [process, devices] : processes) {

@@ -17,6 +17,7 @@ namespace {
 using namespace std::string_view_literals;
 
 static_assert(std::is_sorted(kErrorMacros.begin(), kErrorMacros.end()));
+static_assert(std::all_of(kErrorMacros.begin(), kErrorMacros.end(), [](auto macro) { return macro.front() == 'E'; }));
 
 /// Sorted. Keywords and alternative tokens of C++20, and macros that common headers or compilers define.
 constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
@@ -71,7 +72,7 @@ static_assert(std::is_sorted(kTaken.begin(), kTaken.end()));
 bool is_macro_like(std::string_view text) {
   const auto capital = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(text.begin(), text.end(), capital)) return false;
-  if (std::binary_search(kErrorMacros.begin(), kErrorMacros.end(), text)) return true;
+  if (text.front() == 'E' && std::binary_search(kErrorMacros.begin(), kErrorMacros.end(), text)) return true;
   constexpr std::array kBeginnings{"ADJ_"sv,  "ATOMIC_"sv, "CLOCK_"sv,   "CLONE_"sv,  "CPU_"sv,   "FD_"sv,
                                    "LC_"sv,   "MOD_"sv,    "PTHREAD_"sv, "RENAME_"sv, "SCHED_"sv, "SEEK_"sv,
                                    "SIG"sv,   "STA_"sv,    "SYS_"sv,     "TIME_"sv,   "TIMER_"sv, "WCONT"sv,
@@ -80,6 +81,10 @@ bool is_macro_like(std::string_view text) {
   constexpr std::array kEnds{"_MAX"sv, "_MIN"sv, "_WIDTH"sv, "_BIT"sv, "_ENDIAN"sv, "_OK"sv, "_FILENO"sv, "_C"sv};
   return std::any_of(kBeginnings.begin(), kBeginnings.end(), [&](auto part) { return text.starts_with(part); }) ||
          std::any_of(kEnds.begin(), kEnds.end(), [&](auto part) { return text.ends_with(part); });
+}
+
+bool is_taken(std::string_view text) {
+  return std::binary_search(kTaken.begin(), kTaken.end(), text) || is_macro_like(text);
 }
 
 bool is_word(char32_t c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
@@ -143,11 +148,15 @@ bool is_plain_identifier(std::string_view name) {
   return true;
 }
 
+bool is_identifier(std::string_view name) {
+  return is_plain_identifier(name) && !is_digit(name.front()) && !is_taken(name);
+}
+
 std::string identifier(std::string_view utf8_name) {
   std::string body = legal_body(utf8_name);
   if (body.empty()) return "unnamed";
   if (is_digit(body.front())) body.insert(body.begin(), 'n');
-  if (std::binary_search(kTaken.begin(), kTaken.end(), std::string_view(body)) || is_macro_like(body)) body += '_';
+  if (is_taken(body)) body += '_';
   return body;
 }
 
