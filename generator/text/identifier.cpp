@@ -153,6 +153,7 @@ bool is_identifier(std::string_view name) {
 }
 
 std::string identifier(std::string_view utf8_name) {
+  if (is_identifier(utf8_name)) return std::string(utf8_name);
   std::string body = legal_body(utf8_name);
   if (body.empty()) return "unnamed";
   if (is_digit(body.front())) body.insert(body.begin(), 'n');
@@ -174,7 +175,7 @@ IdentifierScope::IdentifierScope(std::span<const std::string_view> reserved) {
 
 std::string IdentifierScope::unique(std::string_view utf8_name, std::string_view prefix) {
   std::string wanted = identifier(utf8_name, prefix);
-  const auto [entry, fresh] = next_.emplace(lower(wanted), 2);
+  const auto [entry, fresh] = next_.try_emplace(lower(wanted), 2);
   if (fresh) return wanted;
   std::size_t& number = entry->second;  // the reference stays valid while other entries are added
   if (wanted.back() != '_') wanted += '_';
