@@ -80,7 +80,9 @@ const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model
 }
 
 diag::Subjects about(const model::Symbol& symbol) {
-  diag::Subjects subjects{{symbol_named(symbol.name())}, {}, {}};
+  diag::Subjects subjects;
+  subjects.about.reserve(2);
+  subjects.about.push_back(symbol_named(symbol.name()));
   if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path));
   return subjects;
 }

@@ -73,9 +73,9 @@ namespace {
 void show(Diagnostic& finding) {
   for (Diagnostic& consequence : finding.consequences) {
     finding.severity = std::max(finding.severity, consequence.severity);
-    finding.related.push_back(
-        {std::move(consequence.location),
-         "follows from this (" + std::string(consequence.rule->slug) + "): " + std::move(consequence.message)});
+    std::string message("follows from this (");
+    message.append(consequence.rule->slug).append("): ").append(consequence.message);
+    finding.related.push_back({std::move(consequence.location), std::move(message)});
     std::move(consequence.related.begin(), consequence.related.end(), std::back_inserter(finding.related));
   }
   finding.shown_consequences += finding.consequences.size();
