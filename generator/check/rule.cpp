@@ -80,7 +80,9 @@ const model::Symbol& first_symbol_of(const model::PlantModel& plant, const model
 }
 
 diag::Subjects about(const model::Symbol& symbol) {
-  diag::Subjects subjects{{symbol_named(symbol.name())}, {}, {}};
+  diag::Subjects subjects;
+  subjects.about.reserve(2);
+  subjects.about.push_back(symbol_named(symbol.name()));
   if (symbol.reading.fault == name::NameFault::none) subjects.about.push_back(device(symbol.reading.device_path));
   return subjects;
 }
@@ -129,11 +131,14 @@ void explain_missing(diag::Subjects& subjects, std::string name, std::string_vie
   subjects.explains.push_back(model_of(path));
 }
 
-std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit) {
+std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit, std::size_t more) {
+  const auto one_side = [](const model::State& state) {
+    return (state.operation == model::kNone) != (state.event == model::kNone);
+  };
   std::vector<diag::Subject> subjects;
-  subjects.reserve(unit.states.size() + 2);  // callers add the device and its model
+  subjects.reserve(static_cast<std::size_t>(std::count_if(unit.states.begin(), unit.states.end(), one_side)) + more);
   for (const model::State& state : unit.states) {
-    if ((state.operation == model::kNone) == (state.event == model::kNone)) continue;
+    if (!one_side(state)) continue;
     const auto direction = state.operation == model::kNone ? tables::Direction::operation : tables::Direction::event;
     subjects.push_back(missing(plant, unit.path, direction, state.name));
   }
@@ -142,14 +147,14 @@ std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const m
 
 diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit) {
   diag::Subjects subjects = about(unit);
-  subjects.follows = missing_sides(plant, unit);
+  subjects.follows = missing_sides(plant, unit, 2);
   subjects.follows.push_back(device(unit.path));
   subjects.follows.push_back(model_of(unit.path));
   return subjects;
 }
 
 diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& unit, diag::Subjects subjects) {
-  subjects.explains = missing_sides(plant, unit);
+  subjects.explains = missing_sides(plant, unit, 0);
   subjects.follows.reserve(subjects.follows.size() + subjects.explains.size() + 2);
   subjects.follows.insert(subjects.follows.end(), subjects.explains.begin(), subjects.explains.end());
   const bool no_events = unit.events.empty();
@@ -158,8 +163,8 @@ diag::Subjects about_sides(const model::PlantModel& plant, const model::Unit& un
   return subjects;
 }
 
-diag::Alike alike(const model::Unit& unit, const model::Symbol& symbol) {
-  return {class_name(unit.device), std::string(symbol.name())};
+std::shared_ptr<const diag::Alike> alike(const model::Unit& unit, const model::Symbol& symbol) {
+  return std::make_shared<const diag::Alike>(diag::Alike{class_name(unit.device), std::string(symbol.name())});
 }
 
 const model::Symbol* symbol_of(const model::PlantModel& plant, const read::ListRow& row) {

@@ -1,6 +1,8 @@
 // A rule: its description, and the function that checks it.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,7 +69,7 @@ diag::Subjects about(const model::Symbol& symbol, const model::Symbol& other);
 diag::Subjects about(const model::Unit& unit);
 diag::Subjects about(const read::ListRow& row);
 /// Findings on symbols of devices that are named alike become one finding.
-diag::Alike alike(const model::Unit& unit, const model::Symbol& symbol);
+std::shared_ptr<const diag::Alike> alike(const model::Unit& unit, const model::Symbol& symbol);
 
 // Subjects that connect a finding with its cause and its consequences.
 diag::Subject device(std::string_view path);
@@ -83,8 +85,8 @@ diag::Subject missing(const model::PlantModel& plant, std::string_view path, tab
 diag::Subject side_of(std::string_view path, tables::Direction direction);
 /// Adds what the lack of a symbol explains: the symbol itself, a device without operations or events, and its model.
 void explain_missing(diag::Subjects& subjects, std::string name, std::string_view path, tables::Direction direction);
-/// For each state of the unit that has only one side, the symbol of the other side.
-std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit);
+/// For each state of the unit that has only one side, the symbol of the other side. Callers add up to `more` subjects.
+std::vector<diag::Subject> missing_sides(const model::PlantModel& plant, const model::Unit& unit, std::size_t more);
 /// A device; the finding is about what was derived for it, and follows from whatever the device lacks.
 diag::Subjects about_model(const model::PlantModel& plant, const model::Unit& unit);
 /// Adds to the subjects of a device without events, or without operations, the symbols that it lacks. The finding

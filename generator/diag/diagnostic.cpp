@@ -58,11 +58,14 @@ void Diagnostics::fold(std::span<const std::uint32_t> into) {
     std::move(further.begin(), further.end(), std::back_inserter(consequences));
   }
   counts_ = {};
-  std::vector<Diagnostic> all = std::move(all_);
-  all_.clear();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (into[i] == i) add(std::move(all[i]));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (into[i] != i) continue;
+    ++counts_[static_cast<std::size_t>(all_[i].severity)];
+    if (kept != i) all_[kept] = std::move(all_[i]);
+    ++kept;
   }
+  all_.resize(kept);
 }
 
 namespace {
@@ -70,9 +73,9 @@ namespace {
 void show(Diagnostic& finding) {
   for (Diagnostic& consequence : finding.consequences) {
     finding.severity = std::max(finding.severity, consequence.severity);
-    finding.related.push_back(
-        {std::move(consequence.location),
-         "follows from this (" + std::string(consequence.rule->slug) + "): " + std::move(consequence.message)});
+    std::string message("follows from this (");
+    message.append(consequence.rule->slug).append("): ").append(consequence.message);
+    finding.related.push_back({std::move(consequence.location), std::move(message)});
     std::move(consequence.related.begin(), consequence.related.end(), std::back_inserter(finding.related));
   }
   finding.shown_consequences += finding.consequences.size();

@@ -64,7 +64,7 @@ struct Related {
 
 /// Findings of one rule and one kind become one finding: see findings::join_alike().
 struct Alike {
-  std::string kind;  ///< the type of the devices, such as `CLAMP#`; empty if the finding stays single
+  std::string kind;  ///< the type of the devices, such as `CLAMP#`
   std::string name;  ///< of the symbol, to list it as an example
 };
 
@@ -87,7 +87,6 @@ struct Subject {
 
   bool operator==(const Subject&) const = default;
 };
-inline constexpr std::size_t kSubjectKinds = 10;
 
 /// The subjects of a finding.
 struct Subjects {
@@ -115,8 +114,8 @@ struct Diagnostic {
   Subjects subjects;
   /// Findings that follow from this one, until show_consequences() makes related rows of them.
   std::vector<Diagnostic> consequences = {};
-  std::size_t shown_consequences = 0;  ///< how many of the related rows were findings
-  Alike alike = {};
+  std::size_t shown_consequences = 0;            ///< how many of the related rows were findings
+  std::shared_ptr<const Alike> alike = nullptr;  ///< null if the finding stays single, as most do
 };
 
 /// A finding that plant.json ignores, and the reason given there.

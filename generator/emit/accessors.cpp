@@ -8,7 +8,9 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <vector>
 
+#include "base/index_table.hpp"
 #include "text/ascii.hpp"
 #include "text/identifier.hpp"
 
@@ -88,6 +90,31 @@ using Devices = std::map<std::string, std::uint32_t>;
 using Processes = std::map<std::string, Devices>;
 using Lines = std::map<std::string, Processes>;
 
+/// Names by number, in the order in which they are added, and whether any other is equal. The names must outlive it.
+class NamesInPlant {
+ public:
+  explicit NamesInPlant(std::size_t expected) : table_(expected) {
+    names_.reserve(expected);
+    single_.reserve(expected);
+  }
+
+  void add(std::string_view name) {
+    const auto number = static_cast<std::uint32_t>(names_.size());
+    names_.push_back(name);
+    const std::uint32_t first = table_.find_or_add(text::hash_ignoring_case(name), number,
+                                                   [&](std::uint32_t other) { return names_[other] == name; });
+    single_.push_back(first == number);
+    if (first != number) single_[first] = false;
+  }
+
+  bool is_single(std::size_t number) const { return single_[number]; }
+
+ private:
+  base::IndexTable table_;
+  std::vector<std::string_view> names_;
+  std::vector<bool> single_;
+};
+
 class Writer {
  public:
   Writer(const lower::EngineTables& tables, const model::PlantModel& plant, const std::vector<std::string>& classes,
@@ -118,28 +145,30 @@ class Writer {
 
   /// Lines always; processes and devices under a name that nothing else in the plant has.
   void write_plant(RowWriter& rows) const {
-    text::IdentifierScope scope{kPlantMembers};
-    std::map<std::string_view, std::size_t> uses;
+    NamesInPlant names(plant_.units.size());
     for (const auto& [line, processes] : lines_) {
-      ++uses[line];
+      names.add(line);
       for (const auto& [process, devices] : processes) {
-        ++uses[process];
-        for (const auto& [device, unit] : devices) ++uses[device];
+        names.add(process);
+        for (const auto& [device, unit] : devices) names.add(device);
       }
     }
+    text::IdentifierScope scope{kPlantMembers};
     const auto add = [&](const std::string& name, const std::string& path) {
       const std::string& type = group_names_.at(path);
       rows.text("  groups::").text(type).text(" ").text(scope.unique(text::to_lower(name)));
       rows.text("() noexcept { return groups::").text(type).text("(*this); }\n");
     };
     for (const auto& [line, processes] : lines_) add(line, line);
-    for (const std::string_view member : kPlantMembers) ++uses[member];
+    for (const std::string_view member : kPlantMembers) names.add(member);
     const bool few = plant_.units.size() <= kMostDevicesOfPlant;
+    std::size_t number = 0;
     for (const auto& [line, processes] : lines_) {
+      ++number;
       for (const auto& [process, devices] : processes) {
-        if (uses[process] == 1) add(process, path_of(line, process));
+        if (names.is_single(number++)) add(process, path_of(line, process));
         for (const auto& [device, unit] : devices) {
-          if (uses[device] == 1 && few) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
+          if (names.is_single(number++) && few) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
         }
       }
     }

@@ -199,10 +199,16 @@ void symbol_constant_rows(RowWriter& rows, const lower::EngineTables& tables) {
   };
   // The names are unique when case is ignored: if all of them are identifiers, no two enumerators can be equal.
   bool plain = true;
-  each([&](std::size_t, std::string_view name) { plain = plain && text::identifier(name) == name; });
+  each([&](std::size_t, std::string_view name) { plain = plain && text::is_identifier(name); });
   text::IdentifierScope scope;
   each([&](std::size_t number, std::string_view name) {
-    rows.text("  ").text(plain ? std::string(name) : scope.unique(name)).text(" = ").number(number).text(",\n");
+    rows.text("  ");
+    if (plain) {
+      rows.text(name);
+    } else {
+      rows.text(scope.unique(name));
+    }
+    rows.text(" = ").number(number).text(",\n");
   });
 }
 

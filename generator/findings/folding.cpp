@@ -1,7 +1,6 @@
 // Folding by subject.
 #include "findings/folding.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,8 +8,10 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "base/index_table.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::findings {
@@ -46,6 +47,40 @@ std::vector<std::string> near_keys(std::string_view name) {
   return keys;
 }
 
+/// The best cause of each subject. The subjects must outlive it.
+class Causes {
+ public:
+  /// The cause of a subject; `finding` if it has none yet.
+  std::uint32_t& find_or_add(const Subject& subject, std::uint32_t finding) {
+    const auto next = static_cast<std::uint32_t>(known_.size());
+    const std::uint32_t index = table_.find_or_add(hash_of(subject), next, [&](auto at) { return is_at(at, subject); });
+    if (index == next) known_.push_back({&subject, finding});
+    return known_[index].finding;
+  }
+  /// Null if the subject has no cause.
+  const std::uint32_t* find(const Subject& subject) const {
+    const std::uint32_t index = table_.find(hash_of(subject), [&](auto at) { return is_at(at, subject); });
+    return index == base::IndexTable::kNothing ? nullptr : &known_[index].finding;
+  }
+
+ private:
+  struct Known {
+    const Subject* subject;
+    std::uint32_t finding;
+  };
+
+  static std::uint64_t hash_of(const Subject& subject) {
+    return text::hash_ignoring_case(subject.name) + static_cast<std::uint64_t>(subject.kind);
+  }
+  bool is_at(std::uint32_t index, const Subject& subject) const {
+    const Subject& known = *known_[index].subject;
+    return known.kind == subject.kind && text::equal_ignoring_case(known.name, subject.name);
+  }
+
+  base::IndexTable table_;
+  std::vector<Known> known_;
+};
+
 class Folding {
  public:
   explicit Folding(std::span<const diag::Diagnostic> findings) : findings_(findings) {}
@@ -71,40 +106,40 @@ class Folding {
   diag::Rank rank_of(std::uint32_t finding) const { return findings_[finding].rule->rank; }
 
   /// Keeps the better cause of a subject.
-  template <class Map>
-  void add(Map& map, const std::string& key, std::uint32_t finding) {
+  void improve(std::uint32_t& cause, std::uint32_t finding) {
     any_ = true;
-    const auto [found, added] = map.try_emplace(key, finding);
-    if (!added && rank_of(finding) < rank_of(found->second)) found->second = finding;
+    if (rank_of(finding) < rank_of(cause)) cause = finding;
   }
 
   void add_cause(std::uint32_t finding) {
     for (const Subject& subject : findings_[finding].subjects.explains) {
       if (subject.kind == Subject::Kind::name) {
-        for (const std::string& key : near_keys(subject.name)) add(near_names_, key, finding);
+        for (std::string& key : near_keys(subject.name)) {
+          improve(near_names_.try_emplace(std::move(key), finding).first->second, finding);
+        }
       } else {
-        add(causes_[static_cast<std::size_t>(subject.kind)], subject.name, finding);
+        improve(causes_.find_or_add(subject, finding), finding);
       }
     }
   }
 
   std::optional<std::uint32_t> cause_of(std::uint32_t finding) const {
     std::optional<std::uint32_t> best;
-    const auto consider = [&](const auto& map, std::string_view key) {
-      const auto found = map.find(key);
-      if (found == map.end()) return;
-      if (rank_of(found->second) < rank_of(best.value_or(finding))) best = found->second;
+    const auto consider = [&](std::uint32_t cause) {
+      if (rank_of(cause) < rank_of(best.value_or(finding))) best = cause;
     };
     for (const Subject& subject : findings_[finding].subjects.follows) {
-      consider(causes_[static_cast<std::size_t>(subject.kind)], subject.name);
+      if (const std::uint32_t* cause = causes_.find(subject); cause != nullptr) consider(*cause);
       if (subject.kind != Subject::Kind::missing || near_names_.empty()) continue;
-      for (const std::string& key : near_keys(subject.name)) consider(near_names_, key);
+      for (const std::string& key : near_keys(subject.name)) {
+        if (const auto found = near_names_.find(key); found != near_names_.end()) consider(found->second);
+      }
     }
     return best;
   }
 
   std::span<const diag::Diagnostic> findings_;
-  std::array<text::ByName<std::uint32_t>, diag::kSubjectKinds> causes_;  ///< by kind, then by name
+  Causes causes_;
   std::unordered_map<std::string, std::uint32_t, text::HashIgnoringCase, text::EqualIgnoringCase>
       near_names_;  ///< by near_keys()
   bool any_ = false;

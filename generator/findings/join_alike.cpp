@@ -33,18 +33,18 @@ struct Group {
 
 diag::Diagnostics join_alike(diag::Diagnostics findings) {
   const auto all = findings.all();
-  if (std::all_of(all.begin(), all.end(), [](const auto& finding) { return finding.alike.kind.empty(); })) {
+  if (std::all_of(all.begin(), all.end(), [](const auto& finding) { return finding.alike == nullptr; })) {
     return findings;
   }
   std::map<std::pair<const diag::RuleInfo*, std::string>, Group> groups;
   std::vector<diag::Diagnostic> kept;
   kept.reserve(all.size());
   for (const diag::Diagnostic& finding : all) {
-    if (finding.alike.kind.empty()) {
+    if (finding.alike == nullptr) {
       kept.push_back(finding);
       continue;
     }
-    const auto [found, added] = groups.try_emplace({finding.rule, finding.alike.kind}, Group{kept.size(), {}});
+    const auto [found, added] = groups.try_emplace({finding.rule, finding.alike->kind}, Group{kept.size(), {}});
     if (added) {
       kept.push_back(finding);
       continue;
@@ -53,9 +53,9 @@ diag::Diagnostics join_alike(diag::Diagnostics findings) {
     diag::Diagnostic& first = kept[group.first];
     first.severity = std::max(first.severity, finding.severity);
     first.shown_consequences += finding.shown_consequences;
-    first.related.push_back({finding.location, fmt::format("also `{}`", finding.alike.name)});
+    first.related.push_back({finding.location, fmt::format("also `{}`", finding.alike->name)});
     first.related.insert(first.related.end(), finding.related.begin(), finding.related.end());
-    group.others.push_back(finding.alike.name);
+    group.others.push_back(finding.alike->name);
   }
   if (kept.size() == all.size()) return findings;
   for (const auto& [key, group] : groups) {

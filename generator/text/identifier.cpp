@@ -17,6 +17,7 @@ namespace {
 using namespace std::string_view_literals;
 
 static_assert(std::is_sorted(kErrorMacros.begin(), kErrorMacros.end()));
+static_assert(std::all_of(kErrorMacros.begin(), kErrorMacros.end(), [](auto macro) { return macro.front() == 'E'; }));
 
 /// Sorted. Keywords and alternative tokens of C++20, and macros that common headers or compilers define.
 constexpr std::array kTaken{"BUFSIZ"sv,       "CHAR_BIT"sv,      "EDOM"sv,
@@ -82,6 +83,10 @@ bool is_macro_like(std::string_view text) {
          std::any_of(kEnds.begin(), kEnds.end(), [&](auto part) { return text.ends_with(part); });
 }
 
+bool is_taken(std::string_view text) {
+  return std::binary_search(kTaken.begin(), kTaken.end(), text) || is_macro_like(text);
+}
+
 bool is_word(char32_t c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
 
 std::string in_hex(std::uint32_t value, const char* format) {
@@ -143,11 +148,16 @@ bool is_plain_identifier(std::string_view name) {
   return true;
 }
 
+bool is_identifier(std::string_view name) {
+  return is_plain_identifier(name) && !is_digit(name.front()) && !is_taken(name);
+}
+
 std::string identifier(std::string_view utf8_name) {
+  if (is_identifier(utf8_name)) return std::string(utf8_name);
   std::string body = legal_body(utf8_name);
   if (body.empty()) return "unnamed";
   if (is_digit(body.front())) body.insert(body.begin(), 'n');
-  if (std::binary_search(kTaken.begin(), kTaken.end(), std::string_view(body)) || is_macro_like(body)) body += '_';
+  if (is_taken(body)) body += '_';
   return body;
 }
 
@@ -165,7 +175,7 @@ IdentifierScope::IdentifierScope(std::span<const std::string_view> reserved) {
 
 std::string IdentifierScope::unique(std::string_view utf8_name, std::string_view prefix) {
   std::string wanted = identifier(utf8_name, prefix);
-  const auto [entry, fresh] = next_.emplace(lower(wanted), 2);
+  const auto [entry, fresh] = next_.try_emplace(lower(wanted), 2);
   if (fresh) return wanted;
   std::size_t& number = entry->second;  // the reference stays valid while other entries are added
   if (wanted.back() != '_') wanted += '_';

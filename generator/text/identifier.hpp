@@ -25,6 +25,9 @@ std::string identifier(std::string_view utf8_name, std::string_view prefix);
 /// Whether a name needs no change after a prefix: ASCII letters and digits, single `_` between them, not too long.
 bool is_plain_identifier(std::string_view name);
 
+/// Whether identifier() returns the name unchanged. Needs no memory.
+bool is_identifier(std::string_view name);
+
 /// The constant or enumerator of a name: `kRUN2`, in the user's spelling.
 std::string enumerator(std::string_view utf8_name);
 

@@ -1,4 +1,4 @@
-// Validates JSON with valijson; explain.cpp explains the faults.
+// Validates JSON with valijson, unless the quick form of the schema accepts it; explain.cpp explains the faults.
 //
 // Only this file includes valijson, which takes ten seconds to compile.
 #include "symplant/json/schema.hpp"
@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -14,6 +15,7 @@
 #include <valijson/validator.hpp>
 
 #include "symplant/json/explain.hpp"
+#include "symplant/json/quick_schema.hpp"
 
 namespace symplant::json {
 namespace {
@@ -36,12 +38,14 @@ std::string pointer_of(const std::vector<std::string>& context) {
 
 struct Schema::Parts {
   nlohmann::json text;
+  std::optional<QuickSchema> quick;
   valijson::Schema schema;
 };
 
 Schema::Schema(std::string_view schema) : parts_(std::make_unique<Parts>()) {
   try {
     parts_->text = nlohmann::json::parse(schema);
+    parts_->quick.emplace(parts_->text);
     valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(parts_->text), parts_->schema);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "a built-in schema is invalid: %s\n", error.what());
@@ -53,6 +57,7 @@ Schema& Schema::operator=(Schema&&) noexcept = default;
 Schema::~Schema() = default;
 
 std::vector<Fault> Schema::check(const nlohmann::json& value) const {
+  if (parts_->quick->surely_fits(value)) return {};
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   const Adapter adapter(value);
   if (validator.validate(parts_->schema, adapter, nullptr)) return {};

@@ -10,7 +10,7 @@ History::History(const PlantNames& names)
       bits_(names.tables().symbols.size()),
       numbers_(names.tables().operation_slots + names.tables().event_slots),
       changed_(bits_.size()),
-      rose_(bits_.size()),
+      rose_(std::size_t{names.tables().operation_bits} + names.tables().operation_slots),
       unit_changed_(names.tables().units.size()) {
   const tables::PlantTables& tables = names.tables();
   for (const tables::InitialValue& initial : tables.initial_values) {
@@ -34,6 +34,11 @@ std::size_t History::slot(const tables::SymbolRow& symbol) const {
   return symbol.index + (symbol.direction() == tables::Direction::event ? names_.tables().operation_slots : 0);
 }
 
+std::size_t History::risen(std::uint32_t operation) const {
+  const tables::SymbolRow& row = names_.tables().symbols[operation];
+  return row.index + (row.type() == tables::DataType::boolean ? 0 : names_.tables().operation_bits);
+}
+
 std::uint64_t History::value(std::uint32_t symbol) const {
   const tables::SymbolRow& row = names_.tables().symbols[symbol];
   return row.type() == tables::DataType::boolean ? bits_[symbol] : numbers_[slot(row)];
@@ -43,7 +48,7 @@ void History::apply(const Record& record) {
   if (record.kind == Record::Kind::change) {
     const tables::SymbolRow& symbol = names_.tables().symbols[record.of];
     const bool came_on = record.value != 0 && value(record.of) == 0;
-    if (came_on && symbol.direction() == tables::Direction::operation) rose_[record.of] = record.time + 1;
+    if (came_on && symbol.direction() == tables::Direction::operation) rose_[risen(record.of)] = record.time + 1;
     if (symbol.type() == tables::DataType::boolean) {
       bits_[record.of] = record.value != 0;
     } else {
@@ -61,8 +66,7 @@ std::vector<std::uint32_t> History::last_operations(std::uint32_t unit, std::siz
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {
     if (names_.is_operation(symbol) && rose(symbol) >= 0) found.push_back(symbol);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [this](std::uint32_t a, std::uint32_t b) { return rose_[a] > rose_[b]; });
+  std::stable_sort(found.begin(), found.end(), [this](std::uint32_t a, std::uint32_t b) { return rose(a) > rose(b); });
   if (found.size() > most) found.resize(most);
   return found;
 }

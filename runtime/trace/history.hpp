@@ -13,7 +13,7 @@
 namespace symplant::trace {
 
 /// Updated by the thread that drains a recorder; does not access the plant. `names` must outlive it. Takes memory for
-/// what has changed, at most 16 bytes for a symbol and 12 for a unit.
+/// what has changed, at most 8 bytes for a symbol, 8 more for an operation, and 12 for a unit.
 class History {
  public:
   explicit History(const PlantNames& names);
@@ -27,7 +27,7 @@ class History {
   tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
   tables::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
   /// Time at which an operation last came on; -1: never.
-  tables::Time rose(std::uint32_t operation) const { return rose_[operation] - 1; }
+  tables::Time rose(std::uint32_t operation) const { return rose_[risen(operation)] - 1; }
 
   /// The operations of a unit that have been on, the latest first; at most `most`.
   std::vector<std::uint32_t> last_operations(std::uint32_t unit, std::size_t most) const;
@@ -36,11 +36,13 @@ class History {
   const PlantNames& names_;
   /// The index of a numeric symbol in `numbers_`.
   std::size_t slot(const tables::SymbolRow& symbol) const;
+  /// The index of an operation in `rose_`.
+  std::size_t risen(std::uint32_t operation) const;
 
   std::vector<bool> bits_;              ///< by symbol, if it is BOOL
   std::vector<std::uint64_t> numbers_;  ///< by slot: operations, then events
   ZeroedArray<tables::Time> changed_;
-  ZeroedArray<tables::Time> rose_;    ///< one more than the time, for operations
+  ZeroedArray<tables::Time> rose_;    ///< one more than the time: by bit, then by slot of an operation
   std::vector<std::uint32_t> units_;  ///< pack_unit
   ZeroedArray<tables::Time> unit_changed_;
 };

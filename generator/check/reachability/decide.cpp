@@ -60,6 +60,7 @@ class Decision {
       node.atom = static_cast<std::uint32_t>(found - atoms.begin());
       if (found == atoms.end()) atoms.push_back(tree.atom);
       node.things = {node.thing};
+      return node;
     }
     node.children.reserve(tree.children.size());
     for (const Tree& child : tree.children) {
@@ -86,6 +87,7 @@ class Decision {
       case Tree::Kind::any:
         break;
     }
+    if (node.things.size() == 1 && worlds_of(node.things) <= kMostWorlds) return tried({&node}, true, node.things);
     const bool all = node.kind == Tree::Kind::all;
     Verdict whole = all ? Verdict{Answer::yes, Answer::no} : Verdict{Answer::no, Answer::yes};
     for (const auto& group : groups_of(node)) {

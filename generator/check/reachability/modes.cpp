@@ -14,6 +14,7 @@ Modes unit_modes(const Thing& thing, const model::PlantModel& plant, const Possi
   std::vector<bool> named(states);
   bool moving_named = false;
   Modes modes;
+  modes.reserve(thing.atoms.size() + 1);
   for (std::size_t i = 0; i < thing.atoms.size(); ++i) {
     const Atom& atom = thing.atoms[i];
     const bool moving = atom.kind == Atom::Kind::moving;

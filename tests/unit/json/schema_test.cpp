@@ -5,6 +5,7 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "symplant/json/quick_schema.hpp"
 
 namespace symplant::json {
 namespace {
@@ -109,6 +110,39 @@ TEST_CASE("Every fault is reported at once, up to a hundred") {
   nlohmann::json many = {{"version", 1}};
   for (int i = 0; i < 500; ++i) many["devices"]["D" + std::to_string(i)] = {{"kind", 1}};
   CHECK(Schema(kSchema).check(many).size() == 100);
+}
+
+TEST_CASE("The quick form of a schema accepts what is certainly valid, and only that") {
+  const nlohmann::json schema = nlohmann::json::parse(kSchema);
+  const QuickSchema quick(schema);
+  const auto accepted = [&](std::string_view text) { return quick.surely_fits(nlohmann::json::parse(text)); };
+  CHECK(accepted(R"({"version": 1})"));
+  CHECK(accepted(R"({"version": 1, "count": 2, "devices": {"X": {"kind": "held", "names": ["A"], "takes": "1s"}}})"));
+  CHECK(accepted(R"({"version": 1, "devices": {"X": {"takes": {"mean": "1s"}}}})"));
+  for (const std::string_view invalid :
+       {"[]", "{}", R"({"version": 2})", R"({"version": 1, "q": 1})", R"({"version": 1, "count": 0})",
+        R"({"version": 1, "count": "1"})", R"({"version": 1, "count": 1.5})", R"({"version": 1, "devices": [1]})",
+        R"({"version": 1, "devices": {"X": {"kind": "helt"}}})", R"({"version": 1, "devices": {"X": {"names": [""]}}})",
+        R"({"version": 1, "devices": {"X": {"takes": {"min": "1s"}}}})"}) {
+    CAPTURE(invalid);
+    CHECK(!accepted(invalid));
+  }
+}
+
+TEST_CASE("The quick form of a schema is not sure of values that validators judge differently") {
+  const nlohmann::json one = nlohmann::json::parse(R"({"const": 1})");
+  CHECK(!QuickSchema(one).surely_fits(nlohmann::json(1.0)));
+  const nlohmann::json unsupported = nlohmann::json::parse(R"({"type": "array", "uniqueItems": true})");
+  CHECK(!QuickSchema(unsupported).surely_fits(nlohmann::json::array()));
+}
+
+TEST_CASE("The quick form of a schema counts characters, and follows references to itself") {
+  const nlohmann::json schema = nlohmann::json::parse(
+      R"({"type": ["array", "string"], "minLength": 2, "maxItems": 1, "items": { "$ref": "#" }})");
+  const QuickSchema quick(schema);
+  CHECK(quick.surely_fits(nlohmann::json::parse(R"([[["ab"]]])")));
+  CHECK(!quick.surely_fits(nlohmann::json::parse(R"([["\u00e4"]])")));
+  CHECK(!quick.surely_fits(nlohmann::json::parse(R"([["ab", "ab"]])")));
 }
 
 TEST_CASE("A keyword without an explanation gives the validator's own message") {

@@ -34,6 +34,17 @@ TEST_CASE("A plain name is unchanged after a prefix, and no other name is") {
   }
 }
 
+TEST_CASE("A name is an identifier if it is its own") {
+  std::mt19937 random(2);
+  const std::array<std::string, 8> words{"class", "EDOM", "I", "_MAX", "SIG", "x", "_", "9"};
+  for (int i = 0; i < 20'000; ++i) {
+    std::string name;
+    for (auto count = random() % 4; count > 0; --count) name += words[random() % words.size()];
+    CAPTURE(name);
+    REQUIRE(symplant::text::is_identifier(name) == (identifier(name) == name));
+  }
+}
+
 TEST_CASE("A plain name is its own identifier") {
   CHECK(identifier("EXLINE_MB_AGV_I_P1") == "EXLINE_MB_AGV_I_P1");
   CHECK(identifier("run2") == "run2");

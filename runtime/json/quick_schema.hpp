@@ -1,0 +1,56 @@
+// Accepts valid values quickly.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace symplant::json {
+
+/// A schema in a form that accepts the usual valid value without a store. It answers only what it is sure of: a value
+/// that it does not accept, or a schema with other keywords, is for the validator. The text of the schema must outlive
+/// it.
+class QuickSchema {
+ public:
+  explicit QuickSchema(const nlohmann::json& root);
+  /// Whether the value is certainly valid. O(value).
+  bool surely_fits(const nlohmann::json& value) const { return fits(root_, value); }
+
+ private:
+  using Json = nlohmann::json;
+  using Index = std::uint32_t;
+  static constexpr Index kAny = std::numeric_limits<Index>::max();  ///< fits every value
+  static constexpr Index kNone = kAny - 1;                          ///< is sure of no value
+
+  struct Node {
+    std::vector<const Json*> types;  ///< their names; empty: all
+    const Json* values = nullptr;    ///< of `enum`
+    const Json* constant = nullptr;
+    std::vector<std::pair<std::string_view, Index>> properties;  ///< ascending
+    Index others = kAny;                                         ///< of properties that are not listed
+    const Json* required = nullptr;
+    Index items = kAny;
+    std::size_t least_length = 0;
+    std::size_t least_items = 0;
+    std::size_t most_items = std::numeric_limits<std::size_t>::max();
+    const Json* minimum = nullptr;
+    const Json* maximum = nullptr;
+    std::vector<Index> choices;  ///< of `anyOf`; empty: none is asked for
+  };
+
+  Index node_of(const Json& schema);
+  bool take(Node& node, std::string_view keyword, const Json& value);
+  bool fits(Index schema, const Json& value) const;
+  bool members_fit(const Node& node, const Json& value) const;
+
+  const Json& text_;
+  std::vector<Node> nodes_;
+  std::map<const Json*, Index> known_;  ///< of the targets of `$ref`, too
+  Index root_;
+};
+
+}  // namespace symplant::json
