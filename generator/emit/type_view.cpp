@@ -229,8 +229,12 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
   std::vector<Wanted> wanted(tables.types.size());
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
     std::string& device = wanted[tables.units[u].type].device;
-    std::string path = text::to_upper(plant.units[u].path);
-    if (device.empty() || path < device) device = std::move(path);
+    const std::string_view path = plant.units[u].path;
+    const auto before = [](char c, char upper) {
+      return static_cast<unsigned char>(text::upper(c)) < static_cast<unsigned char>(upper);
+    };
+    if (device.empty() || std::lexicographical_compare(path.begin(), path.end(), device.begin(), device.end(), before))
+      device = text::to_upper(path);
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const model::Unit& unit = plant.units[tables.types[i].example];
