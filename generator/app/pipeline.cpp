@@ -105,9 +105,10 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
     return std::nullopt;
   }
   progress.stage("parsing names");
-  const std::vector<model::ListInput> lists = parse_names(inputs->lists);
+  std::vector<model::ListInput> lists = parse_names(inputs->lists);
   progress.stage("deriving models");
-  model::Derived derived = model::describe(model::derive(lists, inputs->name), inputs->description, inputs->source);
+  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name);  // symbols have copies of the readings
+  model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   const bool sound = inputs->readable && derived.evidence.faults.empty();
   const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));
   progress.stage("lowering");

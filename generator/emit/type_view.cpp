@@ -229,9 +229,15 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
   std::vector<Wanted> wanted(tables.types.size());
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
     std::string& device = wanted[tables.units[u].type].device;
-    std::string path = text::to_upper(plant.units[u].path);
-    if (!device.empty() && device <= path) continue;
-    device = std::move(path);
+    const std::string_view path = plant.units[u].path;
+    const auto before = [](char c, char upper) {
+      return static_cast<unsigned char>(text::upper(c)) < static_cast<unsigned char>(upper);
+    };
+    if (!device.empty() &&
+        !std::lexicographical_compare(path.begin(), path.end(), device.begin(), device.end(), before)) {
+      continue;
+    }
+    device = text::to_upper(path);
     wanted[tables.units[u].type].unit = u;
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
