@@ -20,19 +20,24 @@ namespace mustache = kainjow::mustache;
 /// Encloses, in the rendered frame, the number of a row source: the rows are inserted there when the text is read.
 constexpr char kMark = '\x01';
 
-mustache::data to_data(const View& view, std::vector<RowSource>& sources) {
-  mustache::data data;
+/// The library copies what is put into an object or a list, with all that it holds, and gives it back as const only. So
+/// each object and list is put in empty and filled in its place.
+mustache::data& in_place(const mustache::data& put_in) {
+  return const_cast<mustache::data&>(put_in);  // NOLINT(cppcoreguidelines-pro-type-const-cast): it is not const itself
+}
+
+void fill(mustache::data& data, const View& view, std::vector<RowSource>& sources) {
   for (const auto& [key, text] : view.texts) data.set(key, text);
   for (const auto& [key, source] : view.rows) {
     data.set(key, kMark + std::to_string(sources.size()) + kMark);
     sources.push_back(source);
   }
   for (const auto& [key, items] : view.lists) {
-    mustache::data list{mustache::data::type::list};
-    for (const View& item : items) list << to_data(item, sources);
-    data.set(key, list);
+    data.set(key, mustache::data{mustache::data::type::list});
+    mustache::data& list = in_place(*data.get(key));
+    for (std::size_t i = 0; i < items.size(); ++i) list.push_back(mustache::data{});  // a list that grows copies, too
+    for (std::size_t i = 0; i < items.size(); ++i) fill(in_place(list.list_value()[i]), items[i], sources);
   }
-  return data;
 }
 
 /// The first fault of a template's tags, if there is one. The library leaves unknown keys empty and reports no lines:
@@ -135,7 +140,9 @@ base::Result<base::TextSource, TemplateError> render(const Template& text, const
   if (!made.is_valid()) return TemplateError{1, made.error_message()};
   made.set_custom_escape([](const std::string& encoded) { return encoded; });
   std::vector<RowSource> sources;
-  std::string frame = made.render(to_data(view, sources));
+  mustache::data data;
+  fill(data, view, sources);
+  std::string frame = made.render(data);
   frame.erase(std::remove(frame.begin(), frame.end(), kNoLineEnd), frame.end());
   return base::TextSource([frame = std::move(frame), sources = std::move(sources)](base::TextSink& sink) {
     put_together(frame, sources, sink);

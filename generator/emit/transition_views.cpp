@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -100,15 +101,17 @@ class TransitionViews {
     text::IdentifierScope scope;
     auto& guards = view_.lists["guards"];
     const std::size_t count = unit_.has_behaviour() ? unit_.first_input : unit_.conditions.size();
+    std::vector<const Transition*> first(count);
+    std::map<std::uint8_t, std::set<std::uint16_t>> leading;  // to a state: the guards
+    for (const Transition& t : type_.transitions) {
+      if (t.when == tables::kNoCondition) continue;
+      if (t.when < count && first[t.when] == nullptr) first[t.when] = &t;
+      leading[t.to].insert(t.when);
+    }
     for (std::uint16_t g = 0; g < count; ++g) {
-      const auto first = std::find_if(type_.transitions.begin(), type_.transitions.end(),
-                                      [&](const Transition& t) { return t.when == g; });
       std::string name = "unused";
-      if (first != type_.transitions.end()) {
-        const bool alone = std::all_of(type_.transitions.begin(), type_.transitions.end(), [&](const Transition& t) {
-          return t.to != first->to || t.when == g || t.when == tables::kNoCondition;
-        });
-        name = (alone ? "" : state(first->from) + "_") + "to_" + state(first->to);
+      if (const Transition* t = first[g]) {
+        name = (leading[t->to].size() == 1 ? "" : state(t->from) + "_") + "to_" + state(t->to);
       }
       guards_.push_back(scope.unique(name));
       std::string text = short_condition_text(unit_.conditions[g], plant_);
