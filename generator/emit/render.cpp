@@ -21,8 +21,8 @@ namespace mustache = kainjow::mustache;
 constexpr char kMark = '\x01';
 
 /// The library copies what is put into an object or a list, with all that it holds, and gives it back as const only. So
-/// each object and list is put in empty and filled in its place.
-mustache::data& in_place(const mustache::data& put_in) {
+/// each object and list is put in empty and filled afterwards.
+mustache::data& to_fill(const mustache::data& put_in) {
   return const_cast<mustache::data&>(put_in);  // NOLINT(cppcoreguidelines-pro-type-const-cast): it is not const itself
 }
 
@@ -34,9 +34,9 @@ void fill(mustache::data& data, const View& view, std::vector<RowSource>& source
   }
   for (const auto& [key, items] : view.lists) {
     data.set(key, mustache::data{mustache::data::type::list});
-    mustache::data& list = in_place(*data.get(key));
+    mustache::data& list = to_fill(*data.get(key));
     for (std::size_t i = 0; i < items.size(); ++i) list.push_back(mustache::data{});  // a list that grows copies, too
-    for (std::size_t i = 0; i < items.size(); ++i) fill(in_place(list.list_value()[i]), items[i], sources);
+    for (std::size_t i = 0; i < items.size(); ++i) fill(to_fill(list.list_value()[i]), items[i], sources);
   }
 }
 
