@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <kainjow/mustache.hpp>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -20,29 +22,36 @@ namespace mustache = kainjow::mustache;
 /// Encloses, in the rendered frame, the number of a row source: the rows are inserted there when the text is read.
 constexpr char kMark = '\x01';
 
+using Keys = std::set<std::string, std::less<>>;
+
 /// The library copies what is put into an object or a list, with all that it holds, and gives it back as const only. So
 /// each object and list is put in empty and filled afterwards.
 mustache::data& to_fill(const mustache::data& put_in) {
   return const_cast<mustache::data&>(put_in);  // NOLINT(cppcoreguidelines-pro-type-const-cast): it is not const itself
 }
 
-void fill(mustache::data& data, const View& view, std::vector<RowSource>& sources) {
-  for (const auto& [key, text] : view.texts) data.set(key, text);
+/// Only keys that the template uses: most templates use few of them, and the device types may be many.
+void fill(mustache::data& data, const View& view, const Keys& used, std::vector<RowSource>& sources) {
+  for (const auto& [key, text] : view.texts) {
+    if (used.contains(key)) data.set(key, text);
+  }
   for (const auto& [key, source] : view.rows) {
+    if (!used.contains(key)) continue;
     data.set(key, kMark + std::to_string(sources.size()) + kMark);
     sources.push_back(source);
   }
   for (const auto& [key, items] : view.lists) {
+    if (!used.contains(key)) continue;
     data.set(key, mustache::data{mustache::data::type::list});
     mustache::data& list = to_fill(*data.get(key));
     for (std::size_t i = 0; i < items.size(); ++i) list.push_back(mustache::data{});  // a list that grows copies, too
-    for (std::size_t i = 0; i < items.size(); ++i) fill(to_fill(list.list_value()[i]), items[i], sources);
+    for (std::size_t i = 0; i < items.size(); ++i) fill(to_fill(list.list_value()[i]), items[i], used, sources);
   }
 }
 
-/// The first fault of a template's tags, if there is one. The library leaves unknown keys empty and reports no lines:
-/// it would accept a user's template with a misspelled key.
-std::optional<TemplateError> fault_of(const Template& text) {
+/// The first fault of a template's tags, if there is one; adds their keys to `used`. The library leaves unknown keys
+/// empty and reports no lines: it would accept a user's template with a misspelled key.
+std::optional<TemplateError> fault_of(const Template& text, Keys& used) {
   struct Section {
     std::string key;
     std::size_t line;
@@ -69,6 +78,7 @@ std::optional<TemplateError> fault_of(const Template& text) {
     while (!key.empty() && key.front() == ' ') key.remove_prefix(1);
     while (!key.empty() && key.back() == ' ') key.remove_suffix(1);
     const std::string name(key);
+    used.insert(name);
     if (kind != '/') {
       if (std::string fault = fault_of_key(key, open_lists(), kind == '#' || kind == '^'); !fault.empty())
         return TemplateError{line, fault};
@@ -128,7 +138,8 @@ void put_together(std::string_view frame, const std::vector<RowSource>& sources,
 }  // namespace
 
 base::Result<base::TextSource, TemplateError> render(const Template& text, const View& view) {
-  if (auto fault = fault_of(text)) return *fault;
+  Keys used;
+  if (auto fault = fault_of(text, used)) return *fault;
   for (const char control : {kMark, kNoLineEnd}) {
     const std::size_t found = text.text.find(control);
     if (found == text.text.npos) continue;
@@ -141,7 +152,7 @@ base::Result<base::TextSource, TemplateError> render(const Template& text, const
   made.set_custom_escape([](const std::string& encoded) { return encoded; });
   std::vector<RowSource> sources;
   mustache::data data;
-  fill(data, view, sources);
+  fill(data, view, used, sources);
   std::string frame = made.render(data);
   frame.erase(std::remove(frame.begin(), frame.end(), kNoLineEnd), frame.end());
   return base::TextSource([frame = std::move(frame), sources = std::move(sources)](base::TextSink& sink) {

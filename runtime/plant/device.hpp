@@ -78,7 +78,7 @@ class DeviceArray {
   DeviceArray(Plant& plant, std::span<const NumberedUnit> units) noexcept : plant_(&plant), units_(units) {}
 
   std::size_t size() const noexcept { return units_.size(); }
-  /// The device with a number in its name. Throws std::out_of_range if there is none. O(devices).
+  /// The device with a number in its name. Throws std::out_of_range if no device has it. O(devices).
   Device<Class> operator[](std::uint64_t number) const {
     for (const NumberedUnit& unit : units_) {
       if (unit.number == number) return {*plant_, unit.unit};

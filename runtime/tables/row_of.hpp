@@ -162,18 +162,12 @@ struct RowOf {
   static constexpr auto kTransitions = kNumbered.transitions;
   static constexpr auto kTimes = first_of<kNumbered.time_count>(kNumbered.times.data());
 
-  static constexpr auto enter() noexcept {
+  /// l_enter or l_leave, for each state.
+  template <auto Function>
+  static constexpr auto masks() noexcept {
     std::array<EventMasks, Class::kS.size()> rows{};
     for (const auto x : Class::kS) {
-      const auto events = Class::l_enter(x);
-      rows[static_cast<std::size_t>(x)] = {events.on, events.off};
-    }
-    return rows;
-  }
-  static constexpr auto leave() noexcept {
-    std::array<EventMasks, Class::kS.size()> rows{};
-    for (const auto x : Class::kS) {
-      const auto events = Class::l_leave(x);
+      const auto events = Function(x);
       rows[static_cast<std::size_t>(x)] = {events.on, events.off};
     }
     return rows;
@@ -183,8 +177,8 @@ struct RowOf {
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::uint8_t>(Class::kTargets[i]);
     return rows;
   }
-  static constexpr auto kEnter = enter();
-  static constexpr auto kLeave = leave();
+  static constexpr auto kEnter = masks<&Class::l_enter>();
+  static constexpr auto kLeave = masks<&Class::l_leave>();
   static constexpr auto kTargets = targets();
 
   static_assert(!kNumbered.unknown_state, "a move leads to a value that is no state of the class");

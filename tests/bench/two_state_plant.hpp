@@ -11,8 +11,29 @@
 
 namespace symplant::bench {
 
+/// A plant and the tables on which it runs. The loads derive from it: they fill the tables, then make the plant.
+struct BenchPlant {
+  std::vector<tables::TypeRow> types;
+  std::vector<tables::UnitRow> units;
+  std::vector<tables::TransitionTimes> times;
+  tables::PlantTables tables{};
+  std::vector<std::max_align_t> memory;
+  std::unique_ptr<plant::Plant> plant;
+
+ protected:
+  /// `bits` of each device in both planes. Tables other than types, units and times must be set before.
+  void make(std::uint32_t bits) {
+    tables.types = types;
+    tables.units = units;
+    tables.times = times;
+    tables.operation_bits = tables.event_bits = (bits * static_cast<std::uint32_t>(units.size()) + 63) / 64 * 64;
+    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
+    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+  }
+};
+
 /// N devices of one type with two states; unit u travels for times[u % times.size()] nanoseconds.
-struct TwoStatePlant {
+struct TwoStatePlant : BenchPlant {
   TwoStatePlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     for (const tables::Time travel : travel_times) times.push_back({0, travel});
     const bool one = times.size() == 1;  // then it is in the type, as the tool lowers it
@@ -22,12 +43,7 @@ struct TwoStatePlant {
       const auto entry = static_cast<std::uint32_t>(d % travel_times.size());
       units.push_back({0, 0, 0, 2 * d, 2 * d, entry});
     }
-    tables.types = types;
-    tables.units = units;
-    tables.times = times;
-    tables.operation_bits = tables.event_bits = (2 * devices + 63) / 64 * 64;
-    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
-    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+    make(kStride);
   }
 
   static constexpr std::uint32_t kStride = 2;  ///< bits of a device in each plane
@@ -39,19 +55,12 @@ struct TwoStatePlant {
   static constexpr std::array<tables::EventMasks, 2> kEnter{{{1, 0}, {2, 0}}};
   static constexpr std::array<tables::EventMasks, 2> kLeave{{{0, 1}, {0, 2}}};
   static constexpr std::array<std::uint8_t, 2> kTargets{0, 1};
-
-  std::vector<tables::TypeRow> types;
-  std::vector<tables::UnitRow> units;
-  std::vector<tables::TransitionTimes> times;
-  tables::PlantTables tables{};
-  std::vector<std::max_align_t> memory;
-  std::unique_ptr<plant::Plant> plant;
 };
 
 /// N devices of `kTypes` types in random order. All have two states; the types differ in their number of operations and
 /// in the events that they switch in addition to those of the two states.
 template <std::uint32_t kTypes>
-struct ManyTypesPlant {
+struct ManyTypesPlant : BenchPlant {
   ManyTypesPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     masks.reserve(4 * kTypes);
     times.push_back({0, travel_times.front()});
@@ -69,11 +78,7 @@ struct ManyTypesPlant {
       random = random * 1664525 + 1013904223;
       units.push_back({(random >> 10 & 0xFFFF) % kTypes, 0, 0, kStride * d, kStride * d, 0});
     }
-    tables.types = types;
-    tables.units = units;
-    tables.operation_bits = tables.event_bits = (kStride * devices + 63) / 64 * 64;
-    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
-    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+    make(kStride);
   }
 
   static constexpr std::uint32_t kStride = 8;
@@ -81,18 +86,12 @@ struct ManyTypesPlant {
   static constexpr std::array<std::uint8_t, 5> kTargets{0, 1, tables::kNoState, tables::kNoState, tables::kNoState};
 
   std::vector<tables::EventMasks> masks;
-  std::vector<tables::TypeRow> types;
-  std::vector<tables::UnitRow> units;
-  std::vector<tables::TransitionTimes> times;
-  tables::PlantTables tables{};
-  std::vector<std::max_align_t> memory;
-  std::unique_ptr<plant::Plant> plant;
 };
 
 /// TwoStatePlant with all costly features: each device leaves only if a distant device is not settled in its first
 /// state or another one is, for 10 ms; one device in eight disables its neighbor while it is settled in its second
 /// state.
-struct RichPlant {
+struct RichPlant : BenchPlant {
   RichPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
     times.push_back({kAfter, travel_times.front()});
     types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, TwoStatePlant::kEnter,
@@ -105,15 +104,11 @@ struct RichPlant {
       watches.push_back({d, (d + devices - kFarther % devices) % devices, 0, 1});
       if (d % 8 == 0 && d + 1 < devices) disables.push_back({d, d + 1, 1});
     }
-    tables.types = types;
-    tables.units = units;
     tables.conditions = conditions;
     tables.conditioned_units = conditioned;
     tables.unit_watches = watches;
     tables.disables = disables;
-    tables.operation_bits = tables.event_bits = (2 * devices + 63) / 64 * 64;
-    memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
-    plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
+    make(kStride);
   }
 
   static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
@@ -124,16 +119,10 @@ struct RichPlant {
   static constexpr std::array<tables::Transition, 2> kTransitions{
       {{0, 1, 1, false, 0, true}, {1, 0, 0, false, 0, true}}};
 
-  std::vector<tables::TypeRow> types;
-  std::vector<tables::UnitRow> units;
-  std::vector<tables::TransitionTimes> times;
   std::vector<tables::ConditionRow> conditions;
   std::vector<tables::ConditionedUnit> conditioned;
   std::vector<tables::UnitWatch> watches;
   std::vector<tables::DisableRow> disables;
-  tables::PlantTables tables{};
-  std::vector<std::max_align_t> memory;
-  std::unique_ptr<plant::Plant> plant;
 };
 
 }  // namespace symplant::bench

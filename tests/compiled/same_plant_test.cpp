@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "altered_plants.hpp"
 #include "app/pipeline.hpp"
 #include "app/progress.hpp"
 #include "base/file_system.hpp"
@@ -14,37 +15,6 @@
 #include "support/catch.hpp"
 #include "symplant/tables/digest.hpp"
 #include "symplant/trace/recorder.hpp"
-
-namespace altered_1 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_1
-namespace altered_2 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_2
-namespace altered_3 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_3
-namespace altered_4 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_4
-namespace altered_5 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_5
-namespace altered_6 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_6
-namespace altered_7 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_7
-namespace altered_8 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_8
-namespace altered_9 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_9
-namespace altered_10 {
-const symplant::tables::PlantTables& tables() noexcept;
-}  // namespace altered_10
 
 namespace symplant::test {
 namespace {
@@ -117,22 +87,16 @@ TEST_CASE("A generated plant has the hash of the plant made at run time") {
 
 TEST_CASE("A generated plant with one altered row or function has another hash") {
   std::set<std::uint64_t> hashes{tables::model_hash(excell::tables())};
-  for (const auto& tables :
-       {std::cref(altered_1::tables()), std::cref(altered_2::tables()), std::cref(altered_3::tables()),
-        std::cref(altered_4::tables()), std::cref(altered_5::tables()), std::cref(altered_6::tables()),
-        std::cref(altered_7::tables()), std::cref(altered_8::tables()), std::cref(altered_9::tables()),
-        std::cref(altered_10::tables())}) {
-    CHECK(hashes.insert(tables::model_hash(tables)).second);
+  CHECK(altered_rows().size() == 4);
+  CHECK(altered_classes().size() == 6);
+  for (const auto& altered : {altered_rows(), altered_classes()}) {
+    for (const tables::PlantTables* tables : altered) CHECK(hashes.insert(tables::model_hash(*tables)).second);
   }
 }
 
 TEST_CASE("A plant does what the functions of its classes say") {
   const Trace unaltered = random_trace(excell::tables(), 1);
-  for (const auto& tables :
-       {std::cref(altered_5::tables()), std::cref(altered_6::tables()), std::cref(altered_7::tables()),
-        std::cref(altered_8::tables()), std::cref(altered_9::tables()), std::cref(altered_10::tables())}) {
-    CHECK(random_trace(tables, 1) != unaltered);
-  }
+  for (const tables::PlantTables* tables : altered_classes()) CHECK(random_trace(*tables, 1) != unaltered);
 }
 
 TEST_CASE("A generated plant does what the plant made at run time does") {

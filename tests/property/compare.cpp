@@ -144,7 +144,7 @@ class Run {
     }
     const bool restored = engine_->plant().restore(elsewhere ? saved.twin : saved.engine) &&
                           twin_->plant().restore(elsewhere ? saved.engine : saved.twin);
-    if (!restored) return "restore() refused a block of its own model";
+    if (!restored) return "restore() rejects a block of the same model";
     reference_.restore(saved.reference);
     rises_ = saved.rises;
     ++counts_.restores;
