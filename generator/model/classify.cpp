@@ -145,7 +145,7 @@ std::optional<std::uint64_t> initial_value(std::string_view text, DataType type)
   return integer(text, type);
 }
 
-RowAddress row_address(const read::ListRow& row, address::Radix radix) {
+RowAddress row_address(const read::ListRow& row, address::Notation notation, address::Radix radix) {
   RowAddress result;
   const auto take = [&](std::string_view cell, const std::optional<address::Address>& address) {
     if (address) {
@@ -156,13 +156,13 @@ RowAddress row_address(const read::ListRow& row, address::Radix radix) {
     }
   };
   if (!row.vendor_address.empty()) {
-    const auto melsec = address::parse_melsec(row.vendor_address, radix);
-    take(row.vendor_address, melsec ? melsec : address::parse_iec(row.vendor_address));
+    const auto vendor = address::parse(row.vendor_address, notation, radix);
+    take(row.vendor_address, vendor ? vendor : address::parse_iec(row.vendor_address));
   }
   const std::optional<address::Address> vendor = result.address;
   if (!row.iec_address.empty()) {  // its number is certainly decimal, so it has priority over the vendor's
     auto iec = address::parse_iec(row.iec_address);
-    if (!iec && row.vendor_address.empty()) iec = address::parse_melsec(row.iec_address, radix);
+    if (!iec && row.vendor_address.empty()) iec = address::parse(row.iec_address, notation, radix);
     take(row.iec_address, iec);
     if (vendor && iec && can_compare(*vendor, *iec)) {
       result.vendor = vendor;
@@ -217,6 +217,7 @@ RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::
   RadixChoice choice;
   RadixVotes votes;
   for (const read::SymbolTable* table : tables) {
+    if (table->notation != address::Notation::melsec) continue;
     for (const read::ListRow& row : table->rows) votes.take(row, choice);
   }
   if (votes.octal.count != votes.hexadecimal.count) {

@@ -28,7 +28,8 @@ struct RowAddress {
   std::optional<address::Address> vendor;
   bool contradicts = false;
 };
-RowAddress row_address(const read::ListRow& row, address::Radix radix);
+/// `notation` is that of the row's list.
+RowAddress row_address(const read::ListRow& row, address::Notation notation, address::Radix radix);
 
 /// An I/O symbol without unit and leader, or the reason why the row is not an I/O symbol.
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,

@@ -37,7 +37,7 @@ class SymbolCollector {
       return;
     }
     indexes_.push_back({&row, list});
-    const RowAddress address = row_address(row, plant_.lists[list].radix.radix);
+    const RowAddress address = address_of(row, list);
     auto result = classify(row, reading, address);
     const auto* reason = std::get_if<InternalReason>(&result);
     // A row that is internal for another reason may have any address.
@@ -67,10 +67,12 @@ class SymbolCollector {
     std::uint32_t list;
   };
 
+  RowAddress address_of(const read::ListRow& row, std::uint32_t list) const {
+    return row_address(row, plant_.lists[list].table->notation, plant_.lists[list].radix.radix);
+  }
+
   bool same(const Location& a, const Location& b) const {
-    const auto address = [&](const Location& index) {
-      return row_address(*index.row, plant_.lists[index.list].radix.radix).address;
-    };
+    const auto address = [&](const Location& index) { return address_of(*index.row, index.list).address; };
     return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
            text::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
   }

@@ -311,7 +311,8 @@ class LinkResolver {
 bool is_mitsubishis(const PlantModel& plant, std::uint32_t controller) {
   return std::any_of(plant.symbols.begin(), plant.symbols.end(), [&](const Symbol& symbol) {
     const std::string_view address = symbol.row->vendor_address;
-    return !address.empty() && address.front() != '%' && plant.controller_of(symbol) == controller;
+    return !address.empty() && address.front() != '%' && plant.controller_of(symbol) == controller &&
+           plant.lists[symbol.list].table->notation == address::Notation::melsec;
   });
 }
 

@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "read/csv.hpp"
+#include "read/cells/csv.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::read {

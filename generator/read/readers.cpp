@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "read/gx_iec.hpp"
+#include "read/formats.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/empty_file.hpp"
 #include "read/rules/undecodable_text.hpp"
@@ -16,12 +16,13 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array kReaders{
-    ReaderInfo{"gx-iec", "GX IEC Developer 7 global variable list", gx_iec_likelihood, read_gx_iec}};
+constexpr std::array<const ReaderInfo*, 1> kReaders{&kGxIec};
 
 std::string known_names() {
   std::string names;
-  for (const ReaderInfo& reader : kReaders) names.append(names.empty() ? "`" : ", `").append(reader.name).append("`");
+  for (const ReaderInfo* reader : kReaders) {
+    names.append(names.empty() ? "`" : ", `").append(reader->name).append("`");
+  }
   return names;
 }
 
@@ -33,12 +34,12 @@ const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const
                          diag::Diagnostics& diagnostics) {
   const ReaderInfo* best = nullptr;
   int likelihood = 0;
-  for (const ReaderInfo& reader : kReaders) {
-    if (reader.name == options.input_format) return &reader;
-    const int mine = reader.likelihood(source->text());
+  for (const ReaderInfo* reader : kReaders) {
+    if (reader->name == options.input_format) return reader;
+    const int mine = reader->likelihood(source->text());
     if (mine <= likelihood) continue;
     likelihood = mine;
-    best = &reader;
+    best = reader;
   }
   if (best == nullptr) {
     diagnostics.add(kUnknownFormat,
@@ -64,7 +65,7 @@ std::shared_ptr<const text::SourceFile> load(const std::string& path, std::strin
 }
 
 bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics) {
-  const auto is_asked_for = [&](const ReaderInfo& reader) { return reader.name == options.input_format; };
+  const auto is_asked_for = [&](const ReaderInfo* reader) { return reader->name == options.input_format; };
   if (options.input_format.empty() || std::any_of(kReaders.begin(), kReaders.end(), is_asked_for)) return true;
   diagnostics.add(kUnknownInputFormat,
                   "unknown list format `" + options.input_format + "`; choose one of " + known_names(), {});
@@ -92,7 +93,7 @@ std::string remedy_of(const text::DecodeError& fault, bool described) {
 
 }  // namespace
 
-std::span<const ReaderInfo> readers() { return kReaders; }
+std::span<const ReaderInfo* const> readers() { return kReaders; }
 
 std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
                                          diag::Diagnostics& diagnostics, std::string_view remedy) {
@@ -123,7 +124,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   if (!source) return std::nullopt;
   const ReaderInfo* const reader = choose(options, source, diagnostics);
   if (reader == nullptr) return std::nullopt;
-  auto table = reader->read(source, diagnostics);
+  auto table = reader->read({source, options, diagnostics});
   if (!table) return std::nullopt;
   const std::string_view why = options.encoding ? ", as requested" : "";
   table->decisions.insert(table->decisions.begin(),

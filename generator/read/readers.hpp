@@ -7,27 +7,11 @@
 #include <string_view>
 
 #include "base/file_system.hpp"
-#include "diag/diagnostic.hpp"
-#include "read/symbol_table.hpp"
-#include "text/encoding.hpp"
+#include "read/reader.hpp"
 
 namespace symplant::read {
 
-/// One kind of export. `likelihood` is 0 (another format) to 100 (certain); the reader with the highest reads the file.
-struct ReaderInfo {
-  std::string_view name;   ///< for --input-format: "gx-iec"
-  std::string_view title;  ///< "GX IEC Developer 7 global variable list"
-  int (*likelihood)(std::string_view text);
-  std::optional<SymbolTable> (*read)(std::shared_ptr<const text::SourceFile>, diag::Diagnostics&);
-};
-
-std::span<const ReaderInfo> readers();
-
-struct ReadOptions {
-  std::string input_format;                ///< empty: sniffed
-  std::optional<text::Encoding> encoding;  ///< nothing: sniffed
-  bool described = false;                  ///< a plant.json names the list and may give its encoding
-};
+std::span<const ReaderInfo* const> readers();
 
 /// Reads a list: file, encoding, kind, rows. Returns nothing if it added an error (file not found, not decodable,
 /// unclosed quote, no rows). A fault of a single row is a warning, and the row is left out or kept as it is.

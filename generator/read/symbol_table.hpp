@@ -8,22 +8,33 @@
 #include <string_view>
 #include <vector>
 
+#include "address/notation.hpp"
 #include "text/source_file.hpp"
 
 namespace symplant::read {
+
+inline constexpr std::uint32_t kNoExtra = UINT32_MAX;
 
 /// One row that declares a symbol. Views point into the file's text or into the table's `arena`. Blanks around a cell
 /// are removed; a missing cell is empty.
 struct ListRow {
   std::string_view klass;  ///< VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...
   std::string_view name;
-  std::string_view vendor_address;  ///< MIT-Addr.
-  std::string_view iec_address;     ///< IEC-Addr.
+  std::string_view vendor_address;  ///< in the table's notation
+  std::string_view iec_address;     ///< an IEC 61131-3 address next to the vendor's (`IEC-Addr.`)
   std::string_view type;
   std::string_view initial;
   std::string_view comment;
-  std::uint32_t line;  ///< the line at which it begins, counted from 1
-  text::Span whole;    ///< the row's bytes, without its line end
+  std::uint32_t line;              ///< the line at which it begins, counted from 1
+  std::uint32_t extra = kNoExtra;  ///< index in the table's `extras`
+  text::Span whole;                ///< the row's bytes, without its line end
+};
+
+/// What only few rows have.
+struct RowExtra {
+  std::string_view parent_comment;  ///< of the word, module or structure of which the row is a part
+  std::string_view scope;           ///< program, tag table or sheet that declares it; empty: the controller's
+  std::string_view alias;           ///< the written operand from which `vendor_address` was resolved
 };
 
 /// Movable but not copyable, because its rows point into it.
@@ -34,9 +45,19 @@ struct SymbolTable {
   SymbolTable(const SymbolTable&) = delete;
   SymbolTable& operator=(const SymbolTable&) = delete;
 
+  /// The row's extra, or one without content.
+  const RowExtra& extra_of(const ListRow& row) const {
+    static const RowExtra none;
+    return row.extra == kNoExtra ? none : extras[row.extra];
+  }
+
   std::shared_ptr<const text::SourceFile> source;
+  address::Notation notation = address::Notation::melsec;  ///< of the vendor addresses
+  bool names_are_addresses = false;  ///< the export has no names: each row has its address as its name
   std::vector<ListRow> rows;
+  std::vector<RowExtra> extras;
   std::deque<std::string> arena;       ///< cells whose text differs from the file's ("" for ")
+  std::string summary;                 ///< what was taken for what: "name: column 2 `Tag`, address: column 4 `Operand`"
   std::vector<std::string> decisions;  ///< what was recognized and why, for --verbose
 };
 

@@ -1,5 +1,5 @@
 // Rows of delimited text.
-#include "read/csv.hpp"
+#include "read/cells/csv.hpp"
 
 #include "support/catch.hpp"
 

@@ -72,5 +72,5 @@ TEST_CASE("An encoding may be given by name") {
 
 TEST_CASE("Readers have unique names and titles") {
   REQUIRE(read::readers().size() == 1);
-  CHECK(read::readers()[0].name == "gx-iec");
+  CHECK(read::readers()[0]->name == "gx-iec");
 }

@@ -1,5 +1,5 @@
 // Reads the rows of a delimited text, as views into it.
-#include "read/csv.hpp"
+#include "read/cells/csv.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/large_memory.hpp"
-#include "read/csv.hpp"
+#include "read/cells/csv.hpp"
+#include "read/formats.hpp"
 #include "read/gx_columns.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/header_alone.hpp"
@@ -99,7 +100,7 @@ class GxIecReading {
     if (layout.header_line && name == layout.header_name && is_header_again(row, layout)) return;
     ListRow& made = table_.rows.emplace_back(
         ListRow{cell(GxField::klass), name, cell(GxField::vendor_address), cell(GxField::iec_address),
-                cell(GxField::type), cell(GxField::initial), cell(GxField::comment), row.line, row.whole});
+                cell(GxField::type), cell(GxField::initial), cell(GxField::comment), row.line, kNoExtra, row.whole});
     sort_addresses(made);
   }
 
@@ -197,8 +198,10 @@ int gx_iec_likelihood(std::string_view text) {
   return columns.has(GxField::vendor_address) && columns.has(GxField::iec_address) ? 90 : 60;
 }
 
-std::optional<SymbolTable> read_gx_iec(std::shared_ptr<const text::SourceFile> source, diag::Diagnostics& diagnostics) {
-  return GxIecReading(std::move(source), diagnostics).read();
+std::optional<SymbolTable> read_gx_iec(const Reading& reading) {
+  return GxIecReading(reading.source, reading.diagnostics).read();
 }
+
+const ReaderInfo kGxIec{"gx-iec", "GX IEC Developer 7 global variable list", gx_iec_likelihood, read_gx_iec};
 
 }  // namespace symplant::read

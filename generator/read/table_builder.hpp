@@ -1,0 +1,45 @@
+// Builds a symbol table row by row, for the readers of formats.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "read/reader.hpp"
+#include "read/symbol_table.hpp"
+
+namespace symplant::read {
+
+class TableBuilder {
+ public:
+  TableBuilder(const Reading& reading, address::Notation notation);
+
+  const text::SourceFile& source() const { return *reading_.source; }
+  std::string_view text() const { return reading_.source->text(); }
+  SymbolTable& table() { return table_; }
+
+  /// A cell whose text is not in the file as such (escapes, entities). O(text).
+  std::string_view keep(std::string text);
+  /// The cell `value`, read from `offset` of the file: a view into the file if it is there as such, else kept.
+  std::string_view cell(std::size_t offset, std::string_view value);
+
+  /// A new row that begins at `whole.begin`; `line` counts from 1. The reference is valid until the next call.
+  ListRow& add(text::Span whole, std::uint32_t line);
+  /// The row's extra, to be filled.
+  RowExtra& extra(ListRow& row);
+
+  /// For --verbose.
+  void decide(std::string decision) { table_.decisions.push_back(std::move(decision)); }
+  /// Adds a finding about bytes of the file.
+  void report(const diag::RuleInfo& rule, std::string message, text::Span where);
+
+  /// The table, or nothing, with an error (SP104), if it has no row.
+  std::optional<SymbolTable> finish();
+
+ private:
+  const Reading& reading_;
+  SymbolTable table_;
+};
+
+}  // namespace symplant::read
