@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/empty_file.hpp"
@@ -19,10 +20,10 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 11> kRules{&kCannotReadFile, &kUndecodableText, &kEmptyFile,
+constexpr std::array<const diag::RuleInfo*, 12> kRules{&kCannotReadFile, &kUndecodableText, &kEmptyFile,
                                                        &kHeaderAlone,    &kUnknownFormat,   &kUnknownInputFormat,
                                                        &kMissingColumn,  &kUnclosedQuote,   &kRowWithoutIdentifier,
-                                                       &kTextAfterQuote, &kCellTooLong};
+                                                       &kTextAfterQuote, &kCellTooLong,     &kArrayTooLarge};
 
 }  // namespace
 
