@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "address/bits.hpp"
 #include "check/rules.hpp"
 #include "model/classify.hpp"
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "address/bits.hpp"
 #include "support/catch.hpp"
 
 using namespace symplant::address;

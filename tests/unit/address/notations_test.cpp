@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "address/bits.hpp"
 #include "address/notation.hpp"
 #include "support/catch.hpp"
 

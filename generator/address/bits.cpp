@@ -1,5 +1,5 @@
-// What an address covers, and the addresses after it.
-#include "address/address.hpp"
+// Which bits an address covers, and the addresses after it.
+#include "address/bits.hpp"
 
 #include "address/make.hpp"
 
