@@ -48,6 +48,18 @@ TEST_CASE("%M is memory") {
   CHECK(parse_iec("%MX0.500") != parse_iec("%MX0.501"));
 }
 
+TEST_CASE("The memories of XG5000 and Unity Pro are memory, each with a separate area") {
+  std::set<std::uint64_t> numbers;
+  const auto texts = {"%MW48029", "%WW48029", "%RW48029", "%KW48029", "%FX48029", "%LX48029", "%S48029", "%UX0.0.1"};
+  for (const char* text : texts) {
+    INFO(text);
+    REQUIRE(parse_iec(text));
+    CHECK(parse_iec(text)->area == Area::memory);
+    numbers.insert(parse_iec(text)->number);
+  }
+  CHECK(numbers.size() == texts.size());
+}
+
 TEST_CASE("A bit of a word has no link number, and differs from the bit of a byte") {
   const auto word_bit = parse_iec("%IW5.12");
   REQUIRE(word_bit.has_value());
