@@ -247,5 +247,9 @@ TEST_CASE("The addresses after one are elements of its size further") {
   CHECK_FALSE(advanced(*parse_iec("%IX1.2.3"), 1));
   CHECK_FALSE(advanced(*parse_iec("%I*"), 1));
   CHECK_FALSE(advanced(*parse_iec("%IX18446744073709551615"), 1));
+  CHECK(advanced(*parse_iec("%IX18446744073709551614"), 1) == parse_iec("%IX18446744073709551615"));
+  CHECK_FALSE(advanced(*parse_iec("%IX18446744073709551614"), 2));
+  CHECK(advanced(*parse_iec("%IW0"), (std::uint64_t{1} << 60U) - 1));
+  CHECK_FALSE(advanced(*parse_iec("%IW0"), std::uint64_t{1} << 60U));
   CHECK(advanced(*parse_iec("%IX0"), 0) == parse_iec("%IX0"));
 }
