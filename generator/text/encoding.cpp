@@ -134,7 +134,7 @@ std::string bytes_are(std::string_view bytes) {
   return text + (bytes.size() == 1 ? " is" : " are");
 }
 
-base::Result<std::string, Fault> decode_utf8(std::string text) {
+base::Result<std::string, Fault> decode_utf8(std::string& text) {
   take_off_end_mark(text);
   const std::string_view bytes = text;
   const auto fault_at = [&](std::size_t at, std::string what) {
@@ -165,7 +165,7 @@ std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t off
   return {{Encoding::utf8, as_sample(bytes.substr(begin, end - begin))}};
 }
 
-base::Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {
+base::Result<std::string, Fault> decode_legacy(std::string& bytes, Encoding encoding) {
   take_off_end_mark(bytes);
   const std::string name(encoding_name(encoding));
   for (const Mark& mark : kMarks) {
@@ -289,13 +289,26 @@ Encoding sniff(std::string_view bytes) {
 
 }  // namespace
 
-base::Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced) {
+std::optional<Encoding> declared_encoding(std::string_view bytes) {
+  if (!bytes.starts_with("<?xml")) return std::nullopt;
+  const std::string_view declaration = bytes.substr(0, std::min<std::size_t>(bytes.find("?>"), 256));
+  constexpr std::string_view kKey = "encoding";
+  const std::size_t key = declaration.find(kKey);
+  if (key == std::string_view::npos) return std::nullopt;
+  const std::size_t open = declaration.find_first_of("'\"", key + kKey.size());
+  if (open == std::string_view::npos) return std::nullopt;
+  const std::size_t close = declaration.find(declaration[open], open + 1);
+  if (close == std::string_view::npos) return std::nullopt;
+  return encoding_of_name(declaration.substr(open + 1, close - open - 1));
+}
+
+base::Result<Decoded, DecodeError> decode(std::string&& bytes, const Encoding* forced) {
   const Encoding encoding = forced != nullptr ? *forced : sniff(bytes);
   for (const Mark& mark : kMarks) {
     if (mark.encoding == encoding && bytes.starts_with(mark.bytes)) bytes.erase(0, mark.bytes.size());
   }
-  auto text = encoding == Encoding::utf8 ? decode_utf8(std::move(bytes))
-              : is_code_page(encoding)   ? decode_legacy(std::move(bytes), encoding)
+  auto text = encoding == Encoding::utf8 ? decode_utf8(bytes)
+              : is_code_page(encoding)   ? decode_legacy(bytes, encoding)
                                          : Utf16Decoder(bytes, encoding).decode();
   if (!text) return as_error(text.error());
   return Decoded{std::move(*text), encoding};
