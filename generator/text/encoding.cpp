@@ -134,6 +134,22 @@ std::string bytes_are(std::string_view bytes) {
   return text + (bytes.size() == 1 ? " is" : " are");
 }
 
+/// Whether the bytes begin with half of a surrogate pair, encoded as a character is.
+bool is_surrogate(std::string_view bytes) {
+  return bytes.size() >= 3 && bytes[0] == '\xED' && (static_cast<unsigned char>(bytes[1]) & 0xE0U) == 0xA0 &&
+         (static_cast<unsigned char>(bytes[2]) & 0xC0U) == 0x80;
+}
+
+/// Whether well-formed text has so many characters beyond ASCII that it is UTF-8 by intention.
+bool is_mostly_utf8(std::string_view text) {
+  constexpr std::size_t kEnough = 4;
+  std::size_t found = 0;
+  for (std::size_t at = 0; at < text.size() && found < kEnough; ++at) {
+    found += (static_cast<unsigned char>(text[at]) & 0xC0U) == 0xC0 ? 1U : 0U;
+  }
+  return found == kEnough;
+}
+
 base::Result<std::string, Fault> decode_utf8(std::string& text) {
   take_off_end_mark(text);
   const std::string_view bytes = text;
@@ -153,7 +169,13 @@ base::Result<std::string, Fault> decode_utf8(std::string& text) {
   Fault fault = fault_at(
       valid, bytes_are(bytes.substr(valid, high)) + " not valid UTF-8 here, so the file is in another encoding");
   fault.remedy = "give its `--encoding`, or save it as UTF-8 or UTF-16";
+  if (is_surrogate(bytes.substr(valid))) {
+    fault.what = "found a lone half of a surrogate pair as UTF-8, so this is a damaged file";
+    fault.remedy = std::string(kExportAsText);
+    return fault;
+  }
   fault.guesses = guess_encoding(bytes, valid);
+  if (!fault.guesses.empty() && is_mostly_utf8(bytes.substr(0, valid))) fault.guesses.front().recognized = false;
   return fault;
 }
 

@@ -2,6 +2,7 @@
 #include "read/cells/columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "text/ascii.hpp"
 
@@ -170,6 +171,26 @@ std::string describe(const Columns& columns, std::span<const std::string> header
     if (!text.empty()) text += ", ";
     text.append(kFieldNames[i]).append(" ").append(std::to_string(column + 1));
     if (column < header.size() && !header[column].empty()) text.append(" `").append(header[column]).append("`");
+  }
+  return text;
+}
+
+std::string summary_of(const Columns& columns, std::span<const std::string> header) {
+  constexpr std::array<std::pair<std::string_view, Field>, 5> kShown{{{"name", Field::name},
+                                                                      {"address", Field::vendor_address},
+                                                                      {"address", Field::iec_address},
+                                                                      {"type", Field::type},
+                                                                      {"comment", Field::comment}}};
+  std::string text;
+  for (const auto& [word, field] : kShown) {
+    const std::size_t column = columns[field];
+    if (column == kNoColumn) continue;
+    text.append(text.empty() ? "" : ", ").append(word).append(" ");
+    if (column < header.size()) {
+      text.append("`").append(header[column]).append("`");
+    } else {
+      text.append("in column ").append(std::to_string(column + 1));
+    }
   }
   return text;
 }

@@ -33,7 +33,8 @@ bool is_truth(std::string_view cell) {
 bool is_value(std::string_view cell) {
   if (is_truth(cell)) return true;
   return !cell.empty() && cell.find(' ') == std::string_view::npos &&
-         (text::is_digit(cell.front()) || cell.front() == '-' || cell.front() == '[' || cell.find('#') != std::string_view::npos ||
+         (text::is_digit(cell.front()) || cell.front() == '-' || cell.front() == '[' ||
+          cell.find('#') != std::string_view::npos ||
           (cell.size() > 1 && text::is_digit(cell[1]) &&
            std::string_view("KHE").find(cell.front()) != std::string_view::npos));
 }

@@ -149,7 +149,7 @@ class TableReading {
 
   void decide() {
     const std::string columns = describe(layout_.columns, layout_.header);
-    builder_.table().summary = columns;
+    builder_.table().summary = summary_of(layout_.columns, layout_.header);
     builder_.decide("delimiter: " + std::string(delimiter_name(layout_.delimiter)));
     builder_.decide(layout_.header_line ? "header: line " + std::to_string(*layout_.header_line)
                                         : "no header: columns recognized by their content, from line " +
