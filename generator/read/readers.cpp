@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/expand_arrays.hpp"
 #include "read/formats.hpp"
 #include "read/loading.hpp"
 #include "read/parts.hpp"
@@ -23,9 +24,8 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const ReaderInfo*, 9> kReaders{&kGxIec,     &kGxWorksLabels, &kGxWorksComments,  &kTiaTags,
-                                                    &kLsGlobals, &kLsTags,        &kCodesysIoMapping, &kKepware,
-                                                    &kAnyTable};
+constexpr std::array kReaders{&kGxIec,  &kGxWorksLabels,    &kGxWorksComments, &kTiaTags, &kLsGlobals,
+                              &kLsTags, &kCodesysIoMapping, &kKepware,         &kAnyTable};
 
 std::string known_names() {
   std::string names;
@@ -146,6 +146,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   table->decisions.insert(table->decisions.begin(), decisions.begin(), decisions.end());
   if (options.part != 0 && !select_part(*table, options, diagnostics)) return std::nullopt;
   table->title = reader.title;
+  expand_arrays(*table, options.xy.value_or(address::Radix::hexadecimal), diagnostics);
   return table;
 }
 

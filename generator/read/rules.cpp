@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/rules/ambiguous_columns.hpp"
+#include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/empty_file.hpp"
@@ -24,11 +25,12 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 16> kRules{
-    &kCannotReadFile,       &kUndecodableText,    &kEmptyFile,          &kHeaderAlone,
-    &kUnknownFormat,        &kUnknownInputFormat, &kMissingColumn,      &kUnclosedQuote,
-    &kRowWithoutIdentifier, &kTextAfterQuote,     &kCellTooLong,        &kAmbiguousColumns,
-    &kEncodingAssumed,      &kNoSuchPart,         &kUnreadableWorkbook, &kRecognizedFormat};
+constexpr std::array kRules{
+    &kCannotReadFile,     &kUndecodableText,  &kEmptyFile,        &kHeaderAlone,          &kUnknownFormat,
+    &kUnknownInputFormat, &kMissingColumn,    &kUnclosedQuote,    &kRowWithoutIdentifier, &kTextAfterQuote,
+    &kCellTooLong,        &kArrayTooLarge,    &kAmbiguousColumns, &kEncodingAssumed,      &kNoSuchPart,
+    &kUnreadableWorkbook, &kRecognizedFormat,
+};
 
 }  // namespace
 

@@ -32,8 +32,7 @@ TEST_CASE("Without a header the class column and the content identify the column
 TEST_CASE("Without a header the class may be in any column, and names may look like addresses") {
   const auto last = find_gx_layout("P1;X1;%IX1;BOOL;VAR_GLOBAL\nP2;Y2;%QX2;BOOL;VAR_GLOBAL\n");
   REQUIRE(last.layout);
-  CHECK(describe(last.layout->columns) ==
-        "class 5, identifier 1, vendor address 2, IEC address 3, type 4");
+  CHECK(describe(last.layout->columns) == "class 5, identifier 1, vendor address 2, IEC address 3, type 4");
   const auto alike = find_gx_layout("VAR_GLOBAL;P1;X1;BOOL\nVAR_GLOBAL;P2;Y2;BOOL\n");
   REQUIRE(alike.layout);
   CHECK(describe(alike.layout->columns) == "class 1, identifier 2, vendor address 3, type 4");

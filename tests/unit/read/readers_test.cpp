@@ -1,11 +1,10 @@
 // Bad lists: one clear message, and nothing breaks.
 #include "read/readers.hpp"
 
-#include <set>
-
 #include <unistd.h>
 
 #include <filesystem>
+#include <set>
 
 #include "read_support.hpp"
 #include "support/strings.hpp"
