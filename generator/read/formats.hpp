@@ -6,5 +6,12 @@
 namespace symplant::read {
 
 extern const ReaderInfo kGxIec;
+extern const ReaderInfo kOmronCxt;
+extern const ReaderInfo kRockwellCsv;
+extern const ReaderInfo kRockwellL5k;
+extern const ReaderInfo kStep7Asc;
+extern const ReaderInfo kStep7Sdf;
+extern const ReaderInfo kSysmac;
+extern const ReaderInfo kTiaSdf;
 
 }  // namespace symplant::read

@@ -16,7 +16,16 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const ReaderInfo*, 1> kReaders{&kGxIec};
+constexpr std::array kReaders{
+    &kGxIec,        //
+    &kOmronCxt,     //
+    &kRockwellCsv,  //
+    &kRockwellL5k,  //
+    &kStep7Asc,     //
+    &kStep7Sdf,     //
+    &kSysmac,       //
+    &kTiaSdf,       //
+};
 
 std::string known_names() {
   std::string names;

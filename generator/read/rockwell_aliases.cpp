@@ -9,9 +9,9 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::uint32_t kNothing = base::IndexTable::kNothing;
+constexpr std::uint32_t kNoTag = base::IndexTable::kNothing;
 
-std::uint64_t hash_of(std::string_view scope, std::string_view name) {
+std::uint64_t hash_of_tag(std::string_view scope, std::string_view name) {
   return text::hash_ignoring_case(scope) * 31 + text::hash_ignoring_case(name);
 }
 
@@ -24,7 +24,7 @@ OperandParts split_operand(std::string_view operand) {
 
 bool AliasResolver::add(std::string_view scope, std::string_view name, std::string_view target) {
   const auto index = static_cast<std::uint32_t>(tags_.size());
-  const std::uint32_t found = by_name_.find_or_add(hash_of(scope, name), index, [&](std::uint32_t other) {
+  const std::uint32_t found = by_name_.find_or_add(hash_of_tag(scope, name), index, [&](std::uint32_t other) {
     return text::equal_ignoring_case(tags_[other].name, name) && text::equal_ignoring_case(tags_[other].scope, scope);
   });
   if (found != index) return false;
@@ -35,21 +35,21 @@ bool AliasResolver::add(std::string_view scope, std::string_view name, std::stri
 AliasResolver::Operand AliasResolver::resolve(std::string_view scope, std::string_view operand) {
   const OperandParts parts = split_operand(operand);
   const std::uint32_t tag = find_visible(scope, parts.base);
-  if (tag == kNothing) return {operand, Outcome::unknown_tag};
+  if (tag == kNoTag) return {operand, Outcome::unknown_tag};
   const Operand base = of_tag(tag);
   return base.text.data() == tags_[tag].name.data() ? Operand{operand, base.outcome}
                                                     : joined(base, parts.tail, operand);
 }
 
 std::uint32_t AliasResolver::find(std::string_view scope, std::string_view name) const {
-  return by_name_.find(hash_of(scope, name), [&](std::uint32_t other) {
+  return by_name_.find(hash_of_tag(scope, name), [&](std::uint32_t other) {
     return text::equal_ignoring_case(tags_[other].name, name) && text::equal_ignoring_case(tags_[other].scope, scope);
   });
 }
 
 std::uint32_t AliasResolver::find_visible(std::string_view scope, std::string_view name) const {
-  const std::uint32_t tag = scope.empty() ? kNothing : find(scope, name);
-  return tag == kNothing ? find({}, name) : tag;
+  const std::uint32_t tag = scope.empty() ? kNoTag : find(scope, name);
+  return tag == kNoTag ? find({}, name) : tag;
 }
 
 /// What a tag without target, or with one that was resolved, names.
@@ -75,7 +75,7 @@ AliasResolver::Operand AliasResolver::of_tag(std::uint32_t tag) {
     path_.push_back(next);
     const OperandParts parts = split_operand(here.target);
     next = find_visible(here.scope, parts.base);
-    if (next == kNothing) {
+    if (next == kNoTag) {
       end = {parts.base, Outcome::unknown_tag};
       break;
     }

@@ -3,11 +3,13 @@
 
 #include <array>
 
+#include "read/rules/alias_not_resolved.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/empty_file.hpp"
 #include "read/rules/header_alone.hpp"
 #include "read/rules/missing_column.hpp"
+#include "read/rules/row_not_understood.hpp"
 #include "read/rules/row_without_identifier.hpp"
 #include "read/rules/text_after_quote.hpp"
 #include "read/rules/unclosed_quote.hpp"
@@ -19,10 +21,21 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 11> kRules{&kCannotReadFile, &kUndecodableText, &kEmptyFile,
-                                                       &kHeaderAlone,    &kUnknownFormat,   &kUnknownInputFormat,
-                                                       &kMissingColumn,  &kUnclosedQuote,   &kRowWithoutIdentifier,
-                                                       &kTextAfterQuote, &kCellTooLong};
+constexpr std::array kRules{
+    &kCannotReadFile,        //
+    &kUndecodableText,       //
+    &kEmptyFile,             //
+    &kHeaderAlone,           //
+    &kUnknownFormat,         //
+    &kUnknownInputFormat,    //
+    &kMissingColumn,         //
+    &kUnclosedQuote,         //
+    &kRowWithoutIdentifier,  //
+    &kTextAfterQuote,        //
+    &kCellTooLong,           //
+    &kAliasNotResolved,      //
+    &kRowNotUnderstood,      //
+};
 
 }  // namespace
 
