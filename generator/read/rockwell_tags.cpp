@@ -73,12 +73,12 @@ void RockwellTags::report_unresolved(const RockwellTag& tag, AliasResolver::Outc
   if (outcome == Outcome::tag || (outcome == Outcome::unknown_tag && !missing)) return;
   std::string message = "the alias `" + std::string(tag.name) + "` of `" + std::string(tag.target) + "` ";
   if (outcome == Outcome::cycle) {
-    message += "leads back to itself, so it is counted_items as memory; name another tag";
+    message += "leads back to itself, so it is counted as memory; name another tag";
   } else if (missing) {
-    message += "leads to a tag that the list does not have, so it is counted_items as memory; export that tag too";
+    message += "leads to a tag that the list does not have, so it is counted as memory; export that tag too";
   } else {
     message += "has an operand of more than " + std::to_string(kLongestOperand) +
-               " characters, so it is counted_items as memory; shorten the chain of aliases";
+               " characters, so it is counted as memory; shorten the chain of aliases";
   }
   builder_.report(kAliasNotResolved, std::move(message), builder_.source().span_of(tag.target, tag.whole));
 }
