@@ -11,8 +11,8 @@ namespace symplant::read {
 
 namespace {
 
-/// The type of rows that name a whole module, if the export gives none.
-constexpr std::string_view kModuleType = "MODULE";
+/// The type of rows that name a whole of which the inputs and outputs are parts, if the export gives none.
+constexpr std::string_view kStructure = "STRUCTURE";
 
 bool is_of_module(std::string_view name) { return name.find(':') != std::string_view::npos; }
 
@@ -98,16 +98,18 @@ void RockwellTags::index_operands() {
   for (std::size_t i = 0; i < tags_.size(); ++i) {
     if (tags_[i].target.empty() || is_of_module(tags_[i].name) || !is_module_io(tag_operands_[i])) continue;
     ++of_io_;
-    add_with_parents(tag_operands_[i]);
+    io_operands_.insert(tag_operands_[i]);
+    add_wholes(tag_operands_[i]);
   }
   for (const std::string_view operand : comment_operands_) {
-    if (is_module_io(operand)) add_with_parents(parent_operand(operand));
+    if (is_module_io(operand)) add_wholes(operand);
   }
 }
 
-/// Marks an operand that has a row, and all of which it is a part.
-void RockwellTags::add_with_parents(std::string_view operand) {
-  while (is_module_io(operand) && io_operands_.insert(operand).second) operand = parent_operand(operand);
+/// Marks all of which an operand is a part.
+void RockwellTags::add_wholes(std::string_view operand) {
+  do operand = parent_operand(operand);
+  while (is_module_io(operand) && io_wholes_.insert(operand).second);
 }
 
 void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
@@ -116,9 +118,11 @@ void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
   row.type = tag.type;
   row.comment = decoded(tag.comment);
   if (!tag.scope.empty()) builder_.extra(row).scope = tag.scope;
-  const bool whole_module = is_of_module(resolved) && split_operand(resolved).tail.empty();
-  if (is_of_module(tag.name) || whole_module) {
-    if (row.type.empty()) row.type = kModuleType;
+  const bool whole_module = is_of_module(tag.name) || (is_of_module(resolved) && split_operand(resolved).tail.empty());
+  const bool word_of_bits = !whole_module && io_wholes_.contains(resolved);
+  if (word_of_bits) ++words_of_bits_;
+  if (whole_module || word_of_bits) {
+    if (row.type.empty()) row.type = kStructure;
   } else {
     row.vendor_address = resolved;
   }
@@ -133,7 +137,7 @@ void RockwellTags::fill_alias(ListRow& row, const RockwellTag& tag, std::string_
 }
 
 void RockwellTags::make_row(const RockwellComment& comment, std::string_view resolved) {
-  if (!is_module_io(resolved) || !io_operands_.insert(resolved).second) return;
+  if (!is_module_io(resolved) || io_wholes_.contains(resolved) || !io_operands_.insert(resolved).second) return;
   ++rows_of_comments_;
   ListRow& row = builder_.add(comment.whole, comment.line);
   row.name = comment.operand;
@@ -178,6 +182,9 @@ void RockwellTags::describe() {
   builder_.decide("comments on operands: " + std::to_string(comments_.size()) + ", of which " +
                   std::to_string(rows_of_comments_) +
                   " name inputs and outputs that have no alias and are rows; the others describe memory or other rows");
+  if (words_of_bits_ != 0) {
+    builder_.decide("aliases of words whose bits are rows: " + std::to_string(words_of_bits_) + ", kept as structures");
+  }
   if (!repeated_.empty()) {
     builder_.decide("names in several programs: " + std::to_string(repeated_.size()) +
                     "; their rows are named `PROGRAM.NAME`");

@@ -34,7 +34,8 @@ struct RockwellComment {
 };
 
 /// Collects what an export declares, then makes the rows:
-/// - each tag and alias is a row; an alias has the operand that it names in the end as its address;
+/// - each tag and alias is a row; an alias has the operand that it names in the end as its address, but a whole module
+///   and a word whose bits are rows have the type STRUCTURE and no address;
 /// - a comment on module I/O that no alias names, and of which no row is a part, is a row with the operand as name;
 /// - all other comments are used where an alias has no comment itself, or as the comment of the part's parent.
 /// A tag of a program has the name `PROGRAM.NAME` if another scope has a tag of that name.
@@ -52,6 +53,7 @@ class RockwellTags {
   void make_rows();
 
  private:
+  using Names = std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>;
   struct Text {
     std::string_view text;
     bool decoded;
@@ -60,7 +62,7 @@ class RockwellTags {
   void declare();
   void index_texts();
   void index_operands();
-  void add_with_parents(std::string_view operand);
+  void add_wholes(std::string_view operand);
   void make_row(const RockwellTag& tag, std::string_view resolved);
   void fill_alias(ListRow& row, const RockwellTag& tag, std::string_view resolved);
   void make_row(const RockwellComment& comment, std::string_view resolved);
@@ -80,13 +82,14 @@ class RockwellTags {
   std::vector<std::string_view> tag_operands_;      ///< for each tag, resolved
   std::vector<std::string_view> comment_operands_;  ///< for each comment, resolved
   text::ByName<std::string_view> scope_of_name_;    ///< the first scope that has a name
-  std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase> repeated_;  ///< names
+  Names repeated_;                                  ///< names that several scopes have
   text::ByName<Text> text_of_operand_;
-  std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>
-      io_operands_;        ///< of rows, and all of which they are a part
+  Names io_operands_;      ///< of rows
+  Names io_wholes_;        ///< of which the operand of a row is a part
   std::size_t of_io_ = 0;  ///< aliases of module I/O
   std::size_t aliases_count_ = 0;
   std::size_t rows_of_comments_ = 0;
+  std::size_t words_of_bits_ = 0;  ///< aliases of which other rows are parts
 };
 
 }  // namespace symplant::read

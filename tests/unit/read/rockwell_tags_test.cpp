@@ -51,6 +51,20 @@ TEST_CASE("A comment on a word is the comment of the parent of its bits, and no 
   CHECK(row_of(reading, "Local:1:I").type == "AB:1756_DI:I:0");
 }
 
+TEST_CASE("An alias of a word is a structure if its bits are rows") {
+  const test::Reading reading = read_tags(
+      "ALIAS,,Word,\"\",\"\",\"Local:1:I.Data[2]\",\"\"\n"
+      "ALIAS,,Level,\"\",\"\",\"Local:1:I.Data[3]\",\"\"\n"
+      "ALIAS,,Card,\"\",\"\",\"Local:1:I\",\"\"\n"
+      "COMMENT,,Word,\"bit\",\"\",\"Word.3\"\n");
+  REQUIRE(reading.table);
+  CHECK(test::rows_as_text(*reading.table) ==
+        "|Word|||STRUCTURE||\n"
+        "|Level|Local:1:I.Data[3]||||\n"
+        "|Card|||STRUCTURE||\n"
+        "|Word.3|Local:1:I.Data[2].3||||bit\n");
+}
+
 TEST_CASE("A name that several scopes have is kept apart by its program, other names are kept") {
   const test::Reading reading = read_tags(
       "TAG,,Ready,\"\",\"BOOL\",\"\",\"\"\n"
