@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "read/expand_arrays.hpp"
 #include "read/formats.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/empty_file.hpp"
@@ -135,6 +136,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   if (reader == nullptr) return std::nullopt;
   auto table = reader->read({source, options, diagnostics});
   if (!table) return std::nullopt;
+  expand_arrays(*table, options.xy.value_or(address::Radix::hexadecimal), diagnostics);
   const std::string_view why = options.encoding ? ", as requested" : "";
   table->decisions.insert(table->decisions.begin(),
                           {"format: " + std::string(reader->name) + " (" + std::string(reader->title) + ")",

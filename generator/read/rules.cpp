@@ -4,6 +4,7 @@
 #include <array>
 
 #include "read/rules/alias_not_resolved.hpp"
+#include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/empty_file.hpp"
@@ -35,6 +36,7 @@ constexpr std::array kRules{
     &kCellTooLong,           //
     &kAliasNotResolved,      //
     &kRowNotUnderstood,      //
+    &kArrayTooLarge,         //
 };
 
 }  // namespace
