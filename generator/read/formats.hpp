@@ -13,6 +13,13 @@ extern const ReaderInfo kGxWorksLabels;
 extern const ReaderInfo kKepware;
 extern const ReaderInfo kLsGlobals;
 extern const ReaderInfo kLsTags;
+extern const ReaderInfo kOmronCxt;
+extern const ReaderInfo kRockwellCsv;
+extern const ReaderInfo kRockwellL5k;
+extern const ReaderInfo kStep7Asc;
+extern const ReaderInfo kStep7Sdf;
+extern const ReaderInfo kSysmac;
+extern const ReaderInfo kTiaSdf;
 extern const ReaderInfo kTiaTags;
 
 }  // namespace symplant::read

@@ -24,8 +24,24 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array kReaders{&kGxIec,  &kGxWorksLabels,    &kGxWorksComments, &kTiaTags, &kLsGlobals,
-                              &kLsTags, &kCodesysIoMapping, &kKepware,         &kAnyTable};
+constexpr std::array kReaders{
+    &kGxIec,             //
+    &kGxWorksLabels,     //
+    &kGxWorksComments,   //
+    &kCodesysIoMapping,  //
+    &kKepware,           //
+    &kLsGlobals,         //
+    &kLsTags,            //
+    &kOmronCxt,          //
+    &kRockwellCsv,       //
+    &kRockwellL5k,       //
+    &kStep7Asc,          //
+    &kStep7Sdf,          //
+    &kSysmac,            //
+    &kTiaSdf,            //
+    &kTiaTags,           //
+    &kAnyTable,          //
+};
 
 std::string known_names() {
   std::string names;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "read/rules/alias_not_resolved.hpp"
 #include "read/rules/ambiguous_columns.hpp"
 #include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
@@ -13,6 +14,7 @@
 #include "read/rules/missing_column.hpp"
 #include "read/rules/no_such_part.hpp"
 #include "read/rules/recognized_format.hpp"
+#include "read/rules/row_not_understood.hpp"
 #include "read/rules/row_without_identifier.hpp"
 #include "read/rules/text_after_quote.hpp"
 #include "read/rules/unclosed_quote.hpp"
@@ -26,10 +28,25 @@ namespace symplant::read {
 namespace {
 
 constexpr std::array kRules{
-    &kCannotReadFile,     &kUndecodableText,  &kEmptyFile,        &kHeaderAlone,          &kUnknownFormat,
-    &kUnknownInputFormat, &kMissingColumn,    &kUnclosedQuote,    &kRowWithoutIdentifier, &kTextAfterQuote,
-    &kCellTooLong,        &kArrayTooLarge,    &kAmbiguousColumns, &kEncodingAssumed,      &kNoSuchPart,
-    &kUnreadableWorkbook, &kRecognizedFormat,
+    &kCannotReadFile,        //
+    &kUndecodableText,       //
+    &kEmptyFile,             //
+    &kHeaderAlone,           //
+    &kUnknownFormat,         //
+    &kUnknownInputFormat,    //
+    &kMissingColumn,         //
+    &kUnclosedQuote,         //
+    &kRowWithoutIdentifier,  //
+    &kTextAfterQuote,        //
+    &kCellTooLong,           //
+    &kAliasNotResolved,      //
+    &kRowNotUnderstood,      //
+    &kArrayTooLarge,         //
+    &kAmbiguousColumns,      //
+    &kEncodingAssumed,       //
+    &kNoSuchPart,            //
+    &kUnreadableWorkbook,    //
+    &kRecognizedFormat,      //
 };
 
 }  // namespace

@@ -53,7 +53,11 @@ TEST_CASE("A format may be given by name, and an unknown one lists the known one
   const test::Reading wrong = test::read_text(list, "list.csv", {"gx-eic", {}});
   CHECK_FALSE(wrong.table);
   REQUIRE(wrong.diagnostics.all().size() == 1);
-  CHECK(test::contains(wrong.diagnostics.all()[0].message, "unknown list format `gx-eic`; choose one of `gx-iec`, "));
+  const std::string& message = wrong.diagnostics.all()[0].message;
+  CHECK(test::contains(message, "unknown list format `gx-eic`; choose one of `gx-iec`, "));
+  for (const read::ReaderInfo* reader : read::readers()) {
+    CHECK(test::contains(message, "`" + std::string(reader->name) + "`"));
+  }
 }
 
 TEST_CASE("A given format is used for any content") {
