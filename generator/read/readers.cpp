@@ -17,14 +17,21 @@ namespace symplant::read {
 namespace {
 
 constexpr std::array kReaders{
-    &kGxIec,        //
-    &kOmronCxt,     //
-    &kRockwellCsv,  //
-    &kRockwellL5k,  //
-    &kStep7Asc,     //
-    &kStep7Sdf,     //
-    &kSysmac,       //
-    &kTiaSdf,       //
+    &kGxIec,           //
+    &kOmronCxt,        //
+    &kPlcopen,         //
+    &kRockwellCsv,     //
+    &kRockwellL5k,     //
+    &kRockwellL5x,     //
+    &kSchneiderXsy,    //
+    &kStep7Asc,        //
+    &kStep7Sdf,        //
+    &kStructuredText,  //
+    &kSysmac,          //
+    &kTiaOpenness,     //
+    &kTiaSdf,          //
+    &kTiaTagTable,     //
+    &kTwincatGvl,      //
 };
 
 std::string known_names() {
