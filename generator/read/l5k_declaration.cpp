@@ -43,6 +43,7 @@ struct L5kValueParser : x3::parser<L5kValueParser> {
       const char c = *at;
       if (c == '"' || c == '\'') {
         const Iterator end = end_of_l5k_string(at, last);
+        if (end == at && c == '"') return false;
         if (end != at) at = end - 1;
       } else if (c == '(' || c == '[') {
         ++depth;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/index_table.hpp"
+#include "base/large_memory.hpp"
 
 namespace symplant::read {
 
@@ -39,8 +40,10 @@ class AliasResolver {
     Outcome outcome;
   };
 
-  /// Composed operands are kept in `arena`.
-  explicit AliasResolver(std::deque<std::string>& arena) : arena_(arena) {}
+  /// Composed operands are kept in `arena`. Reserves room for `expected` tags.
+  explicit AliasResolver(std::deque<std::string>& arena, std::size_t expected = 0) : arena_(arena), by_name_(expected) {
+    base::reserve_large(tags_, expected);
+  }
 
   /// Declares a tag; `target` is empty if it is no alias. `scope` is its program, empty for the controller. Returns
   /// false, without effect, if the scope has a tag of that name. All tags are declared before the first `resolve`.

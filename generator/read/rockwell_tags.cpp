@@ -11,103 +11,100 @@ namespace symplant::read {
 
 namespace {
 
-/// The type of rows that name a whole module, if the export gives none.
-constexpr std::string_view kModuleType = "MODULE";
+/// The type of rows that name a whole of which the inputs and outputs are parts, if the export gives none.
+constexpr std::string_view kStructure = "STRUCTURE";
 
 bool is_of_module(std::string_view name) { return name.find(':') != std::string_view::npos; }
-
-/// Whether an operand is a part of a module's input or output tag: `Local:1:I.Data.0`, `Box:O1.Data[2].7`.
-bool is_module_io(std::string_view operand) {
-  const OperandParts parts = split_operand(operand);
-  const std::size_t colon = parts.base.rfind(':');
-  if (parts.tail.empty() || colon == std::string_view::npos || colon + 1 == parts.base.size()) return false;
-  const char area = text::upper(parts.base[colon + 1]);
-  const std::string_view number = parts.base.substr(colon + 2);
-  return (area == 'I' || area == 'O') && std::all_of(number.begin(), number.end(), text::is_digit);
-}
-
-/// The operand without its last member, element or bit; empty for a tag, and for what is no operand by its length.
-std::string_view parent_operand(std::string_view operand) {
-  if (operand.size() > kLongestOperand) return {};
-  const std::size_t end = operand.find_last_of(".[");
-  return end == std::string_view::npos ? std::string_view() : operand.substr(0, end);
-}
-
-std::string counted_items(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what; }
 
 }  // namespace
 
 void RockwellTags::make_rows() {
-  declare();
-  index_texts();
-  index_operands();
-  builder_.table().rows.reserve(tags_.size());
-  for (std::size_t i = 0; i < tags_.size(); ++i) make_row(tags_[i], tag_operands_[i]);
-  for (std::size_t i = 0; i < comments_.size(); ++i) make_row(comments_[i], comment_operands_[i]);
+  name_rows();
+  resolve();
+  take_comments();
+  mark_operands();
+  base::reserve_large(builder_.table().rows, tags_.size());
+  base::reserve_large(builder_.table().extras, aliases_);
+  // What was taken in is freed while rows are made, because a list may have a million of them.
+  for (const std::string_view operand : tag_operands_) {
+    make_row(tags_.front(), operand);
+    tags_.pop_front();
+  }
+  for (const std::uint32_t operand : comment_operands_) {
+    make_row(comments_.front(), operand);
+    comments_.pop_front();
+  }
   describe();
 }
 
-void RockwellTags::declare() {
+/// Finds the names that need their program.
+void RockwellTags::name_rows() {
+  const auto in_program = [](const RockwellTag& tag) { return !tag.scope.empty(); };
+  if (std::none_of(tags_.begin(), tags_.end(), in_program)) return;
+  text::ByName<std::string_view> scopes;
   for (const RockwellTag& tag : tags_) {
-    aliases_.add(tag.scope, tag.name, tag.target);
-    const auto [first, added] = scope_of_name_.try_emplace(tag.name, tag.scope);
+    const auto [first, added] = scopes.try_emplace(tag.name, tag.scope);
     if (!added && !text::equal_ignoring_case(first->second, tag.scope)) repeated_.insert(tag.name);
-  }
-  tag_operands_.reserve(tags_.size());
-  for (const RockwellTag& tag : tags_) {
-    const AliasResolver::Operand operand = aliases_.resolve(tag.scope, tag.target.empty() ? tag.name : tag.target);
-    tag_operands_.push_back(operand.text);
-    if (tag.target.empty()) continue;
-    ++aliases_count_;
-    report_unresolved(tag, operand.outcome);
-  }
-  comment_operands_.reserve(comments_.size());
-  for (const RockwellComment& comment : comments_) {
-    comment_operands_.push_back(aliases_.resolve(comment.scope, comment.operand).text);
   }
 }
 
-void RockwellTags::report_unresolved(const RockwellTag& tag, AliasResolver::Outcome outcome) {
-  using Outcome = AliasResolver::Outcome;
-  const bool missing = outcome == Outcome::unknown_tag && !is_of_module(tag_operands_.back());
-  if (outcome == Outcome::tag || (outcome == Outcome::unknown_tag && !missing)) return;
+void RockwellTags::resolve() {
+  AliasResolver resolver(builder_.table().arena, tags_.size());
+  for (const RockwellTag& tag : tags_) resolver.add(tag.scope, tag.name, tag.target);
+  tag_operands_.reserve(tags_.size());
+  for (const RockwellTag& tag : tags_) {
+    const AliasResolver::Operand operand = resolver.resolve(tag.scope, tag.target.empty() ? tag.name : tag.target);
+    tag_operands_.push_back(operand.text);
+    if (tag.target.empty()) continue;
+    ++aliases_;
+    report_unresolved(tag, operand);
+  }
+  operands_.reserve(tags_.size() + comments_.size());
+  comment_operands_.reserve(comments_.size());
+  for (const RockwellComment& comment : comments_) {
+    comment_operands_.push_back(operands_.number_of(resolver.resolve(comment.scope, comment.operand).text));
+  }
+}
+
+void RockwellTags::report_unresolved(const RockwellTag& tag, const AliasResolver::Operand& operand) {
+  const bool missing = operand.outcome == Outcome::unknown_tag && !is_of_module(operand.text);
+  if (operand.outcome == Outcome::tag || (operand.outcome == Outcome::unknown_tag && !missing)) return;
   std::string message = "the alias `" + std::string(tag.name) + "` of `" + std::string(tag.target) + "` ";
-  if (outcome == Outcome::cycle) {
-    message += "leads back to itself, so it is counted_items as memory; name another tag";
+  if (operand.outcome == Outcome::cycle) {
+    message += "leads back to itself, so it is counted as memory; name another tag";
   } else if (missing) {
-    message += "leads to a tag that the list does not have, so it is counted_items as memory; export that tag too";
+    message += "leads to a tag that the list does not have, so it is counted as memory; export that tag too";
   } else {
     message += "has an operand of more than " + std::to_string(kLongestOperand) +
-               " characters, so it is counted_items as memory; shorten the chain of aliases";
+               " characters, so it is counted as memory; shorten the chain of aliases";
   }
   builder_.report(kAliasNotResolved, std::move(message), builder_.source().span_of(tag.target, tag.whole));
 }
 
-void RockwellTags::index_texts() {
-  const auto add = [&](std::string_view operand, std::string_view text) {
-    if (!text.empty()) text_of_operand_.try_emplace(operand, Text{text, false});
+void RockwellTags::take_comments() {
+  const auto take = [&](std::uint32_t number, std::string_view text) {
+    if (operands_[number].comment.empty()) operands_[number].comment = text;
   };
-  text_of_operand_.reserve(comments_.size());
-  for (std::size_t i = 0; i < comments_.size(); ++i) add(comment_operands_[i], comments_[i].text);
+  for (std::size_t i = 0; i < comments_.size(); ++i) take(comment_operands_[i], comments_[i].text);
   for (std::size_t i = 0; i < tags_.size(); ++i) {
-    if (tags_[i].target.empty() || is_of_module(tags_[i].name)) add(tag_operands_[i], tags_[i].comment);
+    const RockwellTag& tag = tags_[i];
+    if (tag.comment.empty() || (!tag.target.empty() && !is_of_module(tag.name))) continue;
+    take(operands_.number_of(tag_operands_[i]), tag.comment);
   }
 }
 
-void RockwellTags::index_operands() {
+/// Marks the operands that have a row, and all of which such an operand is a part.
+void RockwellTags::mark_operands() {
   for (std::size_t i = 0; i < tags_.size(); ++i) {
     if (tags_[i].target.empty() || is_of_module(tags_[i].name) || !is_module_io(tag_operands_[i])) continue;
     ++of_io_;
-    add_with_parents(tag_operands_[i]);
+    const std::uint32_t number = operands_.number_of(tag_operands_[i]);
+    operands_[number].has_row = true;
+    operands_.mark_wholes(number);
   }
-  for (const std::string_view operand : comment_operands_) {
-    if (is_module_io(operand)) add_with_parents(parent_operand(operand));
+  for (const std::uint32_t number : comment_operands_) {
+    if (is_module_io(operands_[number].text)) operands_.mark_wholes(number);
   }
-}
-
-/// Marks an operand that has a row, and all of which it is a part.
-void RockwellTags::add_with_parents(std::string_view operand) {
-  while (is_module_io(operand) && io_operands_.insert(operand).second) operand = parent_operand(operand);
 }
 
 void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
@@ -116,33 +113,42 @@ void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
   row.type = tag.type;
   row.comment = decoded(tag.comment);
   if (!tag.scope.empty()) builder_.extra(row).scope = tag.scope;
-  const bool whole_module = is_of_module(resolved) && split_operand(resolved).tail.empty();
-  if (is_of_module(tag.name) || whole_module) {
-    if (row.type.empty()) row.type = kModuleType;
-  } else {
-    row.vendor_address = resolved;
+  bool whole = is_of_module(tag.name) || (is_of_module(resolved) && split_operand(resolved).tail.empty());
+  if (!tag.target.empty()) {
+    const std::uint32_t number = operands_.number_of(resolved);
+    fill_alias(row, tag, number);
+    if (!whole && operands_[number].is_whole && is_module_io(resolved)) {
+      whole = true;
+      ++words_of_bits_;
+    }
   }
-  if (!tag.target.empty()) fill_alias(row, tag, resolved);
+  if (!whole) {
+    row.vendor_address = resolved;
+  } else if (row.type.empty()) {
+    row.type = kStructure;
+  }
 }
 
-void RockwellTags::fill_alias(ListRow& row, const RockwellTag& tag, std::string_view resolved) {
-  if (row.comment.empty()) row.comment = text_of(resolved);
+void RockwellTags::fill_alias(ListRow& row, const RockwellTag& tag, std::uint32_t operand) {
+  if (row.comment.empty()) row.comment = comment_of(operand);
   RowExtra& extra = builder_.extra(row);
   extra.alias = tag.target;
-  extra.parent_comment = text_of_parent(resolved);
+  extra.parent_comment = comment_of_parent(operand);
 }
 
-void RockwellTags::make_row(const RockwellComment& comment, std::string_view resolved) {
-  if (!is_module_io(resolved) || !io_operands_.insert(resolved).second) return;
+void RockwellTags::make_row(const RockwellComment& comment, std::uint32_t operand) {
+  RockwellOperands::Operand& resolved = operands_[operand];
+  if (resolved.has_row || resolved.is_whole || !is_module_io(resolved.text)) return;
+  resolved.has_row = true;
   ++rows_of_comments_;
   ListRow& row = builder_.add(comment.whole, comment.line);
   row.name = comment.operand;
-  row.vendor_address = resolved;
-  row.comment = text_of(resolved);
-  const std::string_view parent = text_of_parent(resolved);
-  if (!parent.empty()) builder_.extra(row).parent_comment = parent;
+  row.vendor_address = resolved.text;
   if (!comment.scope.empty()) builder_.extra(row).scope = comment.scope;
-  if (!text::equal_ignoring_case(comment.operand, resolved)) builder_.extra(row).alias = comment.operand;
+  if (!text::equal_ignoring_case(comment.operand, resolved.text)) builder_.extra(row).alias = comment.operand;
+  row.comment = comment_of(operand);
+  const std::string_view parent = comment_of_parent(operand);
+  if (!parent.empty()) builder_.extra(row).parent_comment = parent;
 }
 
 std::string_view RockwellTags::name_of(const RockwellTag& tag) {
@@ -155,29 +161,33 @@ std::string_view RockwellTags::decoded(std::string_view text) {
   return has_escape ? builder_.keep(decode_rockwell_text(text)) : text;
 }
 
-std::string_view RockwellTags::text_of(std::string_view operand) {
-  const auto found = text_of_operand_.find(operand);
-  if (found == text_of_operand_.end()) return {};
-  if (!found->second.decoded) found->second = {decoded(found->second.text), true};
-  return found->second.text;
+std::string_view RockwellTags::comment_of(std::uint32_t number) {
+  RockwellOperands::Operand& operand = operands_[number];
+  if (!operand.comment_decoded) {
+    operand.comment = decoded(operand.comment);
+    operand.comment_decoded = true;
+  }
+  return operand.comment;
 }
 
-std::string_view RockwellTags::text_of_parent(std::string_view operand) {
-  for (operand = parent_operand(operand); !operand.empty(); operand = parent_operand(operand)) {
-    const std::string_view text = text_of(operand);
-    if (!text.empty()) return text;
+std::string_view RockwellTags::comment_of_parent(std::uint32_t operand) {
+  for (std::uint32_t parent = operands_.parent_of(operand); parent != RockwellOperands::kNone;
+       parent = operands_.parent_of(parent)) {
+    const std::string_view comment = comment_of(parent);
+    if (!comment.empty()) return comment;
   }
   return {};
 }
 
 void RockwellTags::describe() {
-  const std::size_t all = tags_.size();
-  builder_.decide("tags: " + counted_items(all - aliases_count_, "tags, ") +
-                  counted_items(aliases_count_, "aliases, ") + std::to_string(of_io_) +
-                  " of them of inputs and outputs of modules");
-  builder_.decide("comments on operands: " + std::to_string(comments_.size()) + ", of which " +
+  builder_.decide("tags: " + std::to_string(tag_operands_.size() - aliases_) + " tags, " + std::to_string(aliases_) +
+                  " aliases, " + std::to_string(of_io_) + " of them of inputs and outputs of modules");
+  builder_.decide("comments on operands: " + std::to_string(comment_operands_.size()) + ", of which " +
                   std::to_string(rows_of_comments_) +
                   " name inputs and outputs that have no alias and are rows; the others describe memory or other rows");
+  if (words_of_bits_ != 0) {
+    builder_.decide("aliases of words whose bits are rows: " + std::to_string(words_of_bits_) + ", kept as structures");
+  }
   if (!repeated_.empty()) {
     builder_.decide("names in several programs: " + std::to_string(repeated_.size()) +
                     "; their rows are named `PROGRAM.NAME`");

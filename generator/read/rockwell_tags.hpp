@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <string_view>
 #include <unordered_set>
 #include <vector>
 
 #include "read/rockwell_aliases.hpp"
+#include "read/rockwell_operands.hpp"
 #include "read/table_builder.hpp"
 #include "text/ascii.hpp"
 
@@ -34,7 +36,8 @@ struct RockwellComment {
 };
 
 /// Collects what an export declares, then makes the rows:
-/// - each tag and alias is a row; an alias has the operand that it names in the end as its address;
+/// - each tag and alias is a row; an alias has the operand that it names in the end as its address, but a whole module
+///   and a word whose bits are rows have the type STRUCTURE and no address;
 /// - a comment on module I/O that no alias names, and of which no row is a part, is a row with the operand as name;
 /// - all other comments are used where an alias has no comment itself, or as the comment of the part's parent.
 /// A tag of a program has the name `PROGRAM.NAME` if another scope has a tag of that name.
@@ -42,8 +45,7 @@ class RockwellTags {
  public:
   enum class Texts : std::uint8_t { plain, escaped };
 
-  RockwellTags(TableBuilder& builder, Texts texts)
-      : builder_(builder), texts_(texts), aliases_(builder.table().arena) {}
+  RockwellTags(TableBuilder& builder, Texts texts) : builder_(builder), texts_(texts) {}
 
   void add(const RockwellTag& tag) { tags_.push_back(tag); }
   void add(const RockwellComment& comment) { comments_.push_back(comment); }
@@ -52,41 +54,36 @@ class RockwellTags {
   void make_rows();
 
  private:
-  struct Text {
-    std::string_view text;
-    bool decoded;
-  };
+  using Outcome = AliasResolver::Outcome;
 
-  void declare();
-  void index_texts();
-  void index_operands();
-  void add_with_parents(std::string_view operand);
+  void name_rows();
+  void resolve();
+  void take_comments();
+  void mark_operands();
   void make_row(const RockwellTag& tag, std::string_view resolved);
-  void fill_alias(ListRow& row, const RockwellTag& tag, std::string_view resolved);
-  void make_row(const RockwellComment& comment, std::string_view resolved);
-  void report_unresolved(const RockwellTag& tag, AliasResolver::Outcome outcome);
+  void fill_alias(ListRow& row, const RockwellTag& tag, std::uint32_t operand);
+  void make_row(const RockwellComment& comment, std::uint32_t operand);
+  void report_unresolved(const RockwellTag& tag, const AliasResolver::Operand& operand);
   void describe();
 
   std::string_view name_of(const RockwellTag& tag);
   std::string_view decoded(std::string_view text);
-  std::string_view text_of(std::string_view operand);
-  std::string_view text_of_parent(std::string_view operand);
+  std::string_view comment_of(std::uint32_t operand);
+  std::string_view comment_of_parent(std::uint32_t operand);
 
   TableBuilder& builder_;
   Texts texts_;
-  AliasResolver aliases_;
-  std::vector<RockwellTag> tags_;
-  std::vector<RockwellComment> comments_;
-  std::vector<std::string_view> tag_operands_;      ///< for each tag, resolved
-  std::vector<std::string_view> comment_operands_;  ///< for each comment, resolved
-  text::ByName<std::string_view> scope_of_name_;    ///< the first scope that has a name
-  std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase> repeated_;  ///< names
-  text::ByName<Text> text_of_operand_;
+  std::deque<RockwellTag> tags_;
+  std::deque<RockwellComment> comments_;
+  std::vector<std::string_view> tag_operands_;   ///< for each tag, resolved
+  std::vector<std::uint32_t> comment_operands_;  ///< for each comment, resolved
+  RockwellOperands operands_;
   std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>
-      io_operands_;        ///< of rows, and all of which they are a part
+      repeated_;           ///< names that several scopes have
   std::size_t of_io_ = 0;  ///< aliases of module I/O
-  std::size_t aliases_count_ = 0;
+  std::size_t aliases_ = 0;
   std::size_t rows_of_comments_ = 0;
+  std::size_t words_of_bits_ = 0;  ///< aliases of which other rows are parts
 };
 
 }  // namespace symplant::read

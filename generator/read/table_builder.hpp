@@ -34,10 +34,12 @@ class TableBuilder {
   /// Adds a finding about bytes of the file.
   void report(const diag::RuleInfo& rule, std::string message, text::Span where);
 
-  /// The table, or nothing, with an error (SP104), if it has no row.
+  /// The table, or nothing, with an error, if it has no row (SP104) or a cell that is too long (SP111).
   std::optional<SymbolTable> finish();
 
  private:
+  bool has_cell_too_long();
+
   const Reading& reading_;
   SymbolTable table_;
 };

@@ -63,8 +63,8 @@ class RockwellCsvReading {
       builder_.report(kUnclosedQuote, "this quote is never closed; close it or remove it", {quote, quote + 1});
       return std::nullopt;
     }
-    builder_.decide("header: line " + std::to_string(header->line.number) + ", " + std::to_string(headers_) +
-                    " times in all");
+    builder_.decide("headers: " + std::to_string(headers_) + ", the first in line " +
+                    std::to_string(header->line.number));
     if (rung_comments_ != 0) builder_.decide("comments on rungs: " + std::to_string(rung_comments_) + ", left out");
     tags_.make_rows();
     return builder_.finish();

@@ -36,6 +36,10 @@ class L5kReading {
     Line line;
     while (lines.next(line)) {
       const std::string_view text = without_blanks(line.text);
+      if (text.starts_with("(*")) {
+        lines = behind_comment(line);
+        continue;
+      }
       const std::string_view word = first_l5k_word(text);
       if (word == "PROGRAM") scope_ = first_l5k_word(without_blanks(text.substr(word.size())));
       if (word == "END_PROGRAM") scope_ = {};
@@ -53,6 +57,13 @@ class L5kReading {
   }
 
  private:
+  /// Where the lines go on behind the comment with which a line begins.
+  LineReader behind_comment(const Line& line) const {
+    const std::string_view text = builder_.text();
+    const std::size_t end = skip_l5k_blanks(text, line.begin);
+    return LineReader(text, end, line.number + count_lines(text.substr(line.begin, end - line.begin)));
+  }
+
   /// Reads the declarations from there to END_TAG; returns where the lines go on.
   LineReader read_tags(const LineReader& begin) {
     const std::string_view text = builder_.text();

@@ -57,4 +57,22 @@ inline std::string rows_as_text(const read::SymbolTable& table) {
   return text;
 }
 
+/// The same with what only few rows have: `scope`, `alias`, `parent` (the comment of the parent).
+inline std::string rows_with_extras(const read::SymbolTable& table) {
+  std::string text;
+  for (const read::ListRow& row : table.rows) {
+    text += std::to_string(row.line) + ": ";
+    for (const std::string_view cell :
+         {row.klass, row.name, row.vendor_address, row.iec_address, row.type, row.initial, row.comment}) {
+      text.append(cell).append("|");
+    }
+    const read::RowExtra& extra = table.extra_of(row);
+    if (!extra.scope.empty()) text.append(" scope: ").append(extra.scope);
+    if (!extra.alias.empty()) text.append(" alias: ").append(extra.alias);
+    if (!extra.parent_comment.empty()) text.append(" parent: ").append(extra.parent_comment);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace symplant::test
