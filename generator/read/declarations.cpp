@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "read/st/declaration_grammar.hpp"
+#include "read/st/surroundings.hpp"
 #include "read/st/tokens.hpp"
 #include "text/ascii.hpp"
 
@@ -35,76 +36,6 @@ bool is_one_of(const Words& words, std::string_view word) {
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view other) { return text::equal_ignoring_case(other, word); });
 }
-
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-
-/// A comment without its delimiters and the stars and slashes of frames.
-std::string_view inner_text(std::string_view comment) {
-  if (comment.size() >= 4 && (comment.ends_with("*)") || comment.ends_with("*/"))) comment.remove_suffix(2);
-  comment.remove_prefix(2);
-  const auto is_frame = [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '*' || c == '/'; };
-  while (!comment.empty() && is_frame(comment.front())) comment.remove_prefix(1);
-  while (!comment.empty() && is_frame(comment.back())) comment.remove_suffix(1);
-  return comment;
-}
-
-/// The text of the attribute TcLinkTo in a pragma; empty if it has another attribute.
-std::string_view link_in(std::string_view pragma) {
-  constexpr std::string_view kName = "'TcLinkTo'";
-  const auto found = std::search(pragma.begin(), pragma.end(), kName.begin(), kName.end(),
-                                 [](char a, char b) { return text::upper(a) == text::upper(b); });
-  if (found == pragma.end()) return {};
-  const std::string_view rest = pragma.substr(static_cast<std::size_t>(found - pragma.begin()) + kName.size());
-  const std::size_t begin = rest.find('\'');
-  if (begin == std::string_view::npos) return {};
-  return rest.substr(begin + 1, rest.find('\'', begin + 1) - begin - 1);
-}
-
-/// What is before and after the declarations of a block: comments and links, by their lines.
-class Surroundings {
- public:
-  explicit Surroundings(std::string_view text) : text_(text) {}
-
-  /// All that is not a declaration's own begins here: after a `;`, or after the head of a block.
-  void begin(std::size_t offset) {
-    last_end_ = offset;
-    on_line_ = true;
-    above_ = {};
-    link_ = {};
-  }
-  /// Whether a comment or pragma is on the line at which the last declaration ended.
-  bool pass(const Token& token) {
-    const std::size_t breaks = line_breaks(last_end_, token.begin);
-    if (breaks != 0) on_line_ = false;
-    if (breaks > 1) above_ = {};
-    last_end_ = token.end;
-    return on_line_;
-  }
-  void take_above(std::string_view comment) { above_ = comment.ends_with(';') ? std::string_view() : comment; }
-  void take_link(std::string_view pragma) {
-    if (const std::string_view link = link_in(pragma); !link.empty()) link_ = link;
-  }
-
-  std::string_view above() const { return above_; }
-  std::string_view link() const { return link_; }
-
- private:
-  /// 0, 1, or 2 for more than one.
-  std::size_t line_breaks(std::size_t begin, std::size_t end) const {
-    std::size_t breaks = 0;
-    for (std::size_t i = begin; i < end && breaks < 2; ++i) {
-      const bool is_second_of_pair = text_[i] == '\n' && i > 0 && text_[i - 1] == '\r';
-      if (is_line_end(text_[i]) && !is_second_of_pair) ++breaks;
-    }
-    return breaks;
-  }
-
-  std::string_view text_;
-  std::size_t last_end_ = 0;
-  bool on_line_ = false;
-  std::string_view above_;
-  std::string_view link_;
-};
 
 class DeclarationReading {
  public:
@@ -202,13 +133,11 @@ class DeclarationReading {
   void take_around(const Token& token) {
     const bool same_line = around_.pass(token);
     if (token.kind == Kind::pragma) return around_.take_link(tokens_.text_of(token));
-    const std::string_view comment = inner_text(tokens_.text_of(token));
-    if (same_line && has_pending_ && !comment_after_) {
-      comment_after_ = true;
-      if (!comment.empty()) pending_.comment = comment;
-    } else {
-      around_.take_above(comment);
-    }
+    const std::string_view comment = st::comment_text(tokens_.text_of(token));
+    if (!same_line) return around_.take_above(comment);
+    if (!has_pending_ || comment_after_) return;
+    comment_after_ = true;
+    if (!comment.empty()) pending_.comment = comment;
   }
 
   /// Reads up to the `;`. What the block has after it may be its comment, so it is kept until then.
@@ -217,8 +146,9 @@ class DeclarationReading {
     std::string_view inside;
     Token token = first;
     for (; !tokens_.is_mark(token, ';') && !ends_block(token); token = tokens_.next()) {
-      if (token.kind == Kind::comment && inside.empty()) inside = inner_text(tokens_.text_of(token));
+      if (token.kind == Kind::comment && inside.empty()) inside = st::comment_text(tokens_.text_of(token));
       if (token.kind == Kind::pragma) around_.take_link(tokens_.text_of(token));
+      if (token.kind == Kind::unclosed) return report_unclosed(token, declares);
     }
     if (!tokens_.is_mark(token, ';')) {
       tokens_.go_to(token.begin);
@@ -245,6 +175,12 @@ class DeclarationReading {
     comment_after_ = false;
   }
 
+  /// The line's end is taken to be the end of the declaration.
+  void report_unclosed(const Token& text, bool declares) {
+    if (declares)
+      visitor_.faulty({text.begin, text.end}, "this text has no closing quote, so its declaration is left out; add it");
+  }
+
   void flush() {
     if (!has_pending_) return;
     has_pending_ = false;
@@ -254,7 +190,7 @@ class DeclarationReading {
 
   Tokens tokens_;
   DeclarationVisitor& visitor_;
-  Surroundings around_;
+  st::Surroundings around_;
   VariableBlock block_;
   std::string_view scope_;
   st::ParsedDeclaration parsed_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "read/cells/one_line.hpp"
+#include "read/rules/cell_too_long.hpp"
 #include "read/rules/header_alone.hpp"
 #include "read/rules/row_not_understood.hpp"
 #include "read/rules/unclosed_comment.hpp"
@@ -51,7 +52,7 @@ void DeclaredRows::declared(const VariableBlock& block, const Declaration& decla
   common.klass = klass_;
   common.vendor_address = cell(declaration.address);
   common.type = cell(declaration.type);
-  common.initial = cell(declaration.initial);
+  if (declaration.initial.size() <= kLongestCell) common.initial = cell(declaration.initial);  // else of an array
   common.comment = cell(declaration.comment);
   common.line = lines_.line_at(whole.begin);
   common.whole = whole;

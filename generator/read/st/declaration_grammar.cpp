@@ -152,11 +152,11 @@ const auto path = name >> *('.' >> name);
 const auto location = x3::raw[Address()][set_address] | path;
 const auto wrapper = (Keyword("POINTER") | Keyword("REFERENCE")) >> Keyword("TO") | Keyword("REF_TO") |
                      Keyword("ARRAY") >> Brackets() >> Keyword("OF");
-const auto plain_type = Brackets() | path >> *Brackets() >> -(Keyword("R_EDGE") | Keyword("F_EDGE"));
-const auto type = *wrapper >> plain_type;
+const auto plain_type = Brackets() | path >> *Brackets();
+const auto type = x3::raw[*wrapper >> plain_type][set_type] >> -(Keyword("R_EDGE") | Keyword("F_EDGE"));
 const auto initial = (x3::lit(":=") | x3::lit("REF=")) >> x3::raw[Rest()][set_initial];
-const auto declaration = x3::raw[path][add_name] % ',' >> -(Keyword("AT") >> location) >>
-                         ':' >> x3::raw[type][set_type] >> -initial >> x3::eoi;
+const auto declaration = x3::raw[path][add_name] % ',' >> -(Keyword("AT") >> location) >> ':' >> type >> -initial
+                         >> x3::eoi;
 
 }  // namespace
 

@@ -46,7 +46,7 @@ Token Tokens::next() {
   } else if (first == '/' && second == '/') {
     token = {Kind::comment, at_, line_end()};
   } else if (first == '\'' || first == '"' || first == '`') {
-    token = {Kind::quoted, at_, quoted_end(first)};
+    token = quoted(first);
   } else if (first == '{') {
     token.end = pragma_end();
     if (token.end != at_ + 1) token.kind = Kind::pragma;
@@ -69,14 +69,13 @@ std::size_t Tokens::word_end() const {
 
 std::size_t Tokens::line_end() const { return std::min(text_.find_first_of("\r\n", at_), text_.size()); }
 
-std::size_t Tokens::quoted_end(char quote) const {
-  for (std::size_t end = at_ + 1; end < text_.size(); ++end) {
-    const char c = text_[end];
-    if (c == quote) return end + 1;
-    if (c == '\n' || c == '\r') return end;
-    if (c == '$' && quote != '`' && at(end + 1) != '\n' && at(end + 1) != '\r') ++end;
+Token Tokens::quoted(char quote) const {
+  std::size_t end = at_ + 1;
+  for (; end < text_.size() && text_[end] != '\n' && text_[end] != '\r'; ++end) {
+    if (text_[end] == quote) return {Kind::quoted, at_, end + 1};
+    if (text_[end] == '$' && quote != '`' && at(end + 1) != '\n' && at(end + 1) != '\r') ++end;
   }
-  return text_.size();
+  return {Kind::unclosed, at_, std::min(end, text_.size())};
 }
 
 /// The end of the comment at `at_`, which the first `closing` ends.

@@ -12,11 +12,12 @@ namespace symplant::read::st {
 
 enum class Kind : std::uint8_t {
   end,
-  word,     ///< letters, digits and `_`
-  quoted,   ///< 'text', "name" or `name`, up to the line's end if it is not closed
-  comment,  ///< of any of the three kinds, delimiters included
-  pragma,   ///< {...}, with texts in quotes
-  mark,     ///< any other character
+  word,      ///< letters, digits and `_`
+  quoted,    ///< 'text', "name" or `name`
+  unclosed,  ///< the same up to the line's end, without a closing quote
+  comment,   ///< of any of the three kinds, delimiters included
+  pragma,    ///< {...}, with texts in quotes
+  mark,      ///< any other character
 };
 
 struct Token {
@@ -50,7 +51,7 @@ class Tokens {
  private:
   char at(std::size_t offset) const { return offset < text_.size() ? text_[offset] : '\0'; }
   std::size_t word_end() const;
-  std::size_t quoted_end(char quote) const;
+  Token quoted(char quote) const;
   std::size_t nested_comment_end();
   std::size_t closed_by(std::string_view closing);
   std::size_t line_end() const;
