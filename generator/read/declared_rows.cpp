@@ -15,12 +15,14 @@ namespace symplant::read {
 void DeclaredRows::read(text::Span range, std::string_view scope) {
   origin_ = {};
   scope_ = scope;
+  entered_ = false;
   read_declarations(builder_.text(), range, *this);
 }
 
 void DeclaredRows::read_copy(std::string_view text, text::Span origin, std::string_view scope) {
   origin_ = origin;
   scope_ = scope;
+  entered_ = false;
   read_declarations(text, {0, text.size()}, *this);
 }
 
@@ -56,9 +58,10 @@ void DeclaredRows::declared(const VariableBlock& block, const Declaration& decla
   common.comment = cell(declaration.comment);
   common.line = lines_.line_at(whole.begin);
   common.whole = whole;
-  const std::string_view scope = block_scope_.empty() ? scope_ : block_scope_;
-  if (!scope.empty() || !declaration.link.empty()) {
-    builder_.extra(common) = {.parent_comment = cell(declaration.link), .scope = scope, .alias = {}};
+  common.extra = scope_extra_;
+  if (!declaration.link.empty()) {
+    common.extra = kNoExtra;
+    builder_.extra(common) = {.parent_comment = cell(declaration.link), .scope = block_scope_, .alias = {}};
   }
   for (const std::string_view name : declaration.names) {
     ListRow& row = builder_.add(whole, common.line);
@@ -69,9 +72,11 @@ void DeclaredRows::declared(const VariableBlock& block, const Declaration& decla
 
 void DeclaredRows::enter(const VariableBlock& block) {
   if (klass_ != block.klass) klass_ = builder_.keep(block.klass);
-  if (written_scope_.data() == block.scope.data()) return;
+  if (entered_ && written_scope_.data() == block.scope.data()) return;
+  entered_ = true;
   written_scope_ = block.scope;
-  block_scope_ = cell(block.scope);
+  block_scope_ = block.scope.empty() ? scope_ : cell(block.scope);
+  scope_extra_ = builder_.extra_for_scope(block_scope_);
 }
 
 void DeclaredRows::faulty(text::Span where, std::string fault) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,11 +37,13 @@ class DeclaredRows : public DeclarationVisitor {
 
   TableBuilder& builder_;
   LineCounter lines_;
-  std::string_view scope_;
-  text::Span origin_;               ///< of a copy; else empty
-  std::string_view klass_;          ///< of the last block, kept
-  std::string_view written_scope_;  ///< of the last block, in the text
-  std::string_view block_scope_;    ///< the same as a cell
+  std::string_view scope_;                ///< outside of any program
+  text::Span origin_;                     ///< of a copy; else empty
+  std::string_view klass_;                ///< of the last block, kept
+  bool entered_ = false;                  ///< the members below are those of a block of this text
+  std::string_view written_scope_;        ///< of the last block, in the text
+  std::string_view block_scope_;          ///< the same as a cell
+  std::uint32_t scope_extra_ = kNoExtra;  ///< for rows that have only a scope
   std::size_t locals_ = 0;
   std::size_t faults_ = 0;
 };

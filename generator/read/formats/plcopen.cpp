@@ -92,7 +92,7 @@ class PlcopenReading {
     klass_ = list.klass;
     if (element.attribute("constant").text == "true") klass_ += "_CONSTANT";
     if (element.attribute("retain").text == "true") klass_ += "_RETAIN";
-    scope_ = xml::attribute_cell(builder_, named_parent(element), "name");
+    scope_ = builder_.extra_for_scope(xml::attribute_cell(builder_, named_parent(element), "name"));
     kept_klass_ = klass_ == list.klass ? list.klass : builder_.keep(klass_);
     for (xml::Element variable = element.first_child(); variable; variable = variable.next_sibling()) {
       if (variable.name() == "variable" || variable.name() == "configVariable") take(variable, is_global, is_part);
@@ -121,7 +121,7 @@ class PlcopenReading {
     row.type = kept_type(xml::plcopen_type(variable.child("type")));
     row.initial = xml::attribute_cell(builder_, variable.child("initialValue").child("simpleValue"), "value");
     row.comment = xml::content_cell(builder_, variable.child("documentation"));
-    if (!scope_.empty()) builder_.extra(row).scope = scope_;
+    row.extra = scope_;
   }
 
   /// The type in the table's memory, each once.
@@ -134,7 +134,7 @@ class PlcopenReading {
   LineCounter lines_;
   std::string klass_;
   std::string_view kept_klass_;
-  std::string_view scope_;
+  std::uint32_t scope_ = kNoExtra;                      ///< the extra of the rows of the list
   std::unordered_set<std::string_view> names_of_list_;  ///< of the last list of global variables
   std::unordered_set<std::string_view> types_;
   std::size_t located_ = 0;

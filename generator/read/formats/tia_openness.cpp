@@ -40,7 +40,7 @@ class OpennessReading {
       const std::string_view name = element.name();
       if (name == "SW.Tags.PlcTagTable") {
         ++tables_;
-        scope_ = xml::content_cell(builder_, element.child("AttributeList").child("Name"));
+        scope_ = builder_.extra_for_scope(xml::content_cell(builder_, element.child("AttributeList").child("Name")));
       } else if (name == "SW.Tags.PlcTag") {
         take_tag(element, false);
         walk.skip_content();
@@ -83,12 +83,12 @@ class OpennessReading {
     } else {
       row.vendor_address = cell("LogicalAddress");
     }
-    if (!scope_.empty()) builder_.extra(row).scope = scope_;
+    row.extra = scope_;
   }
 
   TableBuilder builder_;
   LineCounter lines_;
-  std::string_view scope_;
+  std::uint32_t scope_ = kNoExtra;  ///< the extra of the rows of the table
   std::size_t tables_ = 0;
   std::size_t constants_ = 0;
 };

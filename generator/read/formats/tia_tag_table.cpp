@@ -34,7 +34,7 @@ class TagTableReading {
  private:
   void take_table(const xml::Element& table) {
     ++tables_;
-    scope_ = xml::attribute_cell(builder_, table, "name");
+    scope_ = builder_.extra_for_scope(xml::attribute_cell(builder_, table, "name"));
   }
 
   void take_tag(const xml::Element& tag, bool is_constant) {
@@ -55,12 +55,12 @@ class TagTableReading {
     } else {
       row.vendor_address = xml::attribute_cell(builder_, tag, "addr");
     }
-    if (!scope_.empty()) builder_.extra(row).scope = scope_;
+    row.extra = scope_;
   }
 
   TableBuilder builder_;
   LineCounter lines_;
-  std::string_view scope_;
+  std::uint32_t scope_ = kNoExtra;  ///< the extra of the rows of the table
   std::size_t tables_ = 0;
   std::size_t constants_ = 0;
 };

@@ -23,6 +23,17 @@ std::string_view link_in(std::string_view pragma) {
   return rest.substr(begin + 1, rest.find('\'', begin + 1) - begin - 1);
 }
 
+/// Whether a line ends with `;`, perhaps with a comment after it.
+bool is_code(std::string_view comment) {
+  for (std::size_t mark = comment.find(';'); mark != std::string_view::npos; mark = comment.find(';', mark + 1)) {
+    const std::size_t next = std::min(comment.find_first_not_of(" \t", mark + 1), comment.size());
+    const std::string_view rest = comment.substr(next, 2);
+    if (rest.empty() || is_line_end(rest.front()) || rest == "//" || rest == "(*") return true;
+    mark = next - 1;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view comment_text(std::string_view comment) {
@@ -48,6 +59,8 @@ bool Surroundings::pass(const Token& token) {
   last_end_ = token.end;
   return on_line_;
 }
+
+void Surroundings::take_above(std::string_view comment) { above_ = is_code(comment) ? std::string_view() : comment; }
 
 void Surroundings::take_link(std::string_view pragma) {
   if (const std::string_view link = link_in(pragma); !link.empty()) link_ = link;

@@ -20,8 +20,8 @@ class Surroundings {
   void begin(std::size_t offset);
   /// Takes note of the next token. Returns whether it is on the line of begin().
   bool pass(const Token& token);
-  /// A comment that ends with `;` is code.
-  void take_above(std::string_view comment) { above_ = comment.ends_with(';') ? std::string_view() : comment; }
+  /// A comment of which a line ends with `;` is code, not a text about the next declaration.
+  void take_above(std::string_view comment);
   void take_link(std::string_view pragma);
 
   /// The comment directly above the last token, without blank lines between.
