@@ -33,7 +33,7 @@ const char* end_of_l5k_string(const char* first, const char* last) {
 /// instead of calling itself, and ends at the first `;`, so that neither depth nor an unclosed bracket costs anything.
 struct L5kValueParser : x3::parser<L5kValueParser> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class Iterator, class Context, class RuleContext, class Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&, Attribute&) const {
@@ -62,7 +62,7 @@ struct L5kValueParser : x3::parser<L5kValueParser> {
 /// A string in double quotes.
 struct L5kStringParser : x3::parser<L5kStringParser> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class Iterator, class Context, class RuleContext, class Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, RuleContext&, Attribute&) const {

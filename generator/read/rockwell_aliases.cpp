@@ -91,7 +91,7 @@ AliasResolver::Operand AliasResolver::of_tag(std::uint32_t tag) {
 
 AliasResolver::Operand AliasResolver::of_base(const Tag& tag) {
   if (tag.scope.empty()) return {tag.name, Outcome::tag};
-  return {arena_.emplace_back("Program:").append(tag.scope).append(".").append(tag.name), Outcome::tag};
+  return {arena_.emplace_back("\\").append(tag.scope).append(".").append(tag.name), Outcome::tag};
 }
 
 AliasResolver::Operand AliasResolver::joined(const Operand& base, std::string_view tail, std::string_view written) {

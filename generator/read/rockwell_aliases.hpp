@@ -49,7 +49,7 @@ class AliasResolver {
   /// false, without effect, if the scope has a tag of that name. All tags are declared before the first `resolve`.
   bool add(std::string_view scope, std::string_view name, std::string_view target = {});
 
-  /// An operand as written in a scope. A tag of a program is resolved to `Program:SCOPE.NAME`.
+  /// An operand as written in a scope. A tag of a program is resolved to `\SCOPE.NAME`, as Logix writes it.
   Operand resolve(std::string_view scope, std::string_view operand);
 
  private:

@@ -12,8 +12,10 @@ bool is_module_io(std::string_view operand) {
   const OperandParts parts = split_operand(operand);
   const std::size_t colon = parts.base.rfind(':');
   if (parts.tail.empty() || colon == std::string_view::npos || colon + 1 == parts.base.size()) return false;
-  const char area = text::upper(parts.base[colon + 1]);
-  const std::string_view number = parts.base.substr(colon + 2);
+  std::string_view part = parts.base.substr(colon + 1);
+  if (part.size() > 1 && text::upper(part.front()) == 'S') part.remove_prefix(1);
+  const char area = text::upper(part.front());
+  const std::string_view number = part.substr(1);
   return (area == 'I' || area == 'O') && std::all_of(number.begin(), number.end(), text::is_digit);
 }
 

@@ -10,7 +10,8 @@
 
 namespace symplant::read {
 
-/// Whether an operand is a part of a module's input or output tag: `Local:1:I.Data.0`, `Box:O1.Data[2].7`.
+/// Whether an operand is a part of a module's input or output tag: `Local:1:I.Data.0`, `Box:O1.Data[2].7`,
+/// `Box:SI.Pt00`.
 bool is_module_io(std::string_view operand);
 
 /// Operands by number. They compare without regard to case; the first spelling is kept. O(length) for each operand.

@@ -10,6 +10,7 @@
 #include "read/formats.hpp"
 #include "read/rules/row_not_understood.hpp"
 #include "read/rules/row_without_identifier.hpp"
+#include "read/table_builder.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::read {

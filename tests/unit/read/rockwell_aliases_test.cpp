@@ -51,7 +51,7 @@ TEST_CASE("A tag of a program has priority over the controller's in that program
   tags.aliases.add("Press", "Step");
   tags.aliases.add("Press", "Valve", "Step.4");
   tags.aliases.add("Wash", "Valve", "Step");
-  CHECK(tags.of("Valve", "press") == "Program:Press.Step.4");
+  CHECK(tags.of("Valve", "press") == "\\Press.Step.4");
   CHECK(tags.of("Valve", "Wash") == "Local:1:O.Data.0");
   CHECK(tags.of("Step", "Wash") == "Local:1:O.Data.0");
   CHECK(tags.outcome("Valve") == Outcome::unknown_tag);

@@ -73,8 +73,8 @@ TEST_CASE("A name that several scopes have is kept apart by its program, other n
   REQUIRE(reading.table);
   CHECK(test::rows_as_text(*reading.table) ==
         "|Ready|Ready||BOOL||\n"
-        "|Wash.READY|Program:Wash.READY||BOOL||\n"
-        "|Pump|Program:Wash.Pump||BOOL||\n");
+        "|Wash.READY|\\Wash.READY||BOOL||\n"
+        "|Pump|\\Wash.Pump||BOOL||\n");
 }
 
 TEST_CASE("An alias that leads to no tag is reported and kept") {
