@@ -33,13 +33,20 @@ constexpr std::array kReaders{
     &kLsGlobals,         //
     &kLsTags,            //
     &kOmronCxt,          //
+    &kPlcopen,           //
     &kRockwellCsv,       //
     &kRockwellL5k,       //
+    &kRockwellL5x,       //
+    &kSchneiderXsy,      //
     &kStep7Asc,          //
     &kStep7Sdf,          //
+    &kStructuredText,    //
     &kSysmac,            //
+    &kTiaOpenness,       //
     &kTiaSdf,            //
+    &kTiaTagTable,       //
     &kTiaTags,           //
+    &kTwincatGvl,        //
     &kAnyTable,          //
 };
 
