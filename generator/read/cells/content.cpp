@@ -153,7 +153,11 @@ void add_initial(const std::vector<CsvRow>& rows, Columns& columns) {
 
 /// The column with the most cells of text.
 void add_comment(const std::vector<CsvRow>& rows, Columns& columns) {
-  if (!columns.has(Field::comment)) columns.set(Field::comment, vote(rows, columns, is_text));
+  if (columns.has(Field::comment)) return;
+  const std::size_t most = vote(rows, columns, is_text);
+  if (most == kNoColumn) return;
+  const Look look = look_at(rows, most);
+  if (look.texts * 2 > look.filled) columns.set(Field::comment, most);
 }
 
 /// Takes the column that serves best, if it is clearly better than the second.
