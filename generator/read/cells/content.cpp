@@ -47,7 +47,7 @@ bool is_identifier_like(std::string_view cell) {
 
 /// The area of a cell that is an address in a notation whose addresses are recognized by their form.
 std::optional<Area> area_of(std::string_view cell) {
-  if (cell.empty() || cell.size() > kLongestCellOfNames) return std::nullopt;
+  if (cell.size() > kLongestCellOfNames || address::address_strength(cell) == 0) return std::nullopt;
   for (const Notation notation : {Notation::iec, Notation::siemens, Notation::melsec, Notation::rockwell}) {
     if (const auto found = address::parse(cell, {notation})) return found->area;
   }

@@ -64,8 +64,8 @@ TEST_CASE("Two columns of equal evidence are a question that shows both") {
   const test::Reading names = test::read_text("X,Y,Z\nP1_RUN,AB_1,%IX0.0\nP2_RUN,AB_2,%IX0.1\nP3_RUN,AB_3,%QX0.1\n");
   CHECK_FALSE(names.table);
   CHECK(first_message(names) ==
-        "two columns serve as identifiers equally well: column 1 (`X`, `P1_RUN`) and column 2 (`Y`, `AB_1`); use "
-        "`--columns name=1` or `--columns name=2`");
+        "two columns serve as identifiers equally well: column 1 `X` (`P1_RUN`, `P2_RUN`) and column 2 `Y` (`AB_1`, "
+        "`AB_2`); use `--columns name=1` or `--columns name=2`");
   const test::Reading addresses =
       test::read_text("Name,Address,Addr\nA_RUN,%IX0.0,%IX1.0\nB_RUN,%IX0.1,%IX1.1\nC_RUN,%QX0.1,%QX1.1\n");
   CHECK_FALSE(addresses.table);
