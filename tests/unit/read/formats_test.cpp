@@ -45,8 +45,8 @@ TEST_CASE("Cells that are in the file as such are views into it, so that finding
     for (const read::ListRow& row : reading.table->rows) {
       INFO(row.name);
       const text::Span name = source.span_of(row.name);
-      const bool scoped =
-          row.name.find(".Ready") != std::string_view::npos || row.name.find(".READY") != std::string_view::npos;
+      const std::string_view scope = reading.table->extra_of(row).scope;
+      const bool scoped = !scope.empty() && row.name.starts_with(scope);
       const bool of_comment = row.name == "Word.7" || row.name == "Local:2:I.Data.3";
       CHECK((scoped || of_comment || (name.begin >= row.whole.begin && name.end <= row.whole.end)));
       CHECK(source.position(row.whole.begin).line == row.line);
