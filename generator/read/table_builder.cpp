@@ -27,6 +27,12 @@ ListRow& TableBuilder::add(text::Span whole, std::uint32_t line) {
   return row;
 }
 
+std::uint32_t TableBuilder::extra_for_scope(std::string_view scope) {
+  if (scope.empty()) return kNoExtra;
+  table_.extras.push_back({.parent_comment = {}, .scope = scope, .alias = {}});
+  return static_cast<std::uint32_t>(table_.extras.size() - 1);
+}
+
 RowExtra& TableBuilder::extra(ListRow& row) {
   if (row.extra == kNoExtra) {
     row.extra = static_cast<std::uint32_t>(table_.extras.size());

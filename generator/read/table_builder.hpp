@@ -26,8 +26,14 @@ class TableBuilder {
 
   /// A new row that begins at `whole.begin`; `line` counts from 1. The reference is valid until the next call.
   ListRow& add(text::Span whole, std::uint32_t line);
+  /// An extra with a scope only, for `extra` of all rows of the scope, which must not be changed then; kNoExtra for an
+  /// empty scope.
+  std::uint32_t extra_for_scope(std::string_view scope);
   /// The row's extra, to be filled.
   RowExtra& extra(ListRow& row);
+
+  /// The next row begins another list in the same text, as a repeated header shows.
+  void begin_part() { table_.parts.push_back(table_.rows.size()); }
 
   /// For --verbose.
   void decide(std::string decision) { table_.decisions.push_back(std::move(decision)); }

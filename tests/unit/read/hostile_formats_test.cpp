@@ -1,30 +1,15 @@
 // Hostile exports: nothing crashes or hangs, and what can be read is read.
-#include <chrono>
-
 #include "read_support.hpp"
 
 using namespace symplant;
+using test::kMany;
+using test::read_soon;
+using test::repeated;
 
 namespace {
 
-constexpr int kMany = 100'000;
-
 const std::string kCsvHeader = "TYPE,SCOPE,NAME,DESCRIPTION,DATATYPE,SPECIFIER,ATTRIBUTES\n";
 const std::string kProject = "IE_VER := 2.21;\nCONTROLLER C (Major := 30)\n TAG\n";
-
-/// Reads a text in less than two seconds, also if the tests run several at a time on a slow machine.
-test::Reading read_soon(const std::string& text) {
-  const auto begin = std::chrono::steady_clock::now();
-  test::Reading reading = test::read_text(text);
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
-  return reading;
-}
-
-std::string repeated(std::string_view text, int times) {
-  std::string all;
-  for (int i = 0; i < times; ++i) all += text;
-  return all;
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,6 +33,26 @@ inline Reading read_text(const std::string& bytes, const std::string& name = "li
 /// Under its name without the folder, so that messages are the same everywhere.
 inline Reading read_golden(const std::string& path) {
   return read_text(read_bytes(path), std::filesystem::path(path).filename().string());
+}
+
+/// How often a hostile text repeats something.
+inline constexpr int kMany = 100'000;
+
+inline std::string repeated(std::string_view text, int times) {
+  std::string all;
+  all.reserve(text.size() * static_cast<std::size_t>(times));
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+/// Reads a text in less than two seconds, also if the tests run several at a time on a slow machine.
+inline Reading read_soon(const std::string& text, const std::string& name = "list.csv",
+                         const read::ReadOptions& options = {}) {
+  const auto begin = std::chrono::steady_clock::now();
+  Reading reading = read_text(text, name, options);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
+  CHECK(reading.table.has_value() != reading.diagnostics.has_errors());
+  return reading;
 }
 
 /// The lists of a folder by name, without the expected results.
