@@ -12,4 +12,13 @@ std::optional<Address> parse(std::string_view text, Notation notation, Radix rad
   }
 }
 
+std::optional<Notation> likely_notation(std::span<const std::string_view> cells) {
+  for (const Notation notation : {Notation::iec, Notation::melsec}) {
+    std::size_t read = 0;
+    for (const std::string_view cell : cells) read += parse(cell, notation, Radix::hexadecimal) ? 1U : 0U;
+    if (read * 2 > cells.size()) return notation;
+  }
+  return std::nullopt;
+}
+
 }  // namespace symplant::address

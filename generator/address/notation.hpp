@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "address/address.hpp"
@@ -20,5 +21,8 @@ enum class Notation : std::uint8_t {
 
 /// Reads an address of a notation. `radix` is that of X and Y. Nothing if the text is not such an address.
 std::optional<Address> parse(std::string_view text, Notation notation, Radix radix);
+
+/// The notation that reads most of the cells; nothing if it reads less than half of them.
+std::optional<Notation> likely_notation(std::span<const std::string_view> cells);
 
 }  // namespace symplant::address

@@ -24,11 +24,31 @@ text::Encoding encoding_of(const std::string& name) {
   throw CLI::ValidationError("--encoding", diag::visible(description::no_such_encoding(name)));
 }
 
+std::string format_names() {
+  std::string names;
+  for (const read::ReaderInfo* reader : read::readers()) names.append(names.empty() ? "" : ", ").append(reader->name);
+  return names;
+}
+
+read::ColumnMap columns_of(const std::string& text) {
+  auto map = read::column_map_of(text);
+  if (map) return std::move(*map);
+  throw CLI::ValidationError("--columns", diag::visible(map.error()));
+}
+
 }  // namespace
 
 void add_plant_options(CLI::App& command, PlantOptions& options) {
-  command.add_option("--input-format", options.read.input_format, "the format of the list (default: detected): gx-iec")
+  command
+      .add_option("--input-format", options.read.input_format,
+                  "the format of the list (default: detected): " + format_names())
       ->type_name("FORMAT");
+  command
+      .add_option_function<std::string>(
+          "--columns", [&options](const std::string& text) { options.read.columns = columns_of(text); },
+          "the columns of a table, by header or number (default: detected): name=Tag,address=3; also type, initial, "
+          "comment, class, scope, iec-address, and sheet=NAME of a workbook")
+      ->type_name("FIELD=COLUMN,..");
   command
       .add_option_function<std::string>(
           "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },
