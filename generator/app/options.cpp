@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <array>
 #include <ostream>
 #include <vector>
 
@@ -91,6 +92,21 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
   return fmt::format("X and Y{} count in {} by default", of, counts);
 }
 
+/// How many symbols of a list have their direction from their address, alias or name.
+std::string direction_text(const model::PlantModel& plant, std::uint32_t index) {
+  constexpr std::array<std::string_view, 3> kEvidence{"name", "address", "alias"};  // in the order of DirectionBy
+  std::array<std::size_t, 3> counts{};
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.list == index) ++counts[static_cast<std::size_t>(symbol.direction_by)];
+  }
+  std::string text;
+  for (const std::size_t by : {1U, 2U, 0U}) {
+    if (counts[by] != 0) text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", counts[by], kEvidence[by]);
+  }
+  const std::string of = plant.lists.size() == 1 ? "" : " of " + plant.lists[index].name();
+  return fmt::format("directions{}: {}", of, text.empty() ? "none" : text);
+}
+
 }  // namespace
 
 void report_decisions(Context& context, const Compiled& compiled) {
@@ -106,7 +122,10 @@ void report_decisions(Context& context, const Compiled& compiled) {
       const std::string of = plant.lists.size() == 1 ? "" : plant.lists[i].name() + ": ";
       context.err << "decided: " << of << decision << "\n";
     }
-    context.err << "decided: " << radix_text(plant, i) << "\n";
+    if (plant.lists[i].table->notation == address::Notation::melsec) {
+      context.err << "decided: " << radix_text(plant, i) << "\n";
+    }
+    context.err << "decided: " << direction_text(plant, i) << "\n";
   }
 }
 

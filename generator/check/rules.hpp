@@ -34,6 +34,7 @@ extern const Rule kAddressesContradict;        // SP315
 extern const Rule kSymbolsOverlap;             // SP316
 extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kNoIo;                       // SP318
+extern const Rule kAddressesOverlap;           // SP319
 extern const Rule kSeveralLists;               // SP330
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
@@ -95,6 +96,7 @@ inline constexpr std::array kRules{
     &kSymbolsOverlap,
     &kAddressWithoutNumber,
     &kNoIo,
+    &kAddressesOverlap,
     &kSeveralLists,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,

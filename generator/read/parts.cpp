@@ -28,7 +28,7 @@ std::vector<Addressed> addressed_rows(const SymbolTable& table, address::Radix r
   std::vector<Addressed> rows;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const ListRow& row = table.rows[i];
-    const auto found = row.iec_address.empty() ? address::parse(row.vendor_address, table.notation, radix)
+    const auto found = row.iec_address.empty() ? address::parse(row.vendor_address, {table.notation, radix})
                                                : address::parse_iec(row.iec_address);
     if (found && found->area != address::Area::memory) rows.push_back({i, key_of(*found)});
   }

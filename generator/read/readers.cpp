@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "read/expand_arrays.hpp"
 #include "read/formats.hpp"
 #include "read/loading.hpp"
 #include "read/parts.hpp"
@@ -27,11 +28,10 @@ constexpr std::array kReaders{
     &kGxIec,             //
     &kGxWorksLabels,     //
     &kGxWorksComments,   //
-    &kTiaTags,           //
-    &kLsGlobals,         //
-    &kLsTags,            //
     &kCodesysIoMapping,  //
     &kKepware,           //
+    &kLsGlobals,         //
+    &kLsTags,            //
     &kOmronCxt,          //
     &kPlcopen,           //
     &kRockwellCsv,       //
@@ -45,6 +45,7 @@ constexpr std::array kReaders{
     &kTiaOpenness,       //
     &kTiaSdf,            //
     &kTiaTagTable,       //
+    &kTiaTags,           //
     &kTwincatGvl,        //
     &kAnyTable,          //
 };
@@ -168,6 +169,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   table->decisions.insert(table->decisions.begin(), decisions.begin(), decisions.end());
   if (options.part != 0 && !select_part(*table, options, diagnostics)) return std::nullopt;
   table->title = reader.title;
+  expand_arrays(*table, options.xy.value_or(address::Radix::hexadecimal), diagnostics);
   return table;
 }
 

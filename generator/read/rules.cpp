@@ -5,6 +5,7 @@
 
 #include "read/rules/alias_not_resolved.hpp"
 #include "read/rules/ambiguous_columns.hpp"
+#include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/document_type.hpp"
@@ -46,6 +47,7 @@ constexpr std::array kRules{
     &kUnclosedComment,       //
     &kAliasNotResolved,      //
     &kRowNotUnderstood,      //
+    &kArrayTooLarge,         //
     &kAmbiguousColumns,      //
     &kEncodingAssumed,       //
     &kNoSuchPart,            //

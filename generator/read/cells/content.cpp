@@ -15,7 +15,7 @@ namespace {
 using address::Area;
 using address::Notation;
 
-constexpr std::size_t kLongestName = 128;
+constexpr std::size_t kLongestCellOfNames = 128;
 
 bool is_filled(std::string_view cell) { return !cell.empty(); }
 
@@ -47,9 +47,9 @@ bool is_identifier_like(std::string_view cell) {
 
 /// The area of a cell that is an address in a notation whose addresses are recognized by their form.
 std::optional<Area> area_of(std::string_view cell) {
-  if (cell.empty() || cell.size() > kLongestName) return std::nullopt;
+  if (cell.size() > kLongestCellOfNames || address::address_strength(cell) == 0) return std::nullopt;
   for (const Notation notation : {Notation::iec, Notation::siemens, Notation::melsec, Notation::rockwell}) {
-    if (const auto found = address::parse(cell, notation, address::Radix::hexadecimal)) return found->area;
+    if (const auto found = address::parse(cell, {notation})) return found->area;
   }
   return std::nullopt;
 }
@@ -95,7 +95,7 @@ Look look_at(const std::vector<CsvRow>& rows, std::size_t column) {
     look.identifiers += is_identifier_like(cell) ? 1U : 0U;
     look.types += is_type(cell) ? 1U : 0U;
     look.texts += is_text(cell) ? 1U : 0U;
-    look.too_long += cell.size() > kLongestName ? 1U : 0U;
+    look.too_long += cell.size() > kLongestCellOfNames ? 1U : 0U;
   }
   look.distinct = distinct.size();
   return look;
@@ -153,7 +153,11 @@ void add_initial(const std::vector<CsvRow>& rows, Columns& columns) {
 
 /// The column with the most cells of text.
 void add_comment(const std::vector<CsvRow>& rows, Columns& columns) {
-  if (!columns.has(Field::comment)) columns.set(Field::comment, vote(rows, columns, is_text));
+  if (columns.has(Field::comment)) return;
+  const std::size_t most = vote(rows, columns, is_text);
+  if (most == kNoColumn) return;
+  const Look look = look_at(rows, most);
+  if (look.texts * 2 > look.filled) columns.set(Field::comment, most);
 }
 
 /// Takes the column that serves best, if it is clearly better than the second.
