@@ -143,10 +143,10 @@ class PlantFileReader {
   void check_format(const std::string& format, const Pointer& here) {
     std::string known;
     tables::NearestName nearest(format);
-    for (const read::ReaderInfo& reader : read::readers()) {
-      if (reader.name == format) return;
-      nearest.offer(reader.name);
-      known += (known.empty() ? "" : ", ") + ticked(reader.name);
+    for (const read::ReaderInfo* reader : read::readers()) {
+      if (reader->name == format) return;
+      nearest.offer(reader->name);
+      known += (known.empty() ? "" : ", ") + ticked(reader->name);
     }
     faults_.add(here, "unknown list format " + ticked(format) + "; choose one of " + known +
                           (nearest.name().empty() ? "" : "; did you mean " + ticked(nearest.name()) + "?"));
