@@ -6,5 +6,19 @@
 namespace symplant::read {
 
 extern const ReaderInfo kGxIec;
+extern const ReaderInfo kOmronCxt;
+extern const ReaderInfo kPlcopen;
+extern const ReaderInfo kRockwellCsv;
+extern const ReaderInfo kRockwellL5k;
+extern const ReaderInfo kRockwellL5x;
+extern const ReaderInfo kSchneiderXsy;
+extern const ReaderInfo kStep7Asc;
+extern const ReaderInfo kStep7Sdf;
+extern const ReaderInfo kStructuredText;
+extern const ReaderInfo kSysmac;
+extern const ReaderInfo kTiaOpenness;
+extern const ReaderInfo kTiaSdf;
+extern const ReaderInfo kTiaTagTable;
+extern const ReaderInfo kTwincatGvl;
 
 }  // namespace symplant::read

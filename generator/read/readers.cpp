@@ -16,7 +16,23 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const ReaderInfo*, 1> kReaders{&kGxIec};
+constexpr std::array kReaders{
+    &kGxIec,           //
+    &kOmronCxt,        //
+    &kPlcopen,         //
+    &kRockwellCsv,     //
+    &kRockwellL5k,     //
+    &kRockwellL5x,     //
+    &kSchneiderXsy,    //
+    &kStep7Asc,        //
+    &kStep7Sdf,        //
+    &kStructuredText,  //
+    &kSysmac,          //
+    &kTiaOpenness,     //
+    &kTiaSdf,          //
+    &kTiaTagTable,     //
+    &kTwincatGvl,      //
+};
 
 std::string known_names() {
   std::string names;

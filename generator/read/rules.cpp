@@ -3,13 +3,18 @@
 
 #include <array>
 
+#include "read/rules/alias_not_resolved.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
+#include "read/rules/document_type.hpp"
 #include "read/rules/empty_file.hpp"
 #include "read/rules/header_alone.hpp"
+#include "read/rules/invalid_xml.hpp"
 #include "read/rules/missing_column.hpp"
+#include "read/rules/row_not_understood.hpp"
 #include "read/rules/row_without_identifier.hpp"
 #include "read/rules/text_after_quote.hpp"
+#include "read/rules/unclosed_comment.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/rules/undecodable_text.hpp"
 #include "read/rules/unknown_format.hpp"
@@ -19,10 +24,24 @@ namespace symplant::read {
 
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 11> kRules{&kCannotReadFile, &kUndecodableText, &kEmptyFile,
-                                                       &kHeaderAlone,    &kUnknownFormat,   &kUnknownInputFormat,
-                                                       &kMissingColumn,  &kUnclosedQuote,   &kRowWithoutIdentifier,
-                                                       &kTextAfterQuote, &kCellTooLong};
+constexpr std::array kRules{
+    &kCannotReadFile,        //
+    &kUndecodableText,       //
+    &kEmptyFile,             //
+    &kHeaderAlone,           //
+    &kUnknownFormat,         //
+    &kUnknownInputFormat,    //
+    &kMissingColumn,         //
+    &kUnclosedQuote,         //
+    &kRowWithoutIdentifier,  //
+    &kTextAfterQuote,        //
+    &kCellTooLong,           //
+    &kInvalidXml,            //
+    &kDocumentType,          //
+    &kUnclosedComment,       //
+    &kAliasNotResolved,      //
+    &kRowNotUnderstood,      //
+};
 
 }  // namespace
 

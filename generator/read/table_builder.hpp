@@ -26,6 +26,9 @@ class TableBuilder {
 
   /// A new row that begins at `whole.begin`; `line` counts from 1. The reference is valid until the next call.
   ListRow& add(text::Span whole, std::uint32_t line);
+  /// An extra with a scope only, for `extra` of all rows of the scope, which must not be changed then; kNoExtra for an
+  /// empty scope.
+  std::uint32_t extra_for_scope(std::string_view scope);
   /// The row's extra, to be filled.
   RowExtra& extra(ListRow& row);
 
@@ -34,10 +37,12 @@ class TableBuilder {
   /// Adds a finding about bytes of the file.
   void report(const diag::RuleInfo& rule, std::string message, text::Span where);
 
-  /// The table, or nothing, with an error (SP104), if it has no row.
+  /// The table, or nothing, with an error, if it has no row (SP104) or a cell that is too long (SP111).
   std::optional<SymbolTable> finish();
 
  private:
+  bool has_cell_too_long();
+
   const Reading& reading_;
   SymbolTable table_;
 };

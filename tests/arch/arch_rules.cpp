@@ -47,7 +47,7 @@ struct ThirdParty {
   std::array<std::string_view, 3> folders;
 };
 constexpr std::array kThirdParties = {
-    ThirdParty{"<boost/spirit", {"generator/name/", "runtime/condition/"}},
+    ThirdParty{"<boost/spirit", {"generator/name/", "generator/read/l5k_declaration.cpp", "runtime/condition/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -34,6 +35,26 @@ inline Reading read_golden(const std::string& path) {
   return read_text(read_bytes(path), std::filesystem::path(path).filename().string());
 }
 
+/// How often a hostile text repeats something.
+inline constexpr int kMany = 100'000;
+
+inline std::string repeated(std::string_view text, int times) {
+  std::string all;
+  all.reserve(text.size() * static_cast<std::size_t>(times));
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+/// Reads a text in less than two seconds, also if the tests run several at a time on a slow machine.
+inline Reading read_soon(const std::string& text, const std::string& name = "list.csv",
+                         const read::ReadOptions& options = {}) {
+  const auto begin = std::chrono::steady_clock::now();
+  Reading reading = read_text(text, name, options);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
+  CHECK(reading.table.has_value() != reading.diagnostics.has_errors());
+  return reading;
+}
+
 /// The lists of a folder by name, without the expected results.
 inline std::vector<std::string> lists_in(const std::string& folder) {
   std::vector<std::string> names;
@@ -53,6 +74,24 @@ inline std::string rows_as_text(const read::SymbolTable& table) {
       text.append(cell).append("|");
     }
     text.back() = '\n';
+  }
+  return text;
+}
+
+/// The same with what only few rows have: `scope`, `alias`, `parent` (the comment of the parent).
+inline std::string rows_with_extras(const read::SymbolTable& table) {
+  std::string text;
+  for (const read::ListRow& row : table.rows) {
+    text += std::to_string(row.line) + ": ";
+    for (const std::string_view cell :
+         {row.klass, row.name, row.vendor_address, row.iec_address, row.type, row.initial, row.comment}) {
+      text.append(cell).append("|");
+    }
+    const read::RowExtra& extra = table.extra_of(row);
+    if (!extra.scope.empty()) text.append(" scope: ").append(extra.scope);
+    if (!extra.alias.empty()) text.append(" alias: ").append(extra.alias);
+    if (!extra.parent_comment.empty()) text.append(" parent: ").append(extra.parent_comment);
+    text += '\n';
   }
   return text;
 }

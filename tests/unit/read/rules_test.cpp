@@ -28,9 +28,11 @@ TEST_CASE("Rules of reading are sorted by id, with a unique name and a complete 
 TEST_CASE("Each rule of reading fires on a golden or is named here") {
   std::set<std::string_view> fired{"SP101", "SP106"};  // no file can trigger them: readers_test.cpp does
   fired.insert("SP111");                               // a file of 65 KB: gx_iec_test.cpp makes it
-  for (const std::string& file : test::lists_in(test::kGoldens + "bad/")) {
-    const test::Reading reading = test::read_golden(test::kGoldens + "bad/" + file);
-    for (const diag::Diagnostic& finding : reading.diagnostics.all()) fired.insert(finding.rule->id);
+  for (const std::string folder : {"bad/", "formats/"}) {
+    for (const std::string& file : test::lists_in(test::kGoldens + folder)) {
+      const test::Reading reading = test::read_golden(test::kGoldens + folder + file);
+      for (const diag::Diagnostic& finding : reading.diagnostics.all()) fired.insert(finding.rule->id);
+    }
   }
   for (const diag::RuleInfo* rule : read::rules()) {
     INFO(rule->id);

@@ -1,0 +1,16 @@
+// Cells of formats whose texts may have line ends.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "read/table_builder.hpp"
+
+namespace symplant::read {
+
+/// A cell that begins at `offset` of the file (npos: unknown), on one line: line ends, tabs and other control
+/// characters become blanks, which are one blank together with those around them; blanks around the text are removed,
+/// and what is not UTF-8 is U+FFFD. A view into the file if it is there as such. O(text).
+std::string_view one_line(TableBuilder& builder, std::size_t offset, std::string_view text);
+
+}  // namespace symplant::read
