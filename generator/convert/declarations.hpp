@@ -44,6 +44,7 @@ class Declarations {
 
  private:
   void report(const Symbol& symbol, const std::string& type, Report& report) const;
+  std::optional<std::string> type_of(const Symbol& symbol) const;
   std::string address_of(const Symbol& symbol) const;
   void group(Kind kind, std::string_view title, const std::vector<std::uint32_t>& declared);
 

@@ -87,7 +87,7 @@ constexpr std::string_view kProgramHead = R"(    <pous>
 
 constexpr std::string_view kProgramFoot = R"(      </interface>
       <body>
-        <ST><p xmlns="http://www.w3.org/1999/xhtml">;</p></ST>
+        <ST><p xmlns="http://www.w3.org/1999/xhtml">RETURN;</p></ST>
       </body>
       </pou>
     </pous>

@@ -69,7 +69,7 @@ void put_group(base::PartCollector& parts, const Declarations& declarations, con
 
 constexpr std::string_view kProgramBegin = "\nPROGRAM symplant_io\n";
 constexpr std::string_view kProgramEnd =
-    "\n;  (* the program goes here *)\n"
+    "\nRETURN;  (* the program; the compiler wants one statement *)\n"
     "END_PROGRAM\n\n"
     "CONFIGURATION Config0\n"
     "  RESOURCE Res0 ON PLC\n"
