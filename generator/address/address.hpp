@@ -16,28 +16,69 @@ enum class Size : std::uint8_t { bit = 1, byte = 8, word = 16, dword = 32, lword
 /// The number system in which a MELSEC list counts its X and Y.
 enum class Radix : std::uint8_t { octal = 8, hexadecimal = 16 };
 
+/// A numbering of bits. Addresses of one area and one bank cover known bits of it.
+using Bank = std::uint16_t;
+inline constexpr Bank kNoBank = 0;         ///< the notation does not define which bits an address covers
+inline constexpr Bank kBits = 1;           ///< of inputs or outputs: X, %IX, bytes and bits of SIMATIC
+inline constexpr Bank kMemoryBanks = 256;  ///< from here on: a kind of device of a notation
+/// The bits of %IB, %IW, %ID or %IL: IEC 61131-3 does not define how those of different sizes lie to each other.
+constexpr Bank bank_of_elements(Size size) { return static_cast<Bank>(size); }
+
 /// An address as one value; equal addresses in different notations compare equal.
 struct Address {
   Area area = Area::memory;
   Size size = Size::bit;
-  /// Counted in units of `size`; in byte.bit notation (%IX3.5) 8 * byte + bit. In `memory`, and if the address is not
-  /// `plain`, it only distinguishes addresses.
-  std::uint64_t number = 0;
   /// False if the notation has more parts than the number of a link can hold (%IX1.2.3, a bit beyond 7, a bit of a word
   /// %IW5.3).
   bool plain = true;
+  bool assigned = true;      ///< false: only the area is known (%I*); each such address is a location apart
+  bool sized = true;         ///< false: the text does not give the size, `size` is an assumption (%I*, Local:1:I.Data)
+  std::uint8_t element = 1;  ///< bits of what the text numbers: 8 for %IX3.5 and %IW64 of SIMATIC, 16 for D10 and D10.F
+  Bank bank = kNoBank;
+  /// Counted in units of `size`; in byte.bit notation (%IX3.5) 8 * byte + bit. In `memory`, and if the address is not
+  /// `plain`, it only distinguishes addresses.
+  std::uint64_t number = 0;
+  std::uint64_t first_bit = 0;  ///< the first bit of `bank` that it covers; the others follow
 
-  friend bool operator==(const Address&, const Address&) = default;
+  friend constexpr bool operator==(const Address& a, const Address& b) {
+    return a.number == b.number && a.area == b.area && a.size == b.size && a.plain == b.plain &&
+           a.assigned == b.assigned;
+  }
 };
 
-/// Reads an IEC 61131-3 address: %IX1, %I1, %QX0.5, %IW5, %QD2, %IB3, %MX0.500 (memory). Numbers are decimal. ASCII
-/// case and blanks around the text are ignored. Nothing if the text is not such an address or its number exceeds 64
-/// bits.
+/// Whether two addresses are one location: they are equal, and assigned.
+constexpr bool same_location(const Address& a, const Address& b) { return a.assigned && a == b; }
+
+/// The first and the last bit of a bank that an address covers.
+struct BitRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+/// Nothing if the notation does not define it.
+std::optional<BitRange> bits_of(const Address& address);
+
+/// Whether two addresses have a bit in common, as far as the notation defines it. Equal ones have.
+bool overlap(const Address& a, const Address& b);
+
+/// The parts of an address that is written as element and bit: %IX3.5, %IW1410.1, D10.F, 1052.02.
+struct ElementBit {
+  std::uint64_t element = 0;
+  std::uint8_t bit = 0;
+};
+std::optional<ElementBit> element_and_bit(const Address& address);
+
+/// The address `count` elements of its size further, as for the elements of an array. Nothing if the notation does not
+/// define it, or beyond 64 bits.
+std::optional<Address> advanced(const Address& address, std::uint64_t count);
+
+/// Reads an IEC 61131-3 address: %IX1, %I1, %QX0.5, %IW5, %IW5.12, %QD2, %IX0.0.0, %I*, %MX0.500 (memory). Numbers are
+/// decimal. ASCII case and blanks around the text are ignored. Nothing if the text is not such an address or its number
+/// exceeds 64 bits.
 std::optional<Address> parse_iec(std::string_view text);
 
-/// Reads a MELSEC device: X1F, Y0001 (inputs and outputs, counted in `radix`), and the names of internal devices with a
-/// number (M500, D10, D10.5, B1F, ZR81499, U6\G100: memory). DX and DY are X and Y, accessed directly. Nothing if
-/// the text is not such a device or has digits beyond `radix`.
+/// Reads a MELSEC device: X1F, Y0001 (inputs and outputs, counted in `radix`), K4X0 (16 inputs from X0 on), and
+/// internal devices with a number (M500, D10, D10.5, B1F, ZR81499, U6\G100, J1\X10: memory). DX and DY are X and Y,
+/// accessed directly. Nothing if the text is not such a device or has digits beyond `radix`.
 std::optional<Address> parse_melsec(std::string_view text, Radix radix);
 
 }  // namespace symplant::address

@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <array>
 #include <ostream>
 #include <vector>
 
@@ -25,11 +26,31 @@ text::Encoding encoding_of(const std::string& name) {
   throw CLI::ValidationError("--encoding", diag::visible(description::no_such_encoding(name)));
 }
 
+std::string format_names() {
+  std::string names;
+  for (const read::ReaderInfo* reader : read::readers()) names.append(names.empty() ? "" : ", ").append(reader->name);
+  return names;
+}
+
+read::ColumnMap columns_of(const std::string& text) {
+  auto map = read::column_map_of(text);
+  if (map) return std::move(*map);
+  throw CLI::ValidationError("--columns", diag::visible(map.error()));
+}
+
 }  // namespace
 
 void add_plant_options(CLI::App& command, PlantOptions& options) {
-  command.add_option("--input-format", options.read.input_format, "the format of the list (default: detected): gx-iec")
+  command
+      .add_option("--input-format", options.read.input_format,
+                  "the format of the list (default: detected): " + format_names())
       ->type_name("FORMAT");
+  command
+      .add_option_function<std::string>(
+          "--columns", [&options](const std::string& text) { options.read.columns = columns_of(text); },
+          "the columns of a table, by header or number (default: detected): name=Tag,address=3; also type, initial, "
+          "comment, class, scope, iec-address, and sheet=NAME of a workbook")
+      ->type_name("FIELD=COLUMN,..");
   command
       .add_option_function<std::string>(
           "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },
@@ -72,6 +93,21 @@ std::string radix_text(const model::PlantModel& plant, std::uint32_t index) {
   return fmt::format("X and Y{} count in {} by default", of, counts);
 }
 
+/// How many symbols of a list have their direction from their address, alias or name.
+std::string direction_text(const model::PlantModel& plant, std::uint32_t index) {
+  constexpr std::array<std::string_view, 3> kEvidence{"name", "address", "alias"};  // in the order of DirectionBy
+  std::array<std::size_t, 3> counts{};
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (symbol.list == index) ++counts[static_cast<std::size_t>(symbol.direction_by)];
+  }
+  std::string text;
+  for (const std::size_t by : {1U, 2U, 0U}) {
+    if (counts[by] != 0) text += fmt::format("{}{} by {}", text.empty() ? "" : ", ", counts[by], kEvidence[by]);
+  }
+  const std::string of = plant.lists.size() == 1 ? "" : " of " + plant.lists[index].name();
+  return fmt::format("directions{}: {}", of, text.empty() ? "none" : text);
+}
+
 }  // namespace
 
 void report_decisions(Context& context, const Compiled& compiled) {
@@ -87,7 +123,10 @@ void report_decisions(Context& context, const Compiled& compiled) {
       const std::string of = plant.lists.size() == 1 ? "" : plant.lists[i].name() + ": ";
       context.err << "decided: " << of << decision << "\n";
     }
-    context.err << "decided: " << radix_text(plant, i) << "\n";
+    if (plant.lists[i].table->notation == address::Notation::melsec) {
+      context.err << "decided: " << radix_text(plant, i) << "\n";
+    }
+    context.err << "decided: " << direction_text(plant, i) << "\n";
   }
 }
 

@@ -1,10 +1,13 @@
 // Reading the files of a plant.
 #include "app/read_inputs.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/list_files.hpp"
 #include "description/description_rules.hpp"
+#include "read/loading.hpp"
 
 namespace symplant::app {
 namespace {
@@ -24,8 +27,10 @@ class InputReader {
     if (bytes && description::is_plant_file(options_.plant, *bytes)) {
       return read_description(std::move(*bytes)) ? std::optional(std::move(inputs_)) : std::nullopt;
     }
-    auto table = bytes ? read::read_symbol_list(options_.plant, std::move(*bytes), options_.read, diagnostics_)
-                       : read::read_symbol_list(options_.plant, options_.read, files_, diagnostics_);
+    read::ReadOptions how = options_.read;
+    how.xy = options_.xy;
+    auto table = bytes ? read::read_symbol_list(options_.plant, std::move(*bytes), how, diagnostics_)
+                       : read::read_symbol_list(options_.plant, how, files_, diagnostics_);
     if (!table) return std::nullopt;
     add_list(std::move(*table), {}, options_.xy);
     return std::move(inputs_);
@@ -33,7 +38,7 @@ class InputReader {
 
  private:
   void add_list(read::SymbolTable table, const std::string& controller, std::optional<address::Radix> xy) {
-    inputs_.lists.push_back({std::make_shared<const read::SymbolTable>(std::move(table)), controller, xy});
+    inputs_.lists.push_back({std::make_shared<read::SymbolTable>(std::move(table)), controller, xy});
   }
 
   bool read_description(std::string bytes) {
@@ -41,7 +46,7 @@ class InputReader {
       description::add_empty_file(options_.plant, diagnostics_);
       return false;
     }
-    auto text = read::decode_file(options_.plant, std::move(bytes), {}, diagnostics_, "save it as UTF-8");
+    auto text = read::decode_file(options_.plant, std::move(bytes), diagnostics_, "save it as UTF-8");
     if (!text) return false;
     inputs_.source = std::make_shared<text::SourceFile>(options_.plant, std::move(text->text));
     description::PlantFileReading reading = description::read_plant_file(inputs_.source->text(), inputs_.name);
@@ -65,20 +70,44 @@ class InputReader {
         all = false;
         continue;
       }
-      const std::string path = (fs::path(options_.plant).parent_path() / reference.file).lexically_normal().string();
-      progress_.stage("reading " + path);
-      read::ReadOptions how = options_.read;
-      how.described = true;
-      if (!reference.format.empty()) how.input_format = reference.format;
-      if (reference.encoding) how.encoding = reference.encoding;
-      auto table = read::read_symbol_list(path, how, files_, diagnostics_);
-      if (table) {
-        add_list(std::move(*table), reference.controller, reference.xy ? reference.xy : options_.xy);
-      } else {
+      const fs::path named = (fs::path(options_.plant).parent_path() / reference.file).lexically_normal();
+      const std::vector<std::string> paths = list_files(named.string(), files_);
+      if (paths.empty()) {
+        inputs_.faults.push_back(
+            {"/symbols/" + std::to_string(&reference - lists.data()),
+             "no file matches `" + reference.file + "`; correct the path, which is relative to this file"});
         all = false;
       }
+      for (const std::string& path : paths) all = read_list(path, reference) && all;
     }
+    if (all) name_by_controller();
     return all;
+  }
+
+  bool read_list(const std::string& path, const description::ListReference& reference) {
+    progress_.stage("reading " + path);
+    read::ReadOptions how = options_.read;
+    how.described = true;
+    if (!reference.format.empty()) how.input_format = reference.format;
+    if (reference.encoding) how.encoding = reference.encoding;
+    if (!reference.columns.empty()) how.columns = reference.columns;
+    how.part = reference.part;
+    how.xy = reference.xy ? reference.xy : options_.xy;
+    auto table = read::read_symbol_list(path, how, files_, diagnostics_);
+    if (table) add_list(std::move(*table), reference.controller, how.xy);
+    return table.has_value();
+  }
+
+  /// With several controllers, a symbol that has its address as its name is named `PLC2:X0`: names are unique.
+  void name_by_controller() {
+    const auto is_first = [&](const ReadList& list) { return list.controller == inputs_.lists.front().controller; };
+    if (std::all_of(inputs_.lists.begin(), inputs_.lists.end(), is_first)) return;
+    for (ReadList& list : inputs_.lists) {
+      for (read::ListRow& row : list.table->rows) {
+        if (list.controller.empty() || !row.is_named_by_address()) continue;
+        row.name = list.table->arena.emplace_back(list.controller + ":" + std::string(row.name));
+      }
+    }
   }
 
   const CompileOptions& options_;

@@ -16,7 +16,7 @@ namespace symplant::app {
 
 /// A symbol list as it was read.
 struct ReadList {
-  std::shared_ptr<const read::SymbolTable> table;
+  std::shared_ptr<read::SymbolTable> table;
   std::string controller;            ///< whose addresses these are; empty: the default controller
   std::optional<address::Radix> xy;  ///< without a value: what the rows prove, else hexadecimal
 };

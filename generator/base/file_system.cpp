@@ -148,6 +148,15 @@ Result<bool, FileError> DiskFileSystem::write_new(const std::string& path, std::
   return true;
 }
 
+std::vector<std::string> DiskFileSystem::list(const std::string& folder) const {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (std::filesystem::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
+    names.push_back(at->path().filename().string());
+  }
+  return names;
+}
+
 bool DiskFileSystem::exists(const std::string& path) const {
   struct stat about {};
   return ::lstat(path.c_str(), &about) == 0;

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.hpp"
 #include "base/text_source.hpp"
@@ -42,6 +43,9 @@ class FileSystem {
 
   /// Whether the path exists, readable or not.
   virtual bool exists(const std::string& path) const = 0;
+
+  /// The names of all files and folders in a folder, in any order; none if it cannot be read.
+  virtual std::vector<std::string> list(const std::string& folder) const = 0;
 };
 
 /// Files on the disk of the machine.
@@ -53,6 +57,7 @@ class DiskFileSystem final : public FileSystem {
   bool holds(const std::string& path, const TextSource& content) const override;
   Result<bool, FileError> write_new(const std::string& path, std::string_view content) override;
   bool exists(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
 };
 
 }  // namespace symplant::base

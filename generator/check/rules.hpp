@@ -34,6 +34,8 @@ extern const Rule kAddressesContradict;        // SP315
 extern const Rule kSymbolsOverlap;             // SP316
 extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kNoIo;                       // SP318
+extern const Rule kAddressesOverlap;           // SP319
+extern const Rule kSeveralLists;               // SP330
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
 extern const Rule kUnitWithoutEvents;          // SP403
@@ -94,6 +96,8 @@ inline constexpr std::array kRules{
     &kSymbolsOverlap,
     &kAddressWithoutNumber,
     &kNoIo,
+    &kAddressesOverlap,
+    &kSeveralLists,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,
     &kUnitWithoutEvents,

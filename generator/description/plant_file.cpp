@@ -134,10 +134,28 @@ class PlantFileReader {
       list.encoding = text::encoding_of_name(*encoding);
       if (!list.encoding) faults_.add(here / "encoding", no_such_encoding(*encoding));
     }
+    read_columns(value, here / "columns", list.columns);
+    if (const Json* part = member(value, "part"); part != nullptr && part->is_number_unsigned()) {
+      list.part = part->get<std::size_t>();
+    }
     const std::string xy = text_or_empty(value, "xy");
     if (xy == "hex") list.xy = address::Radix::hexadecimal;
     if (xy == "octal") list.xy = address::Radix::octal;
     return list;
+  }
+
+  void read_columns(const Json& value, const Pointer& here, read::ColumnMap& columns) {
+    const Json* given = member(value, "columns");
+    if (given == nullptr || !given->is_object()) return;
+    for (const auto& [word, column] : given->items()) {
+      if (!column.is_string() && !column.is_number_unsigned()) continue;  // already reported
+      auto next = read::with_column(columns, word, column.is_string() ? column.get<std::string>() : column.dump());
+      if (next) {
+        columns = std::move(*next);
+      } else {
+        faults_.add(here / word, next.error());
+      }
+    }
   }
 
   void check_format(const std::string& format, const Pointer& here) {

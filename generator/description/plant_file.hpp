@@ -8,6 +8,7 @@
 
 #include "address/address.hpp"
 #include "description/description.hpp"
+#include "read/column_map.hpp"
 #include "symplant/json/location.hpp"
 #include "text/encoding.hpp"
 
@@ -15,9 +16,11 @@ namespace symplant::description {
 
 /// A symbol list of the plant.
 struct ListReference {
-  std::string file;                        ///< as written: relative to the plant.json
+  std::string file;                        ///< as written: relative to the plant.json; `*` and `?` name several files
   std::string format;                      ///< of a known reader; empty: recognized by content
   std::optional<text::Encoding> encoding;  ///< nothing: recognized by content
+  read::ColumnMap columns;                 ///< of a table; empty: recognized
+  std::size_t part = 0;                    ///< of several lists in one file; 0: all of it
   std::string controller;                  ///< the PLC it belongs to; empty: the only one
   std::optional<address::Radix> xy;        ///< how X and Y count if no row proves it
 };

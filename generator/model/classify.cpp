@@ -1,7 +1,6 @@
 // Decides which rows are I/O.
 #include "model/classify.hpp"
 
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -12,30 +11,6 @@ namespace symplant::model {
 namespace {
 
 using tables::DataType;
-
-struct TypeName {
-  std::string_view name;
-  DataType type;
-  int bits;
-};
-constexpr std::array<TypeName, 16> kTypes{{
-    {"BOOL", DataType::boolean, 1},
-    {"SINT", DataType::sint, 8},
-    {"INT", DataType::int_, 16},
-    {"DINT", DataType::dint, 32},
-    {"LINT", DataType::lint, 64},
-    {"USINT", DataType::usint, 8},
-    {"UINT", DataType::uint, 16},
-    {"UDINT", DataType::udint, 32},
-    {"ULINT", DataType::ulint, 64},
-    {"BYTE", DataType::byte, 8},
-    {"WORD", DataType::word, 16},
-    {"DWORD", DataType::dword, 32},
-    {"LWORD", DataType::lword, 64},
-    {"REAL", DataType::real, 32},
-    {"LREAL", DataType::lreal, 64},
-    {"BIT", DataType::boolean, 1},
-}};
 
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix) {
   return text.size() >= prefix.size() && text::equal_ignoring_case(text.substr(0, prefix.size()), prefix);
@@ -115,17 +90,6 @@ struct RadixVotes {
 
 }  // namespace
 
-std::optional<DataType> data_type(std::string_view text) {
-  for (const TypeName& type : kTypes) {
-    if (text::equal_ignoring_case(type.name, text)) return type.type;
-  }
-  return std::nullopt;
-}
-
-std::string_view data_type_name(DataType type) { return kTypes[static_cast<std::size_t>(type)].name; }
-
-int data_type_bits(DataType type) { return kTypes[static_cast<std::size_t>(type)].bits; }
-
 std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
   if (text.empty()) return 0;
   if (const std::size_t hash = text.find('#'); hash != text.npos && data_type(text.substr(0, hash))) {
@@ -145,7 +109,7 @@ std::optional<std::uint64_t> initial_value(std::string_view text, DataType type)
   return integer(text, type);
 }
 
-RowAddress row_address(const read::ListRow& row, address::Notation notation, address::Radix radix) {
+RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect) {
   RowAddress result;
   const auto take = [&](std::string_view cell, const std::optional<address::Address>& address) {
     if (address) {
@@ -156,13 +120,13 @@ RowAddress row_address(const read::ListRow& row, address::Notation notation, add
     }
   };
   if (!row.vendor_address.empty()) {
-    const auto vendor = address::parse(row.vendor_address, notation, radix);
+    const auto vendor = address::parse(row.vendor_address, dialect);
     take(row.vendor_address, vendor ? vendor : address::parse_iec(row.vendor_address));
   }
   const std::optional<address::Address> vendor = result.address;
   if (!row.iec_address.empty()) {  // its number is certainly decimal, so it has priority over the vendor's
     auto iec = address::parse_iec(row.iec_address);
-    if (!iec && row.vendor_address.empty()) iec = address::parse(row.iec_address, notation, radix);
+    if (!iec && row.vendor_address.empty()) iec = address::parse(row.iec_address, dialect);
     take(row.iec_address, iec);
     if (vendor && iec && can_compare(*vendor, *iec)) {
       result.vendor = vendor;
@@ -195,12 +159,15 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   symbol.reading = reading;
   symbol.type = *type;
   symbol.address = address.address;
+  if (symbol.address && !symbol.address->sized)
+    symbol.address->size = static_cast<address::Size>(data_type_bits(*type));
   symbol.address_cell = address.cell;
   symbol.unit = kNone;
   symbol.leader = kNone;
   if (address.address) {
     symbol.direction =
         address.address->area == address::Area::output ? tables::Direction::operation : tables::Direction::event;
+    symbol.direction_by = DirectionBy::address;
   } else if (reading.fault == name::NameFault::none) {
     symbol.direction =
         reading.direction == name::Direction::operation ? tables::Direction::operation : tables::Direction::event;

@@ -7,13 +7,13 @@
 #include <variant>
 
 #include "model/plant_model.hpp"
+#include "read/data_types.hpp"
 
 namespace symplant::model {
 
-/// The I/O type of a list's type cell, without regard to case; BIT is BOOL. Nothing for any other type.
-std::optional<tables::DataType> data_type(std::string_view text);
-std::string_view data_type_name(tables::DataType type);
-int data_type_bits(tables::DataType type);
+using read::data_type;
+using read::data_type_bits;
+using read::data_type_name;
 
 /// Reads an Initial cell of a type: TRUE, FALSE, 0, 1; decimal, 16#, 8#, 2#, TYPE#value, K and H constants; REAL. Empty
 /// is 0. Nothing if it cannot be read or does not fit.
@@ -28,8 +28,8 @@ struct RowAddress {
   std::optional<address::Address> vendor;
   bool contradicts = false;
 };
-/// `notation` is that of the row's list.
-RowAddress row_address(const read::ListRow& row, address::Notation notation, address::Radix radix);
+/// `dialect` is that of the row's list.
+RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect);
 
 /// An I/O symbol without unit and leader, or the reason why the row is not an I/O symbol.
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,

@@ -56,8 +56,10 @@ class SymbolCollector {
     if (reason != nullptr) {
       ++plant_.internal[static_cast<std::size_t>(*reason)];
     } else {
-      plant_.symbols.push_back(std::get<Symbol>(result));
-      plant_.symbols.back().list = list;
+      Symbol& symbol = plant_.symbols.emplace_back(std::get<Symbol>(result));
+      symbol.list = list;
+      const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
+      if (is_alias && symbol.address) symbol.direction_by = DirectionBy::alias;
     }
   }
 
@@ -68,13 +70,15 @@ class SymbolCollector {
   };
 
   RowAddress address_of(const read::ListRow& row, std::uint32_t list) const {
-    return row_address(row, plant_.lists[list].table->notation, plant_.lists[list].radix.radix);
+    return row_address(row, plant_.lists[list].dialect());
   }
 
   bool same(const Location& a, const Location& b) const {
-    const auto address = [&](const Location& index) { return address_of(*index.row, index.list).address; };
+    const auto first = address_of(*a.row, a.list).address;
+    const auto second = address_of(*b.row, b.list).address;
+    const bool same_address = first && second ? address::same_location(*first, *second) : !first && !second;
     return plant_.lists[a.list].controller == plant_.lists[b.list].controller &&
-           text::equal_ignoring_case(a.row->type, b.row->type) && address(a) == address(b);
+           text::equal_ignoring_case(a.row->type, b.row->type) && same_address;
   }
 
   PlantModel& plant_;

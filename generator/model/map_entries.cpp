@@ -24,9 +24,12 @@ std::uint64_t width_of(const Address& address) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(address.size) / 16);
 }
 
-std::optional<Address> parse(std::string_view text, address::Radix radix) {
-  const auto iec = address::parse_iec(text);
-  return iec ? iec : address::parse_melsec(text, radix);
+/// In IEC 61131-3 or in the notation of a controller's lists; in SIMATIC %IW64 is another word than in IEC 61131-3.
+std::optional<Address> read_address(std::string_view text, const address::Dialect& dialect) {
+  const bool is_siemens = dialect.notation == address::Notation::siemens;
+  const auto first = is_siemens ? address::parse(text, dialect) : address::parse_iec(text);
+  if (first) return first;
+  return is_siemens ? address::parse_iec(text) : address::parse(text, dialect);
 }
 
 bool is_io(const std::optional<Address>& address) { return address && address->area != address::Area::memory; }
@@ -122,11 +125,11 @@ class LinkResolver {
     return nullptr;
   }
 
-  address::Radix radix() const {
+  address::Dialect dialect() const {
     for (const PlantList& list : plant_.lists) {
-      if (list.controller == controller_) return list.radix.radix;
+      if (list.controller == controller_) return list.dialect();
     }
-    return address::Radix::hexadecimal;
+    return {address::Notation::melsec};
   }
 
   /// Keeps an entry that can match symbols; reports an entry that cannot.
@@ -140,7 +143,7 @@ class LinkResolver {
   }
 
   bool understand_area(Meant& meant) {
-    meant.first = parse(meant.entry->text + "0", radix());
+    meant.first = read_address(meant.entry->text + "0", dialect());
     const bool ends_in_letter =
         text::upper(meant.entry->text.back()) >= 'A' && text::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;
@@ -152,7 +155,7 @@ class LinkResolver {
   bool understand_range(Meant& meant) {
     meant.rank = 1;
     const auto understood = [&](const std::string& text, std::size_t which) {
-      auto address = parse(text, radix());
+      auto address = read_address(text, dialect());
       if (is_io(address) && address->plain) return address;
       faults_.add(meant.pointer / "range" / which,
                   description::ticked(text) +

@@ -41,11 +41,19 @@ enum class Unmodelled : std::uint8_t {
   unit_too_large,  ///< its unit has more symbols or states than a unit may have
 };
 
+/// What gave a symbol its direction.
+enum class DirectionBy : std::uint8_t {
+  name,     ///< its name: it has no address
+  address,  ///< the address in the list
+  alias,    ///< the address of the operand that it is an alias of
+};
+
 /// One I/O symbol. Views point into its list.
 struct Symbol {
   const read::ListRow* row = nullptr;
   name::NameReading reading;
   tables::Direction direction{};
+  DirectionBy direction_by = DirectionBy::name;
   tables::DataType type{};
   std::optional<address::Address> address;
   std::string_view address_cell;  ///< the cell that `address` was read from; empty without an address
@@ -161,6 +169,8 @@ struct PlantList {
   std::size_t compared = 0;                        ///< the number of rows with two comparable addresses
 
   std::string name() const;  ///< the name of the file without its folders
+  /// How its addresses are read.
+  address::Dialect dialect() const { return {table->notation, radix.radix}; }
 };
 
 struct PlantModel {

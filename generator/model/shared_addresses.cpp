@@ -24,9 +24,11 @@ std::uint64_t hash_of(const Location& position) {
   return (a.number * 2 + (a.plain ? 1 : 0)) * 0x9E37'79B9'7F4A'7C15 ^ kind * 0xC2B2'AE3D'27D4'EB4F;
 }
 
-/// False if type and address differ in size, which a check reports: then the symbol shares no address.
+/// False if the address is not assigned, or if type and address differ in size, which a check reports: then the symbol
+/// shares no address.
 bool has_index(const Symbol& symbol) {
-  return symbol.address && static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
+  return symbol.address && symbol.address->assigned &&
+         static_cast<int>(symbol.address->size) == data_type_bits(symbol.type);
 }
 
 bool moved(const PlantModel& plant, std::uint32_t index) {

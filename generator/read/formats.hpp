@@ -5,7 +5,14 @@
 
 namespace symplant::read {
 
+extern const ReaderInfo kAnyTable;
+extern const ReaderInfo kCodesysIoMapping;
 extern const ReaderInfo kGxIec;
+extern const ReaderInfo kGxWorksComments;
+extern const ReaderInfo kGxWorksLabels;
+extern const ReaderInfo kKepware;
+extern const ReaderInfo kLsGlobals;
+extern const ReaderInfo kLsTags;
 extern const ReaderInfo kOmronCxt;
 extern const ReaderInfo kPlcopen;
 extern const ReaderInfo kRockwellCsv;
@@ -19,6 +26,7 @@ extern const ReaderInfo kSysmac;
 extern const ReaderInfo kTiaOpenness;
 extern const ReaderInfo kTiaSdf;
 extern const ReaderInfo kTiaTagTable;
+extern const ReaderInfo kTiaTags;
 extern const ReaderInfo kTwincatGvl;
 
 }  // namespace symplant::read

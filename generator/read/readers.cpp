@@ -1,37 +1,53 @@
 // The table of readers, and reading a symbol list of any known format.
 #include "read/readers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
+#include "read/expand_arrays.hpp"
 #include "read/formats.hpp"
+#include "read/loading.hpp"
+#include "read/parts.hpp"
+#include "read/recognized.hpp"
 #include "read/rules/cannot_read_file.hpp"
-#include "read/rules/empty_file.hpp"
-#include "read/rules/undecodable_text.hpp"
+#include "read/rules/no_such_part.hpp"
+#include "read/rules/recognized_format.hpp"
 #include "read/rules/unknown_format.hpp"
 #include "read/rules/unknown_input_format.hpp"
+#include "read/rules/unreadable_workbook.hpp"
 
 namespace symplant::read {
 
 namespace {
 
 constexpr std::array kReaders{
-    &kGxIec,           //
-    &kOmronCxt,        //
-    &kPlcopen,         //
-    &kRockwellCsv,     //
-    &kRockwellL5k,     //
-    &kRockwellL5x,     //
-    &kSchneiderXsy,    //
-    &kStep7Asc,        //
-    &kStep7Sdf,        //
-    &kStructuredText,  //
-    &kSysmac,          //
-    &kTiaOpenness,     //
-    &kTiaSdf,          //
-    &kTiaTagTable,     //
-    &kTwincatGvl,      //
+    &kGxIec,             //
+    &kGxWorksLabels,     //
+    &kGxWorksComments,   //
+    &kCodesysIoMapping,  //
+    &kKepware,           //
+    &kLsGlobals,         //
+    &kLsTags,            //
+    &kOmronCxt,          //
+    &kPlcopen,           //
+    &kRockwellCsv,       //
+    &kRockwellL5k,       //
+    &kRockwellL5x,       //
+    &kSchneiderXsy,      //
+    &kStep7Asc,          //
+    &kStep7Sdf,          //
+    &kStructuredText,    //
+    &kSysmac,            //
+    &kTiaOpenness,       //
+    &kTiaSdf,            //
+    &kTiaTagTable,       //
+    &kTiaTags,           //
+    &kTwincatGvl,        //
+    &kAnyTable,          //
 };
 
 std::string known_names() {
@@ -42,42 +58,78 @@ std::string known_names() {
   return names;
 }
 
-/// A location in a file whose text cannot be shown.
-diag::Location whole_file(const std::string& path) { return {std::make_shared<text::SourceFile>(path, ""), {}}; }
-
-/// The requested reader, or the likeliest; null if an error was added.
-const ReaderInfo* choose(const ReadOptions& options, const std::shared_ptr<const text::SourceFile>& source,
-                         diag::Diagnostics& diagnostics) {
-  const ReaderInfo* best = nullptr;
+struct Choice {
+  const ReaderInfo* reader = nullptr;
   int likelihood = 0;
+};
+
+/// The requested reader, or the likeliest; null if the text is of no known format.
+Choice choose(const ReadOptions& options, std::string_view text) {
+  if (!options.columns.columns.empty() && options.input_format.empty()) return {&kAnyTable, 1};
+  Choice best;
   for (const ReaderInfo* reader : kReaders) {
-    if (reader->name == options.input_format) return reader;
-    const int mine = reader->likelihood(source->text());
-    if (mine <= likelihood) continue;
-    likelihood = mine;
-    best = reader;
-  }
-  if (best == nullptr) {
-    diagnostics.add(kUnknownFormat,
-                    "found neither a header with a column of identifiers nor a class such as `VAR_GLOBAL`, so this is "
-                    "not a known symbol list (" +
-                        known_names() + "); export the global variables as text, or put a header above the rows",
-                    {source, source->span_of(source->line_at(0))});
+    const bool asked_for = reader->name == options.input_format;
+    if (!asked_for && !options.input_format.empty()) continue;
+    const int mine = reader->likelihood(text);
+    if (asked_for) return {reader, std::max(mine, 1)};
+    if (mine > best.likelihood) best = {reader, mine};
   }
   return best;
 }
 
-/// The file as text; null if an error was added.
-std::shared_ptr<const text::SourceFile> load(const std::string& path, std::string bytes, const ReadOptions& options,
-                                             diag::Diagnostics& diagnostics, text::Encoding& encoding) {
-  auto decoded = decode_file(path, std::move(bytes), options, diagnostics);
-  if (!decoded) return nullptr;
-  if (decoded->text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    diagnostics.add(kEmptyFile, "the file `" + path + "` is empty; export the list again", whole_file(path));
+void report_unknown(const LoadedText& text, diag::Diagnostics& diagnostics) {
+  const diag::Location begin{text.source, text.source->span_of(text.source->line_at(0))};
+  if (const auto known = recognize_text(text.source->text())) {
+    diagnostics.add(kRecognizedFormat, fmt::format("this is {}; {}", known->what, known->advice), begin);
+    return;
+  }
+  diagnostics.add(
+      kUnknownFormat,
+      "this is no known symbol list: found neither a column of names and one of addresses, nor a class such "
+      "as `VAR_GLOBAL`; export the symbols as text or as a workbook, or give the columns with `--columns "
+      "name=...,address=...`",
+      begin);
+}
+
+/// The text with the likeliest list; null if an error was added: no list, or several sheets with one.
+const LoadedText* choose_text(const std::vector<LoadedText>& texts, const ReadOptions& options, Choice& choice,
+                              diag::Diagnostics& diagnostics) {
+  const LoadedText* best = nullptr;
+  const LoadedText* rival = nullptr;
+  for (const LoadedText& text : texts) {
+    const Choice mine = choose(options, text.source->text());
+    if (mine.likelihood == 0 || mine.likelihood < choice.likelihood) continue;
+    rival = mine.likelihood == choice.likelihood ? best : nullptr;
+    best = &text;
+    choice = mine;
+  }
+  if (best == nullptr) {
+    report_unknown(texts.front(), diagnostics);
+  } else if (rival != nullptr) {
+    diagnostics.add(kUnreadableWorkbook,
+                    fmt::format("the workbook has several sheets with symbols, such as `{}` and `{}`; choose one with "
+                                "`--columns sheet=...`, or in plant.json with `\"columns\": {{ \"sheet\": ... }}`",
+                                rival->sheet, best->sheet),
+                    {best->source, best->source->span_of(best->source->line_at(0))});
     return nullptr;
   }
-  encoding = decoded->encoding;
-  return std::make_shared<text::SourceFile>(path, std::move(decoded->text));
+  return best;
+}
+
+/// False, with an error, if there is no such part.
+bool select_part(SymbolTable& table, const ReadOptions& options, diag::Diagnostics& diagnostics) {
+  const std::vector<std::size_t> begins = find_parts(table, options.xy.value_or(address::Radix::hexadecimal));
+  if (keep_part(table, options.part, begins)) {
+    table.decisions.push_back(
+        fmt::format("part: {} of {}, {} rows", options.part, begins.size() + 1, table.rows.size()));
+    return true;
+  }
+  diagnostics.add(
+      kNoSuchPart,
+      fmt::format("this text holds {} list{}, so it has no part {}; write a number up to {}, or omit `\"part\"`",
+                  begins.size() + 1, begins.empty() ? "" : "s", options.part, begins.size() + 1),
+      {table.source, table.source->span_of(table.source->line_at(0))});
+  return false;
 }
 
 bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics) {
@@ -88,40 +140,9 @@ bool is_known_format(const ReadOptions& options, diag::Diagnostics& diagnostics)
   return false;
 }
 
-/// What to do about bytes that cannot be decoded: how the likely encodings would read them, if there are any.
-std::string remedy_of(const text::DecodeError& fault, bool described) {
-  const auto option = [&](text::Encoding encoding) {
-    const std::string name(text::encoding_name(encoding));
-    return described ? "`\"encoding\": \"" + name + "\"`" : "`--encoding " + name + "`";
-  };
-  if (fault.guesses.empty()) return fault.remedy;
-  const text::EncodingGuess& first = fault.guesses.front();
-  if (fault.guesses.size() == 1) {
-    return option(first.encoding) + " would read `" + first.sample +
-           "`; if that is wrong, give the encoding that the list was saved in, or save it as UTF-8";
-  }
-  std::string text;
-  for (const text::EncodingGuess& guess : fault.guesses) {
-    text.append(text.empty() ? "" : ", ").append(option(guess.encoding)).append(" (`" + guess.sample + "`)");
-  }
-  return "choose the encoding that reads this word correctly: " + text + ", or save the list as UTF-8";
-}
-
 }  // namespace
 
 std::span<const ReaderInfo* const> readers() { return kReaders; }
-
-std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
-                                         diag::Diagnostics& diagnostics, std::string_view remedy) {
-  auto decoded = text::decode(std::move(bytes), options.encoding ? &*options.encoding : nullptr);
-  if (decoded) return std::move(*decoded);
-  const text::DecodeError& fault = decoded.error();
-  const text::Span location{fault.shown_offset, std::min(fault.shown_offset + 1, fault.shown.size())};
-  const std::string what_to_do = remedy.empty() ? remedy_of(fault, options.described) : std::string(remedy);
-  diagnostics.add(kUndecodableText, fault.what + "; " + what_to_do,
-                  {std::make_shared<text::SourceFile>(path, fault.shown), location});
-  return std::nullopt;
-}
 
 std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadOptions& options,
                                             const base::FileSystem& files, diag::Diagnostics& diagnostics) {
@@ -135,17 +156,20 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadO
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics) {
   if (!is_known_format(options, diagnostics)) return std::nullopt;
-  text::Encoding encoding{};
-  const auto source = load(path, std::move(bytes), options, diagnostics, encoding);
-  if (!source) return std::nullopt;
-  const ReaderInfo* const reader = choose(options, source, diagnostics);
-  if (reader == nullptr) return std::nullopt;
-  auto table = reader->read({source, options, diagnostics});
+  const std::vector<LoadedText> texts = load_texts(path, std::move(bytes), options, diagnostics);
+  if (texts.empty()) return std::nullopt;
+  Choice choice;
+  const LoadedText* const text = choose_text(texts, options, choice, diagnostics);
+  if (text == nullptr) return std::nullopt;
+  const ReaderInfo& reader = *choice.reader;
+  auto table = reader.read({text->source, options, diagnostics});
   if (!table) return std::nullopt;
-  const std::string_view why = options.encoding ? ", as requested" : "";
-  table->decisions.insert(table->decisions.begin(),
-                          {"format: " + std::string(reader->name) + " (" + std::string(reader->title) + ")",
-                           "encoding: " + std::string(text::encoding_name(encoding)) + std::string(why)});
+  std::vector<std::string> decisions{fmt::format("format: {} ({})", reader.name, reader.title)};
+  decisions.insert(decisions.end(), text->decisions.begin(), text->decisions.end());
+  table->decisions.insert(table->decisions.begin(), decisions.begin(), decisions.end());
+  if (options.part != 0 && !select_part(*table, options, diagnostics)) return std::nullopt;
+  table->title = reader.title;
+  expand_arrays(*table, options.xy.value_or(address::Radix::hexadecimal), diagnostics);
   return table;
 }
 

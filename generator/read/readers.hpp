@@ -21,9 +21,4 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, const ReadO
 std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string bytes, const ReadOptions& options,
                                             diag::Diagnostics& diagnostics);
 
-/// The text of a file's bytes, and its encoding. Returns nothing if it added an error, which proposes likely encodings
-/// and shows how they would read the file; `remedy` replaces that proposal for a file that is not a list.
-std::optional<text::Decoded> decode_file(const std::string& path, std::string bytes, const ReadOptions& options,
-                                         diag::Diagnostics& diagnostics, std::string_view remedy = {});
-
 }  // namespace symplant::read

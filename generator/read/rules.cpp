@@ -4,13 +4,18 @@
 #include <array>
 
 #include "read/rules/alias_not_resolved.hpp"
+#include "read/rules/ambiguous_columns.hpp"
+#include "read/rules/array_too_large.hpp"
 #include "read/rules/cannot_read_file.hpp"
 #include "read/rules/cell_too_long.hpp"
 #include "read/rules/document_type.hpp"
 #include "read/rules/empty_file.hpp"
+#include "read/rules/encoding_assumed.hpp"
 #include "read/rules/header_alone.hpp"
 #include "read/rules/invalid_xml.hpp"
 #include "read/rules/missing_column.hpp"
+#include "read/rules/no_such_part.hpp"
+#include "read/rules/recognized_format.hpp"
 #include "read/rules/row_not_understood.hpp"
 #include "read/rules/row_without_identifier.hpp"
 #include "read/rules/text_after_quote.hpp"
@@ -19,6 +24,7 @@
 #include "read/rules/undecodable_text.hpp"
 #include "read/rules/unknown_format.hpp"
 #include "read/rules/unknown_input_format.hpp"
+#include "read/rules/unreadable_workbook.hpp"
 
 namespace symplant::read {
 
@@ -41,6 +47,12 @@ constexpr std::array kRules{
     &kUnclosedComment,       //
     &kAliasNotResolved,      //
     &kRowNotUnderstood,      //
+    &kArrayTooLarge,         //
+    &kAmbiguousColumns,      //
+    &kEncodingAssumed,       //
+    &kNoSuchPart,            //
+    &kUnreadableWorkbook,    //
+    &kRecognizedFormat,      //
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ inline constexpr std::uint32_t kNoExtra = UINT32_MAX;
 /// One row that declares a symbol. Views point into the file's text or into the table's `arena`. Blanks around a cell
 /// are removed; a missing cell is empty.
 struct ListRow {
-  std::string_view klass;  ///< VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...
-  std::string_view name;
+  std::string_view klass;           ///< VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...
+  std::string_view name;            ///< of an address that has no name: the very cell of the address
   std::string_view vendor_address;  ///< in the table's notation
   std::string_view iec_address;     ///< an IEC 61131-3 address next to the vendor's (`IEC-Addr.`)
   std::string_view type;
@@ -27,7 +27,12 @@ struct ListRow {
   std::string_view comment;
   std::uint32_t line;              ///< the line at which it begins, counted from 1
   std::uint32_t extra = kNoExtra;  ///< index in the table's `extras`
-  text::Span whole;                ///< the row's bytes, without its line end
+  /// Whether the list has no name for it, and its address is its name.
+  bool is_named_by_address() const {
+    return !name.empty() && (name.data() == vendor_address.data() || name.data() == iec_address.data());
+  }
+
+  text::Span whole;  ///< the row's bytes, without its line end
 };
 
 /// What only few rows have.
@@ -53,10 +58,11 @@ struct SymbolTable {
 
   std::shared_ptr<const text::SourceFile> source;
   address::Notation notation = address::Notation::melsec;  ///< of the vendor addresses
-  bool names_are_addresses = false;  ///< the export has no names: each row has its address as its name
   std::vector<ListRow> rows;
   std::vector<RowExtra> extras;
+  std::vector<std::size_t> parts;      ///< rows at which another list begins in the same text
   std::deque<std::string> arena;       ///< cells whose text differs from the file's ("" for ")
+  std::string_view title;              ///< of the format
   std::string summary;                 ///< what was taken for what: "name: column 2 `Tag`, address: column 4 `Operand`"
   std::vector<std::string> decisions;  ///< what was recognized and why, for --verbose
 };

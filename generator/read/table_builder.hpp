@@ -32,6 +32,9 @@ class TableBuilder {
   /// The row's extra, to be filled.
   RowExtra& extra(ListRow& row);
 
+  /// The next row begins another list in the same text, as a repeated header shows.
+  void begin_part() { table_.parts.push_back(table_.rows.size()); }
+
   /// For --verbose.
   void decide(std::string decision) { table_.decisions.push_back(std::move(decision)); }
   /// Adds a finding about bytes of the file.

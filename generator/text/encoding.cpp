@@ -134,7 +134,23 @@ std::string bytes_are(std::string_view bytes) {
   return text + (bytes.size() == 1 ? " is" : " are");
 }
 
-base::Result<std::string, Fault> decode_utf8(std::string text) {
+/// Whether the bytes begin with half of a surrogate pair, encoded as a character is.
+bool is_surrogate(std::string_view bytes) {
+  return bytes.size() >= 3 && bytes[0] == '\xED' && (static_cast<unsigned char>(bytes[1]) & 0xE0U) == 0xA0 &&
+         (static_cast<unsigned char>(bytes[2]) & 0xC0U) == 0x80;
+}
+
+/// Whether well-formed text has so many characters beyond ASCII that it is UTF-8 by intention.
+bool is_mostly_utf8(std::string_view text) {
+  constexpr std::size_t kEnough = 4;
+  std::size_t found = 0;
+  for (std::size_t at = 0; at < text.size() && found < kEnough; ++at) {
+    found += (static_cast<unsigned char>(text[at]) & 0xC0U) == 0xC0 ? 1U : 0U;
+  }
+  return found == kEnough;
+}
+
+base::Result<std::string, Fault> decode_utf8(std::string& text) {
   take_off_end_mark(text);
   const std::string_view bytes = text;
   const auto fault_at = [&](std::size_t at, std::string what) {
@@ -153,7 +169,13 @@ base::Result<std::string, Fault> decode_utf8(std::string text) {
   Fault fault = fault_at(
       valid, bytes_are(bytes.substr(valid, high)) + " not valid UTF-8 here, so the file is in another encoding");
   fault.remedy = "give its `--encoding`, or save it as UTF-8 or UTF-16";
+  if (is_surrogate(bytes.substr(valid))) {
+    fault.what = "found a lone half of a surrogate pair as UTF-8, so this is a damaged file";
+    fault.remedy = std::string(kExportAsText);
+    return fault;
+  }
   fault.guesses = guess_encoding(bytes, valid);
+  if (!fault.guesses.empty() && is_mostly_utf8(bytes.substr(0, valid))) fault.guesses.front().recognized = false;
   return fault;
 }
 
@@ -165,7 +187,7 @@ std::vector<EncodingGuess> guess_instead(std::string_view bytes, std::size_t off
   return {{Encoding::utf8, as_sample(bytes.substr(begin, end - begin))}};
 }
 
-base::Result<std::string, Fault> decode_legacy(std::string bytes, Encoding encoding) {
+base::Result<std::string, Fault> decode_legacy(std::string& bytes, Encoding encoding) {
   take_off_end_mark(bytes);
   const std::string name(encoding_name(encoding));
   for (const Mark& mark : kMarks) {
@@ -289,13 +311,26 @@ Encoding sniff(std::string_view bytes) {
 
 }  // namespace
 
-base::Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced) {
+std::optional<Encoding> declared_encoding(std::string_view bytes) {
+  if (!bytes.starts_with("<?xml")) return std::nullopt;
+  const std::string_view declaration = bytes.substr(0, std::min<std::size_t>(bytes.find("?>"), 256));
+  constexpr std::string_view kKey = "encoding";
+  const std::size_t key = declaration.find(kKey);
+  if (key == std::string_view::npos) return std::nullopt;
+  const std::size_t open = declaration.find_first_of("'\"", key + kKey.size());
+  if (open == std::string_view::npos) return std::nullopt;
+  const std::size_t close = declaration.find(declaration[open], open + 1);
+  if (close == std::string_view::npos) return std::nullopt;
+  return encoding_of_name(declaration.substr(open + 1, close - open - 1));
+}
+
+base::Result<Decoded, DecodeError> decode(std::string&& bytes, const Encoding* forced) {
   const Encoding encoding = forced != nullptr ? *forced : sniff(bytes);
   for (const Mark& mark : kMarks) {
     if (mark.encoding == encoding && bytes.starts_with(mark.bytes)) bytes.erase(0, mark.bytes.size());
   }
-  auto text = encoding == Encoding::utf8 ? decode_utf8(std::move(bytes))
-              : is_code_page(encoding)   ? decode_legacy(std::move(bytes), encoding)
+  auto text = encoding == Encoding::utf8 ? decode_utf8(bytes)
+              : is_code_page(encoding)   ? decode_legacy(bytes, encoding)
                                          : Utf16Decoder(bytes, encoding).decode();
   if (!text) return as_error(text.error());
   return Decoded{std::move(*text), encoding};

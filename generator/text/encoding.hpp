@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -32,7 +34,11 @@ struct Decoded {
 
 /// Decodes by `forced` if given, else by the byte order mark, else as UTF-16 if every second byte is mostly zero, else
 /// as UTF-8; never by a code page that was not named. Rejects malformed text, lone surrogates, NUL and binary files.
-/// O(bytes); UTF-8 is not copied.
-base::Result<Decoded, DecodeError> decode(std::string bytes, const Encoding* forced = nullptr);
+/// O(bytes); UTF-8 is not copied. After an error `bytes` still has its content, without a byte order mark.
+base::Result<Decoded, DecodeError> decode(std::string&& bytes, const Encoding* forced = nullptr);
+
+/// The encoding that the declaration of an XML text names (`<?xml version="1.0" encoding="windows-1251"?>`); nothing if
+/// there is none, or it is unknown. O(1).
+std::optional<Encoding> declared_encoding(std::string_view bytes);
 
 }  // namespace symplant::text

@@ -100,6 +100,7 @@ std::vector<EncodingGuess> guess_encoding(std::string_view bytes, std::size_t of
   const Words words = words_to_judge(bytes);
   const std::optional<Encoding> likely = recognized(words.text);
   if (likely) add_guess(guesses, *likely, bytes, word);
+  if (!guesses.empty()) guesses.front().recognized = true;
   if (!guesses.empty() && words.count >= kEnoughWords) return guesses;
   for (const Encoding encoding : kCandidates) {
     if (guesses.size() == kMostGuesses) break;

@@ -1,4 +1,4 @@
-// Proposes the code page of a text, for a message; the user decides.
+// Recognizes the code page of a text, or proposes some.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ namespace symplant::text {
 /// A likely code page of a text, and the word with the fault as read in it.
 struct EncodingGuess {
   Encoding encoding;
-  std::string sample;  ///< UTF-8, short
+  std::string sample;       ///< UTF-8, short
+  bool recognized = false;  ///< by its words, not only possible
 };
 
 /// The beginning of a text, short enough for a message.

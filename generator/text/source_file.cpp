@@ -24,7 +24,8 @@ std::vector<std::size_t> find_line_begins(std::string_view text) {
 
 }  // namespace
 
-SourceFile::SourceFile(std::string path, std::string text) : path_(std::move(path)), text_(std::move(text)) {}
+SourceFile::SourceFile(std::string path, std::string text, Counted columns)
+    : path_(std::move(path)), text_(std::move(text)), columns_(columns) {}
 
 const std::vector<std::size_t>& SourceFile::line_begins() const {
   std::call_once(lines_known_, [&] { line_begins_ = find_line_begins(text_); });
@@ -37,6 +38,10 @@ Position SourceFile::position(std::size_t offset) const {
   const auto after = std::upper_bound(begins.begin(), begins.end(), offset);
   const std::size_t begin = *(after - 1);
   const auto line = static_cast<std::size_t>(after - begins.begin());
+  if (columns_ == Counted::cells) {
+    const std::string_view before = text().substr(begin, offset - begin);
+    return {line, 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\t'))};
+  }
   // An offset within a character is in the column of that character.
   while (offset > begin && offset < text_.size() && is_continuation(text_[offset])) --offset;
   return {line, 1 + count_code_points(text().substr(begin, offset - begin))};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -15,7 +16,10 @@ struct Span {
   std::size_t end = 0;
 };
 
-/// Both counted from 1; the column counts characters (code points), not bytes.
+/// What a column number counts: characters (code points), or the cells of a sheet that TABs separate.
+enum class Counted : std::uint8_t { characters, cells };
+
+/// Both counted from 1.
 struct Position {
   std::size_t line;
   std::size_t column;
@@ -25,7 +29,7 @@ struct Position {
 class SourceFile {
  public:
   /// `text` must be UTF-8.
-  SourceFile(std::string path, std::string text);
+  SourceFile(std::string path, std::string text, Counted columns = Counted::characters);
 
   const std::string& path() const { return path_; }
   std::string_view text() const { return text_; }
@@ -47,6 +51,7 @@ class SourceFile {
 
   std::string path_;
   std::string text_;
+  Counted columns_;
   mutable std::once_flag lines_known_;
   mutable std::vector<std::size_t> line_begins_;
 };

@@ -181,12 +181,25 @@ class UnitWriter {
   JsonWriter& json_;
 };
 
+std::string_view direction_by_key(model::DirectionBy by) {
+  switch (by) {
+    case model::DirectionBy::address:
+      return "address";
+    case model::DirectionBy::alias:
+      return "alias";
+    case model::DirectionBy::name:
+      break;
+  }
+  return "name";
+}
+
 void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, JsonWriter& json) {
   json.begin_object();
   json.member("name", symbol.name());
   json.member("list", symbol.list);
   json.member("row", symbol.row->line);
   json.member("direction", check::direction_text(symbol.direction));
+  json.member("direction_by", direction_by_key(symbol.direction_by));
   json.member("type", model::data_type_name(symbol.type));
   json.member("address", symbol.row->vendor_address);
   json.member("iec_address", symbol.row->iec_address);

@@ -32,6 +32,7 @@ struct RuntimeUse {
   std::string_view uses;  ///< separated and enclosed by blanks
 };
 constexpr std::array kRuntimeUse = {
+    RuntimeUse{"read", " tables "},
     RuntimeUse{"description", " tables json link "},
     RuntimeUse{"model", " tables condition link "},
     RuntimeUse{"lower", " tables condition "},
@@ -44,10 +45,10 @@ constexpr std::array kRuntimeUse = {
 /// The layers that may include the headers of a third party.
 struct ThirdParty {
   std::string_view include;  ///< prefix of its include paths
-  std::array<std::string_view, 3> folders;
+  std::array<std::string_view, 4> folders;
 };
 constexpr std::array kThirdParties = {
-    ThirdParty{"<boost/spirit", {"generator/name/", "generator/read/l5k_declaration.cpp", "runtime/condition/"}},
+    ThirdParty{"<boost/spirit", {"generator/address/", "generator/name/", "generator/read/", "runtime/condition/"}},
     ThirdParty{"<CLI/", {"generator/app/", "runtime/host/"}},
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},

@@ -154,7 +154,7 @@ std::vector<Kind> row_kinds() {
       {"garbage", "a remark, a total or an empty reserve among the rows", "row-without-identifier", insert_garbage},
       {"quote-open", "a quote that is never closed", "unclosed-quote", open_quote},
       {"quote-text", "text behind a closing quote", "text-after-quote", write_after_quote},
-      {"foreign-byte", "a letter of another code page", "undecodable-text", write_foreign_byte},
+      {"foreign-byte", "a letter of another code page", "encoding-assumed", write_foreign_byte},
       {"type-size", "a type of another size than the address", "type-against-address", wrong_size_of_type},
       {"type-misspelt", "a type that there is not, as `BOL`", "type-of-no-io", misspell_type},
       {"initial-misspelt", "an invalid initial value, such as `TURE`", "initial-not-understood", misspell_initial},

@@ -15,6 +15,7 @@ class OneListEverywhere final : public base::FileSystem {
   base::Result<bool, base::FileError> write(const std::string&, std::string_view) override { return refused(); }
   base::Result<bool, base::FileError> write_new(const std::string&, std::string_view) override { return refused(); }
   bool exists(const std::string&) const override { return true; }
+  std::vector<std::string> list(const std::string&) const override { return {"a.csv", "b.csv"}; }
 
  private:
   static base::FileError refused() { return {"nothing is written here"}; }

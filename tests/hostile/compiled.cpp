@@ -29,10 +29,16 @@ std::string content_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+bool is_utf8(const std::string& text) {
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::ignore).size() ==
+         Json(text).dump(-1, ' ', false, Json::error_handler_t::replace).size();
+}
+
 /// The second cell of every row but the first, if the fifth is BOOL and the row is I/O: a separate reader for the
 /// lists written in this file.
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> names;
+  if (!is_utf8(list)) return names;  // its names are other ones
   std::vector<std::string> cells(1);
   bool quoted = false;
   bool first = true;

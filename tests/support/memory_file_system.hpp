@@ -41,6 +41,17 @@ class MemoryFileSystem final : public base::FileSystem {
 
   bool exists(const std::string& path) const override { return files.count(path) != 0; }
 
+  std::vector<std::string> list(const std::string& folder) const override {
+    const std::string prefix = folder == "." ? "" : folder + "/";
+    std::vector<std::string> names;
+    for (const auto& [path, content] : files) {
+      if (path.starts_with(prefix) && path.find('/', prefix.size()) == std::string::npos) {
+        names.push_back(path.substr(prefix.size()));
+      }
+    }
+    return names;
+  }
+
  private:
   static base::FileError error(const std::string& act, const std::string& path, const std::string& why) {
     return {"cannot " + act + " `" + path + "`: " + why};

@@ -57,6 +57,18 @@ std::string selected_text(const diag::Diagnostics& findings) {
   return text;
 }
 
+/// "io.csv: TIA Portal tag table (workbook), 689 rows; identifier 1 `Name`, ..." for each list.
+std::string lists_text(const model::PlantModel& plant) {
+  std::string text;
+  for (const model::PlantList& list : plant.lists) {
+    const read::SymbolTable& table = *list.table;
+    text +=
+        fmt::format("{}: {}, {} row{}{}{}\n", diag::visible(table.source->path()), table.title, table.rows.size(),
+                    table.rows.size() == 1 ? "" : "s", table.summary.empty() ? "" : "; ", diag::visible(table.summary));
+  }
+  return text;
+}
+
 /// How many names follow the rule, and the number of devices and findings.
 std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
@@ -106,6 +118,7 @@ class Check {
     if (!compiled) code = host::kBadInput;
     context_.exit_code = std::max(context_.exit_code, code);
     if (options_.format == "text") {
+      if (compiled) text_ += lists_text(compiled->plant);
       text_ += diag::render_text(diagnostics.all(), {context_.colour_out && options_.output.empty(),
                                                      options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
       if (compiled) text_ += result_line(file, compiled->plant, diagnostics);

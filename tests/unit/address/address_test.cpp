@@ -10,7 +10,15 @@ using namespace symplant::address;
 
 namespace {
 
-Address bit(Area area, std::uint64_t number) { return {area, Size::bit, number, true}; }
+Address plain(Area area, Size size, std::uint64_t number) {
+  Address address;
+  address.area = area;
+  address.size = size;
+  address.number = number;
+  return address;
+}
+
+Address bit(Area area, std::uint64_t number) { return plain(area, Size::bit, number); }
 
 std::optional<Address> hex(std::string_view text) { return parse_melsec(text, Radix::hexadecimal); }
 std::optional<Address> oct(std::string_view text) { return parse_melsec(text, Radix::octal); }
@@ -26,10 +34,10 @@ TEST_CASE("An IEC bit is a number, or a byte and a bit") {
 }
 
 TEST_CASE("IEC words, bytes and doubles keep their size") {
-  CHECK(parse_iec("%IW5") == Address{Area::input, Size::word, 5, true});
-  CHECK(parse_iec("%QD2") == Address{Area::output, Size::dword, 2, true});
-  CHECK(parse_iec("%IB3") == Address{Area::input, Size::byte, 3, true});
-  CHECK(parse_iec("%QL7") == Address{Area::output, Size::lword, 7, true});
+  CHECK(parse_iec("%IW5") == plain(Area::input, Size::word, 5));
+  CHECK(parse_iec("%QD2") == plain(Area::output, Size::dword, 2));
+  CHECK(parse_iec("%IB3") == plain(Area::input, Size::byte, 3));
+  CHECK(parse_iec("%QL7") == plain(Area::output, Size::lword, 7));
 }
 
 TEST_CASE("%M is memory") {
@@ -66,7 +74,7 @@ TEST_CASE("An address with too many parts for a link is not plain, but stays dis
 
 TEST_CASE("An invalid IEC address is rejected") {
   for (const char* text : {"", "%", "%I", "%IX", "%IX.", "%IX1.", "%IX.1", "%IX1..2", "%IXA", "%ZX1", "IX1", "%IX-1",
-                           "%IX 1", "%I*", "X1", "%IX1 x", "%IX1.2.3.4.5.6.7.8.9"}) {
+                           "%IX 1", "%I**", "%I*1", "%*", "X1", "%IX1 x", "%IX1.2.3.4.5.6.7.8.9"}) {
     INFO(text);
     CHECK_FALSE(parse_iec(text));
   }
@@ -125,9 +133,106 @@ TEST_CASE("Internal devices are memory, each with a separate area") {
 
 TEST_CASE("An unknown device is rejected") {
   for (const char* text :
-       {"",     "X",   "Y",   "K4X0", "K1M0",   "XYZ1",       "BOOL", "D",     "D10.", "D10.1F", "M1.1", "X1.5",
+       {"",     "X",   "Y",   "K0X0", "K9M0",   "XYZ1",       "BOOL", "D",     "D10.", "D10.1F", "M1.1", "X1.5",
         "%IX1", "X-1", "X 1", "MA",   "U6\\D1", "J1\\J1\\B0", "\\G1", "U\\G1", "H1F",  "E3.14",  "1X"}) {
     INFO(text);
     CHECK_FALSE(hex(text));
   }
+}
+
+TEST_CASE("An IEC address without a number is an area, and a location apart") {
+  for (const char* text : {"%I*", "%ix*", "%IW*", "%Q*", "%M*"}) {
+    INFO(text);
+    const auto address = parse_iec(text);
+    REQUIRE(address);
+    CHECK_FALSE(address->assigned);
+    CHECK_FALSE(address->plain);
+    CHECK_FALSE(same_location(*address, *address));
+    CHECK_FALSE(overlap(*address, *address));
+  }
+  CHECK(parse_iec("%I*")->area == Area::input);
+  CHECK(parse_iec("%Q*")->area == Area::output);
+  CHECK_FALSE(parse_iec("%I*")->sized);
+  CHECK(parse_iec("%IW*")->sized);
+  CHECK(parse_iec("%IW*")->size == Size::word);
+  CHECK(same_location(*parse_iec("%IX1"), *parse_iec("%IX0.1")));
+}
+
+TEST_CASE("A digit designation is a group of bits") {
+  const auto group = hex("K4X0");
+  REQUIRE(group);
+  CHECK(group->area == Area::input);
+  CHECK(group->size == Size::word);
+  CHECK_FALSE(group->plain);
+  CHECK(overlap(*group, *hex("XF")));
+  CHECK_FALSE(overlap(*group, *hex("X10")));
+  CHECK(hex("K8Y20")->size == Size::dword);
+  CHECK(hex("K2M0")->size == Size::byte);
+  CHECK(hex("K4M0")->area == Area::memory);
+  REQUIRE(hex("K3X0"));
+  CHECK_FALSE(bits_of(*hex("K3X0")));
+  CHECK(hex("K3X0") != hex("K3X4"));
+  CHECK_FALSE(hex("K4D0"));
+  CHECK(overlap(*oct("K4X0"), *oct("X17")));
+}
+
+TEST_CASE("Devices of other modules and networks are memory") {
+  std::set<std::uint64_t> numbers;
+  const auto texts = {"U6\\G100", "U6\\HG100", "U3E0\\HG0", "J1\\X10", "J1\\Y10", "J2\\X10", "J1\\SW5", "J1\\W0.F",
+                      "BL0\\S1",  "@D0",       "@D1",       "LSTN5",   "LTS5",    "STS5",    "STN5",    "LCN3",
+                      "LCS3",     "LZ1",       "RD7",       "ER7",     "K1X0",    "D10.F"};
+  for (const char* text : texts) {
+    INFO(text);
+    const auto address = hex(text);
+    REQUIRE(address);
+    if (text[0] != 'K') CHECK(address->area == Area::memory);
+    numbers.insert(address->number);
+  }
+  CHECK(numbers.size() == texts.size());
+  CHECK(hex("J1\\X10") == hex("J1\\DX10"));
+  CHECK(oct("J1\\X1F") == hex("J1\\X1F"));
+}
+
+TEST_CASE("Addresses overlap where their bits are known to be common") {
+  CHECK(overlap(*parse_iec("%IX3.5"), *parse_iec("%IX29")));
+  CHECK(overlap(*parse_iec("%IW5.3"), *parse_iec("%IW5")));
+  CHECK_FALSE(overlap(*parse_iec("%IW5.3"), *parse_iec("%IW5.4")));
+  CHECK_FALSE(overlap(*parse_iec("%IW5.3"), *parse_iec("%QW5")));
+  CHECK_FALSE(overlap(*parse_iec("%IW0"), *parse_iec("%IX0.0")));  // not defined by IEC 61131-3
+  CHECK_FALSE(overlap(*parse_iec("%ID0"), *parse_iec("%IW0")));
+  CHECK(overlap(*hex("D10"), *hex("D10.F")));
+  CHECK_FALSE(overlap(*hex("D10"), *hex("D11.0")));
+  CHECK_FALSE(overlap(*hex("D10"), *hex("R10.0")));
+  CHECK_FALSE(overlap(*hex("M10"), *hex("L10")));
+  CHECK(overlap(*parse_iec("%IX1.2.3"), *parse_iec("%IX1.2.3")));
+  CHECK_FALSE(overlap(*parse_iec("%IX1.2.3"), *parse_iec("%IX1.2.4")));
+}
+
+TEST_CASE("An address written as element and bit has both") {
+  const auto parts = [](const std::optional<Address>& address) {
+    const auto both = element_and_bit(address.value());
+    return both ? std::to_string(both->element) + "/" + std::to_string(both->bit) : "";
+  };
+  CHECK(parts(parse_iec("%IW1410.1")) == "1410/1");
+  CHECK(parts(parse_iec("%IX3.5")) == "3/5");
+  CHECK(parts(hex("D10.F")) == "10/15");
+  CHECK(parts(parse_iec("%IX29")).empty());
+  CHECK(parts(parse_iec("%IW3")).empty());
+  CHECK(parts(hex("X1F")).empty());
+}
+
+TEST_CASE("The addresses after one are elements of its size further") {
+  CHECK(advanced(*parse_iec("%IX3.7"), 1) == parse_iec("%IX4.0"));
+  CHECK(advanced(*parse_iec("%IX7"), 3) == parse_iec("%IX10"));
+  CHECK(advanced(*parse_iec("%IW7"), 3) == parse_iec("%IW10"));
+  CHECK(advanced(*parse_iec("%IW7.15"), 1) == parse_iec("%IW8.0"));
+  CHECK(advanced(*hex("XF"), 1) == hex("X10"));
+  CHECK(advanced(*oct("X7"), 1) == oct("X10"));
+  CHECK(advanced(*hex("K4X0"), 1) == hex("K4X10"));
+  CHECK(advanced(*hex("D10"), 2) == hex("D12"));
+  CHECK(advanced(*hex("D10.F"), 1) == hex("D11.0"));
+  CHECK_FALSE(advanced(*parse_iec("%IX1.2.3"), 1));
+  CHECK_FALSE(advanced(*parse_iec("%I*"), 1));
+  CHECK_FALSE(advanced(*parse_iec("%IX18446744073709551615"), 1));
+  CHECK(advanced(*parse_iec("%IX0"), 0) == parse_iec("%IX0"));
 }

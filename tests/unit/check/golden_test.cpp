@@ -51,6 +51,7 @@ TEST_CASE("Every rule has a golden, and every golden has a rule") {
   std::set<std::string> rules{"clean"};
   for (const diag::RuleInfo* rule : check::catalogue()) rules.insert(std::string(rule->slug));
   rules.erase("plant-too-large");  // no list of a test is that large: limits_test has it
+  rules.erase("array-too-large");  // its golden would have thousands of symbols: arrays_test has it
   CHECK(cases() == rules);
 }
 

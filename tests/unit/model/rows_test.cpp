@@ -52,11 +52,12 @@ TEST_CASE("TIME, STRING, arrays, structures and function blocks are internal") {
       "Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n"
       "VAR_GLOBAL,L_P_D_I_A,X1,,TIME,T#1s\n"
       "VAR_GLOBAL,L_P_D_I_B,X2,,STRING(32),\n"
-      "VAR_GLOBAL,L_P_D_I_C,X3,,ARRAY [0..7] OF BOOL,\n"
+      "VAR_GLOBAL,L_P_D_I_C,M3,,ARRAY [0..7] OF BOOL,\n"
       "VAR_GLOBAL,L_P_D_I_D,,,MyStruct,\n"
       "VAR_GLOBAL,L_P_D_I_E,,,TON,\n"
       "VAR_GLOBAL,L_P_D_O_A,Y1,,BOOL,\n");
-  CHECK(internal(list, InternalReason::type) == 5);
+  CHECK(internal(list, InternalReason::type) == 4);
+  CHECK(internal(list, InternalReason::memory) == 1);
   CHECK(list.model().symbols.size() == 1);
 }
 

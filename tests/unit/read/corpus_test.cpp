@@ -40,10 +40,10 @@ void proposes(const std::string& path, symplant::text::Encoding encoding) {
   const auto bytes = symplant::base::DiskFileSystem().read(path);
   check(bool(bytes), path + ": cannot be read");
   if (!bytes) return;
-  const auto refused = symplant::text::decode(*bytes);
+  const auto refused = symplant::text::decode(std::string(*bytes));
   check(!refused && !refused.error().guesses.empty() && refused.error().guesses.front().encoding == encoding,
         path + ": its code page is not proposed first");
-  check(bool(symplant::text::decode(*bytes, &encoding)), path + ": not all of it is in its code page");
+  check(bool(symplant::text::decode(std::string(*bytes), &encoding)), path + ": not all of it is in its code page");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ test::Reading read_st(const std::string& text) {
 std::string global(const std::string& declarations) { return "VAR_GLOBAL\n" + declarations + "\nEND_VAR\n"; }
 
 /// The rows of a block, each as `NAME ADDRESS TYPE = INITIAL // COMMENT`, joined by `, `.
-std::string declared(const std::string& declarations) {
+std::string parsed(const std::string& declarations) {
   const test::Reading reading = read_st(global(declarations));
   std::string rows;
   if (!reading.table) return rows;
@@ -35,48 +35,48 @@ std::string declared(const std::string& declarations) {
 }  // namespace
 
 TEST_CASE("Declarations of all forms are read") {
-  CHECK(declared("a:BOOL;") == "a BOOL");
-  CHECK(declared("a AT%IX0.0:BOOL:=TRUE;") == "a %IX0.0 BOOL = TRUE");
-  CHECK(declared("a at %q* : bool;") == "a %q* bool");
-  CHECK(declared("a, b AT %QW3, c : INT;").empty());
-  CHECK(declared("a, b AT %QW3 : INT;") == "a %QW3 INT, b %QW3 INT");
-  CHECK(declared("a : array[0..7,1..2]of array [*] of Lib.T;") == "a array[0..7,1..2]of array [*] of Lib.T");
-  CHECK(declared("a : STRING(80) := 'x;$';y'; b : WSTRING[5] := \"z;\";") ==
+  CHECK(parsed("a:BOOL;") == "a BOOL");
+  CHECK(parsed("a AT%IX0.0:BOOL:=TRUE;") == "a %IX0.0 BOOL = TRUE");
+  CHECK(parsed("a at %q* : bool;") == "a %q* bool");
+  CHECK(parsed("a, b AT %QW3, c : INT;").empty());
+  CHECK(parsed("a, b AT %QW3 : INT;") == "a %QW3 INT, b %QW3 INT");
+  CHECK(parsed("a : array[0..7,1..2]of array [*] of Lib.T;") == "a array[0..7,1..2]of array [*] of Lib.T");
+  CHECK(parsed("a : STRING(80) := 'x;$';y'; b : WSTRING[5] := \"z;\";") ==
         "a STRING(80) = 'x;$';y', b WSTRING[5] = \"z;\"");
-  CHECK(declared("a : POINTER TO REFERENCE TO REF_TO T;") == "a POINTER TO REFERENCE TO REF_TO T");
-  CHECK(declared("a : (red, green) := green;") == "a (red, green) = green");
-  CHECK(declared("a : INT (0..9) := 3;") == "a INT (0..9) = 3");
-  CHECK(declared("a : TON(PT := T#1s, f(2));") == "a TON(PT := T#1s, f(2))");
-  CHECK(declared("a : T := (b := [1, 2(0)], c := ');');") == "a T = (b := [1, 2(0)], c := ');')");
-  CHECK(declared("`a b` : BOOL; \"c-d\" : \"User type\"; Größe : INT;") == "a b BOOL, c-d \"User type\", Größe INT");
-  CHECK(declared("a {attribute 'x' := ';'} (* ; *) AT {p} %IX1 // ;\n : BOOL;") == "a %IX1 BOOL // ;");
-  CHECK(declared("b AT a : ARRAY [0..1] OF BYTE;") == "b ARRAY [0..1] OF BYTE");
-  CHECK(declared("a\n:\nARRAY\n[0..1]\nOF\nBOOL\n;") == "a ARRAY [0..1] OF BOOL");
+  CHECK(parsed("a : POINTER TO REFERENCE TO REF_TO T;") == "a POINTER TO REFERENCE TO REF_TO T");
+  CHECK(parsed("a : (red, green) := green;") == "a (red, green) = green");
+  CHECK(parsed("a : INT (0..9) := 3;") == "a INT (0..9) = 3");
+  CHECK(parsed("a : TON(PT := T#1s, f(2));") == "a TON(PT := T#1s, f(2))");
+  CHECK(parsed("a : T := (b := [1, 2(0)], c := ');');") == "a T = (b := [1, 2(0)], c := ');')");
+  CHECK(parsed("`a b` : BOOL; \"c-d\" : \"User type\"; Größe : INT;") == "a b BOOL, c-d \"User type\", Größe INT");
+  CHECK(parsed("a {attribute 'x' := ';'} (* ; *) AT {p} %IX1 // ;\n : BOOL;") == "a %IX1 BOOL // ;");
+  CHECK(parsed("b AT a : ARRAY [0..1] OF BYTE;") == "b ARRAY [0..1] OF BYTE");
+  CHECK(parsed("a\n:\nARRAY\n[0..1]\nOF\nBOOL\n;") == "a ARRAY [0..1] OF BOOL");
 }
 
 TEST_CASE("The comment of a variable is after it, in it, or above it") {
-  CHECK(declared("a : BOOL; // after") == "a BOOL // after");
-  CHECK(declared("a : BOOL; (* after *) // second") == "a BOOL // after");
-  CHECK(declared("// above\na : BOOL; /* after */") == "a BOOL // after");
-  CHECK(declared("// above\na (* in *) : BOOL;") == "a BOOL // in");
-  CHECK(declared("// too far\n// above\na : BOOL;") == "a BOOL // above");
-  CHECK(declared("// above\n{pragma}\n{other}\na : BOOL;") == "a BOOL // above");
-  CHECK(declared("// heading\n\na : BOOL;") == "a BOOL");
-  CHECK(declared("// heading\n{pragma}\n\na : BOOL;") == "a BOOL");
-  CHECK(declared("a : BOOL; // a's\nb : BOOL;") == "a BOOL // a's, b BOOL");
-  CHECK(declared("a : BOOL; // a's\n// b's\nb : BOOL;") == "a BOOL // a's, b BOOL // b's");
-  CHECK(declared("a : BOOL; (* a's *) b : BOOL; (* b's *)") == "a BOOL // a's, b BOOL // b's");
-  CHECK(declared("a : BOOL; (* two\r\n   lines *)\r\nb : BOOL;") == "a BOOL // two lines, b BOOL");
-  CHECK(declared("// b : BOOL;\na : BOOL;") == "a BOOL");
-  CHECK(declared("(**** framed ****)\na : BOOL;") == "a BOOL // framed");
-  CHECK(declared("/// documentation\na : BOOL;") == "a BOOL // documentation");
+  CHECK(parsed("a : BOOL; // after") == "a BOOL // after");
+  CHECK(parsed("a : BOOL; (* after *) // second") == "a BOOL // after");
+  CHECK(parsed("// above\na : BOOL; /* after */") == "a BOOL // after");
+  CHECK(parsed("// above\na (* in *) : BOOL;") == "a BOOL // in");
+  CHECK(parsed("// too far\n// above\na : BOOL;") == "a BOOL // above");
+  CHECK(parsed("// above\n{pragma}\n{other}\na : BOOL;") == "a BOOL // above");
+  CHECK(parsed("// heading\n\na : BOOL;") == "a BOOL");
+  CHECK(parsed("// heading\n{pragma}\n\na : BOOL;") == "a BOOL");
+  CHECK(parsed("a : BOOL; // a's\nb : BOOL;") == "a BOOL // a's, b BOOL");
+  CHECK(parsed("a : BOOL; // a's\n// b's\nb : BOOL;") == "a BOOL // a's, b BOOL // b's");
+  CHECK(parsed("a : BOOL; (* a's *) b : BOOL; (* b's *)") == "a BOOL // a's, b BOOL // b's");
+  CHECK(parsed("a : BOOL; (* two\r\n   lines *)\r\nb : BOOL;") == "a BOOL // two lines, b BOOL");
+  CHECK(parsed("// b : BOOL;\na : BOOL;") == "a BOOL");
+  CHECK(parsed("(**** framed ****)\na : BOOL;") == "a BOOL // framed");
+  CHECK(parsed("/// documentation\na : BOOL;") == "a BOOL // documentation");
 }
 
 TEST_CASE("A part that is commented out gives no symbols, with comments and pragmas in it") {
-  CHECK(declared("a : BOOL;\n(*\n(* b *)\n{attribute 'x' := ';'}\nb : BOOL; // (* not\n*)\n*)\nc : BOOL;") ==
+  CHECK(parsed("a : BOOL;\n(*\n(* b *)\n{attribute 'x' := ';'}\nb : BOOL; // (* not\n*)\n*)\nc : BOOL;") ==
         "a BOOL, c BOOL");
-  CHECK(declared("/* a : BOOL; */ // b : BOOL;\nc : BOOL;") == "c BOOL");
-  CHECK(declared("a : BOOL; // (* b : BOOL;\nc : BOOL;") == "a BOOL // (* b : BOOL;, c BOOL");
+  CHECK(parsed("/* a : BOOL; */ // b : BOOL;\nc : BOOL;") == "c BOOL");
+  CHECK(parsed("a : BOOL; // (* b : BOOL;\nc : BOOL;") == "a BOOL // (* b : BOOL;, c BOOL");
 }
 
 TEST_CASE("The kind of a block is the class of its rows") {
@@ -137,9 +137,9 @@ TEST_CASE("A block without its end is one warning, and the next one is read") {
 }
 
 TEST_CASE("An apostrophe in a pragma or a comment hides no declaration") {
-  CHECK(declared("{warning don't}\na : BOOL;") == "a BOOL");
-  CHECK(declared("(* don't *) a : BOOL; // can't\nb : BOOL;") == "a BOOL // can't, b BOOL");
-  CHECK(declared("{ not closed\na : BOOL;\nb : BOOL;") == "b BOOL");
+  CHECK(parsed("{warning don't}\na : BOOL;") == "a BOOL");
+  CHECK(parsed("(* don't *) a : BOOL; // can't\nb : BOOL;") == "a BOOL // can't, b BOOL");
+  CHECK(parsed("{ not closed\na : BOOL;\nb : BOOL;") == "b BOOL");
 }
 
 TEST_CASE("A comment that would not be closed with nesting ends at the first end mark") {
@@ -151,8 +151,8 @@ TEST_CASE("A comment that would not be closed with nesting ends at the first end
 }
 
 TEST_CASE("Deep nesting and many faults are read in time") {
-  CHECK(declared("a : T := " + repeated("[(", kMany) + repeated(")]", kMany) + ";\nb : BOOL;").substr(0, 4) == "a T,");
-  CHECK(declared("a : " + repeated("ARRAY [0..1] OF ", 2000) + "BOOL; b : BOOL;").size() > 30'000);
+  CHECK(parsed("a : T := " + repeated("[(", kMany) + repeated(")]", kMany) + ";\nb : BOOL;").substr(0, 4) == "a T,");
+  CHECK(parsed("a : " + repeated("ARRAY [0..1] OF ", 2000) + "BOOL; b : BOOL;").size() > 30'000);
   read_st(global(repeated("(* ", kMany) + repeated("*) ", kMany) + "a : BOOL;"));
   read_st(global(repeated("(* ", kMany) + "a : BOOL;"));
   read_st(global("a " + repeated("(*(**)", kMany) + " : BOOL; b : BOOL;"));

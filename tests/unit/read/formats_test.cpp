@@ -30,7 +30,7 @@ TEST_CASE("An export of one format is not one of another") {
         likelihoods.push_back(reader->likelihood(decoded->text));
       }
       std::sort(likelihoods.rbegin(), likelihoods.rend());
-      CHECK(likelihoods[0] >= 50);
+      CHECK(likelihoods[0] >= 20);
       CHECK(likelihoods[0] > likelihoods[1]);
     }
   }

@@ -1,6 +1,4 @@
 // Reads lists in every layout and compares them with goldens.
-#include "read/gx_iec.hpp"
-
 #include <filesystem>
 #include <set>
 

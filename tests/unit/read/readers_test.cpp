@@ -77,8 +77,13 @@ TEST_CASE("An encoding may be given by name") {
 
 TEST_CASE("Readers have unique names and titles") {
   std::set<std::string_view> names;
+  std::set<std::string_view> titles;
   for (const read::ReaderInfo* reader : read::readers()) {
+    INFO(reader->name);
     CHECK(names.insert(reader->name).second);
-    CHECK(names.insert(reader->title).second);
+    CHECK(titles.insert(reader->title).second);
+    CHECK(reader->likelihood("") == 0);
+    CHECK(reader->likelihood("Dear Sir,\nhere is a letter.\n") == 0);
   }
+  CHECK(names.count("gx-iec") == 1);
 }

@@ -31,7 +31,7 @@ std::string encoded(std::string text, const char* name) {
 }
 
 std::string decoded(const std::string& bytes, Encoding encoding) {
-  const auto result = decode(bytes, &encoding);
+  const auto result = decode(std::string(bytes), &encoding);
   INFO(encoding_name(encoding) << ": " << (result ? "" : result.error().what));
   REQUIRE(result);
   CHECK(result->encoding == encoding);
@@ -39,14 +39,14 @@ std::string decoded(const std::string& bytes, Encoding encoding) {
 }
 
 DecodeError fault(const std::string& bytes, Encoding encoding) {
-  const auto result = decode(bytes, &encoding);
+  const auto result = decode(std::string(bytes), &encoding);
   REQUIRE_FALSE(result);
   return result.error();
 }
 
 /// "cp949 cp932": the encodings proposed for bytes that are not UTF-8.
 std::string guesses(const std::string& bytes) {
-  const auto result = decode(bytes);
+  const auto result = decode(std::string(bytes));
   REQUIRE_FALSE(result);
   std::string names;
   for (const EncodingGuess& guess : result.error().guesses) {
@@ -188,7 +188,7 @@ TEST_CASE("With few words, the code pages that read the word differently are pro
 }
 
 TEST_CASE("The proposal shows the wrong word as the code page reads it") {
-  const auto result = decode("VAR_GLOBAL,S331_X_" + encoded("클램프_전진", "CP949") + ",X0\n");
+  const auto result = decode(std::string() + "VAR_GLOBAL,S331_X_" + encoded("클램프_전진", "CP949") + ",X0\n");
   REQUIRE_FALSE(result);
   CHECK(result.error().what == "the bytes B7 A5 C7 C1 are not valid UTF-8 here, so the file is in another encoding");
   REQUIRE_FALSE(result.error().guesses.empty());

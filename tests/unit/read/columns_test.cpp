@@ -1,7 +1,8 @@
 // Assigns columns to their contents.
-#include "read/gx_columns.hpp"
+#include "read/cells/columns.hpp"
 
-#include "read/gx_iec.hpp"
+#include "read/cells/layout.hpp"
+#include "read/formats.hpp"
 #include "support/catch.hpp"
 
 using namespace symplant::read;
@@ -31,26 +32,25 @@ TEST_CASE("Without a header the class column and the content identify the column
 TEST_CASE("Without a header the class may be in any column, and names may look like addresses") {
   const auto last = find_gx_layout("P1;X1;%IX1;BOOL;VAR_GLOBAL\nP2;Y2;%QX2;BOOL;VAR_GLOBAL\n");
   REQUIRE(last.layout);
-  CHECK(describe(last.layout->columns) ==
-        "class 5, identifier 1, vendor address 2, IEC address 3, type 4, initial 6, comment 7");
+  CHECK(describe(last.layout->columns) == "class 5, identifier 1, vendor address 2, IEC address 3, type 4");
   const auto alike = find_gx_layout("VAR_GLOBAL;P1;X1;BOOL\nVAR_GLOBAL;P2;Y2;BOOL\n");
   REQUIRE(alike.layout);
-  CHECK(describe(alike.layout->columns) == "class 1, identifier 2, vendor address 3, type 4, initial 5, comment 6");
+  CHECK(describe(alike.layout->columns) == "class 1, identifier 2, vendor address 3, type 4");
 }
 
 TEST_CASE("A program, a letter or another table is not such a list") {
-  CHECK(gx_iec_likelihood("VAR_GLOBAL\n a : BOOL;\nEND_VAR\n") == 0);
-  CHECK(gx_iec_likelihood("Dear Sir, here is a list.\n") == 0);
-  CHECK(gx_iec_likelihood("TYPE,SCOPE,NAME,DESCRIPTION,DATATYPE\nTAG,,a,,BOOL\n") == 0);
-  CHECK(gx_iec_likelihood("Device,Comment\nX1,left\n") == 0);
-  CHECK(gx_iec_likelihood("") == 0);
+  CHECK(kGxIec.likelihood("VAR_GLOBAL\n a : BOOL;\nEND_VAR\n") == 0);
+  CHECK(kGxIec.likelihood("Dear Sir, here is a list.\n") == 0);
+  CHECK(kGxIec.likelihood("TYPE,SCOPE,NAME,DESCRIPTION,DATATYPE\nTAG,,a,,BOOL\n") == 0);
+  CHECK(kGxIec.likelihood("Device,Comment\nX1,left\n") == 0);
+  CHECK(kGxIec.likelihood("") == 0);
 }
 
 TEST_CASE("The paper's own header is the likeliest") {
-  CHECK(gx_iec_likelihood("Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n") == 90);
-  CHECK(gx_iec_likelihood("Class,Name,Type\n") == 60);
-  CHECK(gx_iec_likelihood("VAR_GLOBAL,A,X1\n") == 50);
-  CHECK(gx_iec_likelihood("Class,MIT-Addr.,Type\n") == 10);
+  CHECK(kGxIec.likelihood("Class,Identifier,MIT-Addr.,IEC-Addr.,Type,Initial\n") == 90);
+  CHECK(kGxIec.likelihood("Class,Name,Type\n") == 60);
+  CHECK(kGxIec.likelihood("VAR_GLOBAL,A,X1\n") == 50);
+  CHECK(kGxIec.likelihood("Class,MIT-Addr.,Type\n") == 10);
 }
 
 TEST_CASE("Addresses are recognized by their form") {
