@@ -85,6 +85,8 @@ void Declarations::report(const Symbol& symbol, const std::string& type, Report&
     report.add(kOpenAddress, name);
   } else if (address.empty() && !source_address(symbol).empty()) {
     report.add(kNoEquivalentAddress, name);
+  } else if (!address.empty() && is_bit_of_word(symbol)) {
+    report.add(kBitOfWord, name);
   }
   if (!iec_literal(symbol.row->initial, type)) report.add(kUnknownInitial, name);
   report_scope(symbol, report);

@@ -18,6 +18,9 @@ inline constexpr Loss kNoScope{"scope is not written", "scopes are not written",
 inline constexpr Loss kCommentChanged{"comment is changed", "comments are changed",
                                       "the target cannot hold some of its characters"};
 
+inline constexpr Loss kBitOfWord{"bit of a word is addressed as a bit of a byte",
+                                 "bits of words are addressed as bits of bytes", "`%IW5.12` is `%IX11.4`"};
+
 /// The tag table that every project of TIA Portal has.
 inline constexpr std::string_view kDefaultTagTable = "Default tag table";
 

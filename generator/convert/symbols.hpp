@@ -25,6 +25,11 @@ struct Symbol {
   Kind kind;
   bool octal;  ///< X and Y of its list count in octal
   std::optional<address::Address> address;
+
+  /// How its vendor address is read.
+  address::Dialect address_dialect() const {
+    return {notation, octal ? address::Radix::octal : address::Radix::hexadecimal};
+  }
 };
 
 /// One list of a plant.

@@ -155,8 +155,9 @@ std::optional<std::string> tia_type(const Symbol& symbol) {
       if (name.iec == *type) return std::string(name.tia);
     }
   }
-  const bool is_siemens = symbol.notation == address::Notation::siemens && !symbol.row->type.empty();
-  return is_siemens ? std::optional(std::string(symbol.row->type)) : std::nullopt;
+  const read::ListRow& row = *symbol.row;
+  const bool is_tag = symbol.notation == address::Notation::siemens && row.vendor_address.starts_with('%');
+  return is_tag && !row.type.empty() ? std::optional(std::string(row.type)) : std::nullopt;
 }
 
 std::optional<std::string> iec_literal(std::string_view initial, std::string_view iec_type) {

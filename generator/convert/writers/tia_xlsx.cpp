@@ -60,8 +60,14 @@ class TagTable {
   void add_tag(std::uint32_t index) {
     const Symbol& symbol = symbols_.all[index];
     std::string address = address_in(symbol, kSiemensForm);
-    if (address.empty() && symbol.notation == address::Notation::siemens) address = source_address(symbol);
-    if (address.empty()) report_.add(kNoTagAddress, symbol.row->name);
+    if (address.empty() && source_address(symbol).starts_with('%') && is_siemens(symbol)) {
+      address = source_address(symbol);  // a timer, a field of a data block
+    }
+    if (address.empty()) {
+      report_.add(kNoTagAddress, symbol.row->name);
+    } else if (is_bit_of_word(symbol)) {
+      report_.add(kBitOfWord, symbol.row->name);
+    }
     if (has_initial_value(symbol)) report_.add(kNoInitialValue, symbol.row->name);
     begin_row(tags_, index);
     tags_.cells.push_back(strings_.keep(std::move(address)));
@@ -87,6 +93,8 @@ class TagTable {
     sheet.cells.push_back(strings_.add(scope.empty() ? kDefaultTagTable : scope));
     sheet.cells.push_back(strings_.keep(*tia_type(symbol)));
   }
+
+  static bool is_siemens(const Symbol& symbol) { return symbol.notation == address::Notation::siemens; }
 
   /// Whether the row gives a value other than the default of the type.
   static bool has_initial_value(const Symbol& symbol) {
