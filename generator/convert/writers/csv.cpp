@@ -24,6 +24,8 @@ bool has_direction(const Symbol& symbol) {
 
 bool has_class(const Symbol& symbol) { return symbol.kind == Kind::constant; }
 
+bool has_address(const Symbol& symbol) { return !source_address(symbol).empty(); }
+
 bool has_scope(const Symbol& symbol) { return !symbol.extra->scope.empty(); }
 
 /// The columns that only some lists need, and how addresses are written.
@@ -66,7 +68,7 @@ CsvShape csv_shape(const Symbols& symbols) {
   shape.notation = notation_of(symbols, shape);
   const address::Notation first = symbols.all.front().notation;
   const auto is_first = [&](const Symbol& symbol) { return symbol.notation == first; };
-  if (shape.notation != first && std::all_of(symbols.all.begin(), symbols.all.end(), is_first)) {
+  if (shape.notation != first && any(has_address) && std::all_of(symbols.all.begin(), symbols.all.end(), is_first)) {
     shape.names_notation = true;
     shape.notation = first;
   }

@@ -46,9 +46,30 @@ TEST_CASE("Long words have an address where the target has such addresses") {
 
 TEST_CASE("Addresses of several parts and numbers beyond 64 bits have no equivalent") {
   CHECK(in(kCodesysForm, "", "%IX1.2.3").empty());
-  CHECK(in(kCodesysForm, "", "%IW5.3").empty());
+  CHECK(in(kGxIecForm, "", "%IW5.3").empty());
   CHECK(in(kSiemensForm, "", "%IW18446744073709551615").empty());
   CHECK(in(kCodesysForm, "", "").empty());
+}
+
+TEST_CASE("A bit of a word is the bit of that number") {
+  CHECK(in(kCodesysForm, "", "%IW5.12") == "%IX11.4");
+  CHECK(in(kSiemensForm, "", "%QW1410.1") == "%Q2820.1");
+}
+
+TEST_CASE("Words of SIMATIC at odd bytes, and groups of MELSEC bits, have an address where words begin at any byte") {
+  const auto siemens = [](const AddressForm& form, const std::string& text) {
+    const auto symbols =
+        symbols_of_text("list.sdf", "\"A\",\"" + text + "\",\"Word\",\"True\",\"True\",\"False\",\"\",\"\",\"True\"\n");
+    return address_in(symbols->all.front(), form);
+  };
+  CHECK(siemens(kSiemensForm, "%IW65") == "%IW65");
+  CHECK(siemens(kTwinCatForm, "%IW65") == "%IW65");
+  CHECK(siemens(kCodesysForm, "%IW64") == "%IW32");
+  CHECK(siemens(kCodesysForm, "%IW65").empty());
+  CHECK(siemens(kOpenPlcForm, "%IW65").empty());
+  CHECK(in(kCodesysForm, "K4X10") == "%IW1");
+  CHECK(in(kSiemensForm, "K4X8") == "%IW1");
+  CHECK(in(kCodesysForm, "K4X8").empty());
 }
 
 TEST_CASE("Memory of MELSEC has no equivalent, memory of IEC lists has") {
@@ -61,11 +82,13 @@ TEST_CASE("Memory of MELSEC has no equivalent, memory of IEC lists has") {
 }
 
 TEST_CASE("A MELSEC device counts in the base that the user gives") {
-  const address::Address bit{address::Area::input, address::Size::bit, 31, true};
-  CHECK(melsec_device(bit, address::Radix::hexadecimal) == "X1F");
-  CHECK(melsec_device(bit, address::Radix::octal) == "X37");
-  CHECK(melsec_device({address::Area::output, address::Size::bit, 8, true}, address::Radix::octal) == "Y10");
-  CHECK(melsec_device({address::Area::output, address::Size::word, 8, true}, address::Radix::octal).empty());
+  const auto device = [](const char* text, address::Radix radix) {
+    return melsec_device(*address::parse_iec(text), radix);
+  };
+  CHECK(device("%IX31", address::Radix::hexadecimal) == "X1F");
+  CHECK(device("%IX31", address::Radix::octal) == "X37");
+  CHECK(device("%QX8", address::Radix::octal) == "Y10");
+  CHECK(device("%QW8", address::Radix::octal).empty());
 }
 
 }  // namespace symplant::convert

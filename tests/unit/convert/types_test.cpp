@@ -13,7 +13,7 @@ std::string iec_type_of(const std::string& type, const std::string& address = ""
 }
 
 std::string tia_type_of(const std::string& type) {
-  return tia_type(gx_list("VAR_GLOBAL,A,X0,,\"" + type + "\",,\n")->all.front()).value_or("-");
+  return tia_type(gx_list("VAR_GLOBAL,A,,,\"" + type + "\",,\n")->all.front()).value_or("-");
 }
 
 std::string literal(const std::string& initial, const std::string& type) {
