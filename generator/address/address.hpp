@@ -49,28 +49,6 @@ struct Address {
 /// Whether two addresses are one location: they are equal, and assigned.
 constexpr bool same_location(const Address& a, const Address& b) { return a.assigned && a == b; }
 
-/// The first and the last bit of a bank that an address covers.
-struct BitRange {
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
-};
-/// Nothing if the notation does not define it.
-std::optional<BitRange> bits_of(const Address& address);
-
-/// Whether two addresses have a bit in common, as far as the notation defines it. Equal ones have.
-bool overlap(const Address& a, const Address& b);
-
-/// The parts of an address that is written as element and bit: %IX3.5, %IW1410.1, D10.F, 1052.02.
-struct ElementBit {
-  std::uint64_t element = 0;
-  std::uint8_t bit = 0;
-};
-std::optional<ElementBit> element_and_bit(const Address& address);
-
-/// The address `count` elements of its size further, as for the elements of an array. Nothing if the notation does not
-/// define it, or beyond 64 bits.
-std::optional<Address> advanced(const Address& address, std::uint64_t count);
-
 /// Reads an IEC 61131-3 address: %IX1, %I1, %QX0.5, %IW5, %IW5.12, %QD2, %IX0.0.0, %I*, %MX0.500 (memory). Numbers are
 /// decimal. ASCII case and blanks around the text are ignored. Nothing if the text is not such an address or its number
 /// exceeds 64 bits.

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "address/address.hpp"
-#include "address/notation.hpp"
+#include "address/dialect.hpp"
 
 namespace symplant::address {
 

@@ -14,7 +14,11 @@ struct AreaLetter {
   std::string_view name;
   Area area;
 };
-constexpr std::array kAreas{AreaLetter{"I", Area::input}, AreaLetter{"M", Area::memory}, AreaLetter{"Q", Area::output}};
+/// Those of IEC 61131-3, and the memories of XG5000 and Unity Pro.
+constexpr std::array kAreas{AreaLetter{"F", Area::memory}, AreaLetter{"I", Area::input},  AreaLetter{"K", Area::memory},
+                            AreaLetter{"L", Area::memory}, AreaLetter{"M", Area::memory}, AreaLetter{"N", Area::memory},
+                            AreaLetter{"Q", Area::output}, AreaLetter{"R", Area::memory}, AreaLetter{"S", Area::memory},
+                            AreaLetter{"U", Area::memory}, AreaLetter{"W", Area::memory}};
 
 struct SizeLetter {
   std::string_view name;
@@ -26,6 +30,7 @@ constexpr std::array kSizes{SizeLetter{"B", Size::byte}, SizeLetter{"D", Size::d
 /// An address as it is written: the numbers between the dots of `%IX1.2.3`.
 struct IecText {
   Area area = Area::memory;
+  char letter = 'M';
   Size size = Size::bit;
   bool has_size = false;
   bool assigned = true;
@@ -44,9 +49,12 @@ const auto kIecPart = [](auto& context) {
 };
 const auto kUnassigned = [](auto& context) { x3::get<IecText>(context).assigned = false; };
 
-const auto kIec = '%' >>
-                  OneOf<kAreas>()[([](auto& context) { x3::get<IecText>(context).area = x3::_attr(context)->area; })] >>
-                  -OneOf<kSizes>()[kIecSize] >> (kDecimal[kIecPart] % '.' | x3::lit('*')[kUnassigned]);
+const auto kIecArea = [](auto& context) {
+  x3::get<IecText>(context).area = x3::_attr(context)->area;
+  x3::get<IecText>(context).letter = x3::_attr(context)->name.front();
+};
+const auto kIec = '%' >> OneOf<kAreas>()[kIecArea] >> -OneOf<kSizes>()[kIecSize] >>
+                  (kDecimal[kIecPart] % '.' | x3::lit('*')[kUnassigned]);
 
 Address of_parts(const IecText& written) {
   Key key;
@@ -55,6 +63,12 @@ Address of_parts(const IecText& written) {
 }
 
 Address of_memory(const IecText& written) {
+  if (written.letter != 'M') {
+    Key key;
+    key.add(static_cast<std::uint64_t>(static_cast<unsigned char>(written.letter)));
+    for (std::size_t i = 0; i < written.count; ++i) key.add(written.parts[i]);
+    return keyed(Area::memory, written.size, key);
+  }
   // %MX5 and %MW5 are plain numbers; the classes of %MX0.500 are those of the vendor.
   return written.count == 1 ? numbered(written.area, written.size, written.parts[0]) : of_parts(written);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "address/bits.hpp"
 #include "address/make.hpp"
 #include "address/notation.hpp"
 #include "address/terminals.hpp"

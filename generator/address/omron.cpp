@@ -14,12 +14,13 @@ struct Region {
   std::string_view name;
   bool has_bits = true;  ///< false: timers, counters, registers
 };
-constexpr std::array kRegions{Region{"AR"},         Region{"A"},         Region{"CIO"},       Region{"CNT", false},
-                              Region{"C", false},   Region{"DM"},        Region{"DR", false}, Region{"D"},
-                              Region{"HR"},         Region{"H"},         Region{"IR", false}, Region{"LR"},
-                              Region{"TIM", false}, Region{"TK", false}, Region{"T", false},  Region{"WR"},
-                              Region{"W"}};
-constexpr const Region* kCio = &kRegions[2];
+constexpr std::array kRegions{Region{"AR"},         Region{"A"},          Region{"CF", false}, Region{"CIO"},
+                              Region{"CNT", false}, Region{"C", false},   Region{"DM"},        Region{"DR", false},
+                              Region{"D"},          Region{"HR"},         Region{"H"},         Region{"IR", false},
+                              Region{"LR"},         Region{"TIM", false}, Region{"TK", false}, Region{"T", false},
+                              Region{"WR"},         Region{"W"}};
+constexpr const Region* kCio = &kRegions[3];
+static_assert(kCio->name == "CIO");
 constexpr Bank kFirstBank = kMemoryBanks + 192;
 
 struct OmronText {

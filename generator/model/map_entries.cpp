@@ -144,6 +144,7 @@ class LinkResolver {
 
   bool understand_area(Meant& meant) {
     meant.first = read_address(meant.entry->text + "0", dialect());
+    if (!is_io(meant.first)) meant.first = read_address(meant.entry->text + "0.0", dialect());  // E of SIMATIC
     const bool ends_in_letter =
         text::upper(meant.entry->text.back()) >= 'A' && text::upper(meant.entry->text.back()) <= 'Z';
     if (is_io(meant.first) && ends_in_letter) return true;

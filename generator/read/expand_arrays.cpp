@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "address/bits.hpp"
 #include "address/notation.hpp"
 #include "read/array_type.hpp"
 #include "read/data_types.hpp"

@@ -6,6 +6,7 @@
 
 #include "read/rockwell_text.hpp"
 #include "read/rules/alias_not_resolved.hpp"
+#include "read/unique_names.hpp"
 
 namespace symplant::read {
 
@@ -19,7 +20,8 @@ bool is_of_module(std::string_view name) { return name.find(':') != std::string_
 }  // namespace
 
 void RockwellTags::make_rows() {
-  name_rows();
+  const bool has_programs =
+      std::any_of(tags_.begin(), tags_.end(), [](const RockwellTag& tag) { return !tag.scope.empty(); });
   resolve();
   take_comments();
   mark_operands();
@@ -35,17 +37,7 @@ void RockwellTags::make_rows() {
     comments_.pop_front();
   }
   describe();
-}
-
-/// Finds the names that need their program.
-void RockwellTags::name_rows() {
-  const auto in_program = [](const RockwellTag& tag) { return !tag.scope.empty(); };
-  if (std::none_of(tags_.begin(), tags_.end(), in_program)) return;
-  text::ByName<std::string_view> scopes;
-  for (const RockwellTag& tag : tags_) {
-    const auto [first, added] = scopes.try_emplace(tag.name, tag.scope);
-    if (!added && !text::equal_ignoring_case(first->second, tag.scope)) repeated_.insert(tag.name);
-  }
+  if (has_programs) qualify_repeated_names(builder_);
 }
 
 void RockwellTags::resolve() {
@@ -109,7 +101,7 @@ void RockwellTags::mark_operands() {
 
 void RockwellTags::make_row(const RockwellTag& tag, std::string_view resolved) {
   ListRow& row = builder_.add(tag.whole, tag.line);
-  row.name = name_of(tag);
+  row.name = tag.name;
   row.type = tag.type;
   row.comment = decoded(tag.comment);
   if (!tag.scope.empty()) builder_.extra(row).scope = tag.scope;
@@ -151,11 +143,6 @@ void RockwellTags::make_row(const RockwellComment& comment, std::uint32_t operan
   if (!parent.empty()) builder_.extra(row).parent_comment = parent;
 }
 
-std::string_view RockwellTags::name_of(const RockwellTag& tag) {
-  if (tag.scope.empty() || !repeated_.contains(tag.name)) return tag.name;
-  return builder_.keep(std::string(tag.scope).append(".").append(tag.name));
-}
-
 std::string_view RockwellTags::decoded(std::string_view text) {
   const bool has_escape = texts_ == Texts::escaped && text.find('$') != std::string_view::npos;
   return has_escape ? builder_.keep(decode_rockwell_text(text)) : text;
@@ -187,10 +174,6 @@ void RockwellTags::describe() {
                   " name inputs and outputs that have no alias and are rows; the others describe memory or other rows");
   if (words_of_bits_ != 0) {
     builder_.decide("aliases of words whose bits are rows: " + std::to_string(words_of_bits_) + ", kept as structures");
-  }
-  if (!repeated_.empty()) {
-    builder_.decide("names in several programs: " + std::to_string(repeated_.size()) +
-                    "; their rows are named `PROGRAM.NAME`");
   }
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
 #include "read/rockwell_aliases.hpp"
@@ -56,7 +55,6 @@ class RockwellTags {
  private:
   using Outcome = AliasResolver::Outcome;
 
-  void name_rows();
   void resolve();
   void take_comments();
   void mark_operands();
@@ -66,7 +64,6 @@ class RockwellTags {
   void report_unresolved(const RockwellTag& tag, const AliasResolver::Operand& operand);
   void describe();
 
-  std::string_view name_of(const RockwellTag& tag);
   std::string_view decoded(std::string_view text);
   std::string_view comment_of(std::uint32_t operand);
   std::string_view comment_of_parent(std::uint32_t operand);
@@ -78,8 +75,6 @@ class RockwellTags {
   std::vector<std::string_view> tag_operands_;   ///< for each tag, resolved
   std::vector<std::uint32_t> comment_operands_;  ///< for each comment, resolved
   RockwellOperands operands_;
-  std::unordered_set<std::string_view, text::HashIgnoringCase, text::EqualIgnoringCase>
-      repeated_;           ///< names that several scopes have
   std::size_t of_io_ = 0;  ///< aliases of module I/O
   std::size_t aliases_ = 0;
   std::size_t rows_of_comments_ = 0;

@@ -53,6 +53,7 @@ constexpr std::array kThirdParties = {
     ThirdParty{"<kainjow/", {"generator/emit/"}},
     ThirdParty{"<valijson/", {"runtime/json/"}},
     ThirdParty{"<uchardet", {"generator/text/"}},
+    ThirdParty{"<pugixml", {"generator/read/xml/", "generator/read/cells/"}},
 };
 
 struct Include {

@@ -131,6 +131,28 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
   return result;
 }
 
+/// A list whose table `change` changes after it was read, such as to another notation of addresses.
+template <class Change>
+Analysed analyse_changed(const std::vector<Row>& rows, Change change, description::Description description = {}) {
+  MemoryFileSystem files;
+  files.files["symbols.csv"] = list_text(rows);
+  Analysed result;
+  auto table = read::read_symbol_list("symbols.csv", {}, files, result.diagnostics).value();
+  change(table);
+  const auto kept = std::make_shared<const read::SymbolTable>(std::move(table));
+  result.derived = model::describe(model::derive({{kept, name::read_names(*kept, name::built_in_rule())}}, "symbols"),
+                                   std::make_shared<const description::Description>(std::move(description)));
+  check::check_plant(result.model(), result.evidence(), result.diagnostics);
+  return result;
+}
+
+/// A list in the notation of another vendor.
+inline Analysed analyse_in(address::Notation notation, const std::vector<Row>& rows,
+                           description::Description description = {}) {
+  return analyse_changed(
+      rows, [&](read::SymbolTable& table) { table.notation = notation; }, std::move(description));
+}
+
 inline Analysed analyse_described(const std::string& text, description::Description description) {
   return analyse_lists({{"symbols.csv", text}}, std::move(description));
 }

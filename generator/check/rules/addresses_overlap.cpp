@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "address/bits.hpp"
 #include "check/rules.hpp"
 #include "model/classify.hpp"
 
@@ -46,7 +47,7 @@ class Overlaps {
   explicit Overlaps(const model::PlantModel& plant) : plant_(plant) {}
 
   /// Pairs of a symbol and one of at most its size that has common bits, by symbol, then by bits. Addresses are at most
-  /// 64 bits long, and only one symbol of each is looked at. O(n log n), without sorting if no bank can have an
+  /// 64 bits long, and only one symbol of each is looked at. O(n log n), O(n) if no bank can have an
   /// overlap.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> find() {
     collect();
@@ -87,7 +88,14 @@ class Overlaps {
            static_cast<int>(symbol.address->size) == model::data_type_bits(symbol.type);
   }
 
+  /// %IW64 of SIMATIC and K4X0, or %IW5.3: without one of these all bits are apart. Most plants have none.
+  static bool is_unusual(const model::Symbol& symbol) {
+    if (!symbol.address || symbol.address->bank == address::kNoBank) return false;
+    return (symbol.address->bank == address::kBits) != (symbol.address->size == address::Size::bit);
+  }
+
   void collect() {
+    if (std::none_of(plant_.symbols.begin(), plant_.symbols.end(), is_unusual)) return;
     sizes_.resize(16 * plant_.controllers.size());
     for (const model::Symbol& symbol : plant_.symbols) {
       if (is_apart(symbol)) sizes_[index_of(symbol)] |= static_cast<unsigned>(symbol.address->size);

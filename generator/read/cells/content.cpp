@@ -47,7 +47,7 @@ bool is_identifier_like(std::string_view cell) {
 
 /// The area of a cell that is an address in a notation whose addresses are recognized by their form.
 std::optional<Area> area_of(std::string_view cell) {
-  if (cell.empty() || cell.size() > kLongestCellOfNames) return std::nullopt;
+  if (cell.size() > kLongestCellOfNames || address::address_strength(cell) == 0) return std::nullopt;
   for (const Notation notation : {Notation::iec, Notation::siemens, Notation::melsec, Notation::rockwell}) {
     if (const auto found = address::parse(cell, {notation})) return found->area;
   }
@@ -153,7 +153,11 @@ void add_initial(const std::vector<CsvRow>& rows, Columns& columns) {
 
 /// The column with the most cells of text.
 void add_comment(const std::vector<CsvRow>& rows, Columns& columns) {
-  if (!columns.has(Field::comment)) columns.set(Field::comment, vote(rows, columns, is_text));
+  if (columns.has(Field::comment)) return;
+  const std::size_t most = vote(rows, columns, is_text);
+  if (most == kNoColumn) return;
+  const Look look = look_at(rows, most);
+  if (look.texts * 2 > look.filled) columns.set(Field::comment, most);
 }
 
 /// Takes the column that serves best, if it is clearly better than the second.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "address/notation.hpp"
 #include "read/cells/content.hpp"
 
 namespace symplant::read {
@@ -81,14 +82,24 @@ std::optional<Layout> named_layout(std::string_view text, char delimiter, std::d
   return std::nullopt;
 }
 
-/// A list without a header: from the first row on.
-Layout headless(std::string_view text, char delimiter) {
+/// A list without words of a header: from the first row with an address on. The row before it may be a header in words
+/// that are not known.
+Layout headless(std::string_view text, char delimiter, std::deque<std::string>& arena) {
   Layout layout;
   layout.delimiter = delimiter;
-  layout.rows_begin = std::min(text.find_first_not_of("\r\n"), text.size());
-  layout.rows_line = 1 + static_cast<std::uint32_t>(std::count(
-                             text.begin(), text.begin() + static_cast<std::ptrdiff_t>(layout.rows_begin), '\n'));
-  return layout;
+  CsvReader reader(text, delimiter, arena);
+  CsvRow row;
+  for (std::size_t rows = 0; rows < kSearchedRows && reader.next(row); ++rows) {
+    if (std::any_of(row.cells.begin(), row.cells.end(), address::looks_like_address)) {
+      layout.rows_begin = row.whole.begin;
+      layout.rows_line = row.line;
+      return layout;
+    }
+    if (row.cells.size() > 1) layout = below_header(reader, row, delimiter, {});
+  }
+  Layout none;
+  none.delimiter = delimiter;
+  return none;
 }
 
 LayoutSearch any_search(std::string_view text, char delimiter) {
@@ -96,7 +107,7 @@ LayoutSearch any_search(std::string_view text, char delimiter) {
   std::deque<std::string> arena;
   auto layout = named_layout(text, delimiter, arena, search.unclosed_quote);
   if (search.unclosed_quote) return search;
-  if (!layout) layout = headless(text, delimiter);
+  if (!layout) layout = headless(text, delimiter, arena);
   const std::vector<CsvRow> rows = sample_rows(text, *layout, arena);
   if (layout->rivals) {
     if (const auto better = better_by_content(rows, *layout->rivals)) {
@@ -195,7 +206,8 @@ base::Result<Layout, std::string> given_layout(std::string_view text, const Colu
     }
   }
   if (!by_header) {
-    Layout layout = headless(text, sniff_delimiter(text));
+    Layout layout;
+    layout.delimiter = sniff_delimiter(text);
     apply(map, {}, layout.columns);
     return layout;
   }

@@ -10,6 +10,7 @@
 #include "read/rules/row_without_identifier.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/table_builder.hpp"
+#include "read/unique_names.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::read {
@@ -48,6 +49,7 @@ class CxtReading {
     if (failed_) return std::nullopt;
     builder_.decide("symbols: " + std::to_string(global_) + " global, " + std::to_string(local_) + " of programs, " +
                     std::to_string(nameless_) + " of them without a name, which are named by their addresses");
+    if (local_ != 0) qualify_repeated_names(builder_);
     return builder_.finish();
   }
 

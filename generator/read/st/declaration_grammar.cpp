@@ -36,7 +36,7 @@ Input input_of(Tokens& tokens, const char* first, const char* last) {
 /// Comments, pragmas and blanks: what is skipped between the parts of a declaration.
 struct Skipped : x3::parser<Skipped> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   explicit Skipped(Tokens& of) : tokens(&of) {}
   template <class Context, class RuleContext, class Attribute>
@@ -57,7 +57,7 @@ struct Skipped : x3::parser<Skipped> {
 template <class Derived>
 struct TokenParser : x3::parser<Derived> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
+  [[maybe_unused]] static constexpr bool has_attribute = false;
 
   template <class Context, class RuleContext, class Attribute>
   bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&, Attribute&) const {

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "address/bits.hpp"
 #include "support/catch.hpp"
 
 using namespace symplant::address;
@@ -45,6 +46,18 @@ TEST_CASE("%M is memory") {
   CHECK(parse_iec("%MX0.500")->area == Area::memory);
   CHECK(parse_iec("%MW5.1234")->size == Size::word);
   CHECK(parse_iec("%MX0.500") != parse_iec("%MX0.501"));
+}
+
+TEST_CASE("The memories of XG5000 and Unity Pro are memory, each with a separate area") {
+  std::set<std::uint64_t> numbers;
+  const auto texts = {"%MW48029", "%WW48029", "%RW48029", "%KW48029", "%FX48029", "%LX48029", "%S48029", "%UX0.0.1"};
+  for (const char* text : texts) {
+    INFO(text);
+    REQUIRE(parse_iec(text));
+    CHECK(parse_iec(text)->area == Area::memory);
+    numbers.insert(parse_iec(text)->number);
+  }
+  CHECK(numbers.size() == texts.size());
 }
 
 TEST_CASE("A bit of a word has no link number, and differs from the bit of a byte") {
@@ -234,5 +247,9 @@ TEST_CASE("The addresses after one are elements of its size further") {
   CHECK_FALSE(advanced(*parse_iec("%IX1.2.3"), 1));
   CHECK_FALSE(advanced(*parse_iec("%I*"), 1));
   CHECK_FALSE(advanced(*parse_iec("%IX18446744073709551615"), 1));
+  CHECK(advanced(*parse_iec("%IX18446744073709551614"), 1) == parse_iec("%IX18446744073709551615"));
+  CHECK_FALSE(advanced(*parse_iec("%IX18446744073709551614"), 2));
+  CHECK(advanced(*parse_iec("%IW0"), (std::uint64_t{1} << 60U) - 1));
+  CHECK_FALSE(advanced(*parse_iec("%IW0"), std::uint64_t{1} << 60U));
   CHECK(advanced(*parse_iec("%IX0"), 0) == parse_iec("%IX0"));
 }

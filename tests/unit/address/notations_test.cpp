@@ -2,6 +2,7 @@
 #include <set>
 #include <string>
 
+#include "address/bits.hpp"
 #include "address/notation.hpp"
 #include "support/catch.hpp"
 
@@ -131,8 +132,8 @@ TEST_CASE("Files of PLC-5 and SLC have an area by their letter") {
 
 TEST_CASE("Words and bits of Omron are memory, unless CIO has ranges of inputs and outputs") {
   std::set<std::uint64_t> numbers;
-  const auto texts = {"1052.02", "0.00",  "W10.00", "H13.02", "A400.11", "D20042", "D5.01",
-                      "T0723",   "C0001", "E0_0",   "E1_0",   "EA_5.03", "10",     "TK1"};
+  const auto texts = {"1052.02", "0.00",  "W10.00", "H13.02", "CF113",   "A400.11", "D20042", "D5.01",
+                      "T0723",   "C0001", "E0_0",   "E1_0",   "EA_5.03", "10",      "TK1"};
   for (const char* text : texts) {
     INFO(text);
     const auto address = omron(text);

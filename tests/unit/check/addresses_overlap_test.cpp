@@ -6,20 +6,6 @@
 namespace symplant::test {
 namespace {
 
-/// A list in the notation of another vendor.
-Analysed analyse_in(address::Notation notation, const std::vector<Row>& rows) {
-  MemoryFileSystem files;
-  files.files["symbols.csv"] = list_text(rows);
-  Analysed result;
-  auto read = read::read_symbol_list("symbols.csv", {}, files, result.diagnostics);
-  read->notation = notation;
-  const auto table = std::make_shared<const read::SymbolTable>(std::move(*read));
-  result.derived = model::describe(model::derive({{table, name::read_names(*table, name::built_in_rule())}}, "symbols"),
-                                   std::make_shared<const description::Description>());
-  check::check_plant(result.model(), result.evidence(), result.diagnostics);
-  return result;
-}
-
 std::string overlaps(const Analysed& list) {
   std::string text;
   for (const diag::Diagnostic& finding : list.diagnostics.all()) {

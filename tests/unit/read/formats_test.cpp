@@ -36,6 +36,22 @@ TEST_CASE("An export of one format is not one of another") {
   }
 }
 
+TEST_CASE("Exports of the same tools in other formats are not taken for these") {
+  for (const char* const text :
+       {"\tI 0.0\tGate\tcomment\r\n", "TABLE\r\n0,1\r\n\"EXCEL\"\r\nVECTORS\r\n0,4\r\n",
+        "-F00000000;iGate;I 0.0;comment\r\n", "<?xml version=\"1.0\"?>\n<RSLogix5000Content/>\n",
+        "\"a\",\"b\",\"c\",\"d\"\n", "Type,Scope,Variable,Address,DataType,Property,Comment\n"}) {
+    INFO(text);
+    for (const read::ReaderInfo* reader : read::readers()) {
+      const std::string_view name = reader->name;
+      if (name == "omron-cxt" || name == "sysmac" || name == "tia-sdf" || name.starts_with("step7") ||
+          name == "rockwell-csv" || name == "rockwell-l5k") {
+        CHECK(reader->likelihood(text) == 0);
+      }
+    }
+  }
+}
+
 TEST_CASE("Cells that are in the file as such are views into it, so that findings point to them") {
   for (const std::string file : {"logix_tags.csv", "project.L5K", "project.cxt", "PLCTags.sdf", "symbols.sdf"}) {
     INFO(file);
@@ -45,8 +61,8 @@ TEST_CASE("Cells that are in the file as such are views into it, so that finding
     for (const read::ListRow& row : reading.table->rows) {
       INFO(row.name);
       const text::Span name = source.span_of(row.name);
-      const bool scoped =
-          row.name.find(".Ready") != std::string_view::npos || row.name.find(".READY") != std::string_view::npos;
+      const std::string_view scope = reading.table->extra_of(row).scope;
+      const bool scoped = !scope.empty() && row.name.starts_with(scope);
       const bool of_comment = row.name == "Word.7" || row.name == "Local:2:I.Data.3";
       CHECK((scoped || of_comment || (name.begin >= row.whole.begin && name.end <= row.whole.end)));
       CHECK(source.position(row.whole.begin).line == row.line);

@@ -157,7 +157,7 @@ TEST_CASE("One line with 20,000 tags is read in time, with the column of each") 
   CHECK(reading.table->rows.back().line == 1);
 }
 
-TEST_CASE("A symbol configuration of CODESYS is none of the XML formats, because it has no addresses") {
+TEST_CASE("No reader takes a symbol configuration of CODESYS, because it has no addresses") {
   const std::string text =
       "<?xml version=\"1.0\"?><Symbolconfiguration "
       "xmlns=\"http://www.3s-software.com/schemas/Symbolconfiguration.xsd\">"

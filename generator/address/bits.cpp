@@ -1,5 +1,5 @@
-// What an address covers, and the addresses after it.
-#include "address/address.hpp"
+// Which bits an address covers, and the addresses after it.
+#include "address/bits.hpp"
 
 #include "address/make.hpp"
 
@@ -27,7 +27,7 @@ std::optional<ElementBit> element_and_bit(const Address& address) {
 std::optional<Address> advanced(const Address& address, std::uint64_t count) {
   const auto bits = static_cast<std::uint64_t>(address.size);
   const std::uint64_t left = UINT64_MAX - address.first_bit;
-  if (address.bank == kNoBank || left < bits || count > left / bits - 1) return std::nullopt;
+  if (address.bank == kNoBank || left < bits - 1 || count > (left - (bits - 1)) / bits) return std::nullopt;
   return at_bits(address.area, address.size, address.bank, static_cast<Size>(address.element),
                  address.first_bit + count * bits);
 }
