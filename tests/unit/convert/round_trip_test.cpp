@@ -79,7 +79,7 @@ std::string random_row(Dice& dice, std::size_t index) {
   }
   const std::string klass = dice.below(9) == 0 ? "VAR_GLOBAL_CONSTANT" : "VAR_GLOBAL";
   // The index makes names different; a constant has no address.
-  const std::string name = "n" + std::to_string(index) + random_text(dice, 5, false);
+  const std::string name = "n" + std::to_string(index) + "x" + random_text(dice, 5, false);
   if (klass != "VAR_GLOBAL") mitsubishi = iec = "";
   return klass + "," + quoted(dice.below(2) == 0 ? name : random_text(dice, 4, false) + name) + "," + mitsubishi + "," +
          iec + "," + type + "," + random_initial(dice, type) + "," + quoted(random_text(dice, 6, true)) + "\n";
