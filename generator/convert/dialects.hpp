@@ -13,7 +13,7 @@ struct Dialect {
   std::string_view title;  ///< "CODESYS"
   AddressForm addresses;
   bool open_addresses;  ///< AT %I*: the tool finds the address
-  /// Variables are those of a program, located ones in blocks of their own kind; else they are global. The compiler has
+  /// Variables are those of a program, located ones apart from others; else they are global. The compiler has
   /// only the types of the standard's second edition, and addresses only for types of the same size.
   bool program;
 };

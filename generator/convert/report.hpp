@@ -21,7 +21,7 @@ using Rename = std::pair<std::string, std::string>;
 
 class Report {
  public:
-  /// `loss` must outlive the report: kinds are told apart by their address.
+  /// `loss` must outlive the report: kinds differ in their address.
   void add(const Loss& loss, std::string_view name);
   void rename(std::string_view from, std::string_view to, const Loss& why);
 

@@ -13,8 +13,8 @@ namespace symplant::convert {
 /// the size of the address. Nothing for other types: structures, function blocks, timers of a vendor.
 std::optional<std::string> iec_type(const Symbol& symbol);
 
-/// The type as a tag of TIA Portal can have it: an elementary one, or that of a SIMATIC list with a `%` address. Nothing
-/// for arrays, strings, blocks and types of other vendors.
+/// The type as a tag of TIA Portal can have it: an elementary one, or that of a SIMATIC list with a `%` address.
+/// Nothing for arrays, strings, blocks and types of other vendors.
 std::optional<std::string> tia_type(const Symbol& symbol);
 
 /// An initial value as a literal of IEC 61131-3: K5, H1F and 1 of a BOOL are 5, 16#1F and TRUE. Nothing if it is not

@@ -159,7 +159,7 @@ void add_convert(CLI::App& app, Context& context) {
                    "the format (default: by the extension of OUT: " + extensions() + "). " + help)
       ->check(CLI::IsMember(names))
       ->type_name("FORMAT");
-  command->add_option("--dialect", options->dialect, "for whom st and plcopen are written (default: codesys)")
+  command->add_option("--dialect", options->dialect, "the tool for which st and plcopen are written (default: codesys)")
       ->check(CLI::IsMember(dialect_names()))
       ->type_name("codesys|twincat|openplc");
   command->add_option("--renames", options->renames, "write the names that were changed to this file: old,new")

@@ -96,7 +96,7 @@ TEST_CASE("st: Declarations are grouped, located, and have initial values and co
               "1 comment is changed: the target cannot hold some of its characters: `A_B_C_O_X`"});
 }
 
-TEST_CASE("st: TwinCAT finds the addresses of inputs and outputs that have none of its own kind") {
+TEST_CASE("st: TwinCAT finds the addresses of inputs and outputs that it cannot express") {
   const Made made = convert_to("st",
                                gx_list("VAR_GLOBAL,A_B_C_I_X,,,BOOL,,\nVAR_GLOBAL,B,,%QX1.2.3,BOOL,,\n"
                                        "VAR_GLOBAL,W,,%IW5,WORD,,\n"),
