@@ -12,6 +12,7 @@
 
 #include "app/stream_sink.hpp"
 #include "check/catalogue.hpp"
+#include "description/description_rules.hpp"
 #include "description/plant_file.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
@@ -166,27 +167,52 @@ void report_ignored(Context& context, const diag::Diagnostics& diagnostics) {
   }
 }
 
+namespace {
+
+/// Shows the errors, and the warnings as a line of counts; with --verbose all findings.
+void show_findings(Context& context, const diag::Diagnostics& diagnostics, bool verbose) {
+  std::vector<diag::Diagnostic> shown;
+  for (const diag::Diagnostic& finding : diagnostics.all()) {
+    if (verbose || check::is_stopping(finding)) shown.push_back(finding);
+  }
+  context.err << diag::render_text(shown, {context.colour_err, verbose ? 0U : 5U});
+  if (verbose) report_ignored(context, diagnostics);
+}
+
+/// Shows how many findings there are. Removes the result and sets the exit code if one of them stops.
+template <class Result>
+void show_counts(Context& context, const std::string& plant, const diag::Diagnostics& diagnostics, bool verbose,
+                 std::optional<Result>& result) {
+  const std::string counts = count_text(diagnostics, verbose ? diag::Severity::note : diag::Severity::warning);
+  if (!result || check::has_stopping_errors(diagnostics)) {
+    result.reset();
+    context.err << diag::visible(plant) << ": " << counts << "; fix the errors first\n";
+    context.exit_code = host::kBadInput;
+  } else if (diagnostics.count(diag::Severity::warning) + diagnostics.count(diag::Severity::error) != 0 && !verbose) {
+    context.err << diag::visible(plant) << ": " << counts << "; `symplant check` shows them\n";
+  }
+}
+
+}  // namespace
+
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options) {
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
   auto compiled = compile({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
-  std::vector<diag::Diagnostic> shown;
-  for (const diag::Diagnostic& finding : diagnostics.all()) {
-    if (options.verbose || check::is_stopping(finding)) shown.push_back(finding);
-  }
-  context.err << diag::render_text(shown, {context.colour_err, options.verbose ? 0U : 5U});
-  if (options.verbose) report_ignored(context, diagnostics);
+  show_findings(context, diagnostics, options.verbose);
   if (compiled && options.verbose) report_decisions(context, *compiled);
-  const std::string counts = count_text(diagnostics, options.verbose ? diag::Severity::note : diag::Severity::warning);
-  if (!compiled || check::has_stopping_errors(diagnostics)) {
-    compiled.reset();
-    context.err << diag::visible(plant) << ": " << counts << "; fix the errors first\n";
-    context.exit_code = host::kBadInput;
-  } else if (diagnostics.count(diag::Severity::warning) + diagnostics.count(diag::Severity::error) != 0 &&
-             !options.verbose) {
-    context.err << diag::visible(plant) << ": " << counts << "; `symplant check` shows them\n";
-  }
+  show_counts(context, plant, diagnostics, options.verbose, compiled);
   return compiled;
+}
+
+std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options) {
+  diag::Diagnostics diagnostics;
+  Progress progress(context.err, context.progress);
+  auto inputs = read_inputs({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
+  if (inputs && inputs->source != nullptr) description::add_findings(inputs->source, inputs->faults, diagnostics);
+  show_findings(context, diagnostics, options.verbose);
+  show_counts(context, plant, diagnostics, options.verbose, inputs);
+  return inputs;
 }
 
 bool overwrites(Context& context, const std::string& output, const std::vector<std::string>& inputs) {

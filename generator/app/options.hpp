@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "app/read_inputs.hpp"
 #include "app/tool.hpp"
 
 namespace symplant::app {
@@ -21,6 +22,9 @@ void add_plant_options(CLI::App& command, PlantOptions& options);
 /// compile() for a command. Shows the errors on `context.err`, and the warnings as a line of counts (with --verbose all
 /// findings). If there are errors, returns no value and sets the exit code to 2.
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options);
+
+/// The lists of a plant, for a command that does not need its model. The same messages and exit code as compile_for().
+std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options);
 
 /// Shows the decisions of the reader, for --verbose.
 void report_decisions(Context& context, const Compiled& compiled);

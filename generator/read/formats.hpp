@@ -14,6 +14,7 @@ extern const ReaderInfo kKepware;
 extern const ReaderInfo kLsGlobals;
 extern const ReaderInfo kLsTags;
 extern const ReaderInfo kOmronCxt;
+extern const ReaderInfo kOwnTable;
 extern const ReaderInfo kPlcopen;
 extern const ReaderInfo kRockwellCsv;
 extern const ReaderInfo kRockwellL5k;

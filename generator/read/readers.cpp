@@ -47,6 +47,7 @@ constexpr std::array kReaders{
     &kTiaTagTable,       //
     &kTiaTags,           //
     &kTwincatGvl,        //
+    &kOwnTable,          //
     &kAnyTable,          //
 };
 

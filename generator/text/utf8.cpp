@@ -48,4 +48,11 @@ std::size_t count_code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
+std::string_view first_code_points(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  std::size_t at = 0;
+  for (std::size_t count = 0; at < text.size() && count < most; ++count) at += code_point_at(text, at).length;
+  return text.substr(0, at);
+}
+
 }  // namespace symplant::text

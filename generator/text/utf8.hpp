@@ -28,4 +28,7 @@ constexpr bool is_continuation(char byte) { return (static_cast<unsigned char>(b
 /// The number of characters in UTF-8 `text`.
 std::size_t count_code_points(std::string_view text);
 
+/// The first characters of UTF-8 `text`, at most `most`.
+std::string_view first_code_points(std::string_view text, std::size_t most);
+
 }  // namespace symplant::text

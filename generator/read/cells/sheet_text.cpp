@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "read/cells/csv.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::read {
 
@@ -83,6 +84,24 @@ std::optional<std::string> take_elements(std::string& rest, std::string_view nam
   return std::nullopt;
 }
 
+/// A text with its escapes decoded: `_x000D_` is a carriage return, `_x005F_x000D_` is `_x000D_`.
+std::string unescaped(std::string text) {
+  std::size_t to = 0;
+  for (std::size_t at = text.find("_x"); at != std::string::npos; at = text.find("_x", to)) {
+    to = at + 1;
+    std::uint32_t point = 0;
+    const char* const digits = text.data() + at + 2;
+    if (text.size() < at + 7 || text[at + 6] != '_') continue;
+    const auto [end, fault] = std::from_chars(digits, digits + 4, point, 16);
+    if (fault != std::errc() || end != digits + 4 || point == 0 || (point >= 0xD800 && point < 0xE000)) continue;
+    std::string character;
+    text::append_utf8(character, point);
+    text.replace(at, 7, character);
+    to = at + character.size();
+  }
+  return text;
+}
+
 /// The texts of a string, in several formats or one; not their pronunciation.
 std::string string_of(const pugi::xml_node& item) {
   std::string text;
@@ -93,7 +112,7 @@ std::string string_of(const pugi::xml_node& item) {
       if (is_named(part, "t")) text += part.text().get();
     }
   }
-  return text;
+  return text.find("_x") == std::string::npos ? text : unescaped(std::move(text));
 }
 
 /// "AB12" is column 27; nothing without letters.
@@ -168,8 +187,8 @@ class RowWriter {
   }
 
   void append(std::string_view cell) {
-    const bool quoted =
-        cell.find_first_not_of(' ') != std::string_view::npos && cell[cell.find_first_not_of(' ')] == '"';
+    const std::size_t first = cell.find_first_not_of(" \t\r\n");
+    const bool quoted = first != std::string_view::npos && cell[first] == '"';
     if (quoted) sheet_.text_ += '"';
     for (const char c : cell) {
       if (quoted && c == '"') sheet_.text_ += '"';

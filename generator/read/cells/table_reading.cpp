@@ -12,6 +12,7 @@
 #include "read/rules/text_after_quote.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/table_builder.hpp"
+#include "text/formula.hpp"
 
 namespace symplant::read {
 
@@ -83,7 +84,10 @@ class TableReading {
     return rows.size() <= kSample ? lines : rows.size() / length * 11 / 10;
   }
 
-  std::string_view cell(const CsvRow& row, Field field) const { return row.cell(layout_.columns[field]); }
+  std::string_view cell(const CsvRow& row, Field field) const {
+    const std::string_view text = row.cell(layout_.columns[field]);
+    return kind_.is_protected ? text::unprotected(text) : text;
+  }
 
   void add(const CsvRow& row) {
     if (kind_.is_remark != nullptr && kind_.is_remark(row)) return;

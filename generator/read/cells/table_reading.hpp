@@ -16,6 +16,8 @@ struct TableKind {
   bool address_for_name = false;
   /// Whether a cell decides whether it is a vendor's or an IEC address, and not its column.
   bool sort_addresses = false;
+  /// Whether an apostrophe may protect a cell from being run as a formula.
+  bool is_protected = false;
   /// Rows that are no symbols: remarks.
   bool (*is_remark)(const CsvRow& row) = nullptr;
 };

@@ -1,0 +1,51 @@
+// The rows of all lists of a plant, as the writers take them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "address/address.hpp"
+#include "address/notation.hpp"
+#include "read/symbol_table.hpp"
+
+namespace symplant::convert {
+
+/// What a row declares. An input or output has a type that symplant serves; all other rows are internal.
+enum class Kind : std::uint8_t { input, output, internal, constant };
+
+struct Symbol {
+  const read::ListRow* row;     ///< name, type, initial value and comment as they were read
+  const read::RowExtra* extra;  ///< never null
+  address::Notation notation;   ///< of the row's vendor address
+  Kind kind;
+  bool octal;  ///< X and Y of its list count in octal
+  std::optional<address::Address> address;
+
+  /// How its vendor address is read.
+  address::Dialect address_dialect() const {
+    return {notation, octal ? address::Radix::octal : address::Radix::hexadecimal};
+  }
+};
+
+/// One list of a plant.
+struct List {
+  std::shared_ptr<const read::SymbolTable> table;
+  std::string controller;            ///< whose addresses these are; empty: the default controller
+  std::optional<address::Radix> xy;  ///< how X and Y count if no row proves it
+};
+
+struct Symbols {
+  std::vector<std::shared_ptr<const read::SymbolTable>> tables;  ///< hold what the symbols point to
+  std::vector<Symbol> all;                                       ///< in the order of lists and rows
+  std::size_t controllers = 0;
+};
+
+/// O(rows).
+Symbols symbols_of(std::span<const List> lists);
+
+}  // namespace symplant::convert
