@@ -66,7 +66,6 @@ struct Choice {
 
 /// The requested reader, or the likeliest; null if the text is of no known format.
 Choice choose(const ReadOptions& options, std::string_view text) {
-  if (!options.columns.columns.empty() && options.input_format.empty()) return {&kAnyTable, 1};
   Choice best;
   for (const ReaderInfo* reader : kReaders) {
     const bool asked_for = reader->name == options.input_format;
@@ -75,6 +74,8 @@ Choice choose(const ReadOptions& options, std::string_view text) {
     if (asked_for) return {reader, std::max(mine, 1)};
     if (mine > best.likelihood) best = {reader, mine};
   }
+  if (!options.columns.columns.empty() && options.input_format.empty())
+    return {&kAnyTable, std::max(best.likelihood, 1)};
   return best;
 }
 
