@@ -16,6 +16,7 @@
 #include "description/plant_file.hpp"
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
+#include "read/io_words.hpp"
 #include "symplant/host/exit_codes.hpp"
 
 namespace symplant::app {
@@ -38,6 +39,12 @@ read::ColumnMap columns_of(const std::string& text) {
   throw CLI::ValidationError("--columns", diag::visible(map.error()));
 }
 
+address::IoRanges words_of(const std::string& text) {
+  auto words = read::io_words_of(text);
+  if (words) return std::move(*words);
+  throw CLI::ValidationError("--cio", diag::visible(words.error()));
+}
+
 }  // namespace
 
 void add_plant_options(CLI::App& command, PlantOptions& options) {
@@ -51,6 +58,11 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
           "the columns of a table, by header or number (default: detected): name=Tag,address=3; also type, initial, "
           "comment, class, scope, iec-address, and sheet=NAME of a workbook")
       ->type_name("FIELD=COLUMN,..");
+  command
+      .add_option_function<std::string>(
+          "--cio", [&options](const std::string& text) { options.read.io_words = words_of(text); },
+          "which words of the CIO area of an Omron PLC are inputs or outputs: inputs=0-99,outputs=100-199")
+      ->type_name("SIDE=FIRST-LAST,..");
   command
       .add_option_function<std::string>(
           "--encoding", [&options](const std::string& name) { options.read.encoding = encoding_of(name); },

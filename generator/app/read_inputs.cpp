@@ -91,6 +91,7 @@ class InputReader {
     if (!reference.format.empty()) how.input_format = reference.format;
     if (reference.encoding) how.encoding = reference.encoding;
     if (!reference.columns.empty()) how.columns = reference.columns;
+    if (!reference.io_words.ranges.empty()) how.io_words = reference.io_words;
     how.part = reference.part;
     how.xy = reference.xy ? reference.xy : options_.xy;
     auto table = read::read_symbol_list(path, how, files_, diagnostics_);

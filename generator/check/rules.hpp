@@ -35,6 +35,7 @@ extern const Rule kSymbolsOverlap;             // SP316
 extern const Rule kAddressWithoutNumber;       // SP317
 extern const Rule kNoIo;                       // SP318
 extern const Rule kAddressesOverlap;           // SP319
+extern const Rule kWordAndBits;                // SP320
 extern const Rule kSeveralLists;               // SP330
 extern const Rule kOperationWithoutEvent;      // SP401
 extern const Rule kEventWithoutOperation;      // SP402
@@ -97,6 +98,7 @@ inline constexpr std::array kRules{
     &kAddressWithoutNumber,
     &kNoIo,
     &kAddressesOverlap,
+    &kWordAndBits,
     &kSeveralLists,
     &kOperationWithoutEvent,
     &kEventWithoutOperation,

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/json_entry.hpp"
+#include "read/io_words.hpp"
 #include "read/readers.hpp"
 #include "symplant/json/document.hpp"
 #include "symplant/json/schema.hpp"
@@ -135,6 +136,11 @@ class PlantFileReader {
       if (!list.encoding) faults_.add(here / "encoding", no_such_encoding(*encoding));
     }
     read_columns(value, here / "columns", list.columns);
+    if (const std::string* words = text_member(value, "cio"); words != nullptr) {
+      auto ranges = read::io_words_of(*words);
+      if (!ranges) faults_.add(here / "cio", ranges.error());
+      if (ranges) list.io_words = std::move(*ranges);
+    }
     if (const Json* part = member(value, "part"); part != nullptr && part->is_number_unsigned()) {
       list.part = part->get<std::size_t>();
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "address/address.hpp"
+#include "address/notation.hpp"
 #include "description/description.hpp"
 #include "read/column_map.hpp"
 #include "symplant/json/location.hpp"
@@ -20,6 +21,7 @@ struct ListReference {
   std::string format;                      ///< of a known reader; empty: recognized by content
   std::optional<text::Encoding> encoding;  ///< nothing: recognized by content
   read::ColumnMap columns;                 ///< of a table; empty: recognized
+  address::IoRanges io_words;              ///< which words of CIO are inputs or outputs; empty: none
   std::size_t part = 0;                    ///< of several lists in one file; 0: all of it
   std::string controller;                  ///< the PLC it belongs to; empty: the only one
   std::optional<address::Radix> xy;        ///< how X and Y count if no row proves it

@@ -170,7 +170,7 @@ struct PlantList {
 
   std::string name() const;  ///< the name of the file without its folders
   /// How its addresses are read.
-  address::Dialect dialect() const { return {table->notation, radix.radix}; }
+  address::Dialect dialect() const { return {table->notation, radix.radix, &table->io_words}; }
 };
 
 struct PlantModel {

@@ -19,6 +19,7 @@ struct ReadOptions {
   std::string input_format = {};                ///< empty: recognized by content
   std::optional<text::Encoding> encoding = {};  ///< nothing: recognized by content
   ColumnMap columns = {};                       ///< what the user says about a table; empty: recognized
+  address::IoRanges io_words = {};              ///< which words of CIO are inputs or outputs; empty: none
   std::size_t part = 0;                         ///< of several lists in one text, counted from 1; 0: all rows
   bool described = false;                       ///< a plant.json names the list and may give its encoding
   std::optional<address::Radix> xy = {};        ///< how X and Y count if no row proves it; nothing: hexadecimal

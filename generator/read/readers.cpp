@@ -170,6 +170,7 @@ std::optional<SymbolTable> read_symbol_list(const std::string& path, std::string
   table->decisions.insert(table->decisions.begin(), decisions.begin(), decisions.end());
   if (options.part != 0 && !select_part(*table, options, diagnostics)) return std::nullopt;
   table->title = reader.title;
+  table->io_words = options.io_words;
   expand_arrays(*table, options.xy.value_or(address::Radix::hexadecimal), diagnostics);
   return table;
 }

@@ -58,6 +58,7 @@ struct SymbolTable {
 
   std::shared_ptr<const text::SourceFile> source;
   address::Notation notation = address::Notation::melsec;  ///< of the vendor addresses
+  address::IoRanges io_words;                              ///< which words of a shared area are inputs or outputs
   std::vector<ListRow> rows;
   std::vector<RowExtra> extras;
   std::vector<std::size_t> parts;      ///< rows at which another list begins in the same text

@@ -1,4 +1,4 @@
-// SP319 addresses-overlap: a symbol has bits of other symbols.
+// SP319 addresses-overlap: two numbers have common bits. SP320 as well, from the same search.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,14 +14,13 @@ namespace symplant::check {
 namespace {
 
 constexpr std::string_view kAddressesOverlapPage =
-    R"(The address of a symbol covers bits of other symbols: `%IW64` of SIMATIC and `%I64.3`, `%ID100` and `%IW102`, `K4X0` of MELSEC
-and `X3`, `%IW5` and its bit `%IW5.3`. Either both are wanted, a word and names for its bits, or one of the addresses is wrong.
+    R"(The addresses of two numbers have common bits: `%ID100` of SIMATIC and `%IW102`, `%IW100` and `%IW101`. SIMATIC numbers bytes, so
+the double word `%ID100` ends with byte 103. Most often one of the addresses is wrong. A number and its bits are SP320.
 
-**What the model loses.** The symbols are separate: if a device sets the bit, the word does not change, and the PLC may read a
-word that its bits contradict.
+**What the model loses.** The symbols are separate: what a device or the PLC writes to one of them does not change the other.
 
-**How to fix it.** Correct the address. If both are wanted, let the PLC program read either the word or its bits, and ignore the
-finding with the reason (section `check` of plant.json).
+**How to fix it.** Correct the address. If both are wanted, let the PLC program use one of them, and ignore the finding with the
+reason (section `check` of plant.json).
 )";
 
 constexpr std::size_t kFewOverlapped = 5;
@@ -113,35 +112,57 @@ class Overlaps {
   std::vector<Covered> covered_;
 };
 
+/// One finding for the overlaps of a symbol with numbers, or with bits.
+class OverlapReport {
+ public:
+  OverlapReport(const model::PlantModel& plant, const model::Symbol& symbol) : plant_(plant), symbol_(symbol) {}
+
+  void take(const model::Symbol& other) {
+    ++count_;
+    if (first_ == nullptr) first_ = &other;
+    if (related_.size() == kFewOverlapped) return;
+    related_.push_back({location_of(plant_, *other.row, other.address_cell), "has bits of it"});
+  }
+
+  void report(const diag::RuleInfo& rule, std::string_view advice, diag::Diagnostics& diagnostics) {
+    if (first_ == nullptr) return;
+    const std::string more =
+        count_ == 1 ? "" : fmt::format(" and of {} more symbol{}", count_ - 1, count_ == 2 ? "" : "s");
+    diagnostics.add(
+        rule, about(symbol_, *first_).following(address_of(symbol_.name())).following(address_of(first_->name())),
+        fmt::format("`{}` on `{}` has bits of `{}` on `{}`{}, and they are not kept equal: {}", symbol_.name(),
+                    symbol_.address_cell, first_->name(), first_->address_cell, more, advice),
+        location_of(plant_, *symbol_.row, symbol_.address_cell), std::move(related_));
+  }
+
+ private:
+  const model::PlantModel& plant_;
+  const model::Symbol& symbol_;
+  const model::Symbol* first_ = nullptr;
+  std::size_t count_ = 0;
+  std::vector<diag::Related> related_;
+};
+
 void check_addresses_overlap(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   const auto pairs = Overlaps(plant).find();
-  for (std::size_t begin = 0; begin < pairs.size();) {
-    const model::Symbol& symbol = plant.symbols[pairs[begin].first];
-    const model::Symbol& first = plant.symbols[pairs[begin].second];
-    std::vector<diag::Related> related;
-    std::size_t end = begin;
-    for (; end < pairs.size() && pairs[end].first == pairs[begin].first; ++end) {
-      const model::Symbol& other = plant.symbols[pairs[end].second];
-      if (related.size() == kFewOverlapped) continue;
-      related.push_back({location_of(plant, *other.row, other.address_cell), "has bits of it"});
+  for (std::size_t at = 0; at < pairs.size();) {
+    const std::uint32_t larger = pairs[at].first;
+    OverlapReport numbers(plant, plant.symbols[larger]);
+    OverlapReport bits(plant, plant.symbols[larger]);
+    for (; at < pairs.size() && pairs[at].first == larger; ++at) {
+      const model::Symbol& other = plant.symbols[pairs[at].second];
+      (other.address->size == address::Size::bit ? bits : numbers).take(other);
     }
-    const std::size_t more = end - begin - 1;
-    diagnostics.add(
-        rule.info, about(symbol, first).following(address_of(symbol.name())).following(address_of(first.name())),
-        fmt::format("`{}` on `{}` has bits of `{}` on `{}`{}, and they are not kept equal: correct the address, or use "
-                    "either of them",
-                    symbol.name(), symbol.address_cell, first.name(), first.address_cell,
-                    more == 0 ? "" : fmt::format(" and of {} more symbol{}", more, more == 1 ? "" : "s")),
-        location_of(plant, *symbol.row, symbol.address_cell), std::move(related));
-    begin = end;
+    numbers.report(rule.info, "correct one of the addresses", diagnostics);
+    bits.report(kWordAndBits.info, "let the PLC program use either the number or its bits", diagnostics);
   }
 }
 
 }  // namespace
 
-const Rule kAddressesOverlap{{"SP319", "addresses-overlap", diag::Severity::warning,
-                              "a symbol has bits of other symbols", kAddressesOverlapPage},
-                             check_addresses_overlap};
+const Rule kAddressesOverlap{
+    {"SP319", "addresses-overlap", diag::Severity::warning, "two numbers have common bits", kAddressesOverlapPage},
+    check_addresses_overlap};
 
 }  // namespace symplant::check

@@ -18,7 +18,8 @@ PLC's memory (M, D, `%M`) and types such as TIME or STRING are internal. The mes
 **What the model loses.** Everything: there is no symbol, no device and nothing to put on a link. Nothing is written.
 
 **How to fix it.** Export the list with its address columns, or export the list that declares the inputs and outputs. If the
-list has no addresses, give its names the form of the naming rule, `LINE_PROC_DEV_I|O_TASK`.
+list is of an Omron PLC, say which words of the CIO area are inputs and outputs: `--cio inputs=0-99,outputs=100-199`. If it has no
+addresses, give its names the form of the naming rule, `LINE_PROC_DEV_I|O_TASK`.
 )";
 
 using model::InternalReason;
@@ -42,11 +43,22 @@ std::string internal_text(InternalReason reason, std::size_t count) {
                        "have no address and no direction in their names");
 }
 
+/// Whether a list is of a PLC whose inputs and outputs share an area.
+bool has_shared_area(const model::PlantModel& plant) {
+  return std::any_of(plant.lists.begin(), plant.lists.end(), [](const model::PlantList& list) {
+    return list.table->notation == address::Notation::omron && list.table->io_words.ranges.empty();
+  });
+}
+
 std::string io_advice(InternalReason reason, const model::PlantModel& plant) {
   switch (reason) {
     case InternalReason::constant:
       return "export the variables as well";
     case InternalReason::memory:
+      if (has_shared_area(plant)) {
+        return "the addresses of this PLC do not show which are inputs and outputs: give the words, such as `--cio "
+               "inputs=0-99,outputs=100-199`, or `\"cio\"` in plant.json";
+      }
       return "export the list that declares the inputs and outputs (X, Y, `%I`, `%Q`)";
     case InternalReason::type:
       return "write the type of each input and output, such as BOOL or INT";

@@ -1,6 +1,8 @@
 // Reads any table of symbols: columns by the words of its header, by the content of its cells, or as the user says.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "read/formats.hpp"
 #include "read/formats/table_formats.hpp"
 #include "read/rules/ambiguous_columns.hpp"

@@ -67,5 +67,18 @@ TEST_CASE("lists: --columns is read by every command and explained if it cannot 
   CHECK(contains(wrong.err, "unknown column `tag`; choose one of `name`, `address`"));
 }
 
+TEST_CASE("lists: Words of CIO are inputs or outputs as the user says") {
+  MemoryFileSystem files;
+  files.files["io.csv"] = "NAME\tADDRESS\tDATATYPE\nL_P_A_I_X\t10.05\tBOOL\nL_P_A_O_X\t100.00\tBOOL\nM\t200.00\tBOOL\n";
+  CHECK(contains(run_tool({"check", "io.csv"}, files).out, "none of 3 rows is I/O"));
+  const ToolRun run = run_tool({"check", "io.csv", "--cio", "inputs=0-99,outputs=100-199"}, files);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "2 of 2 I/O names follow"));
+  CHECK(check(files, R"([{"file": "io.csv", "cio": "inputs=10,outputs=100"}])").code == 0);
+  CHECK(contains(check(files, R"([{"file": "io.csv", "cio": "inputs=10-9"}])").out,
+                 "`inputs=10-9` is no range of words"));
+  CHECK(contains(run_tool({"check", "io.csv", "--cio", "in=1"}, files).err, "`in=1` is no range of words"));
+}
+
 }  // namespace
 }  // namespace symplant::test

@@ -58,13 +58,20 @@ int main() {
   has_rows(folder + "mitsubishi/gxworks3_Global.csv", 25);
   has_rows(folder + "rockwell/HOOD_LOCAL_Tags.CSV", 671 + 1332 + 1076 + 671);  // tags, aliases, comments on I/O
   has_rows(folder + "rockwell/PAP_0322.L5K", 252 + 747);
+  has_rows(folder + "rockwell/Plc_emulator.L5X", 60);
   has_rows(folder + "siemens/step7_symbols.asc", 313);
   has_rows(folder + "siemens/PLCTags.xml", 689);
   has_rows(folder + "siemens/tia_tagtable.xml", 210);
   has_rows(folder + "siemens/openness_SPREADER.xml", 8);
   has_rows(folder + "plcopen/openplc_plant.xml", 8);
-  has_rows(folder + "rockwell/Plc_emulator.L5X", 60);
   has_rows(folder + "beckhoff/GVL_IO.TcGVL", 20);
+  has_rows(folder + "siemens/PLCTags.xlsx", 689);
+  has_rows(folder + "siemens/PLCTags.sdf", 689);
+  has_rows(folder + "mitsubishi/fx-trolley_COMMENT.csv", 582);
+  has_rows(folder + "mitsubishi/gxworks2-body-line_COMMENT.csv", 14805);
+  has_rows(folder + "mitsubishi/gxworks2-japanese_device_comments.csv", 57);
+  has_rows(folder + "lselectric/xg5000_global.csv", 9731 - 32 + 700);  // 32 arrays on I/O have 700 elements
+  has_rows(folder + "omron/cx-programmer.cxt", 8692);
   for (const char* file :
        {"mitsubishi/gxworks3_Global.csv", "lselectric/xg5000_global.csv", "mitsubishi/fx-trolley_COMMENT.csv",
         "beckhoff/GVL_IO.TcGVL", "siemens/PLCTags.xlsx", "siemens/step7_symbols.asc", "rockwell/hangul_Tags.csv"}) {
