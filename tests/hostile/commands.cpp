@@ -13,6 +13,10 @@ std::vector<Command> commands_of(const std::string& file) {
   }
   all.push_back({"map", {"map", file}});
   all.push_back({"init", {"init", file}});
+  for (const char* result : {"../out/io.csv", "../out/io.txt", "../out/io.xlsx", "../out/io.xml", "../out/io.st"}) {
+    all.push_back({"convert", {"convert", file, result, "--renames", "../out/renames"}});
+  }
+  all.push_back({"convert", {"convert", file, "../out/io.st", "--dialect", "openplc"}});
   all.push_back(
       {"generate",
        {"generate", file, "-o", "../out/generated", "--behaviours", "../out/own", "--depfile", "../out/depfile"}});
@@ -70,6 +74,8 @@ std::span<const Misuse> misuses() {
       {"a result over the input", {"model", "symbols.csv", "-o", "symbols.csv"}},
       {"a result over the input, by another name", {"init", "symbols.csv", "-o", "../in/symbols.csv"}},
       {"a trace over the input", {"run", "symbols.csv", "--until", "1s", "--trace", "symbols.csv"}},
+      {"a converted list over the input", {"convert", "symbols.csv", "../in/symbols.csv"}},
+      {"a full disk: a converted list", {"convert", "symbols.csv", "/dev/full", "--to", "tia-xlsx"}},
       {"two results in one file", {"run", "symbols.csv", "--until", "1s", "--trace", "../out/x", "--vcd", "../out/x"}},
       {"templates that are not there", {"generate", "symbols.csv", "-o", "../out/new", "--templates", "/dev/null"}},
       {"`explain` of no rule", {"explain", "no-such-rule\x1B[31m%n"}},
