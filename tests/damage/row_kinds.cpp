@@ -104,7 +104,7 @@ Damaged wrong_size_of_type(const Shop& shop, Dice& dice) {
 Damaged misspell_type(const Shop& shop, Dice& dice) {
   const std::size_t row = pick_row(shop, dice, is_bool);
   Damaged damaged{shop.list, {row}};
-  damaged.list.rows[row].type = dice.pick(std::vector<std::string>{"BOL", "BOOLE", "BOOLEAN", "B00L"});
+  damaged.list.rows[row].type = dice.pick(std::vector<std::string>{"BOL", "BOOLE", "BOOOL", "B00L"});
   return damaged;
 }
 
