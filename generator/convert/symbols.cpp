@@ -60,8 +60,8 @@ Symbols symbols_of(std::span<const List> lists) {
     const read::SymbolTable& table = *lists[i].table;
     symbols.tables.push_back(lists[i].table);
     for (const read::ListRow& row : table.rows) {
-      const model::RowAddress address = model::row_address(row, {table.notation, radix[i]});
-      symbols.all.push_back({&row, &table.extra_of(row), table.notation, kind_of(row, address, parser),
+      const model::RowAddress address = model::row_address(row, {table.notation, radix[i], &table.io_words});
+      symbols.all.push_back({&row, &table.extra_of(row), table.notation, &table.io_words, kind_of(row, address, parser),
                              radix[i] == address::Radix::octal, address.address});
     }
   }

@@ -79,7 +79,7 @@ CsvShape csv_shape(const Symbols& symbols) {
 bool reads_back(const Symbol& symbol, const CsvShape& shape) {
   if (!is_io(symbol)) return true;
   const std::string text = csv_address(symbol, shape);
-  const auto address = address::parse(text, {shape.notation});
+  const auto address = address::parse(text, {shape.notation, address::Radix::hexadecimal, symbol.io_words});
   return (address ? address : address::parse_iec(text)) == symbol.address;
 }
 

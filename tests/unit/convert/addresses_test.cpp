@@ -72,6 +72,21 @@ TEST_CASE("Words of SIMATIC at odd bytes, and groups of MELSEC bits, have an add
   CHECK(in(kCodesysForm, "K4X8").empty());
 }
 
+TEST_CASE("A CIO word that the user declares as inputs has addresses") {
+  diag::Diagnostics diagnostics;
+  read::ReadOptions options;
+  options.io_words.ranges.push_back({1000, 1099, address::Area::input});
+  auto table =
+      read::read_symbol_list("a.csv", "Name,Address,Type\nA,1052.02,BOOL\nB,1100.00,BOOL\n", options, diagnostics);
+  REQUIRE(table.has_value());
+  const List list{std::make_shared<const read::SymbolTable>(std::move(*table)), {}, {}};
+  const Symbols symbols = symbols_of({&list, 1});
+  CHECK(symbols.all[0].kind == Kind::input);
+  CHECK(address_in(symbols.all[0], kCodesysForm) == "%IX2104.2");
+  CHECK(symbols.all[1].kind == Kind::internal);
+  CHECK(address_in(symbols.all[1], kCodesysForm).empty());
+}
+
 TEST_CASE("Memory of MELSEC has no equivalent, memory of IEC lists has") {
   CHECK(in(kCodesysForm, "M500", "%MX0.500").empty());
   CHECK(in(kSiemensForm, "D10").empty());
