@@ -27,7 +27,4 @@ std::optional<Notation> likely_notation(std::span<const std::string_view> cells)
 int address_strength(std::string_view text);
 inline bool looks_like_address(std::string_view text) { return address_strength(text) == 2; }
 
-/// The notation that reads most of the cells; nothing if it reads less than half of them.
-std::optional<Notation> likely_notation(std::span<const std::string_view> cells);
-
 }  // namespace symplant::address

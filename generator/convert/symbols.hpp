@@ -19,12 +19,12 @@ namespace symplant::convert {
 enum class Kind : std::uint8_t { input, output, internal, constant };
 
 struct Symbol {
-  const read::ListRow* row;           ///< name, type, initial value and comment as they were read
-  const read::RowExtra* extra;        ///< never null
-  address::Notation notation;         ///< of the row's vendor address
-  const address::IoRanges* io_words;  ///< of its list: which words of CIO are inputs or outputs
-  Kind kind;
-  bool octal;  ///< X and Y of its list count in octal
+  const read::ListRow* row = nullptr;                   ///< name, type, initial value and comment as they were read
+  const read::RowExtra* extra = nullptr;                ///< never null in symbols_of()
+  address::Notation notation = address::Notation::iec;  ///< of the row's vendor address
+  const address::IoRanges* io_words = nullptr;          ///< of its list: which words of CIO are inputs or outputs
+  Kind kind = Kind::internal;
+  bool octal = false;  ///< X and Y of its list count in octal
   std::optional<address::Address> address;
 
   /// How its vendor address is read.
