@@ -9,7 +9,7 @@
 #include "address/address.hpp"
 #include "address/notation.hpp"
 #include "description/description.hpp"
-#include "read/column_map.hpp"
+#include "read/cells/column_map.hpp"
 #include "symplant/json/location.hpp"
 #include "text/encoding.hpp"
 

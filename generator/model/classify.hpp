@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "model/plant_model.hpp"
-#include "read/data_types.hpp"
+#include "read/types/data_types.hpp"
 
 namespace symplant::model {
 

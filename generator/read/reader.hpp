@@ -9,7 +9,7 @@
 
 #include "address/address.hpp"
 #include "diag/diagnostic.hpp"
-#include "read/column_map.hpp"
+#include "read/cells/column_map.hpp"
 #include "read/symbol_table.hpp"
 #include "text/encoding.hpp"
 

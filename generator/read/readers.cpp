@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "read/expand_arrays.hpp"
 #include "read/formats.hpp"
 #include "read/loading.hpp"
 #include "read/parts.hpp"
@@ -19,6 +18,7 @@
 #include "read/rules/unknown_format.hpp"
 #include "read/rules/unknown_input_format.hpp"
 #include "read/rules/unreadable_workbook.hpp"
+#include "read/types/expand_arrays.hpp"
 
 namespace symplant::read {
 

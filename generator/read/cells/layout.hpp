@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "read/cells/column_map.hpp"
 #include "read/cells/columns.hpp"
-#include "read/column_map.hpp"
 #include "text/source_file.hpp"
 
 namespace symplant::read {

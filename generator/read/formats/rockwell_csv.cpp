@@ -7,7 +7,7 @@
 #include "read/cells/csv.hpp"
 #include "read/cells/lines.hpp"
 #include "read/formats.hpp"
-#include "read/rockwell_tags.hpp"
+#include "read/rockwell/tags.hpp"
 #include "read/rules/row_not_understood.hpp"
 #include "read/rules/text_after_quote.hpp"
 #include "read/rules/unclosed_quote.hpp"

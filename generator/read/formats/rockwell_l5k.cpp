@@ -6,8 +6,8 @@
 #include "read/cells/lines.hpp"
 #include "read/cells/padded.hpp"
 #include "read/formats.hpp"
-#include "read/l5k_declaration.hpp"
-#include "read/rockwell_tags.hpp"
+#include "read/rockwell/l5k_declaration.hpp"
+#include "read/rockwell/tags.hpp"
 #include "read/rules/row_not_understood.hpp"
 #include "text/ascii.hpp"
 

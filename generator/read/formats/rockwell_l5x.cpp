@@ -5,7 +5,7 @@
 
 #include "read/formats.hpp"
 #include "read/line_counter.hpp"
-#include "read/rockwell_tags.hpp"
+#include "read/rockwell/tags.hpp"
 #include "read/rules/row_without_identifier.hpp"
 #include "read/xml/cells.hpp"
 #include "read/xml/prolog.hpp"

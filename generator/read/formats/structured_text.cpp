@@ -1,6 +1,6 @@
 // Reads variables that are declared in Structured Text.
-#include "read/declared_rows.hpp"
 #include "read/formats.hpp"
+#include "read/st/declared_rows.hpp"
 
 namespace symplant::read {
 

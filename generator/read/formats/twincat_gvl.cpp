@@ -1,8 +1,8 @@
 // Reads global variable lists and programs of TwinCAT 3 (.TcGVL, .TcPOU).
 #include <string>
 
-#include "read/declared_rows.hpp"
 #include "read/formats.hpp"
+#include "read/st/declared_rows.hpp"
 #include "read/xml/cells.hpp"
 #include "read/xml/prolog.hpp"
 

@@ -1,6 +1,6 @@
 // Arrays: their declarations, and the rows of their elements.
-#include "read/array_type.hpp"
-#include "read/expand_arrays.hpp"
+#include "read/types/array_type.hpp"
+#include "read/types/expand_arrays.hpp"
 #include "read_support.hpp"
 #include "support/catch.hpp"
 

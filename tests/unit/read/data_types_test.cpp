@@ -1,5 +1,5 @@
 // The names of elementary types.
-#include "read/data_types.hpp"
+#include "read/types/data_types.hpp"
 
 #include <string_view>
 #include <vector>

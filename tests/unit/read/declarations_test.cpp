@@ -1,5 +1,5 @@
 // Declarations in Structured Text: what belongs to a variable, and texts that are damaged or hostile.
-#include "read/declarations.hpp"
+#include "read/st/declarations.hpp"
 
 #include "read_support.hpp"
 

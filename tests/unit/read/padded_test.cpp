@@ -2,7 +2,7 @@
 #include "read/cells/padded.hpp"
 
 #include "read/cells/lines.hpp"
-#include "read/rockwell_text.hpp"
+#include "read/rockwell/text.hpp"
 #include "support/catch.hpp"
 
 using namespace symplant;

@@ -1,5 +1,5 @@
 // Aliases of Logix tags: chains, scopes, cycles, and what hostile lists cost.
-#include "read/rockwell_aliases.hpp"
+#include "read/rockwell/aliases.hpp"
 
 #include "support/catch.hpp"
 

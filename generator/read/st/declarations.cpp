@@ -1,5 +1,5 @@
 // The declarations of variables in Structured Text.
-#include "read/declarations.hpp"
+#include "read/st/declarations.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // The grammar of declarations of arrays, by Boost.Spirit X3.
-#include "read/array_type.hpp"
+#include "read/types/array_type.hpp"
 
 #include <boost/spirit/home/x3.hpp>
 
-#include "read/data_types.hpp"
+#include "read/types/data_types.hpp"
 
 namespace symplant::read {
 namespace {

@@ -1,9 +1,9 @@
 // The operands that a Logix export names.
-#include "read/rockwell_operands.hpp"
+#include "read/rockwell/operands.hpp"
 
 #include <algorithm>
 
-#include "read/rockwell_aliases.hpp"
+#include "read/rockwell/aliases.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::read {

@@ -1,5 +1,5 @@
 // Parses declarations of tags in Logix projects with Boost.Spirit X3.
-#include "read/l5k_declaration.hpp"
+#include "read/rockwell/l5k_declaration.hpp"
 
 #include <boost/range/iterator_range.hpp>
 #include <boost/spirit/home/x3.hpp>

@@ -1,5 +1,5 @@
 // Gives each element of an array of inputs or outputs a row.
-#include "read/expand_arrays.hpp"
+#include "read/types/expand_arrays.hpp"
 
 #include <algorithm>
 #include <string>
@@ -7,9 +7,9 @@
 
 #include "address/bits.hpp"
 #include "address/notation.hpp"
-#include "read/array_type.hpp"
-#include "read/data_types.hpp"
 #include "read/rules/array_too_large.hpp"
+#include "read/types/array_type.hpp"
+#include "read/types/data_types.hpp"
 
 namespace symplant::read {
 namespace {

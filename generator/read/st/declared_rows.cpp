@@ -1,5 +1,5 @@
 // The rows of a table from declarations in Structured Text.
-#include "read/declared_rows.hpp"
+#include "read/st/declared_rows.hpp"
 
 #include <utility>
 

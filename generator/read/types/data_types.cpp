@@ -1,5 +1,5 @@
 // The elementary types of symbols.
-#include "read/data_types.hpp"
+#include "read/types/data_types.hpp"
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 // Resolves aliases of Logix tags to the operands that they name.
-#include "read/rockwell_aliases.hpp"
+#include "read/rockwell/aliases.hpp"
 
 #include <algorithm>
 

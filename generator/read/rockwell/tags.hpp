@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/rockwell_aliases.hpp"
-#include "read/rockwell_operands.hpp"
+#include "read/rockwell/aliases.hpp"
+#include "read/rockwell/operands.hpp"
 #include "read/table_builder.hpp"
 #include "text/ascii.hpp"
 

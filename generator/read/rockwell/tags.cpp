@@ -1,10 +1,10 @@
 // The rows of a Logix export.
-#include "read/rockwell_tags.hpp"
+#include "read/rockwell/tags.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "read/rockwell_text.hpp"
+#include "read/rockwell/text.hpp"
 #include "read/rules/alias_not_resolved.hpp"
 #include "read/unique_names.hpp"
 

@@ -1,5 +1,5 @@
 // Decodes the escapes in texts of Logix exports.
-#include "read/rockwell_text.hpp"
+#include "read/rockwell/text.hpp"
 
 #include <algorithm>
 #include <charconv>

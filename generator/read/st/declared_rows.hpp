@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "read/declarations.hpp"
 #include "read/line_counter.hpp"
+#include "read/st/declarations.hpp"
 #include "read/table_builder.hpp"
 
 namespace symplant::read {

@@ -1,5 +1,5 @@
 // What the user says about the columns of a table.
-#include "read/column_map.hpp"
+#include "read/cells/column_map.hpp"
 
 #include <algorithm>
 #include <array>
