@@ -17,9 +17,9 @@ namespace symplant::convert {
 
 /// What a target demands of names, which must differ in more than case.
 struct NameRule {
-  bool (*accepts)(std::string_view name);
-  std::string (*make)(std::string_view name);  ///< an accepted name that reads like this one
-  std::size_t longest;                         ///< characters
+  bool (*accepts)(std::string_view name) = nullptr;
+  std::string (*make)(std::string_view name) = nullptr;  ///< an accepted name that reads like this one
+  std::size_t longest = 0;                               ///< characters
   Loss renamed;
 };
 

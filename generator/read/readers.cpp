@@ -64,13 +64,22 @@ struct Choice {
   int likelihood = 0;
 };
 
+/// The whole lines at the begin of a text, by which its format is recognized.
+std::string_view beginning(std::string_view text) {
+  constexpr std::size_t kExamined = 4 << 20;
+  if (text.size() <= kExamined) return text;
+  const std::size_t line_end = text.rfind('\n', kExamined);
+  return text.substr(0, line_end == std::string_view::npos ? kExamined : line_end + 1);
+}
+
 /// The requested reader, or the likeliest; null if the text is of no known format.
 Choice choose(const ReadOptions& options, std::string_view text) {
   Choice best;
+  const std::string_view begin = beginning(text);
   for (const ReaderInfo* reader : kReaders) {
     const bool asked_for = reader->name == options.input_format;
     if (!asked_for && !options.input_format.empty()) continue;
-    const int mine = reader->likelihood(text);
+    const int mine = reader->likelihood(begin);
     if (asked_for) return {reader, std::max(mine, 1)};
     if (mine > best.likelihood) best = {reader, mine};
   }

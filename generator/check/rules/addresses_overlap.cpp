@@ -31,7 +31,10 @@ struct BankOfBits {
   address::Area area{};
   address::Bank bank = 0;
 
-  auto operator<=>(const BankOfBits&) const = default;
+  bool operator==(const BankOfBits&) const = default;
+  bool operator<(const BankOfBits& other) const {
+    return std::tie(controller, area, bank) < std::tie(other.controller, other.area, other.bank);
+  }
 };
 
 /// A symbol that has an address apart, by its bits.

@@ -36,12 +36,6 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> column_words() {
-  std::vector<std::string_view> words;
-  for (const FieldWord& word : kWords) words.push_back(word.word);
-  return words;
-}
-
 base::Result<ColumnMap, std::string> with_column(ColumnMap map, std::string_view word, std::string_view column) {
   if (column.empty()) return "`" + std::string(word) + "` names no column; write its header or its number";
   if (word == "sheet") {

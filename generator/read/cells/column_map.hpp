@@ -25,11 +25,9 @@ struct ColumnMap {
   bool empty() const { return columns.empty() && sheet.empty(); }
 };
 
-/// The words for fields: "name", "address", "iec-address", "type", "initial", "comment", "class", "scope".
-std::vector<std::string_view> column_words();
-
-/// Adds `word` = `column` to a map: a field and the header or number of its column, or `sheet` and the sheet's name.
-/// The error is a message for the user.
+/// Adds `word` = `column` to a map: a field ("name", "address", "iec-address", "type", "initial", "comment", "class",
+/// "scope") and the header or number of its column, or `sheet` and the sheet's name. The error is a message for the
+/// user.
 base::Result<ColumnMap, std::string> with_column(ColumnMap map, std::string_view word, std::string_view column);
 
 /// Reads "name=Tag,address=3,sheet=IO list". The error is a message for the user.

@@ -71,7 +71,9 @@ std::optional<std::string> take_elements(std::string& rest, std::string_view nam
     return fmt::format("has an element `{}` of more than 16 MiB", name);
   }
   const std::size_t begin = find_open(rest, name);
-  if (begin >= end) return std::string(kNotXml);
+  if (begin >= end || std::string_view(rest).substr(0, begin).find("<!DOCTYPE") != std::string_view::npos) {
+    return std::string(kNotXml);
+  }
   pugi::xml_document document;
   constexpr unsigned kOptions =
       pugi::parse_fragment | pugi::parse_escapes | pugi::parse_ws_pcdata_single | pugi::parse_cdata;

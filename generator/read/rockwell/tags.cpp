@@ -12,6 +12,8 @@ namespace symplant::read {
 
 namespace {
 
+constexpr std::size_t kMostUnresolved = 1000;  ///< findings; the others are counted
+
 /// The type of rows that name a whole of which the inputs and outputs are parts, if the export gives none.
 constexpr std::string_view kStructure = "STRUCTURE";
 
@@ -51,6 +53,7 @@ void RockwellTags::resolve() {
     ++aliases_;
     report_unresolved(tag, operand);
   }
+  report_further_unresolved();
   operands_.reserve(tags_.size() + comments_.size());
   comment_operands_.reserve(comments_.size());
   for (const RockwellComment& comment : comments_) {
@@ -61,6 +64,7 @@ void RockwellTags::resolve() {
 void RockwellTags::report_unresolved(const RockwellTag& tag, const AliasResolver::Operand& operand) {
   const bool missing = operand.outcome == Outcome::unknown_tag && !is_of_module(operand.text);
   if (operand.outcome == Outcome::tag || (operand.outcome == Outcome::unknown_tag && !missing)) return;
+  if (++unresolved_ > kMostUnresolved) return;
   std::string message = "the alias `" + std::string(tag.name) + "` of `" + std::string(tag.target) + "` ";
   if (operand.outcome == Outcome::cycle) {
     message += "leads back to itself, so it is counted as memory; name another tag";
@@ -71,6 +75,16 @@ void RockwellTags::report_unresolved(const RockwellTag& tag, const AliasResolver
                " characters, so it is counted as memory; shorten the chain of aliases";
   }
   builder_.report(kAliasNotResolved, std::move(message), builder_.source().span_of(tag.target, tag.whole));
+}
+
+void RockwellTags::report_further_unresolved() {
+  if (unresolved_ <= kMostUnresolved) return;
+  builder_.report(
+      kAliasNotResolved,
+      std::to_string(unresolved_ - kMostUnresolved) +
+          " further aliases lead to no tag of the list, so they are counted as memory; export all tags of the "
+          "controller",
+      {0, 0});
 }
 
 void RockwellTags::take_comments() {

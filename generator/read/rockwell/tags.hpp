@@ -62,6 +62,7 @@ class RockwellTags {
   void fill_alias(ListRow& row, const RockwellTag& tag, std::uint32_t operand);
   void make_row(const RockwellComment& comment, std::uint32_t operand);
   void report_unresolved(const RockwellTag& tag, const AliasResolver::Operand& operand);
+  void report_further_unresolved();
   void describe();
 
   std::string_view decoded(std::string_view text);
@@ -79,6 +80,7 @@ class RockwellTags {
   std::size_t aliases_ = 0;
   std::size_t rows_of_comments_ = 0;
   std::size_t words_of_bits_ = 0;  ///< aliases of which other rows are parts
+  std::size_t unresolved_ = 0;     ///< aliases that lead to no tag
 };
 
 }  // namespace symplant::read

@@ -24,7 +24,7 @@ TEST_CASE("Cycles and chains of 100,000 aliases are read in time") {
   const test::Reading around = read_soon(cycle);
   REQUIRE(around.table);
   CHECK(around.table->rows.size() == kMany);
-  CHECK(around.diagnostics.count(diag::Severity::warning) == kMany);
+  CHECK(around.diagnostics.count(diag::Severity::warning) == 1001);
   const test::Reading along = read_soon(chain);
   REQUIRE(along.table);
   CHECK(along.table->rows.front().vendor_address == "Local:1:I.Data.0");
