@@ -19,7 +19,7 @@ copy() { # NUMBERS...: each file under a separate number
 
 shopt -s nullglob
 case $target in
-  list) copy "$root"/tests/golden/{check,read}/*/*.csv "$root"/examples/{excell,cylinder,two-plcs,gallery/*}/*.csv \
+  list) copy "$root"/tests/golden/{check,read}/*/*.{csv,tsv,sdf,asc,cxt,xml,xsy,xlsx,st,L5K,L5X,TcGVL} "$root"/examples/{excell,cylinder,two-plcs,gallery/*}/*.csv \
     "$here"/corpus/list/* ;;
   plant_json) copy "$root"/tests/golden/check/*/plant.json "$root"/examples/{,gallery/}*/plant.json \
     "$here"/corpus/plant_json/* ;;
