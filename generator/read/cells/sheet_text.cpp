@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t kMostPiece = 16 << 20;
 constexpr std::uint32_t kMostRows = 1'048'576;
 constexpr std::string_view kNotXml = "is no valid XML";
+constexpr std::string_view kTooMuchText = "has more than 128 MB of text";
 
 /// The name without its namespace.
 std::string_view local(std::string_view name) {
@@ -160,7 +161,7 @@ class RowWriter {
     sheet_.text_ += '\n';
     ++sheet_.lines_;
     if (sheet_.text_.size() <= sheet_.most_) return std::nullopt;
-    return "has more than 128 MB of text";
+    return std::string(kTooMuchText);
   }
 
  private:
@@ -230,7 +231,8 @@ base::Result<std::vector<SheetPart>, std::string> sheet_parts(const std::string&
 std::optional<std::string> SharedStrings::take_from(std::string& rest) {
   return take_elements(rest, "si", [&](const pugi::xml_node& item) {
     texts_.push_back(string_of(item));
-    return std::optional<std::string>();
+    size_ += texts_.back().size();
+    return size_ <= most_ ? std::nullopt : std::optional<std::string>(kTooMuchText);
   });
 }
 

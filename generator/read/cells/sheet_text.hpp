@@ -23,11 +23,15 @@ base::Result<std::vector<SheetPart>, std::string> sheet_parts(const std::string&
 /// The strings that cells refer to by number.
 class SharedStrings {
  public:
+  explicit SharedStrings(std::uint64_t most) : most_(most) {}
+
   /// Takes whole elements from the front of `rest` and leaves what is incomplete. Returns what is wrong.
   std::optional<std::string> take_from(std::string& rest);
   const std::vector<std::string>& texts() const { return texts_; }
 
  private:
+  std::uint64_t most_;  ///< bytes of all texts
+  std::uint64_t size_ = 0;
   std::vector<std::string> texts_;
 };
 

@@ -18,9 +18,10 @@ namespace {
 constexpr std::string_view kZip = "PK\x03\x04";
 constexpr std::string_view kSaveAgain = "; open the workbook and save it again, or save the sheet as CSV";
 constexpr zip_int64_t kMostParts = 1000;
-constexpr std::uint64_t kMostUnpacked = 128'000'000;
-constexpr std::uint64_t kMostRatio = 200;
-constexpr std::uint64_t kSmall = 1 << 20;  ///< unpacked sizes up to this are harmless whatever the ratio
+constexpr std::uint64_t kMostUnpacked = 2'000'000'000;  ///< read as a stream
+constexpr std::uint64_t kMostRatio = 100;
+constexpr std::uint64_t kMostText = 128'000'000;  ///< of all sheets, and of the strings that they share
+constexpr std::uint64_t kSmall = 1 << 20;         ///< unpacked sizes up to this are harmless whatever the ratio
 
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 using Part = std::unique_ptr<zip_file_t, decltype(&zip_fclose)>;
@@ -33,7 +34,7 @@ template <class T>
 using Outcome = base::Result<T, Fault>;
 
 std::string too_large() {
-  return "the workbook is larger than 128 MB unpacked, or unpacks to more than 200 times its size";
+  return "the workbook is larger than 2 GB unpacked, or unpacks to more than 100 times its size";
 }
 
 Archive open_archive(std::string_view bytes) {
@@ -58,14 +59,14 @@ class WorkbookReader {
     const auto parts = sheet_parts(*book, *relations);
     if (!parts) return Fault{parts.error()};
     if (parts->empty()) return Fault{"the workbook has no sheet"};
-    SharedStrings strings;
+    SharedStrings strings(kMostText);
     if (zip_name_locate(archive_, "xl/sharedStrings.xml", 0) >= 0) {
       if (const auto fault = stream("xl/sharedStrings.xml", strings)) return *fault;
     }
     std::vector<Sheet> sheets;
     for (const SheetPart& part : *parts) {
       if (zip_name_locate(archive_, part.path.c_str(), 0) < 0) continue;  // a chart
-      SheetText text(strings.texts(), kMostUnpacked - written_);
+      SheetText text(strings.texts(), kMostText - written_);
       if (const auto fault = stream(part.path, text)) return *fault;
       written_ += text.size();
       sheets.push_back({part.name, text.take()});

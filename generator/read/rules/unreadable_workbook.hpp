@@ -11,8 +11,8 @@ inline constexpr diag::RuleInfo kUnreadableWorkbook{
     .severity = diag::Severity::error,
     .summary = "a workbook cannot be read",
     .page =
-        R"page(The file is a workbook (.xlsx), but it is damaged, encrypted, or too large: at most 1,000 parts, 128 MB unpacked, and 200 times
-its packed size. Or it has several sheets with symbols, or not the sheet that was asked for. The message gives the reason.
+        R"page(The file is a workbook (.xlsx), but it is damaged, encrypted, or too large: at most 1,000 parts, 128 MB of text, 2 GB unpacked, and
+100 times its packed size. Or it has several sheets with symbols, or not the sheet that was asked for. The message gives the reason.
 
 **What the model loses.** It cannot be built, and nothing is written.
 
