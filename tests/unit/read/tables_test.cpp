@@ -55,6 +55,13 @@ TEST_CASE("One known word of a header counts") {
         "identifier 2, IEC address 3, comment 4");
 }
 
+TEST_CASE("A column `Type` without a type is not the column of types") {
+  CHECK(columns_of("Tag,Address,Type,Format\nDOOR,%I0.0,DI,Bool\nLAMP,%Q0.0,DO,Bool\n") ==
+        "identifier 1, IEC address 2, type 4, comment 3");
+  CHECK(columns_of("Tag,Address,Type\nDOOR,%I0.0,PART_DOOR\nLAMP,%Q0.0,Bool\n") ==
+        "identifier 1, IEC address 2, type 3");
+}
+
 TEST_CASE("A language or a unit in brackets behind the word of a header does not count") {
   CHECK(columns_of("Name,Connection,Address,Comment [en-US]\nA,Link_1,%I0.0,the door\nB,Link_1,%I0.1,the lid\n") ==
         "identifier 1, IEC address 3, comment 4");
