@@ -101,6 +101,7 @@ constexpr std::array kTexts{
               {"a symbol configuration of CODESYS, which has no addresses", kCodesysAdvice}},
     Signature{"<SW.Blocks.", false, "", {"a block of TIA Portal (Openness XML)", kTiaAdvice}},
     Signature{"<SW.Types.", false, "", {"a data type of TIA Portal (Openness XML)", kTiaAdvice}},
+    Signature{"<LogFile titleName", false, "", {"a log of TIA Portal about an export or import", kTiaAdvice}},
     Signature{"<Hmi.", false, "", {"an HMI export of TIA Portal", kTiaAdvice}},
     Signature{"<TcSmProject",
               false,
@@ -157,7 +158,7 @@ std::optional<RecognizedFile> first_of(const std::array<Signature, N>& signature
 /// A line of a sequential symbol table of STEP 7 or STEP 5: TAB address TAB symbol TAB comment.
 bool is_seq(std::string_view text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
-  return line.size() > 3 && line.front() == '\t' && std::count(line.begin(), line.end(), '\t') == 3;
+  return line.size() > 3 && line[0] == '\t' && line[1] != '\t' && std::count(line.begin(), line.end(), '\t') == 3;
 }
 
 }  // namespace

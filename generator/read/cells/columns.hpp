@@ -58,7 +58,8 @@ struct NamedColumns {
 /// The columns that a row would name if it were a header, by words in the languages of the tools.
 NamedColumns named_columns(const CsvRow& row);
 
-/// The cell as it is compared with the words of headers: lower case, without blanks, dots, `-`, `_` and `/`.
+/// The cell as it is compared with the words of headers: lower case, without blanks, dots, `-`, `_` and `/`, and
+/// without a language or unit in brackets behind it: `Comment [en-US]`.
 std::string header_word(std::string_view cell);
 
 /// VAR, VAR_GLOBAL, VAR_GLOBAL_CONSTANT ...

@@ -73,6 +73,8 @@ struct Look {
            texts * 10 >= filled * 8 && !holds_addresses();
   }
   bool holds_types() const { return types > 0 && types * 10 >= filled * 8 && filled * 2 >= rows; }
+  /// `Type` is a header of other columns, too: DI and DO, or the kind of a sensor.
+  bool holds_other_kinds() const { return filled > 0 && types == 0; }
   double identifier_share() const {
     return filled == 0 ? 0 : static_cast<double>(identifiers) / static_cast<double>(filled);
   }
@@ -215,6 +217,9 @@ std::optional<Rivals> complete_by_content(const std::vector<CsvRow>& rows, Colum
     if (auto rivals = take(Field::name, looks, columns, [](const Look& look) { return look.holds_names(); }))
       return rivals;
   }
+  if (columns.has(Field::type) && columns[Field::type] < looks.size() &&
+      looks[columns[Field::type]].holds_other_kinds())
+    columns.set(Field::type, kNoColumn);
   if (!columns.has(Field::type)) {
     for (std::size_t i = 0; i < looks.size(); ++i) {
       if (!columns.has(Field::type) && !columns.holds(i) && looks[i].holds_types()) columns.set(Field::type, i);

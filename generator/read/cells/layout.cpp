@@ -65,6 +65,12 @@ LayoutSearch gx_search(std::string_view text, char delimiter) {
   return search;
 }
 
+Layout below_named(const CsvReader& reader, const CsvRow& row, char delimiter, const NamedColumns& named) {
+  Layout layout = below_header(reader, row, delimiter, named.columns);
+  layout.rivals = named.rivals;
+  return layout;
+}
+
 /// The first row that names identifiers or addresses and another column, and holds no address itself.
 std::optional<Layout> named_layout(std::string_view text, char delimiter, std::deque<std::string>& arena,
                                    std::optional<std::size_t>& unclosed) {
@@ -74,16 +80,14 @@ std::optional<Layout> named_layout(std::string_view text, char delimiter, std::d
     NamedColumns named = named_columns(row);
     const Columns& columns = named.columns;
     if (columns.count() < 2 || !(columns.has(Field::name) || columns.has_address())) continue;
-    Layout layout = below_header(reader, row, delimiter, columns);
-    layout.rivals = named.rivals;
-    return layout;
+    return below_named(reader, row, delimiter, named);
   }
   unclosed = reader.unclosed_quote();
   return std::nullopt;
 }
 
-/// A list without words of a header: from the first row with an address on. The row before it may be a header in words
-/// that are not known.
+/// A list without a known header: from the first row with an address on. The row before it may be a header of which at
+/// most one word is known.
 Layout headless(std::string_view text, char delimiter, std::deque<std::string>& arena) {
   Layout layout;
   layout.delimiter = delimiter;
@@ -95,7 +99,7 @@ Layout headless(std::string_view text, char delimiter, std::deque<std::string>& 
       layout.rows_line = row.line;
       return layout;
     }
-    if (row.cells.size() > 1) layout = below_header(reader, row, delimiter, {});
+    if (row.cells.size() > 1) layout = below_named(reader, row, delimiter, named_columns(row));
   }
   Layout none;
   none.delimiter = delimiter;

@@ -12,6 +12,7 @@
 #include "read/rules/text_after_quote.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/table_builder.hpp"
+#include "text/ascii.hpp"
 #include "text/formula.hpp"
 
 namespace symplant::read {
@@ -21,6 +22,13 @@ namespace {
 /// Fields whose cells are bounded.
 constexpr std::array kBounded{Field::klass,       Field::name, Field::vendor_address,
                               Field::iec_address, Field::type, Field::initial};
+
+/// Whether a cell holds the word of a tool for "empty": `<No Value>`, in the language of the tool.
+bool is_no_value(std::string_view cell, Field field) {
+  if (cell.size() < 3 || cell.front() != '<' || cell.back() != '>') return false;
+  if (field == Field::vendor_address || field == Field::iec_address || field == Field::initial) return true;
+  return field == Field::comment && text::equal_ignoring_case(cell, "<No Value>");
+}
 
 std::string_view delimiter_name(char delimiter) {
   switch (delimiter) {
@@ -86,6 +94,7 @@ class TableReading {
 
   std::string_view cell(const CsvRow& row, Field field) const {
     const std::string_view text = row.cell(layout_.columns[field]);
+    if (is_no_value(text, field)) return {};
     return kind_.is_protected ? text::unprotected(text) : text;
   }
 

@@ -128,7 +128,8 @@ std::size_t parse_l5k_declaration(std::string_view text, std::size_t at, L5kDecl
   const auto grammar = name[into(declaration.name)] >>
                        ((x3::lexeme["OF" >> &x3::standard::char_(" \t\r\n")] >> operand[into(declaration.target)]) |
                         (':' >> type[into(declaration.type)])) >>
-                       -('(' >> -(attribute % ',') >> ')') >> -(":=" >> L5kValueParser{}) >> ';';
+                       -('(' >> -(attribute % ',') >> ')') >>
+                       -(":=" >> (L5kValueParser{} % (',' >> x3::omit[name] >> ":="))) >> ';';
 
   const char* first = text.data() + at;
   declaration.valid =

@@ -90,6 +90,17 @@ TEST_CASE("An alias that leads to no tag is reported and kept") {
   CHECK(row_of(reading, "C").vendor_address == "Missing.3");
 }
 
+TEST_CASE("A tag of a project as text may have forced values behind its value") {
+  const test::Reading reading = test::read_text(
+      "IE_VER := 2.11;\nCONTROLLER Line (ProcessorType := \"1756-L61\")\n\tTAG\n"
+      "\t\tFrom : DINT[2] (Producer := \"PRESS\") := [7,0],\n\t\t\tTagForceData := [1,0,\n\t\t\t0,0];\n"
+      "\t\tNext : BOOL := 1, TagForceData := [0], Other := 'x;y';\n\tEND_TAG\nEND_CONTROLLER\n",
+      "line.L5K");
+  REQUIRE(reading.table);
+  CHECK(test::rows_as_text(*reading.table) == "|From|From||DINT[2]||\n|Next|Next||BOOL||\n");
+  CHECK(reading.diagnostics.all().empty());
+}
+
 TEST_CASE("A project as text and a list as CSV of the same tags give the same rows") {
   const test::Reading csv = read_tags(
       "ALIAS,,Gate,\"open$Nnow\",\"\",\"Local:1:I.Data.0\",\"\"\n"

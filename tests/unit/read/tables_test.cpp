@@ -40,7 +40,40 @@ TEST_CASE("Headers in the languages of the tools name the columns") {
   CHECK(columns_of("変数名,アドレス,データ型,コメント\nA,%IX0.0,BOOL,x\n") ==
         "identifier 1, IEC address 2, type 3, comment 4");
   CHECK(columns_of("名称,地址,数据类型,注释\nA,%I0.0,Bool,x\n") == "identifier 1, IEC address 2, type 3, comment 4");
+  CHECK(columns_of("Название,Адрес,Примечание\nA,%IX0.0,x\nB,%IX0.1,y\n") == "identifier 1, IEC address 2, comment 3");
+  CHECK(columns_of("Nome,Endereço,Tipo,Comentário\nA,%I0.0,Bool,x\n") ==
+        "identifier 1, IEC address 2, type 3, comment 4");
+  CHECK(columns_of("Nazwa;Adres;Typ;Komentarz\nA;%I0.0;Bool;x\n") == "identifier 1, IEC address 2, type 3, comment 4");
+  CHECK(columns_of("信号名称,IO地址,注释\n启动,X0,x\n") == "identifier 1, IEC address 2, comment 3");
   CHECK(columns_of("이름,주소,타입,설명\nA,%IX0.0,BOOL,x\n") == "identifier 1, IEC address 2, type 3, comment 4");
+}
+
+TEST_CASE("One known word of a header counts") {
+  CHECK(columns_of("Part;Our mark;Bemerkung\nbelt runs;E 0.0;contact\nbelt on;A 4.0;relay\n") ==
+        "identifier 1, vendor address 2, comment 3");
+  CHECK(columns_of("No;Symbol;Where;Why\n1;RUN;%I0.0;ready\n2;LAMP;%Q0.0;light\n") ==
+        "identifier 2, IEC address 3, comment 4");
+}
+
+TEST_CASE("A column `Type` without a type is not the column of types") {
+  CHECK(columns_of("Tag,Address,Type,Format\nDOOR,%I0.0,DI,Bool\nLAMP,%Q0.0,DO,Bool\n") ==
+        "identifier 1, IEC address 2, type 4, comment 3");
+  CHECK(columns_of("Tag,Address,Type\nDOOR,%I0.0,PART_DOOR\nLAMP,%Q0.0,Bool\n") ==
+        "identifier 1, IEC address 2, type 3");
+}
+
+TEST_CASE("A language or a unit in brackets behind the word of a header does not count") {
+  CHECK(columns_of("Name,Connection,Address,Comment [en-US]\nA,Link_1,%I0.0,the door\nB,Link_1,%I0.1,the lid\n") ==
+        "identifier 1, IEC address 3, comment 4");
+}
+
+TEST_CASE("A cell such as `<No Value>` is empty, except where it is a name") {
+  const test::Reading reading = test::read_text(
+      "Name,Address,Type,Start value,Comment\nA,%I0.0,Bool,<No Value>,<No Value>\n"
+      "B,<No Value>,Bool,1,<to the left>\n<C>,%Q0.0,Bool,0,lamp\n");
+  REQUIRE(reading.table);
+  CHECK(test::rows_as_text(*reading.table) == "|A|%I0.0||Bool||\n|B|||Bool|1|<to the left>\n|<C>|%Q0.0||Bool|0|lamp\n");
+  CHECK(reading.diagnostics.all().empty());
 }
 
 TEST_CASE("Without words of a header the cells decide: addresses, unique names, types, text") {
@@ -186,7 +219,11 @@ TEST_CASE("Files that are known and not read are named, with the export that is 
   CHECK(message("<?xml version='1.0'?><Symbolconfiguration xmlns='x'/>").starts_with("this is a symbol configuration"));
   CHECK(message("TABLE\n0,1\n\"EXCEL\"\nVECTORS\n0,4\n\"\"\n").starts_with("this is a table in data interchange"));
   CHECK(message("#LimitAlarmDefinitions;\n\"Name\";\n").starts_with("this is a configuration of MX OPC"));
+  CHECK(
+      message("<?xml version='1.0'?>\n<LogFile titleName='PLCTags.xml'/>").starts_with("this is a log of TIA Portal"));
   CHECK(message("<!DOCTYPE html>\n<html><body/></html>").starts_with("this is a web page"));
+  const test::Reading indented = test::read_text("\t\t\tCONNECTION Out (Rate := 5)\n", "part.L5K");
+  CHECK(first_message(indented).starts_with("this is no known symbol list"));
 }
 
 TEST_CASE("A code page is used where the words show it, and a warning says so where they are few") {
