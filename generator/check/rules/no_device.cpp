@@ -80,10 +80,13 @@ void check_no_device(const Rule& rule, const Subject& subject, diag::Diagnostics
     text +=
         fmt::format("{}{} {}", text.empty() ? "" : ", ", reason.count, reason.count == 1 ? reason.one : reason.several);
   }
-  diagnostics.add(rule.info,
-                  fmt::format("none of {} I/O symbol{} is in a device: {}; {} `{}`", plant.symbols.size(),
-                              plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice, plant.rule->pattern),
-                  location_of(plant, plant.symbols.front()));
+  diagnostics.add(
+      rule.info,
+      fmt::format(
+          "none of {} I/O symbol{} is in a device: {}; {} `{}`; until then the symbols are served, and nothing moves",
+          plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice,
+          plant.rule->pattern),
+      location_of(plant, plant.symbols.front()));
 }
 
 }  // namespace
