@@ -1,6 +1,5 @@
 // Aliases of Logix tags: chains, scopes, cycles, and what hostile lists cost.
 #include "read/rockwell/aliases.hpp"
-
 #include "support/catch.hpp"
 
 using symplant::read::AliasResolver;
