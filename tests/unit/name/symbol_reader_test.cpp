@@ -227,7 +227,7 @@ TEST_CASE("The built-in rule as a pattern reads names as its own parser does") {
     CHECK(general.task.text == strict.task);
     CHECK((general.side == Side::event) == (strict.direction == Direction::event));
   }
-  CHECK(followed > 100);
+  CHECK(followed > 50);
 }
 
 }  // namespace
