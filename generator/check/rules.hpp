@@ -52,6 +52,7 @@ extern const Rule kSequenceRepeated;           // SP412
 extern const Rule kOneTaskAlone;               // SP413
 extern const Rule kShapeLacksSymbol;           // SP414
 extern const Rule kNoDevice;                   // SP415
+extern const Rule kTasksLookParallel;          // SP416
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
@@ -115,6 +116,7 @@ inline constexpr std::array kRules{
     &kOneTaskAlone,
     &kShapeLacksSymbol,
     &kNoDevice,
+    &kTasksLookParallel,
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,
