@@ -13,7 +13,8 @@ void check_plant(const model::PlantModel& plant, const model::Evidence& evidence
   const DeviceClasses classes(plant);
   const OverruledNames overruled(plant);
   std::vector<WrittenCondition> conditions;
-  const Subject subject{plant, evidence, classes, overruled, conditions};
+  const std::vector<bool> named_otherwise = lists_named_otherwise(plant);
+  const Subject subject{plant, evidence, classes, overruled, conditions, named_otherwise};
   conditions = conditions_of(subject);
   for (const Rule* rule : kRules) {
     if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);

@@ -16,6 +16,7 @@ extern const Rule kEmptyLevel;                 // SP202
 extern const Rule kDirectionNotIo;             // SP203
 extern const Rule kIllegalCharacter;           // SP204
 extern const Rule kNameSlip;                   // SP205
+extern const Rule kNamedOtherwise;             // SP206
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -80,6 +81,7 @@ inline constexpr std::array kRules{
     &kDirectionNotIo,
     &kIllegalCharacter,
     &kNameSlip,
+    &kNamedOtherwise,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
@@ -140,6 +142,10 @@ inline constexpr std::array kRules{
 /// it is.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
+/// Whether a name has this fault, and needs a finding of its own.
+bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::NameFault fault);
+/// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
+std::vector<bool> lists_named_otherwise(const model::PlantModel& plant);
 /// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model
 /// of its device if the fault is behind the device's levels.
 diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol);
