@@ -39,6 +39,7 @@ struct Normalise {
   bool collapse = true;       ///< runs of blanks and line breaks become one blank
   std::string line_break;     ///< how the export writes a line break (`$N`); empty: only real ones
   std::uint32_t columns = 0;  ///< a comment is cut into columns of this width; 0: it is not
+  bool camel_case = false;    ///< a capital letter begins a word
   std::vector<Replacement> replace;
 };
 
@@ -135,7 +136,7 @@ struct NamedLink {
 struct Naming {
   std::string name;
   Normalise normalise;
-  std::string separators = "_";
+  std::string separators = " _";
   std::vector<std::string> ignore;  ///< patterns with `*` and `?` on the normalised text
   std::vector<SymbolRule> rules;
   std::vector<std::pair<Level, std::string>> fixed;  ///< line, process or device that no name carries

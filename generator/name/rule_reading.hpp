@@ -18,8 +18,9 @@ struct TaskReading {
   std::string_view index;      ///< digits that number the sensor; empty: none
   /// Equal for tasks that exclude each other: the canonical words, in which the word of a pair is the pair's first one.
   std::string_view group;
-  std::uint32_t pair = kNoPair;  ///< the pair of the vocabulary that its motion word is of
-  bool rest = false;             ///< its motion word is the pair's rest position
+  std::string_view numbered_group;  ///< `group` with the index of the sensor; equal to `group` without one
+  std::uint32_t pair = kNoPair;     ///< the pair of the vocabulary that its motion word is of
+  bool rest = false;                ///< its motion word is the pair's rest position
 };
 
 enum class Outcome : std::uint8_t {

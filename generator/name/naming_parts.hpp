@@ -1,0 +1,75 @@
+// The compiled parts of a naming rule.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "name/compiled_naming.hpp"
+#include "name/normaliser.hpp"
+#include "name/pattern.hpp"
+#include "name/prepared_text.hpp"
+#include "name/vocabulary.hpp"
+
+namespace re2 {
+class RE2;
+}
+
+namespace symplant::name {
+
+/// What a field of one rule may hold.
+class RuleFields : public FieldTest {
+ public:
+  RuleFields(const SymbolRule& rule, const Vocabulary& vocabulary);
+  ~RuleFields() override;
+  RuleFields(RuleFields&&) noexcept;
+
+  /// Adds the regular expression of a field; returns RE2's message if it is not valid, else an empty text.
+  std::string add_expression(Field field, std::string_view expression);
+  bool fits(Field field, const PreparedText& text, std::size_t begin, std::size_t end, bool known,
+            bool fused) const override;
+  /// The side that a word of the direction field or of the class field says.
+  std::optional<Side> direction_side(std::string_view shown, std::string_view folded, bool fused) const;
+  std::optional<Side> class_side(std::string_view folded) const;
+
+ private:
+  bool fits_direction(const PreparedText& text, std::size_t begin, std::size_t end, bool fused) const;
+  bool fits_known(const PreparedText& text, std::size_t begin, std::size_t end) const;
+
+  const Vocabulary* vocabulary_;
+  std::unordered_map<std::string, Side> directions_;         // as written
+  std::unordered_map<std::string, Side> folded_directions_;  // folded
+  std::unordered_map<std::string, Side> classes_;            // folded; empty: the vocabulary's
+  std::array<std::unique_ptr<re2::RE2>, kFields> expressions_;
+};
+
+struct CompiledPattern {
+  Source source;
+  Pattern pattern;
+};
+
+struct CompiledRule {
+  std::vector<CompiledPattern> patterns;
+  RuleFields fields;
+  Replacements replace;
+};
+
+struct CompiledNaming::Parts {
+  explicit Parts(const Naming& naming);
+
+  std::vector<NamingFault> faults;
+  Separators separators;
+  Vocabulary vocabulary;
+  Replacements replace;
+  std::vector<std::string> ignore;  ///< folded patterns with `*` and `?`
+  std::vector<CompiledRule> rules;
+  std::vector<std::vector<Pattern>> archetypes;  ///< by archetype, then by text
+  std::array<std::string, 3> fixed;              ///< line, process, device
+};
+
+}  // namespace symplant::name

@@ -1,0 +1,234 @@
+// Symbols read by rules of naming.json: patterns, directions, tasks.
+#include "name/symbol_reader.hpp"
+
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "name/name_parser.hpp"
+#include "support/catch.hpp"
+
+namespace symplant::name {
+namespace {
+
+std::unique_ptr<SymbolReader> reader_of(Naming naming) {
+  std::vector<NamingFault> faults;
+  auto compiled = CompiledNaming::compile(std::move(naming), faults);
+  for (const NamingFault& fault : faults) UNSCOPED_INFO(fault.pointer << ": " << fault.message);
+  REQUIRE(compiled != nullptr);
+  return std::make_unique<SymbolReader>(compiled);
+}
+
+SymbolRule rule_of(std::string pattern) {
+  SymbolRule rule;
+  rule.patterns.push_back({Source::name_then_comment, std::move(pattern)});
+  return rule;
+}
+
+Naming naming_of(std::string pattern) {
+  Naming naming;
+  naming.rules.push_back(rule_of(std::move(pattern)));
+  return naming;
+}
+
+/// "line|process|device|side|canonical task" of a name.
+std::string parts(const RuleReading& reading) {
+  if (reading.outcome == Outcome::no_rule) return "no rule";
+  if (reading.outcome == Outcome::ignored) return "ignored";
+  std::string side = "-";
+  if (reading.side) {
+    side = *reading.side == Side::event ? "event" : *reading.side == Side::operation ? "operation" : "internal";
+  }
+  return std::string(reading.line) + "|" + std::string(reading.process) + "|" + std::string(reading.device) + "|" +
+         side + "|" + std::string(reading.task.canonical);
+}
+
+std::string read(SymbolReader& reader, std::string_view name) { return parts(reader.read({name, {}, {}, {}})); }
+
+TEST_CASE("A field is one word, a field with dots any number, the last motion the task") {
+  const auto reader = reader_of(naming_of("{process}_{class}_{device...}_{task:known}"));
+  CHECK(read(*reader, "S205_SOL_CLAMP1_ADV") == "|S205|CLAMP1|operation|ADV");
+  CHECK(read(*reader, "S205_WRS_CLAMP1_ADV1") == "|S205|CLAMP1|event|ADV");
+  CHECK(read(*reader, "S205_SOL_1ST_CLAMP1_RET") == "|S205|1ST_CLAMP1|operation|RET");
+  CHECK(read(*reader, "S205_SOL_CLAMP1_WELD") == "no rule");
+  CHECK(read(*reader, "S205_ZZZ_CLAMP1_ADV") == "no rule");
+}
+
+TEST_CASE("The device may follow its task") {
+  const auto reader = reader_of(naming_of("{process}_{class}_{task:known}_{device...}"));
+  CHECK(read(*reader, "S301LH_SOL_ADV_LOCK_CLAMP") == "|S301LH|LOCK_CLAMP|operation|ADV");
+  CHECK(read(*reader, "S301LH_LS_ADV_LOCK_CLAMP1") == "|S301LH|LOCK_CLAMP1|event|ADV");
+}
+
+TEST_CASE("Runs of separators count as one, and those at the ends as none") {
+  const auto reader = reader_of(naming_of("{process}_{direction}_{device}_{task...}"));
+  CHECK(read(*reader, "S334_X_ RBT1  IN  OK _") == "|S334|RBT1|event|IN OK");
+}
+
+TEST_CASE("Groups hold alternatives, of several words and empty ones too") {
+  const auto reader = reader_of(naming_of("{process}(LH|RH|)_{device...}_(PB|PB_LAMP|SW)_{task}"));
+  CHECK(read(*reader, "S1LH_DESK_PB_START") == "|S1|DESK|-|START");
+  CHECK(read(*reader, "S1_DESK_PB_LAMP_START") == "|S1|DESK|-|START");
+  CHECK(read(*reader, "S1_DESK_KEY_START") == "no rule");
+}
+
+TEST_CASE("A fused direction is compared with its case, and is not the begin of a word") {
+  Naming naming = naming_of("{direction}{device}_{task...}");
+  naming.rules[0].fields.push_back({"direction", "", {{"i", Side::event}, {"q", Side::operation}}});
+  const auto reader = reader_of(naming);
+  CHECK(read(*reader, "iConv5_prdSens") == "||Conv5|event|prdSens");
+  CHECK(read(*reader, "qConv1_13Fwd") == "||Conv1|operation|13Fwd");
+  CHECK(read(*reader, "IConv5_prdSens") == "no rule");
+  CHECK(read(*reader, "indicator_on") == "no rule");
+}
+
+TEST_CASE("The address decides the side unless the evidence has another order") {
+  Naming naming = naming_of("{process}_{direction}_{device}_{task...}");
+  {
+    const auto reader = reader_of(naming);
+    const RuleReading reading = reader->read({"S1_I_RB1_ECHO", {}, {}, Side::operation});
+    CHECK(reading.side == Side::operation);
+    CHECK(reading.side_by == Evidence::address);
+    CHECK(reading.side_of_name == Side::event);
+  }
+  naming.direction.evidence = {Evidence::field, Evidence::address};
+  const auto reader = reader_of(naming);
+  CHECK(reader->read({"S1_I_RB1_ECHO", {}, {}, Side::operation}).side == Side::event);
+}
+
+TEST_CASE("A rule may take one field from the name and another from the comment") {
+  Naming naming;
+  SymbolRule rule;
+  rule.patterns = {{Source::name, "{device...}"}, {Source::comment, "{class}_{task:known}"}};
+  naming.rules.push_back(rule);
+  const auto reader = reader_of(naming);
+  CHECK(parts(reader->read({"KA12", "SOL ADV", {}, {}})) == "||KA12|operation|ADV");
+  CHECK(parts(reader->read({"KA12", "spare", {}, {}})) == "no rule");
+}
+
+TEST_CASE("The comment of a word stands before that of its bit") {
+  Naming naming;
+  SymbolRule rule;
+  rule.patterns = {{Source::parent_and_comment, "{process}_{device}_{task...}"}};
+  naming.rules.push_back(rule);
+  naming.normalise.line_break = "$N";
+  const auto reader = reader_of(naming);
+  CHECK(parts(reader->read({"I0", "PART$NOK", "S10 RB1", Side::event})) == "|S10|RB1|event|PART OK");
+}
+
+TEST_CASE("Affixes say the side only, and synonyms are one word") {
+  Naming naming = naming_of("{process}_{device}_{task...}");
+  naming.tasks.synonyms = {{"VOR", "ADV"}, {"IN POS", "POSITIONED"}};
+  naming.tasks.event_affixes = {"OKAY"};
+  const auto reader = reader_of(naming);
+  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::event})) == "|S1|A|event|ADV");
+  CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::operation})) == "|S1|A|operation|ADV OKAY");
+  CHECK(parts(reader->read({"S1_A_IN_POS", {}, {}, Side::event})) == "|S1|A|event|POSITIONED");
+}
+
+TEST_CASE("The number of a sensor is off the canonical task and kept apart") {
+  const auto reader = reader_of(naming_of("{process}_{device}_{task...}"));
+  const RuleReading event = reader->read({"S1_A_ADV2", {}, {}, Side::event});
+  CHECK(event.task.canonical == "ADV");
+  CHECK(event.task.index == "2");
+  const RuleReading operation = reader->read({"S1_A_RET", {}, {}, Side::operation});
+  CHECK(operation.task.group == event.task.group);
+  CHECK(operation.task.rest);
+  CHECK_FALSE(event.task.rest);
+  CHECK(reader->read({"S1_A_ADV_2", {}, {}, Side::event}).task.canonical == "ADV");
+}
+
+TEST_CASE("Words in Cyrillic are one device in any case") {
+  const auto reader = reader_of(naming_of("{device}_{task...}"));
+  CHECK(reader->read({"Захват_ADV", {}, {}, {}}).device_id == reader->read({"захват_RET", {}, {}, {}}).device_id);
+  CHECK(reader->read({"Стол_ADV", {}, {}, {}}).device_id != reader->read({"захват_RET", {}, {}, {}}).device_id);
+}
+
+TEST_CASE("Ignored symbols and fixed levels") {
+  Naming naming = naming_of("{device...}_{task}");
+  naming.ignore = {"SPARE*", "* SP"};
+  naming.fixed = {{Level::line, "BB"}};
+  const auto reader = reader_of(naming);
+  CHECK(read(*reader, "SPARE_12") == "ignored");
+  CHECK(read(*reader, "S10 DESK SP") == "ignored");
+  CHECK(read(*reader, "DESK_START") == "BB||DESK|-|START");
+  CHECK(reader->read({"DESK_START", {}, {}, {}}).path == "BB_DESK");
+}
+
+TEST_CASE("Faults of patterns and expressions have their JSON pointer and column") {
+  Naming naming = naming_of("{process}_{devise}");
+  naming.rules.push_back(rule_of("{device"));
+  naming.rules.push_back(rule_of("{device}"));
+  naming.rules[2].fields = {{"device", "RB[0-9", {}}, {"process", "S.*", {}}};
+  naming.normalise.replace = {{"(", ""}, {"a", "$3"}};
+  std::vector<NamingFault> faults;
+  CHECK(CompiledNaming::compile(std::move(naming), faults) == nullptr);
+  REQUIRE(faults.size() == 6);
+  CHECK(faults[0].pointer == "/normalise/replace/0");
+  CHECK(faults[1].pointer == "/normalise/replace/1");
+  CHECK(faults[2].pointer == "/rules/0/pattern");
+  CHECK(faults[2].column == 11);
+  CHECK(faults[3].message == "`{` without `}`; close the field, or write `\\{` for the character");
+  CHECK(faults[4].pointer == "/rules/2/fields/device");
+  CHECK(faults[5].pointer == "/rules/2/fields/process");
+}
+
+TEST_CASE("An archetype's text gives the text of its braces, which may be empty") {
+  Naming naming;
+  naming.archetypes.resize(1);
+  naming.archetypes[0].texts = {{ArchetypeRole::operation, "{x} ECHO"},
+                                {ArchetypeRole::event, "*AIR OK*|DOOR {x} CLOSED"},
+                                {ArchetypeRole::start, "INTERLOCK{x}"}};
+  std::vector<NamingFault> faults;
+  const auto compiled = CompiledNaming::compile(std::move(naming), faults);
+  REQUIRE(compiled != nullptr);
+  std::string x;
+  const ArchetypeText echo(*compiled, 0, 0);
+  CHECK((echo.matches("PART OK ECHO", x) && x == "part_ok"));
+  CHECK((echo.matches("ECHO", x) && x.empty()));
+  CHECK_FALSE(echo.matches("ECHO PART", x));
+  const ArchetypeText healthy(*compiled, 0, 1);
+  CHECK(healthy.matches("MAIN AIR OK 1", x));
+  CHECK((healthy.matches("door 2 closed", x) && x == "2"));
+  const ArchetypeText interlock(*compiled, 0, 2);
+  CHECK((interlock.matches("INTERLOCK3", x) && x == "3"));
+  CHECK((interlock.matches("INTERLOCK 3", x) && x == "3"));
+}
+
+TEST_CASE("The built-in rule as a pattern reads names as its own parser does") {
+  Naming naming = naming_of("{line}_{process}_{device}_{direction}_{task}");
+  naming.separators = "_";
+  naming.rules[0].fields = {{"direction", "", {{"I", Side::event}, {"O", Side::operation}}}};
+  for (const char* field : {"line", "process", "device", "task"}) {
+    naming.rules[0].fields.push_back({field, "[\\pL\\pN]+", {}});
+  }
+  naming.tasks.vocabulary = false;
+  const auto reader = reader_of(naming);
+  NameParser parser(built_in_rule());
+  std::mt19937 random(7);
+  const std::vector<std::string> pieces = {"A", "b1", "I", "o", "O", "WELD", "Ü", "로봇", "_", "_", "_", "-", "9"};
+  int followed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string name = std::to_string(i);
+    for (int k = 0; k < 9; ++k) name += k % 2 == 0 && random() % 4 != 0 ? "_" : pieces[random() % pieces.size()];
+    const NameReading strict = parser.parse(name);
+    const RuleReading general = reader->read({name, {}, {}, {}});
+    INFO(name);
+    if (strict.fault != NameFault::none) {
+      // Runs of separators and those at the ends are no faults under a rule.
+      CHECK((general.outcome == Outcome::no_rule || strict.fault == NameFault::empty_level));
+      continue;
+    }
+    ++followed;
+    REQUIRE(general.outcome == Outcome::read);
+    CHECK(general.path == strict.device_path);
+    CHECK(general.process == strict.process);
+    CHECK(general.task.text == strict.task);
+    CHECK((general.side == Side::event) == (strict.direction == Direction::event));
+  }
+  CHECK(followed > 50);
+}
+
+}  // namespace
+}  // namespace symplant::name
