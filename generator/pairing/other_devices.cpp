@@ -11,7 +11,7 @@ namespace symplant::pairing {
 
 NumberedDevices::NumberedDevices(const Work& work, const OperationGroups& groups) : work_(work), groups_(groups) {
   for (const OperationGroup& group : groups.all()) {
-    const std::uint32_t device = group.key.device;
+    const std::uint32_t device = group.device;
     const std::string_view name = work_.reading(work_.devices[device]).device;
     by_name_.find_or_add(hash_of(device, name), device,
                          [&](std::uint32_t known) { return is_at(known, device, name); });
@@ -28,7 +28,7 @@ bool NumberedDevices::is_at(std::uint32_t known, std::uint32_t device, std::stri
          text::equal_ignoring_case(work_.reading(work_.devices[known]).device, name);
 }
 
-std::uint32_t NumberedDevices::find(std::uint32_t event) const {
+std::uint32_t NumberedDevices::find(std::uint32_t event, const EventKinds& kinds) const {
   const std::uint32_t device = work_.device[event];
   std::string_view name = work_.reading(event).device;
   const std::size_t last = name.find_last_not_of("0123456789");
@@ -37,7 +37,7 @@ std::uint32_t NumberedDevices::find(std::uint32_t event) const {
   if (name.empty()) return kNone;
   const std::uint32_t found =
       by_name_.find(hash_of(device, name), [&](std::uint32_t known) { return is_at(known, device, name); });
-  return found == kNone ? kNone : groups_.find(found, event);
+  return found == kNone ? kNone : groups_.find(found, kinds);
 }
 
 FanOut::FanOut(const Work& work, const OperationGroups& groups) : work_(work), groups_(groups) {
@@ -75,7 +75,7 @@ void FanOut::count_words() {
 
 /// Enters a group under the rarest word of its device.
 void FanOut::add(std::uint32_t group) {
-  const GroupKey& key = groups_.all()[group].key;
+  const OperationGroup& key = groups_.all()[group];
   std::uint32_t rarest = kNone;
   for_each_word(work_.reading(work_.devices[key.device]).device, [&](std::string_view word) {
     const std::uint32_t index = find_word(key.device, word);
@@ -84,9 +84,9 @@ void FanOut::add(std::uint32_t group) {
   if (rarest == kNone) return;
   const auto next = static_cast<std::uint32_t>(entries_.size());
   entries_.push_back({group, rarest, kNone});
-  const std::uint32_t first = first_entry(rarest, key.group);
+  const std::uint32_t first = first_entry(rarest, key.kind);
   if (first == kNone) {
-    by_entry_.find_or_add(text::hash_ignoring_case(key.group) ^ (rarest * 0x9E37'79B9'7F4A'7C15U), next,
+    by_entry_.find_or_add(text::hash_ignoring_case(key.kind) ^ (rarest * 0x9E37'79B9'7F4A'7C15U), next,
                           [](std::uint32_t) { return false; });
   } else {
     entries_[next].next = entries_[first].next;
@@ -97,28 +97,32 @@ void FanOut::add(std::uint32_t group) {
 std::uint32_t FanOut::first_entry(std::uint32_t word, std::string_view kind) const {
   return by_entry_.find(text::hash_ignoring_case(kind) ^ (word * 0x9E37'79B9'7F4A'7C15U), [&](std::uint32_t known) {
     const Entry& entry = entries_[known];
-    return entry.word == word && text::equal_ignoring_case(groups_.all()[entry.group].key.group, kind);
+    return entry.word == word && groups_.all()[entry.group].kind == kind;
   });
 }
 
-std::uint32_t FanOut::find(std::uint32_t event) const {
-  if (entries_.empty()) return kNone;
-  const std::uint32_t device = work_.device[event];
-  const std::string_view name = work_.reading(event).device;
+std::uint32_t FanOut::find(std::uint32_t event, const EventKinds& kinds) const {
   std::uint32_t best = kNone;
+  for (const std::string_view kind : kinds) {
+    if (!entries_.empty() && best == kNone) find(event, kind, best);
+  }
+  return best;
+}
+
+void FanOut::find(std::uint32_t event, std::string_view kind, std::uint32_t& best) const {
+  const std::string_view name = work_.reading(event).device;
   std::size_t most = 0;
   for_each_word(name, [&](std::string_view word) {
-    const std::uint32_t index = find_word(device, word);
-    for (std::uint32_t e = first_entry(index, groups_.kind_of(event)); e != kNone; e = entries_[e].next) {
-      const GroupKey& key = groups_.all()[entries_[e].group].key;
-      const std::size_t words = count_contained(work_.reading(work_.devices[key.device]).device, name);
+    const std::uint32_t index = find_word(work_.device[event], word);
+    for (std::uint32_t e = first_entry(index, kind); e != kNone; e = entries_[e].next) {
+      const OperationGroup& group = groups_.all()[entries_[e].group];
+      const std::size_t words = count_contained(work_.reading(group.first).device, name);
       if (words == 0 || words < most) continue;
-      if (words == most && groups_.all()[entries_[e].group].first >= groups_.all()[best].first) continue;
+      if (words == most && group.first >= groups_.all()[best].first) continue;
       best = entries_[e].group;
       most = words;
     }
   });
-  return best == kNone ? kNone : groups_.find(groups_.all()[best].key.device, event);
 }
 
 }  // namespace symplant::pairing

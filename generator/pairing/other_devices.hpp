@@ -16,7 +16,7 @@ class NumberedDevices {
   NumberedDevices(const Work& work, const OperationGroups& groups);
 
   /// The group of the device without the digits at its end; kNone if there is none.
-  std::uint32_t find(std::uint32_t event) const;
+  std::uint32_t find(std::uint32_t event, const EventKinds& kinds) const;
 
  private:
   std::uint64_t hash_of(std::uint32_t device, std::string_view name) const;
@@ -33,7 +33,7 @@ class FanOut {
   FanOut(const Work& work, const OperationGroups& groups);
 
   /// The group of the device whose words the event's device contains, the most words first; kNone if there is none.
-  std::uint32_t find(std::uint32_t event) const;
+  std::uint32_t find(std::uint32_t event, const EventKinds& kinds) const;
 
  private:
   struct Word {
@@ -48,6 +48,7 @@ class FanOut {
     std::uint32_t next;  ///< of the same word and kind
   };
 
+  void find(std::uint32_t event, std::string_view kind, std::uint32_t& best) const;
   std::uint32_t find_word(std::uint32_t device, std::string_view word) const;
   std::uint64_t hash_of_word(std::uint32_t device, std::string_view word) const;
   void count_words();

@@ -40,17 +40,15 @@ class WordPairing {
         continue;
       }
       std::uint32_t& group = group_of_[i];
-      if (groups_.has_kind(work_.device[i], i)) {
-        group = groups_.find(work_.device[i], i);
-      } else {
-        if (work_.naming.tasks.sensor_index != name::SensorIndex::off) {
-          if (!numbered) numbered.emplace(work_, groups_);
-          group = numbered->find(i);
-        }
-        if (group == kNone) {
-          if (!fan_out) fan_out.emplace(work_, groups_);
-          group = fan_out->find(i);
-        }
+      const EventKinds kinds(work_, i);
+      group = groups_.find(work_.device[i], kinds);
+      if (group == kNone && work_.naming.tasks.sensor_index != name::SensorIndex::off) {
+        if (!numbered) numbered.emplace(work_, groups_);
+        group = numbered->find(i, kinds);
+      }
+      if (group == kNone) {
+        if (!fan_out) fan_out.emplace(work_, groups_);
+        group = fan_out->find(i, kinds);
       }
       if (group != kNone) groups_.at(group).linked = true;
     }
@@ -77,17 +75,34 @@ class WordPairing {
 
   void add_facet(std::span<const std::uint32_t> inputs) {
     const OperationGroup& group = groups_.all()[group_of_[inputs.front()]];
-    for (const std::uint32_t input : inputs) {
-      const name::TaskReading& task = work_.reading(input).task;
-      state_.assign(task.canonical).append(group.key.index);
-      std::replace(state_.begin(), state_.end(), ' ', '_');
-      builder_.add(input, state_, task.rest);
-    }
+    for (const std::uint32_t input : inputs)
+      builder_.add(input, state_of(input, inputs), work_.reading(input).task.rest);
     Facet facet = builder_.take(group.first, group.numbered);
     const name::RuleReading& reading = work_.reading(group.first);
     facet.path = reading.path;
     facet.device = reading.device;
-    work_.add(std::move(facet), group.key.device);
+    work_.add(std::move(facet), group.device);
+  }
+
+  /// An event reports the state that an operation of its position leads to: CLAMP is CLAMP1 where the operation is.
+  const std::string& state_of(std::uint32_t input, std::span<const std::uint32_t> inputs) {
+    const name::TaskReading& task = work_.reading(input).task;
+    std::string_view state = task.canonical;
+    std::string_view number;
+    if (!work_.is_operation(input) && task.pair != name::kNoPair) {
+      for (const std::uint32_t other : inputs) {
+        const name::TaskReading& of = work_.reading(other).task;
+        if (!work_.is_operation(other)) continue;
+        number = of.index;
+        if (of.rest != task.rest || (!task.rest && of.pair != task.pair)) continue;
+        state = of.canonical;
+        number = {};
+        break;
+      }
+    }
+    state_.assign(state).append(number);
+    std::replace(state_.begin(), state_.end(), ' ', '_');
+    return state_;
   }
 
   Work& work_;
