@@ -16,6 +16,8 @@ extern const Rule kEmptyLevel;                 // SP202
 extern const Rule kDirectionNotIo;             // SP203
 extern const Rule kIllegalCharacter;           // SP204
 extern const Rule kNameSlip;                   // SP205
+extern const Rule kPathAmbiguous;              // SP206
+extern const Rule kRoleTaken;                  // SP207
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -79,6 +81,8 @@ inline constexpr std::array kRules{
     &kDirectionNotIo,
     &kIllegalCharacter,
     &kNameSlip,
+    &kPathAmbiguous,
+    &kRoleTaken,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,

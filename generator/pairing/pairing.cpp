@@ -75,7 +75,19 @@ Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
 
 void Work::add(Facet facet, std::uint32_t of_device) {
   for (const Member& member : facet.members) result.accounts[member.input] = Account::paired;
+  if (of_device != kNone) {
+    const name::RuleReading& levels = reading(devices[of_device]);
+    facet.path = levels.path;
+    facet.line = levels.line;
+    facet.process = levels.process;
+    facet.device = levels.device;
+  }
   drafts.push_back({std::move(facet), of_device});
+}
+
+void Work::add(Facet facet, std::string_view path) {
+  facet.path = facet.device = path;
+  add(std::move(facet), kNone);
 }
 
 std::string joined_words(std::string_view text) {

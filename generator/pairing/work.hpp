@@ -24,8 +24,10 @@ struct Work {
   /// Whether no facet has the symbol yet, and one may take it.
   bool is_free(std::uint32_t input) const { return is_read(input) && result.accounts[input] == Account::unpaired; }
   bool is_operation(std::uint32_t input) const { return inputs[input].side == name::Side::operation; }
-  /// Adds a facet and accounts for its members.
+  /// Adds a facet of a device, and accounts for its members.
   void add(Facet facet, std::uint32_t of_device);
+  /// Adds a facet whose only name is that of a symbol that no rule reads.
+  void add(Facet facet, std::string_view path);
 
   const name::CompiledNaming& compiled;
   const name::Naming& naming;
