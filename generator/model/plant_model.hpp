@@ -182,8 +182,9 @@ struct PlantModel {
   std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;
-  std::vector<Symbol> symbols;  ///< I/O symbols, in the order of lists and in list order
-  std::vector<Unit> units;      ///< in the order of their first symbol
+  std::vector<std::string> naming_files;  ///< naming.json and its links; none with the built-in rule
+  std::vector<Symbol> symbols;            ///< I/O symbols, in the order of lists and in list order
+  std::vector<Unit> units;                ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
@@ -195,7 +196,7 @@ struct PlantModel {
   std::string list_names() const;  ///< of all lists, separated by commas
   /// The files of the lists, in their order.
   std::vector<const text::SourceFile*> sources() const;
-  /// All files of the plant: plant.json, if there is one, then the lists in their order.
+  /// All files of the plant: plant.json, if there is one, then the lists in their order, then those of the naming rule.
   std::vector<std::string> input_files() const;
 };
 
