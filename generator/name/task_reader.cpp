@@ -97,7 +97,7 @@ ReadTask read_task(const std::vector<std::string_view>& shown, const std::vector
   task.pair = motion.pair;
   task.rest = motion.rest;
   task.index = motion.index;
-  const bool counted = side == Side::event && rules.sensor_index != SensorIndex::off;
+  const bool counted = side == Side::event && rules.sensor_index != SensorIndex::off && !rules.sequence;
   const std::string canonical(motion.canonical);
   const std::string rest_word = text::folded(motion.rest_word);
   const std::string number(motion.index);

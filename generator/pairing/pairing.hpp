@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,16 +31,22 @@ struct Member {
 /// What made a facet.
 enum class FacetBy : std::uint8_t { links, archetype, words };
 
-/// The symbols of one unit.
+/// The symbols of one unit. Views point into readings and names of the inputs.
 struct Facet {
-  std::string path;    ///< of its device
-  std::string device;  ///< the device level
-  std::string name;    ///< after the path; empty: the facet has the device's name
+  std::string_view path;    ///< of its device
+  std::string_view device;  ///< the device level
+  std::string name;         ///< empty: the facet has the device's name
+  std::string full_path;    ///< `DEVICE.FACET`; empty if the facet has the device's name
   FacetBy by = FacetBy::words;
-  std::uint32_t archetype = 0;  ///< index in Naming::archetypes
-  std::vector<Member> members;  ///< in list order
-  /// What the rule says of its model. The user's description has priority, key by key.
-  description::DeviceDescription base;
+  bool numbered = false;            ///< its states are in the order of their sequence numbers
+  std::uint32_t archetype = 0;      ///< index in Naming::archetypes
+  std::vector<Member> members;      ///< in list order
+  std::vector<std::string> states;  ///< S in its order; empty if `numbered`
+  bool first_is_rest = false;       ///< the vocabulary or the archetype says that the first state is the rest position
+  /// What the rule says of its model; null if nothing. The user's description has priority, key by key.
+  std::shared_ptr<const description::DeviceDescription> base;
+
+  std::string_view unit_path() const { return full_path.empty() ? path : std::string_view(full_path); }
 };
 
 /// What a symbol is accounted for as.
@@ -63,10 +70,11 @@ struct Remark {
     role_taken,      ///< another symbol of its device has the same role of an archetype; it is left out
     link_unknown,    ///< a link names a symbol that does not exist, or is not I/O: `link` is its row
     link_side,       ///< a link names an operation as an event, or the reverse
+    link_repeated,   ///< a link names a symbol that an earlier link gives another state or device: `other` is its row
     path_ambiguous,  ///< another device has the same path with other levels
   } kind{};
   std::uint32_t input = 0;
-  std::uint32_t other = 0;  ///< an input
+  std::uint32_t other = 0;  ///< an input; of `link_repeated` a row of the links
   std::uint32_t link = 0;   ///< index in Naming::links
 };
 

@@ -9,6 +9,7 @@
 #include "read/rules/missing_column.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/rules/unknown_format.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::read {
 

@@ -1,13 +1,18 @@
-// Ready profiles: each loads, and reads a list in its style as the stored text says.
+// Ready profiles: each loads, and reads and pairs a list in its style as the stored text says.
 #include "naming/profiles.hpp"
 
 #include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/file_system.hpp"
 #include "name/symbol_reader.hpp"
 #include "naming/load.hpp"
+#include "naming/naming_file.hpp"
+#include "naming/naming_text.hpp"
+#include "pairing/pairing.hpp"
 #include "read/readers.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -44,25 +49,59 @@ std::optional<name::Side> side_of(std::string_view address) {
   return std::nullopt;
 }
 
-std::string_view side_text(const std::optional<name::Side>& side) {
-  if (!side) return "no side";
-  constexpr std::array<std::string_view, 3> kTexts{"operation", "event", "internal"};
-  return kTexts[static_cast<std::size_t>(*side)];
-}
+/// A list in the style of a profile, read by it and paired.
+class ReadList {
+ public:
+  ReadList(std::shared_ptr<const name::CompiledNaming> naming, const std::string& path)
+      : table_(table_of(path)), reader_(naming) {
+    for (const read::ListRow& row : table_.rows) {
+      const auto side = side_of(row.iec_address.empty() ? row.vendor_address : row.iec_address);
+      REQUIRE(side);
+      readings_.push_back(reader_.read({row.name, row.comment, table_.extra_of(row).parent_comment, side}));
+      inputs_.push_back({nullptr, row.name, *side, row.type == "BOOL"});
+    }
+    for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i].reading = &readings_[i];
+    pairing_ = pairing::pair(*naming, inputs_);
+    states_.resize(inputs_.size());
+    for (const pairing::Facet& facet : pairing_.facets) {
+      for (const pairing::Member& member : facet.members) {
+        states_[member.input] = std::string(facet.unit_path()) + " " + member.task;
+      }
+    }
+  }
 
-std::string_view role_text(name::Role role) {
-  constexpr std::array<std::string_view, 5> kTexts{"", ", operator", ", data", ", constant", ", none"};
-  return kTexts[static_cast<std::size_t>(role)];
-}
+  /// A line a symbol: "S415_SOL_CLAMP2_ADV | motion after the device | operation S415_CLAMP2 ADV".
+  std::string text() const {
+    std::string text;
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      const read::ListRow& row = table_.rows[i];
+      text += std::string(row.comment.empty() ? row.name : row.comment) + " | " + rule_of(readings_[i]) + " | " +
+              account_of(i) + "\n";
+    }
+    return text;
+  }
 
-/// "S415_CLAMP2: event of ADV, by motion after the device".
-std::string line_of(const name::RuleReading& reading, const name::Naming& naming) {
-  if (reading.outcome == name::Outcome::ignored) return "ignored";
-  if (reading.outcome == name::Outcome::no_rule) return "no rule";
-  return std::string(reading.path) + ": " + std::string(side_text(reading.side)) + " of " +
-         std::string(reading.task.canonical) + std::string(role_text(reading.role)) + ", by " +
-         naming.rules[reading.rule].name;
-}
+ private:
+  std::string rule_of(const name::RuleReading& reading) const {
+    if (reading.outcome == name::Outcome::ignored || reading.outcome == name::Outcome::no_rule) return "-";
+    return reader_.naming().naming().rules[reading.rule].name;
+  }
+
+  std::string account_of(std::size_t input) const {
+    constexpr std::array<std::string_view, pairing::kAccounts> kAccounts{
+        "", "constant", "operator", "data", "none", "unpaired", "ignored", "no rule", "no direction", "internal"};
+    const pairing::Account account = pairing_.accounts[input];
+    if (account != pairing::Account::paired) return std::string(kAccounts[static_cast<std::size_t>(account)]);
+    return (inputs_[input].side == name::Side::operation ? "operation " : "event ") + states_[input];
+  }
+
+  read::SymbolTable table_;
+  name::SymbolReader reader_;
+  std::vector<name::RuleReading> readings_;
+  std::vector<pairing::Input> inputs_;
+  pairing::Pairing pairing_;
+  std::vector<std::string> states_;
+};
 
 TEST_CASE("Every profile loads, has its file's name and a description") {
   const MemoryFileSystem no_files;
@@ -71,6 +110,19 @@ TEST_CASE("Every profile loads, has its file's name and a description") {
     CHECK(load("@" + std::string(profile.name), no_files)->rule->naming().name == profile.name);
     CHECK(profile.summary().size() > 20);
     CHECK(naming::find_profile(profile.name) == &profile);
+  }
+}
+
+TEST_CASE("A profile that is written as text reads as the same rule") {
+  const MemoryFileSystem no_files;
+  for (const naming::Profile& profile : naming::profiles()) {
+    INFO(profile.name);
+    const std::string text = naming::naming_text(load("@" + std::string(profile.name), no_files)->rule->naming());
+    const naming::NamingReading reading = naming::read_naming(text);
+    CHECK(reading.syntax.empty());
+    CHECK(reading.faults.empty());
+    REQUIRE(reading.naming);
+    CHECK(naming::naming_text(*reading.naming) == text);
   }
 }
 
@@ -85,23 +137,13 @@ TEST_CASE("Every file in the folder of the profiles is one") {
   CHECK(count == naming::profiles().size());
 }
 
-TEST_CASE("Every profile reads a list in its style as stored") {
+TEST_CASE("Every profile reads and pairs a list in its style as stored") {
   const MemoryFileSystem no_files;
   for (const naming::Profile& profile : naming::profiles()) {
     const std::string path = kFolder + std::string(profile.name);
     INFO(path);
     const auto loaded = load("@" + std::string(profile.name), no_files);
-    const read::SymbolTable table = table_of(path + ".csv");
-    name::SymbolReader reader(loaded->rule);
-    std::string text;
-    for (const read::ListRow& row : table.rows) {
-      const name::RuleReading reading =
-          reader.read({row.name, row.comment, table.extra_of(row).parent_comment,
-                       side_of(row.iec_address.empty() ? row.vendor_address : row.iec_address)});
-      text += std::string(row.comment.empty() ? row.name : row.comment) + " -> " +
-              line_of(reading, loaded->rule->naming()) + "\n";
-    }
-    check_golden(path + ".txt", text);
+    check_golden(path + ".txt", ReadList(loaded->rule, path + ".csv").text());
   }
 }
 

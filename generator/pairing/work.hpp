@@ -1,0 +1,54 @@
+// The symbols of a pairing, and the facets found so far.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pairing/pairing.hpp"
+
+namespace symplant::pairing {
+
+inline constexpr std::uint32_t kNone = UINT32_MAX;
+
+struct Draft {
+  Facet facet;
+  std::uint32_t device = kNone;  ///< index of its device
+};
+
+struct Work {
+  Work(const name::CompiledNaming& of, std::span<const Input> symbols);
+
+  const name::RuleReading& reading(std::uint32_t input) const { return *inputs[input].reading; }
+  bool is_read(std::uint32_t input) const { return device[input] != kNone; }
+  /// Whether no facet has the symbol yet, and one may take it.
+  bool is_free(std::uint32_t input) const { return is_read(input) && result.accounts[input] == Account::unpaired; }
+  bool is_operation(std::uint32_t input) const { return inputs[input].side == name::Side::operation; }
+  /// Adds a facet and accounts for its members.
+  void add(Facet facet, std::uint32_t of_device);
+
+  const name::CompiledNaming& compiled;
+  const name::Naming& naming;
+  std::span<const Input> inputs;
+  std::vector<std::uint32_t>
+      device;  ///< of each input, by controller and levels; kNone if no rule reads it, or without a device
+  std::vector<std::uint32_t> devices;  ///< the first input of each device
+  std::vector<Draft> drafts;
+  Pairing result;
+};
+
+/// Joins symbols by the rows of Naming::links.
+void pair_by_links(Work& work);
+/// Accounts for numbers that are spread over bits, and for symbols of one text.
+void set_data_aside(Work& work);
+/// Joins symbols by archetypes, and accounts for constants.
+void pair_by_archetypes(Work& work);
+/// Joins symbols by their tasks.
+void pair_by_words(Work& work);
+/// Names the facets, sorts them, and looks for paths of several devices.
+void finish(Work& work);
+
+/// Blanks become `_`.
+std::string joined_words(std::string_view text);
+
+}  // namespace symplant::pairing
