@@ -75,8 +75,8 @@ class ReadList {
     std::string text;
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const read::ListRow& row = table_.rows[i];
-      text += std::string(row.comment.empty() ? row.name : row.comment) + " | " + rule_of(readings_[i]) + " | " +
-              account_of(i) + "\n";
+      text += std::string(row.name) + (row.comment.empty() ? "" : " (" + std::string(row.comment) + ")") + " | " +
+              rule_of(readings_[i]) + " | " + account_of(i) + "\n";
     }
     return text;
   }
@@ -135,6 +135,14 @@ TEST_CASE("Every file in the folder of the profiles is one") {
     ++count;
   }
   CHECK(count == naming::profiles().size());
+}
+
+TEST_CASE("The example of the manual is paired as the manual says") {
+  const std::string folder = std::string(SYMPLANT_SOURCE_DIR) + "/examples/naming/";
+  MemoryFileSystem files;
+  files.files["naming.json"] = read_bytes(folder + "naming.json");
+  const ReadList list(load("naming.json", files)->rule, folder + "side-line.csv");
+  check_golden(kFolder + "example.txt", list.text());
 }
 
 TEST_CASE("Every profile reads and pairs a list in its style as stored") {
