@@ -2,7 +2,6 @@
 #include "infer/evaluate.hpp"
 
 namespace symplant::infer {
-namespace {
 
 Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples) {
   Score score;
@@ -15,8 +14,6 @@ Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples)
   }
   return score;
 }
-
-}  // namespace
 
 Applied apply(std::shared_ptr<const name::CompiledNaming> naming, std::span<const Sample> samples) {
   Applied applied;

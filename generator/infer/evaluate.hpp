@@ -38,6 +38,8 @@ struct Score {
   }
 };
 
+Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples);
+
 /// A rule applied to samples.
 struct Applied {
   std::unique_ptr<name::SymbolReader> reader;  ///< keeps the texts of the readings
