@@ -102,6 +102,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
     diagnostics = findings::select(diagnostics, options.selection);
+    diagnostics.sort_by_location();
     return std::nullopt;
   }
   progress.stage("parsing names");
@@ -109,6 +110,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   progress.stage("deriving models");
   model::Derived named = model::derive(std::exchange(lists, {}), inputs->name);  // symbols have copies of the readings
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
+  if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();
   const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));
   progress.stage("lowering");
