@@ -23,11 +23,15 @@ std::string text_of(const Sample& sample, name::Source source) {
 std::vector<SampleWords> words_of(std::span<const Sample> samples, name::Source source, const name::Naming& naming,
                                   const name::Vocabulary& vocabulary) {
   const name::Separators separators(naming.separators);
+  std::vector<std::pair<std::size_t, std::string>> faults;
+  const name::Replacements replacements(naming.normalise.replace, faults);
   name::PreparedText text;
   std::vector<SampleWords> all;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     if (!samples[i].boolean) continue;
-    text.prepare(name::normalised(text_of(samples[i], source), naming.normalise, vocabulary, separators), separators);
+    std::string normal = name::normalised(text_of(samples[i], source), naming.normalise, vocabulary, separators);
+    replacements.apply(normal);
+    text.prepare(normal, separators);
     if (text.words().empty()) continue;
     SampleWords& words = all.emplace_back();
     words.sample = i;

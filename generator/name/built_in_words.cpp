@@ -98,6 +98,7 @@ constexpr auto kSynonyms = std::to_array<BuiltInWords::Synonym>({{"back", "RET"}
                                                                  {"unclamped", "UNCLAMP"},
                                                                  {"unclmp", "UNCLAMP"},
                                                                  {"언클램프", "UNCLAMP"},
+                                                                 {"클램프", "CLAMP"},
                                                                  {"アンクランプ", "UNCLAMP"},
                                                                  {"lösen", "UNCLAMP"},
                                                                  {"loesen", "UNCLAMP"},
@@ -283,13 +284,34 @@ constexpr auto kInterlock = std::to_array<std::string_view>(
      "permission", "allow", "ready in",       "in ok",  "non intf", "간섭무",       "간섭",       "인터록",
      "작업가능",   "가능",  "インターロック", "干渉",   "freigabe", "verriegelung", "разрешение", "блокировка"});
 
+constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
+                                                             {"sel", "echo"},
+                                                             {"start", "running"},
+                                                             {"start", "runing"},
+                                                             {"start", "run"},
+                                                             {"동작", "동작감시"},
+                                                             {"기동", "기동중"},
+                                                             {"기동", "운전중"},
+                                                             {"起動", "運転中"},
+                                                             {"start", "läuft"},
+                                                             {"управление", "обратная связь"},
+                                                             {"команда", "обратная связь"},
+                                                             {"запуск", "работа"},
+                                                             {"cmd", "fb"},
+                                                             {"command", "feedback"},
+                                                             {"output", "feedback"},
+                                                             {"req", "ack"},
+                                                             {"request", "ack"},
+                                                             {"on", "on fb"},
+                                                             {"прг", "echo"}});
+
 }  // namespace
 
 const BuiltInWords& built_in_words() {
-  static constexpr BuiltInWords kWords{kPairs,        kSynonyms, kFusedMotions, kOperationAffixes,
-                                       kEventAffixes, kClasses,  kPanel,        kAlarm,
-                                       kData,         kSpare,    kHealthy,      kEcho,
-                                       kStart,        kDone,     kReset,        kInterlock};
+  static constexpr BuiltInWords kWords{
+      kPairs, kSynonyms,  kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel,
+      kAlarm, kData,      kSpare,        kHealthy,          kEcho,         kStart,   kDone,
+      kReset, kInterlock, kCauses};
   return kWords;
 }
 

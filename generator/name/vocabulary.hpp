@@ -31,6 +31,10 @@ struct BuiltInWords {
     std::string_view word;
     Side side;
   };
+  struct Cause {
+    std::string_view operation;  ///< words, separated by blanks
+    std::string_view event;
+  };
   std::span<const Pair> pairs;
   std::span<const Synonym> synonyms;
   std::span<const std::string_view> fused_motions;  ///< motions that follow another word without a blank
@@ -47,6 +51,7 @@ struct BuiltInWords {
   std::span<const std::string_view> done;     ///< that work is done
   std::span<const std::string_view> reset;
   std::span<const std::string_view> interlock;  ///< of permissions between machines
+  std::span<const Cause> causes;                ///< words of an operation and of the event that it causes
 };
 const BuiltInWords& built_in_words();
 
