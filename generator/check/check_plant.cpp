@@ -1,6 +1,8 @@
 // Checks a plant model by every rule.
 #include "check/check_plant.hpp"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "check/reachability/conditions.hpp"
@@ -8,6 +10,18 @@
 #include "check/spelling/device_classes.hpp"
 
 namespace symplant::check {
+namespace {
+
+/// Whether a rule presumes names of five levels whose tasks are states.
+bool is_of_built_in_names(const Rule* rule) {
+  constexpr std::array kOfBuiltInNames{
+      &kWrongNumberOfLevels, &kEmptyLevel,       &kDirectionNotIo, &kIllegalCharacter, &kNameSlip,
+      &kTwoWordsOneState,    &kTaskClaimedTwice, &kOneTaskAlone,   &kShapeLacksSymbol,
+  };
+  return std::find(kOfBuiltInNames.begin(), kOfBuiltInNames.end(), rule) != kOfBuiltInNames.end();
+}
+
+}  // namespace
 
 void check_plant(const model::PlantModel& plant, const model::Evidence& evidence, diag::Diagnostics& diagnostics) {
   const DeviceClasses classes(plant);
@@ -17,6 +31,7 @@ void check_plant(const model::PlantModel& plant, const model::Evidence& evidence
   const Subject subject{plant, evidence, classes, overruled, conditions, named_otherwise};
   conditions = conditions_of(subject);
   for (const Rule* rule : kRules) {
+    if (plant.pairing != nullptr && is_of_built_in_names(rule)) continue;
     if (rule->check != nullptr) rule->check(*rule, subject, diagnostics);
   }
 }

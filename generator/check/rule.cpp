@@ -27,7 +27,8 @@ diag::Location location_of(diag::Location fallback, const description::Pointer& 
 
 diag::Location described_location(const model::PlantModel& plant, const model::Unit& unit,
                                   const description::Pointer& pointer) {
-  return location_of(location_of(plant, first_symbol_of(plant, unit)), pointer);
+  const diag::Location fallback = location_of(plant, first_symbol_of(plant, unit));
+  return unit.described->by_naming ? fallback : location_of(fallback, pointer);
 }
 
 description::Pointer transition_pointer(const model::Unit& unit, const model::Transition& transition,
@@ -39,7 +40,7 @@ description::Pointer transition_pointer(const model::Unit& unit, const model::Tr
 
 description::Pointer entry_pointer(const model::Unit& unit) {
   for (const description::DeviceDescription* entry : unit.described->from) {
-    if (entry != nullptr) return description::device_pointer(*entry);
+    if (entry != nullptr && !entry->by_naming) return description::device_pointer(*entry);
   }
   return description::device_pointer(*unit.described);
 }

@@ -25,7 +25,7 @@ struct Subject {
   const DeviceClasses& classes;
   const OverruledNames& overruled;
   const std::vector<WrittenCondition>& conditions;  ///< of the description
-  const std::vector<bool>& named_otherwise;         ///< for each list: SP206 or SP415 reports all its names at once
+  const std::vector<bool>& named_otherwise;         ///< for each list: SP208 or SP415 reports all its names at once
 };
 
 struct Rule {

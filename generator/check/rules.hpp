@@ -16,7 +16,9 @@ extern const Rule kEmptyLevel;                 // SP202
 extern const Rule kDirectionNotIo;             // SP203
 extern const Rule kIllegalCharacter;           // SP204
 extern const Rule kNameSlip;                   // SP205
-extern const Rule kNamedOtherwise;             // SP206
+extern const Rule kPathAmbiguous;              // SP206
+extern const Rule kRoleTaken;                  // SP207
+extern const Rule kNamedOtherwise;             // SP208
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -81,6 +83,8 @@ inline constexpr std::array kRules{
     &kDirectionNotIo,
     &kIllegalCharacter,
     &kNameSlip,
+    &kPathAmbiguous,
+    &kRoleTaken,
     &kNamedOtherwise,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,

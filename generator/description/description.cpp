@@ -1,6 +1,8 @@
 // Names of the keys of a device's entry.
 #include "description/description.hpp"
 
+#include "text/pattern.hpp"
+
 namespace symplant::description {
 
 std::string_view actuation_name(tables::Actuation actuation) {
@@ -51,6 +53,11 @@ bool DeviceDescription::gives(DeviceKey key) const {
       return !inputs.empty();
   }
   return false;
+}
+
+bool DeviceDescription::matches(std::string_view unit_path, std::string_view device_path) const {
+  return text::matches_pattern(unit_path, path) ||
+         (device_path.size() != unit_path.size() && text::matches_pattern(device_path, path));
 }
 
 void DeviceDescription::take(DeviceKey key, const DeviceDescription& other) {

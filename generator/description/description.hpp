@@ -91,6 +91,9 @@ struct DeviceDescription {
   std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
 
+  bool by_naming = false;      ///< the naming rule gives it, not plant.json
+  bool covers_facets = false;  ///< it names a device with several facets, and is for all of them
+
   /// Keys that are given, even with the default value (`"only": false`, an empty array).
   std::bitset<kDeviceKeys> given;
   /// For a pattern: the value of each key as JSON text, by DeviceKey. Two equally specific patterns must agree in it.
@@ -98,7 +101,10 @@ struct DeviceDescription {
   /// For a joined description: the entry that gives each key; null: this one.
   std::array<const DeviceDescription*, kDeviceKeys> from{};
 
-  bool is_pattern() const { return path.find_first_of("*?") != std::string::npos; }
+  /// Whether it is for several units, which may lack what it names.
+  bool is_pattern() const { return covers_facets || path.find_first_of("*?") != std::string::npos; }
+  /// Whether it is for a unit; a device with several units has another path than they.
+  bool matches(std::string_view unit_path, std::string_view device_path) const;
   bool gives(DeviceKey key) const;
   /// Copies a key from another entry, which must outlive this one.
   void take(DeviceKey key, const DeviceDescription& other);

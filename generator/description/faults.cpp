@@ -26,6 +26,7 @@ std::string_view named_text(Named what) {
 }
 
 Pointer Pointer::grown(const Step& step) const {
+  if (fixed_) return *this;
   Pointer grown = *this;
   if (count_ == steps_.size()) {
     grown.begin_ = text();
@@ -48,6 +49,11 @@ Pointer device_pointer(const DeviceDescription& device) { return Pointer("/devic
 
 Pointer key_pointer(const DeviceDescription& device, DeviceKey key) {
   const DeviceDescription& entry = device.entry_of(key);
+  if (entry.by_naming) {  // the user's entry contradicts it
+    Pointer pointer = device_pointer(device);
+    pointer.fixed_ = true;
+    return pointer;
+  }
   Pointer pointer = device_pointer(entry) / device_key_name(key);
   if (entry.is_pattern()) pointer.pattern_ = &entry;
   pointer.key_ = key;
@@ -72,7 +78,7 @@ void Faults::describes(const DeviceDescription& described) {
     const auto key = static_cast<DeviceKey>(k);
     if (!described.gives(key)) continue;
     const DeviceDescription& entry = described.entry_of(key);
-    if (entry.is_pattern()) ++takers_[&entry][k];
+    if (entry.is_pattern() && !entry.by_naming) ++takers_[&entry][k];
   }
 }
 

@@ -53,11 +53,12 @@ class Pointer {
   std::size_t count_ = 0;
   const DeviceDescription* pattern_ = nullptr;
   DeviceKey key_{};
+  bool fixed_ = false;  ///< it is not extended
 };
 
 /// "/devices/L_P_D"; for a joined description its most specific entry.
 Pointer device_pointer(const DeviceDescription& device);
-/// "/devices/L_P_*/transitions": in the entry that gives the key.
+/// "/devices/L_P_*/transitions": in the entry that gives the key. Of a key that the naming rule gives, the device's.
 Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
 
 /// The kind of thing that a name in the entry of a device refers to.

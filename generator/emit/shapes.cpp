@@ -18,6 +18,9 @@ std::string key_of(const model::Unit& unit) {
     key += text::to_upper(state.name) + (state.operation != model::kNone ? "\nO" : "\n-") +
            (state.event != model::kNone ? "I\n" : "-\n");
   }
+  if (unit.facet != nullptr && unit.facet->by == pairing::FacetBy::archetype) {
+    key += std::to_string(unit.facet->archetype) + "\n";
+  }
   key += std::string(description::actuation_name(unit.actuation)) + "\n" + std::to_string(unit.rest) + "\n" +
          std::to_string(unit.initial) + "\n" + std::to_string(static_cast<int>(unit.initial_from));
   return key;
@@ -28,6 +31,9 @@ std::string_view kind_of(const model::Unit& unit) {
   const std::size_t last = unit.device.find_last_not_of("0123456789");
   return unit.device.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
+
+/// The end of the path with the facet's name; empty if it has none.
+std::string_view facet_of(const model::Unit& unit) { return unit.path.substr(unit.device_path().size()); }
 
 /// If a shape has more kinds than this, the names do not express kinds: each device has an individual name.
 constexpr std::size_t kMostKinds = 8;
@@ -74,14 +80,17 @@ class Namer {
   /// `BODY_*_CLAMP?`: the common part of line and process, then the kind. Empty if the devices are of several kinds.
   std::string by_levels(const std::vector<std::uint32_t>& units) const {
     const model::Unit& first = plant_.units[units.front()];
-    std::string_view index = first.path.substr(0, first.path.size() - first.device.size());  // with its `_`
+    std::string_view index = first.device_path();  // line and process, with their `_`
+    index.remove_suffix(first.device.size());
+    const std::string_view facet = facet_of(first);
     bool one_index = true;
     bool one_name = true;
     bool one_digit = true;
     for (const std::uint32_t u : units) {
       const model::Unit& unit = plant_.units[u];
       if (!text::equal_ignoring_case(kind_of(unit), kind_of(first))) return {};
-      const std::size_t shorter = std::min(index.size(), unit.path.size() - unit.device.size());
+      if (!text::equal_ignoring_case(facet_of(unit), facet)) return {};
+      const std::size_t shorter = std::min(index.size(), unit.device_path().size() - unit.device.size());
       std::size_t same = 0;
       while (same < shorter && text::upper(index[same]) == text::upper(unit.path[same])) ++same;
       one_index = one_index && same == index.size();
@@ -93,7 +102,8 @@ class Namer {
       index.remove_suffix(1);  // within a character, perhaps
     }
     return std::string(index) + (one_index ? "" : "*_") +
-           (one_name ? std::string(first.device) : std::string(kind_of(first)) + (one_digit ? "?" : "*"));
+           (one_name ? std::string(first.device) : std::string(kind_of(first)) + (one_digit ? "?" : "*")) +
+           std::string(facet);
   }
 
   /// The common prefix of all paths, a `*` and, if `with_end` is set, the common suffix.

@@ -190,6 +190,11 @@ class Skeleton {
     if (!hint.empty()) line("    // Worth giving: " + hint);
     line("    " + json_text(shape.pattern) + ": {");
     line("      // \"initial\": " + json_text(unit.states[unit.initial].name) + ",");
+    if (unit.facet != nullptr && unit.facet->by == pairing::FacetBy::archetype) {
+      line("      \"only\": true  // the transitions are those of the archetype");
+      line(last ? "    }" : "    },");
+      return;
+    }
     line("      // \"actuation\": " + json_text(description::actuation_name(unit.actuation)) + ",");
     if (unit.actuation == tables::Actuation::spring) {
       line("      // \"rest\": " + json_text(unit.states[unit.rest].name) + ",");

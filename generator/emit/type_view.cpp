@@ -206,6 +206,15 @@ std::string without_digits(std::string_view device) {
   return word.empty() ? "Type" : word;
 }
 
+/// The device level, and the archetype of the facet: `RBT_Work`.
+std::string class_stem(const model::Unit& unit, const model::PlantModel& plant) {
+  std::string stem = without_digits(unit.device);
+  if (unit.facet == nullptr || unit.facet->by != pairing::FacetBy::archetype) return stem;
+  std::string archetype = plant.reader->naming().naming().archetypes[unit.facet->archetype].name;
+  if (!archetype.empty()) archetype.front() = text::upper(archetype.front());
+  return stem.append("_").append(archetype);
+}
+
 }  // namespace
 
 std::vector<View> device_lines(const std::vector<std::uint32_t>& units, const model::PlantModel& plant) {
@@ -244,7 +253,7 @@ std::vector<std::string> class_names(const lower::EngineTables& tables, const mo
     const model::Unit& unit = plant.units[tables.types[i].example];
     const bool given = unit.described != nullptr && !unit.described->type.empty();
     wanted[i].source = !given ? Source::device : unit.has_behaviour() ? Source::derived_from : Source::given;
-    wanted[i].name = given ? unit.described->type : without_digits(plant.units[wanted[i].unit].device);
+    wanted[i].name = given ? unit.described->type : class_stem(plant.units[wanted[i].unit], plant);
     wanted[i].type = i;
     for (const std::uint32_t symbol : unit.operations) {
       wanted[i].tasks.push_back("O_" + text::to_upper(plant.symbols[symbol].reading.task));

@@ -88,6 +88,58 @@ struct RadixVotes {
   }
 };
 
+/// A direction and what says it.
+struct Named {
+  tables::Direction direction;
+  DirectionBy by;
+};
+
+tables::Direction direction_of(const address::Address& address) {
+  return address.area == address::Area::output ? tables::Direction::operation : tables::Direction::event;
+}
+tables::Direction direction_of(name::Direction direction) {
+  return direction == name::Direction::operation ? tables::Direction::operation : tables::Direction::event;
+}
+tables::Direction direction_of(name::Side side) {
+  return side == name::Side::operation ? tables::Direction::operation : tables::Direction::event;
+}
+
+std::variant<Symbol, InternalReason> classified(const read::ListRow& row, const RowAddress& address,
+                                                const std::optional<Named>& named) {
+  if (row.klass.size() >= 8 && text::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
+    return InternalReason::constant;
+  }
+  if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
+
+  std::optional<DataType> type = data_type(row.type);
+  if (row.type.empty()) {
+    const auto size = address.address ? address.address->size : address::Size::bit;
+    type = size == address::Size::bit     ? DataType::boolean
+           : size == address::Size::byte  ? DataType::byte
+           : size == address::Size::word  ? DataType::word
+           : size == address::Size::dword ? DataType::dword
+                                          : DataType::lword;
+  }
+  if (!type) return InternalReason::type;
+
+  Symbol symbol{};
+  symbol.row = &row;
+  symbol.type = *type;
+  symbol.address = address.address;
+  if (symbol.address && !symbol.address->sized)
+    symbol.address->size = static_cast<address::Size>(data_type_bits(*type));
+  symbol.address_cell = address.cell;
+  symbol.unit = kNone;
+  symbol.leader = kNone;
+  if (!named) return InternalReason::no_direction;
+  symbol.direction = named->direction;
+  symbol.direction_by = named->by;
+  const auto initial = initial_value(row.initial, *type);
+  symbol.initial_known = initial.has_value();
+  symbol.initial = initial.value_or(0);
+  return symbol;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> initial_value(std::string_view text, DataType type) {
@@ -138,46 +190,33 @@ RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect
 
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
                                               const RowAddress& address) {
-  if (row.klass.size() >= 8 && text::to_upper(row.klass).find("CONSTANT") != std::string::npos) {
-    return InternalReason::constant;
-  }
-  if (address.address && address.address->area == address::Area::memory) return InternalReason::memory;
-
-  std::optional<DataType> type = data_type(row.type);
-  if (row.type.empty()) {
-    const auto size = address.address ? address.address->size : address::Size::bit;
-    type = size == address::Size::bit     ? DataType::boolean
-           : size == address::Size::byte  ? DataType::byte
-           : size == address::Size::word  ? DataType::word
-           : size == address::Size::dword ? DataType::dword
-                                          : DataType::lword;
-  }
-  if (!type) return InternalReason::type;
-
-  Symbol symbol{};
-  symbol.row = &row;
-  symbol.reading = reading;
-  symbol.type = *type;
-  symbol.address = address.address;
-  if (symbol.address && !symbol.address->sized)
-    symbol.address->size = static_cast<address::Size>(data_type_bits(*type));
-  symbol.address_cell = address.cell;
-  symbol.unit = kNone;
-  symbol.leader = kNone;
+  std::optional<Named> named;
   if (address.address) {
-    symbol.direction =
-        address.address->area == address::Area::output ? tables::Direction::operation : tables::Direction::event;
-    symbol.direction_by = DirectionBy::address;
+    named = Named{direction_of(*address.address), DirectionBy::address};
   } else if (reading.fault == name::NameFault::none) {
-    symbol.direction =
-        reading.direction == name::Direction::operation ? tables::Direction::operation : tables::Direction::event;
-  } else {
-    return InternalReason::no_direction;
+    named = Named{direction_of(reading.direction), DirectionBy::name};
   }
-  const auto initial = initial_value(row.initial, *type);
-  symbol.initial_known = initial.has_value();
-  symbol.initial = initial.value_or(0);
-  return symbol;
+  auto result = classified(row, address, named);
+  if (auto* symbol = std::get_if<Symbol>(&result)) symbol->reading = reading;
+  return result;
+}
+
+std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
+                                              const RowAddress& address) {
+  std::optional<Named> named;
+  if (reading.outcome == name::Outcome::read) {
+    const bool by_address = reading.side_by == name::Evidence::address && address.address;
+    named = Named{direction_of(*reading.side), by_address ? DirectionBy::address : DirectionBy::name};
+  } else if (address.address) {
+    named = Named{direction_of(*address.address), DirectionBy::address};
+  }
+  auto result = classified(row, address, named);
+  if (auto* symbol = std::get_if<Symbol>(&result)) {
+    symbol->reading.fault = name::NameFault::not_linked;
+    const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
+    symbol->reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
+  }
+  return result;
 }
 
 RadixChoice choose_radix(std::span<const read::SymbolTable* const> tables, std::optional<address::Radix> forced) {

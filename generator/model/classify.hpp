@@ -31,8 +31,13 @@ struct RowAddress {
 /// `dialect` is that of the row's list.
 RowAddress row_address(const read::ListRow& row, const address::Dialect& dialect);
 
-/// An I/O symbol without unit and leader, or the reason why the row is not an I/O symbol.
+/// An I/O symbol without unit and leader, or the reason why the row is not an I/O symbol. The address decides the
+/// direction before the name.
 std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::NameReading& reading,
+                                              const RowAddress& address);
+/// The same under a custom naming rule, which decides by the evidence that it names. The symbol is in no unit yet, and
+/// its reading has the direction of the name only.
+std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const name::RuleReading& reading,
                                               const RowAddress& address);
 
 /// The radix of X and Y in the lists of a controller: as rows with both address columns prove, else `forced`, else

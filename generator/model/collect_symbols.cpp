@@ -27,14 +27,16 @@ class SymbolCollector {
   /// Fetches the hash slot of a row that will be added soon.
   void announce(const read::ListRow& row) const { by_name_.prefetch(text::hash_ignoring_case(row.name)); }
 
-  void add(const read::ListRow& row, std::uint32_t list, const name::NameReading& reading) {
+  /// Whether the row is a symbol.
+  template <class Reading>
+  bool add(const read::ListRow& row, std::uint32_t list, const Reading& reading) {
     const auto index = static_cast<std::uint32_t>(indexes_.size());
     const std::uint32_t first = by_name_.find_or_add(
         text::hash_ignoring_case(row.name), index,
         [&](std::uint32_t other) { return text::equal_ignoring_case(indexes_[other].row->name, row.name); });
     if (first != index) {
       evidence_.duplicates.push_back({indexes_[first].row, &row, same(indexes_[first], {&row, list})});
-      return;
+      return false;
     }
     indexes_.push_back({&row, list});
     const RowAddress address = address_of(row, list);
@@ -59,8 +61,9 @@ class SymbolCollector {
       Symbol& symbol = plant_.symbols.emplace_back(std::get<Symbol>(result));
       symbol.list = list;
       const bool is_alias = row.extra != read::kNoExtra && !plant_.lists[list].table->extra_of(row).alias.empty();
-      if (is_alias && symbol.address) symbol.direction_by = DirectionBy::alias;
+      if (is_alias && symbol.direction_by == DirectionBy::address) symbol.direction_by = DirectionBy::alias;
     }
+    return reason == nullptr;
   }
 
  private:
@@ -121,20 +124,27 @@ void choose_radices(PlantModel& plant, const std::vector<ListInput>& lists) {
 
 }  // namespace
 
-void collect_symbols(Derived& derived, const std::vector<ListInput>& lists) {
+std::vector<const name::RuleReading*> collect_symbols(Derived& derived, const std::vector<ListInput>& lists) {
   PlantModel& plant = derived.plant;
   collect_lists(plant, lists);
   choose_radices(plant, lists);
   std::size_t rows = 0;
   for (const ListInput& list : lists) rows += list.table->rows.size();
   SymbolCollector collector(derived, rows);
+  std::vector<const name::RuleReading*> readings;
   for (std::uint32_t list = 0; list < lists.size(); ++list) {
     const auto& table = lists[list].table->rows;
     for (std::size_t i = 0; i < table.size(); ++i) {
       if (i + kAhead < table.size()) collector.announce(table[i + kAhead]);
-      collector.add(table[i], list, lists[list].named.readings[i]);
+      if (!lists[list].named.by_rule.empty()) {
+        const name::RuleReading& reading = lists[list].named.by_rule[i];
+        if (collector.add(table[i], list, reading)) readings.push_back(&reading);
+      } else {
+        collector.add(table[i], list, lists[list].named.readings[i]);
+      }
     }
   }
+  return readings;
 }
 
 }  // namespace symplant::model

@@ -96,12 +96,12 @@ class ConditionWriter {
   void add(const Atom& atom) {
     switch (atom.kind) {
       case Atom::Kind::settled:
-        add_name(plant_.units[atom.of].path, true);
+        add_path(plant_.units[atom.of]);
         out_ += '.';
         add_name(plant_.units[atom.of].states[atom.state].name, false);
         return;
       case Atom::Kind::moving:
-        add_name(plant_.units[atom.of].path, true);
+        add_path(plant_.units[atom.of]);
         out_ += ".moving";
         return;
       case Atom::Kind::bit:
@@ -112,6 +112,13 @@ class ConditionWriter {
         out_.append(" ").append(comparison_text(atom.comparison)).append(" ").append(operand_text(atom));
         return;
     }
+  }
+
+  void add_path(const Unit& unit) {
+    add_name(unit.device_path(), true);
+    if (unit.facet == nullptr || unit.facet->name.empty()) return;
+    out_ += '.';
+    add_name(unit.facet->name, false);
   }
 
   void add_constant(const Tree& tree) {

@@ -9,6 +9,7 @@
 #include "model/derive_unit.hpp"
 #include "model/links.hpp"
 #include "model/match_entries.hpp"
+#include "model/pair_units.hpp"
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
@@ -139,12 +140,18 @@ void derive_units(Derived& derived, description::Faults& faults) {
 
 }  // namespace
 
-Derived derive(const std::vector<ListInput>& lists, std::string plant_name) {
+Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
+               std::shared_ptr<const name::SymbolReader> reader) {
   Derived derived;
   derived.plant.name = std::move(plant_name);
   derived.plant.rule = lists.front().named.rule;
-  collect_symbols(derived, lists);
-  gather_units(derived.plant);
+  derived.plant.reader = std::move(reader);
+  const std::vector<const name::RuleReading*> readings = collect_symbols(derived, lists);
+  if (derived.plant.reader != nullptr) {
+    pair_units(derived, readings);
+  } else {
+    gather_units(derived.plant);
+  }
   return derived;
 }
 

@@ -58,6 +58,7 @@ void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults
   const std::uint32_t rest = given_state(unit, *given->rest, here, faults);
   if (rest == kNone) return;
   if (unit.actuation != tables::Actuation::spring) {
+    if (given->entry_of(description::DeviceKey::rest).by_naming) return;  // plant.json gives another actuation
     faults.add(here, description::ticked(unit.path) + " is `" +
                          std::string(description::actuation_name(unit.actuation)) +
                          "`, but only a `spring` has a rest state; remove `rest` or set `actuation` to `spring`");
@@ -90,7 +91,8 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, UnitEvidence
   if (unit.described != nullptr && unit.described->initial) {
     initial = given_state(unit, *unit.described->initial,
                           description::key_pointer(*unit.described, description::DeviceKey::initial), faults);
-    if (initial != kNone) unit.initial_from = InitialFrom::description;
+    const bool by_naming = unit.described->entry_of(description::DeviceKey::initial).by_naming;
+    if (initial != kNone) unit.initial_from = by_naming ? InitialFrom::naming : InitialFrom::description;
   }
   if (initial == kNone) {
     initial = state_by_initial_column(unit, symbols, evidence);
@@ -102,7 +104,10 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, UnitEvidence
   }
   if (initial == kNone) {
     initial = 0;
-    unit.initial_from = first_is_decided(unit.states) ? InitialFrom::sequence : InitialFrom::row_order;
+    const bool rest_first = unit.facet != nullptr && unit.facet->first_is_rest;
+    unit.initial_from = rest_first                      ? InitialFrom::naming
+                        : first_is_decided(unit.states) ? InitialFrom::sequence
+                                                        : InitialFrom::row_order;
   }
   unit.initial = initial;
   if (unit.actuation == tables::Actuation::spring && unit.rest == kNone) unit.rest = initial;
@@ -171,6 +176,7 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   unit.travel = defaults.travel;
   unit.states = states_of(unit, symbols, TaskRoles(unit, symbols));
   if (described != nullptr) add_given_states(unit, faults);
+  sort_by_facet(unit);
   // All tasks are commands and reports of states that do not exist, which is reported elsewhere.
   if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles());
   choose_actuation_and_rest(unit, defaults, evidence, faults);

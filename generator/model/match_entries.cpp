@@ -14,6 +14,8 @@
 namespace symplant::model {
 namespace {
 
+constexpr std::size_t kMoreThanAnyPattern = std::size_t{0} - 1;
+
 /// An entry whose name is a pattern.
 struct Pattern {
   const description::DeviceDescription* entry;
@@ -36,13 +38,14 @@ class EntryMatcher {
       Unit& unit = plant_.units[u];
       entries.clear();
       for (Pattern& pattern : patterns_) {
-        if (!text::matches_pattern(unit.path, pattern.entry->path)) continue;
+        if (!pattern.entry->matches(unit.path, unit.device_path())) continue;
         ++pattern.matched;
         entries.push_back(pattern.entry);
       }
       unit.described = joined(unit, exact[u], entries);
     }
     for (const Pattern& pattern : patterns_) {
+      if (pattern.entry->covers_facets) continue;
       decisions.push_back(description::ticked(pattern.entry->path) + " matches " + std::to_string(pattern.matched) +
                           (pattern.matched == 1 ? " device" : " devices"));
       if (pattern.matched != 0) continue;
@@ -61,6 +64,7 @@ class EntryMatcher {
     for (const description::DeviceDescription& device : plant_.description->devices) {
       if (device.is_pattern()) continue;
       const auto found = by_path.find(device.path);
+      if (found == by_path.end() && covers_facets(device)) continue;
       if (found == by_path.end()) {
         const auto nearest =
             faults_.nearest(device.path, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; });
@@ -79,6 +83,20 @@ class EntryMatcher {
     }
   }
 
+  /// Whether the entry names a device with several facets: then it is a pattern for all of them.
+  bool covers_facets(const description::DeviceDescription& device) {
+    if (facets_.empty()) {
+      for (const Unit& unit : plant_.units) {
+        if (unit.facet != nullptr) facets_.try_emplace(unit.facet->path, true);
+      }
+    }
+    if (!facets_.contains(device.path)) return false;
+    description::DeviceDescription copy = device;
+    copy.covers_facets = true;
+    patterns_.push_back({keep(std::move(copy)), kMoreThanAnyPattern});
+    return true;
+  }
+
   /// Sorts patterns: the most specific first, equal ones in the order of the file.
   void find_patterns() {
     for (const description::DeviceDescription& device : plant_.description->devices) {
@@ -90,11 +108,12 @@ class EntryMatcher {
 
   const description::DeviceDescription* joined(const Unit& unit, const description::DeviceDescription* exact,
                                                const std::vector<const description::DeviceDescription*>& patterns) {
-    if (patterns.empty()) return exact;
-    if (exact != nullptr) return keep(join(unit, exact, patterns));
+    const description::DeviceDescription* by_naming = unit.facet == nullptr ? nullptr : unit.facet->base.get();
+    if (patterns.empty() && (exact == nullptr || by_naming == nullptr)) return exact == nullptr ? by_naming : exact;
+    if (exact != nullptr || by_naming != nullptr) return keep(join(unit, exact, patterns, by_naming));
     if (patterns.size() == 1) return patterns.front();
     const description::DeviceDescription*& known = by_patterns_[patterns];
-    if (known == nullptr) known = keep(join(unit, nullptr, patterns));
+    if (known == nullptr) known = keep(join(unit, nullptr, patterns, nullptr));
     return known;
   }
 
@@ -104,7 +123,8 @@ class EntryMatcher {
   }
 
   description::DeviceDescription join(const Unit& unit, const description::DeviceDescription* exact,
-                                      const std::vector<const description::DeviceDescription*>& patterns) {
+                                      const std::vector<const description::DeviceDescription*>& patterns,
+                                      const description::DeviceDescription* by_naming) {
     description::DeviceDescription all;
     all.path = (exact != nullptr ? exact : patterns.front())->path;
     for (std::size_t k = 0; k < description::kDeviceKeys; ++k) {
@@ -113,6 +133,8 @@ class EntryMatcher {
         all.take(key, *exact);
       } else if (const description::DeviceDescription* best = best_of(unit, patterns, key); best != nullptr) {
         all.take(key, *best);
+      } else if (by_naming != nullptr && by_naming->gives(key)) {
+        all.take(key, *by_naming);
       }
     }
     return all;
@@ -127,7 +149,8 @@ class EntryMatcher {
       if (!pattern->gives(key)) continue;
       if (best == nullptr) {
         best = pattern;
-      } else if (text::literal_characters(pattern->path) != text::literal_characters(best->path)) {
+      } else if (best->covers_facets ||
+                 text::literal_characters(pattern->path) != text::literal_characters(best->path)) {
         break;
       } else if (text_of(*pattern, key) != text_of(*best, key)) {
         contradiction(unit, *best, *pattern, key);
@@ -162,6 +185,7 @@ class EntryMatcher {
   PlantModel& plant_;
   description::Faults& faults_;
   std::vector<Pattern> patterns_;
+  text::ByName<bool> facets_;  ///< devices of facets
   std::map<std::vector<const description::DeviceDescription*>, const description::DeviceDescription*>
       by_patterns_;  // never iterated
   std::set<std::pair<std::string, std::string>> contradictions_;
@@ -170,7 +194,7 @@ class EntryMatcher {
 }  // namespace
 
 std::vector<std::string> match_entries(PlantModel& plant, description::Faults& faults) {
-  if (plant.description->devices.empty()) return {};
+  if (plant.description->devices.empty() && plant.pairing == nullptr) return {};
   return EntryMatcher(plant, faults).run();
 }
 
@@ -192,7 +216,8 @@ bool has(const PlantModel& plant, const Unit& unit, description::Named what, std
 void report_lacks(const PlantModel& plant, description::Faults& faults) {
   faults.report_lacks([&](std::string_view pattern, description::Named what, std::string_view name) {
     return std::any_of(plant.units.begin(), plant.units.end(), [&](const Unit& unit) {
-      return text::matches_pattern(unit.path, pattern) && has(plant, unit, what, name);
+      return (text::matches_pattern(unit.path, pattern) || text::matches_pattern(unit.device_path(), pattern)) &&
+             has(plant, unit, what, name);
     });
   });
 }

@@ -46,6 +46,12 @@ std::string PlantList::name() const {
   return path.substr(path.find_last_of("/\\") + 1);
 }
 
+std::string_view PlantModel::rule_text() const {
+  if (reader == nullptr) return rule->pattern;
+  const std::string& named = reader->naming().naming().name;
+  return named.empty() ? std::string_view("naming.json") : std::string_view(named);
+}
+
 std::uint32_t PlantModel::list_of(const read::ListRow& row) const {
   const std::less<> before;  // a total order, even of pointers into different lists
   for (std::uint32_t list = 0; list < lists.size(); ++list) {

@@ -13,6 +13,8 @@
 #include "description/description.hpp"
 #include "model/controller_link.hpp"
 #include "name/name_parser.hpp"
+#include "name/symbol_reader.hpp"
+#include "pairing/pairing.hpp"
 #include "read/symbol_table.hpp"
 #include "symplant/condition/tree.hpp"
 #include "symplant/tables/tables.hpp"
@@ -39,7 +41,17 @@ enum class Unmodelled : std::uint8_t {
   name,            ///< its name does not follow the rule
   task_taken,      ///< another symbol of its unit has its task and direction
   unit_too_large,  ///< its unit has more symbols or states than a unit may have
+  // Under a custom naming rule:
+  unpaired,        ///< nothing to link it with
+  no_rule,         ///< no rule matches it
+  ignored,         ///< a pattern of `ignore` matches it
+  named_internal,  ///< its name says that it is neither operation nor event
+  operator_panel,  ///< a lamp, a push button
+  data,            ///< a bit of a number, or one of several symbols of one text
+  constant,        ///< a contact that keeps its value
+  role_none,       ///< its rule has the role `none`
 };
+inline constexpr int kUnmodelled = 13;
 
 /// What gave a symbol its direction.
 enum class DirectionBy : std::uint8_t {
@@ -112,12 +124,13 @@ struct Requirement {
 };
 
 /// The rule that decided the initial state (docs/model.md, "What is inferred").
-enum class InitialFrom : std::uint8_t { description, initial_column, rest_state, sequence, row_order };
+enum class InitialFrom : std::uint8_t { description, initial_column, rest_state, sequence, row_order, naming };
 
-/// One device's I/O model <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable>.
+/// The I/O model <I, O, S, d_int, d_ext, l_enter, l_leave, l_disable> of a device, or of one of its facets.
 struct Unit {
-  std::string_view path;                  ///< LINE_PROC_DEV as its first row writes it
-  std::string_view device;                ///< the device level
+  std::string_view path;    ///< LINE_PROC_DEV as its first row writes it; `DEVICE.FACET` if the facet has a name
+  std::string_view device;  ///< the device level
+  const pairing::Facet* facet = nullptr;  ///< under a custom naming rule; in PlantModel::pairing
   std::vector<std::uint32_t> operations;  ///< I: symbols, in list order
   std::vector<std::uint32_t> events;      ///< O: symbols, in list order
   std::vector<State> states;              ///< S
@@ -143,6 +156,10 @@ struct Unit {
   bool rest_added = false;       ///< inference 1: NOT_X
   bool single_solenoid = false;  ///< inference 2
 
+  /// The path of its device.
+  std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
+  /// Whether digits at the end of its states are sequence numbers.
+  bool has_sequence() const { return facet == nullptr || facet->numbered; }
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }
   bool moves() const { return !transitions.empty() || actuation == tables::Actuation::spring || has_behaviour(); }
   /// Whether the unit can reach a state: by a transition, by the return of a spring, or by custom code.
@@ -182,13 +199,18 @@ struct PlantModel {
   std::vector<PlantList> lists;          ///< in the description's order; at least one
   std::vector<std::string> controllers;  ///< in the order of their first list; the default one has the name ""
   const name::NamingRule* rule = nullptr;
-  std::vector<std::string> naming_files;  ///< naming.json and its links; none with the built-in rule
-  std::vector<Symbol> symbols;            ///< I/O symbols, in the order of lists and in list order
-  std::vector<Unit> units;                ///< in the order of their first symbol
+  /// The custom naming rule; null under the built-in one. Holds the texts of names.
+  std::shared_ptr<const name::SymbolReader> reader;
+  std::shared_ptr<const pairing::Pairing> pairing;  ///< under a custom rule: the facets of the units; else null
+  std::vector<std::string> naming_files;            ///< naming.json and its links; none with the built-in rule
+  std::vector<Symbol> symbols;                      ///< I/O symbols, in the order of lists and in list order
+  std::vector<Unit> units;                          ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 
+  /// For messages: the pattern of the built-in rule, or the name of the custom one.
+  std::string_view rule_text() const;
   const PlantList& list_of(const Symbol& symbol) const { return lists[symbol.list]; }
   /// The index in `lists` of the list with this row. O(lists): for messages.
   std::uint32_t list_of(const read::ListRow& row) const;

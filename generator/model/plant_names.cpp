@@ -14,14 +14,27 @@ std::optional<std::uint32_t> find(const auto& map, std::string_view name) {
 
 PlantNames::PlantNames(const PlantModel& plant, const description::Faults& faults) : plant_(plant), faults_(faults) {
   units_.reserve(plant.units.size());
-  for (std::uint32_t i = 0; i < plant.units.size(); ++i) units_.try_emplace(plant.units[i].path, i);
+  for (std::uint32_t i = 0; i < plant.units.size(); ++i) {
+    const Unit& unit = plant.units[i];
+    units_.try_emplace(unit.path, i);
+    if (unit.facet != nullptr && !unit.facet->name.empty()) facets_[unit.facet->path].push_back(i);
+  }
   symbols_.reserve(plant.symbols.size());
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
 }
 
 std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::string_view facet) const {
-  return facet.empty() ? find(units_, device) : std::nullopt;  // a device has one unit, which has no separate name
+  if (facet.empty()) return find(units_, device);
+  if (facets_.empty()) return std::nullopt;
+  return find(units_, std::string(device).append(".").append(facet));
 }
+
+std::vector<std::uint32_t> PlantNames::facets(std::string_view device) const {
+  const auto found = facets_.find(device);
+  return found == facets_.end() ? std::vector<std::uint32_t>() : found->second;
+}
+
+std::string PlantNames::path(std::uint32_t unit) const { return std::string(plant_.units[unit].path); }
 
 std::optional<std::uint8_t> PlantNames::state(std::uint32_t unit, std::string_view name) const {
   const std::vector<State>& states = plant_.units[unit].states;
@@ -38,8 +51,9 @@ std::optional<condition::Names::Symbol> PlantNames::symbol(std::string_view name
 }
 
 std::string PlantNames::nearest_device(std::string_view device, std::string_view facet) const {
-  if (!facet.empty()) return {};
-  return std::string(faults_.nearest(device, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; }));
+  if (!facet.empty() && facets_.empty()) return {};
+  const std::string wanted = facet.empty() ? std::string(device) : std::string(device).append(".").append(facet);
+  return std::string(faults_.nearest(wanted, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; }));
 }
 
 std::string PlantNames::nearest_state(std::uint32_t unit, std::string_view name) const {

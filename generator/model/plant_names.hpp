@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "description/faults.hpp"
 #include "model/plant_model.hpp"
@@ -19,6 +20,8 @@ class PlantNames final : public condition::Names {
   PlantNames(const PlantModel& plant, const description::Faults& faults);
 
   std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override;
+  std::vector<std::uint32_t> facets(std::string_view device) const override;
+  std::string path(std::uint32_t unit) const override;
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
   std::optional<Symbol> symbol(std::string_view name) const override;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
@@ -30,6 +33,7 @@ class PlantNames final : public condition::Names {
   const PlantModel& plant_;
   const description::Faults& faults_;
   text::ByName<std::uint32_t> units_;
+  text::ByName<std::vector<std::uint32_t>> facets_;  ///< by device: units with a name after the device's
   text::ByName<std::uint32_t> symbols_;
 };
 

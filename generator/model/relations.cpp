@@ -2,6 +2,7 @@
 #include "model/relations.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
@@ -114,7 +115,11 @@ class Relations {
         continue;
       }
       const auto unit = names_.unit(device, {});
-      if (!unit) {
+      if (const std::vector<std::uint32_t> facets = names_.facets(device); !facets.empty()) {
+        std::copy_if(facets.begin(), facets.end(), std::back_inserter(disabled),
+                     [&](std::uint32_t facet) { return facet != by; });
+        if (unit && *unit != by) disabled.push_back(*unit);
+      } else if (!unit) {
         faults_.add(here / i,
                     description::missing("device " + description::ticked(device), names_.nearest_device(device, {})),
                     description::FaultKind::unknown_name);
@@ -141,7 +146,10 @@ class Relations {
     const auto [found, added] = matching_.try_emplace(pattern);
     if (!added) return found->second;
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) {
-      if (text::matches_pattern(plant_.units[u].path, pattern)) found->second.push_back(u);
+      const Unit& unit = plant_.units[u];
+      if (text::matches_pattern(unit.path, pattern) || text::matches_pattern(unit.device_path(), pattern)) {
+        found->second.push_back(u);
+      }
     }
     if (found->second.empty())
       faults_.warn(here, description::ticked(pattern) + " matches no device", description::FaultKind::matches_nothing);

@@ -73,6 +73,9 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
       return roles.of(draft.task, draft.operation != kNone, draft.event != kNone) != TaskRole::state;
     });
   }
+  if (!unit.has_sequence()) {
+    for (Draft& draft : drafts) draft.sequence = {};
+  }
   std::sort(drafts.begin(), drafts.end(), [](const Draft& a, const Draft& b) {
     const int order = compare_sequence(a.sequence, b.sequence);
     return order != 0 ? order < 0 : a.first_symbol < b.first_symbol;
@@ -83,6 +86,18 @@ std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbol
     states.push_back({std::string(draft.task), draft.operation, draft.event, !draft.sequence.empty()});
   }
   return states;
+}
+
+void sort_by_facet(Unit& unit) {
+  if (unit.facet == nullptr || unit.facet->states.empty()) return;
+  text::ByName<std::size_t> ranks;
+  for (const std::string& state : unit.facet->states) ranks.try_emplace(state, ranks.size());
+  const auto rank = [&](const State& state) {
+    const auto found = ranks.find(state.name);
+    return found == ranks.end() ? ranks.size() : found->second;
+  };
+  std::stable_sort(unit.states.begin(), unit.states.end(),
+                   [&](const State& a, const State& b) { return rank(a) < rank(b); });
 }
 
 void add_given_states(Unit& unit, description::Faults& faults) {
@@ -104,7 +119,8 @@ void add_given_states(Unit& unit, description::Faults& faults) {
                               " states, including those of its symbols; remove some");
       return;
     } else {
-      unit.states.push_back({given[i], kNone, kNone, !sequence_number(given[i]).empty()});
+      const bool numbered = unit.has_sequence() && !sequence_number(given[i]).empty();
+      unit.states.push_back({given[i], kNone, kNone, numbered});
     }
   }
 }

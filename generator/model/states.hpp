@@ -13,6 +13,9 @@ namespace symplant::model {
 /// O(tasks log tasks).
 std::vector<State> states_of(const Unit& unit, const std::vector<Symbol>& symbols, const TaskRoles& roles);
 
+/// Puts the states that the facet names first, in its order.
+void sort_by_facet(Unit& unit);
+
 /// Appends the states that the description adds, in its order.
 void add_given_states(Unit& unit, description::Faults& faults);
 

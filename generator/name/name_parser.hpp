@@ -18,6 +18,7 @@ enum class NameFault : std::uint8_t {
   wrong_number_of_levels,
   empty_level,       ///< two adjacent separators, or one at an end
   direction_not_io,  ///< the direction level is not one of the rule's words
+  not_linked,        ///< a custom rule is in force, and the symbol is in no unit
 };
 
 /// The parts of a name, or its fault. Views point into the name.

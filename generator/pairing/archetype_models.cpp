@@ -18,6 +18,7 @@ class ModelWriter {
       : archetype_(archetype), roles_(roles), inputs_(inputs) {}
 
   Facet write() {
+    base_.by_naming = true;
     base_.only = true;
     base_.actuation = tables::Actuation::latched;
     switch (archetype_.model) {

@@ -136,9 +136,6 @@ class ArchetypePairing {
     if (!operation || !event) return;
     const name::Archetype& of = work_.naming.archetypes[archetype];
     Facet facet = archetype_facet(of, claim.roles, work_.inputs);
-    const name::RuleReading& reading = work_.reading(work_.devices[claim.device]);
-    facet.path = reading.path;
-    facet.device = reading.device;
     facet.by = FacetBy::archetype;
     facet.archetype = archetype;
     facet.name = xs_[claim.x].empty() ? of.name : of.name + "_" + text::to_upper(xs_[claim.x]);

@@ -52,6 +52,7 @@ Facet FacetBuilder::take(std::uint32_t device, bool numbered) {
   add_events(facet, base);
   std::sort(facet.members.begin(), facet.members.end(),
             [](const Member& a, const Member& b) { return a.input < b.input; });
+  base.by_naming = true;
   if (!is_empty(base)) facet.base = std::make_shared<const description::DeviceDescription>(std::move(base));
   states_.clear();
   by_name_.clear();

@@ -27,6 +27,7 @@ std::string name_of(const Facet& facet) {
   if (states.size() > kMostNamed) states = {states.front(), states.back()};
   std::string name;
   for (const std::string& state : states) name.append(name.empty() ? "" : "_").append(joined_words(state));
+  std::replace(name.begin(), name.end(), '.', '_');  // `DEVICE.FACET` has one dot for the facet
   return name;
 }
 

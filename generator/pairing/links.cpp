@@ -20,12 +20,11 @@ class LinkPairing {
       if (!device.builder.has_symbols()) continue;
       Facet facet = device.builder.take(device.first, false);
       facet.by = FacetBy::links;
-      const bool read = work_.is_read(device.first);
-      facet.path = read ? work_.reading(device.first).path : work_.inputs[device.first].name;
-      facet.device = read ? work_.reading(device.first).device : facet.path;
-      // A symbol that no rule reads is a device by itself.
-      const std::uint32_t of_device = read ? work_.device[device.first] : kNone;
-      work_.add(std::move(facet), of_device);
+      if (work_.is_read(device.first)) {
+        work_.add(std::move(facet), work_.device[device.first]);
+      } else {
+        work_.add(std::move(facet), work_.inputs[device.first].name);
+      }
     }
   }
 

@@ -1,4 +1,4 @@
-// The order of pairing: links, data, archetypes, words.
+// The order of pairing: links, archetypes, words, then data.
 #include "pairing/pairing.hpp"
 
 #include <algorithm>
@@ -75,7 +75,19 @@ Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
 
 void Work::add(Facet facet, std::uint32_t of_device) {
   for (const Member& member : facet.members) result.accounts[member.input] = Account::paired;
+  if (of_device != kNone) {
+    const name::RuleReading& levels = reading(devices[of_device]);
+    facet.path = levels.path;
+    facet.line = levels.line;
+    facet.process = levels.process;
+    facet.device = levels.device;
+  }
   drafts.push_back({std::move(facet), of_device});
+}
+
+void Work::add(Facet facet, std::string_view path) {
+  facet.path = facet.device = path;
+  add(std::move(facet), kNone);
 }
 
 std::string joined_words(std::string_view text) {
@@ -87,9 +99,10 @@ std::string joined_words(std::string_view text) {
 Pairing pair(const name::CompiledNaming& naming, std::span<const Input> inputs) {
   Work work(naming, inputs);
   pair_by_links(work);
-  set_data_aside(work);
+  set_repeated_texts_aside(work);
   pair_by_archetypes(work);
   pair_by_words(work);
+  set_weights_aside(work);
   finish(work);
   return std::move(work.result);
 }

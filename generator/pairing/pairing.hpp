@@ -33,10 +33,12 @@ enum class FacetBy : std::uint8_t { links, archetype, words };
 
 /// The symbols of one unit. Views point into readings and names of the inputs.
 struct Facet {
-  std::string_view path;    ///< of its device
-  std::string_view device;  ///< the device level
-  std::string name;         ///< empty: the facet has the device's name
-  std::string full_path;    ///< `DEVICE.FACET`; empty if the facet has the device's name
+  std::string_view path;  ///< of its device
+  std::string_view line;
+  std::string_view process;
+  std::string_view device;
+  std::string name;       ///< empty: the facet has the device's name
+  std::string full_path;  ///< `DEVICE.FACET`; empty if the facet has the device's name
   FacetBy by = FacetBy::words;
   bool numbered = false;            ///< its states are in the order of their sequence numbers
   std::uint32_t archetype = 0;      ///< index in Naming::archetypes

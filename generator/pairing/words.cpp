@@ -77,11 +77,7 @@ class WordPairing {
     const OperationGroup& group = groups_.all()[group_of_[inputs.front()]];
     for (const std::uint32_t input : inputs)
       builder_.add(input, state_of(input, inputs), work_.reading(input).task.rest);
-    Facet facet = builder_.take(group.first, group.numbered);
-    const name::RuleReading& reading = work_.reading(group.first);
-    facet.path = reading.path;
-    facet.device = reading.device;
-    work_.add(std::move(facet), group.device);
+    work_.add(builder_.take(group.first, group.numbered), group.device);
   }
 
   /// An event reports the state that an operation of its position leads to: CLAMP is CLAMP1 where the operation is.

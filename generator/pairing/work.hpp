@@ -24,8 +24,10 @@ struct Work {
   /// Whether no facet has the symbol yet, and one may take it.
   bool is_free(std::uint32_t input) const { return is_read(input) && result.accounts[input] == Account::unpaired; }
   bool is_operation(std::uint32_t input) const { return inputs[input].side == name::Side::operation; }
-  /// Adds a facet and accounts for its members.
+  /// Adds a facet of a device, and accounts for its members.
   void add(Facet facet, std::uint32_t of_device);
+  /// Adds a facet whose only name is that of a symbol that no rule reads.
+  void add(Facet facet, std::string_view path);
 
   const name::CompiledNaming& compiled;
   const name::Naming& naming;
@@ -39,8 +41,10 @@ struct Work {
 
 /// Joins symbols by the rows of Naming::links.
 void pair_by_links(Work& work);
-/// Accounts for numbers that are spread over bits, and for symbols of one text.
-void set_data_aside(Work& work);
+/// Accounts for symbols of one text.
+void set_repeated_texts_aside(Work& work);
+/// Accounts for numbers that are spread over bits, as far as nothing else joins them.
+void set_weights_aside(Work& work);
 /// Joins symbols by archetypes, and accounts for constants.
 void pair_by_archetypes(Work& work);
 /// Joins symbols by their tasks.

@@ -99,7 +99,7 @@ class DataWriter {
     json_.end_array();
     json_.key("reasons");
     json_.begin_array();
-    for (int reason = 0; reason <= static_cast<int>(model::Unmodelled::unit_too_large); ++reason) {
+    for (int reason = 0; reason < model::kUnmodelled; ++reason) {
       json_.value(unmodelled_reason(static_cast<model::Unmodelled>(reason)));
     }
     json_.end_array();
@@ -141,6 +141,7 @@ class DataWriter {
     json_.member("line", visible(reading.line));
     json_.member("process", visible(reading.process));
     json_.member("device", visible(unit.device));
+    if (unit.facet != nullptr && !unit.facet->name.empty()) json_.member("facet", visible(unit.facet->name));
     json_.member("kind", kinds_[static_cast<std::size_t>(unit_positions_[index])]);
     json_.member("initial", unit.initial);
     json_.member("why", initial_reason(unit.initial_from));

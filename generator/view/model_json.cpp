@@ -86,6 +86,7 @@ class UnitWriter {
     json_.member("line", reading.line);
     json_.member("process", reading.process);
     json_.member("device", unit_.device);
+    if (unit_.facet != nullptr && !unit_.facet->name.empty()) json_.member("facet", unit_.facet->name);
     json_.member("actuation", description::actuation_name(unit_.actuation));
     json_.member("travel", unit_.travel);
     json_.member("initial", unit_.states[unit_.initial].name);

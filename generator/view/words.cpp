@@ -58,6 +58,8 @@ std::string_view initial_key(model::InitialFrom from) {
       return "sequence";
     case model::InitialFrom::row_order:
       return "row-order";
+    case model::InitialFrom::naming:
+      return "naming";
   }
   return "";
 }
@@ -74,6 +76,8 @@ std::string_view initial_reason(model::InitialFrom from) {
       return "first in sequence";
     case model::InitialFrom::row_order:
       return "by row order only";
+    case model::InitialFrom::naming:
+      return "as the naming rule says";
   }
   return "";
 }
@@ -90,6 +94,22 @@ std::string_view unmodelled_key(model::Unmodelled reason) {
       return "task-taken";
     case model::Unmodelled::unit_too_large:
       return "unit-too-large";
+    case model::Unmodelled::unpaired:
+      return "unpaired";
+    case model::Unmodelled::no_rule:
+      return "no-rule";
+    case model::Unmodelled::ignored:
+      return "ignored";
+    case model::Unmodelled::named_internal:
+      return "internal";
+    case model::Unmodelled::operator_panel:
+      return "operator";
+    case model::Unmodelled::data:
+      return "data";
+    case model::Unmodelled::constant:
+      return "constant";
+    case model::Unmodelled::role_none:
+      return "none";
   }
   return "";
 }
@@ -106,6 +126,22 @@ std::string_view unmodelled_reason(model::Unmodelled reason) {
       return "another symbol of its device has its task and direction";
     case model::Unmodelled::unit_too_large:
       return "its device has more symbols or states than a device may have";
+    case model::Unmodelled::unpaired:
+      return "no symbol of the other direction fits it";
+    case model::Unmodelled::no_rule:
+      return "no rule of the naming rule matches it";
+    case model::Unmodelled::ignored:
+      return "the naming rule ignores it";
+    case model::Unmodelled::named_internal:
+      return "internal by its name";
+    case model::Unmodelled::operator_panel:
+      return "operator panel";
+    case model::Unmodelled::data:
+      return "data: a bit of a number, or one of several symbols of one text";
+    case model::Unmodelled::constant:
+      return "constant: a contact that keeps its value";
+    case model::Unmodelled::role_none:
+      return "of no role, by the naming rule";
   }
   return "";
 }

@@ -116,28 +116,64 @@ class Resolver {
     const Name& device = expression.names.front();
     const Name& last = expression.names.back();
     const std::string_view facet = expression.names.size() == 3 ? std::string_view(expression.names[1].text) : "";
-    const auto unit = names_.unit(device.text, facet);
-    if (!unit) return no_unit(expression, facet);
+    const std::vector<std::uint32_t> units = units_of(device.text, facet);
+    if (units.empty()) return no_unit(expression, facet);
     Atom atom;
-    atom.of = *unit;
-    if (const auto found = names_.state(*unit, last.text)) {
-      atom.state = *found;
-      return tree_of(atom);
+    std::vector<std::uint32_t> having;
+    for (const std::uint32_t unit : units) {
+      if (const auto found = names_.state(unit, last.text)) {
+        if (having.empty()) atom.state = *found;
+        having.push_back(unit);
+      }
     }
-    if (is_moving(last.text)) {
+    if (having.empty() && is_moving(last.text)) {
       atom.kind = Atom::Kind::moving;
+      having = units;
+    }
+    // The facet with the device's name comes first: it cannot be named in another way.
+    if (having.size() > 1 && names_.unit(device.text, facet) != having.front()) return several(expression, having);
+    if (!having.empty()) {
+      atom.of = having.front();
       return tree_of(atom);
     }
-    std::string why = names_.why_no_state(*unit, last.text);
-    if (why.empty()) {
-      why =
-          missing("state " + ticked(last.text) + " of " + ticked(device.text), names_.nearest_state(*unit, last.text));
+    std::string why;
+    for (const std::uint32_t unit : units) {
+      if (why.empty()) why = names_.why_no_state(unit, last.text);
+    }
+    for (std::size_t i = 0; why.empty() && i < units.size(); ++i) {
+      const std::string nearest = names_.nearest_state(units[i], last.text);
+      if (nearest.empty() && i + 1 < units.size()) continue;
+      why = missing("state " + ticked(last.text) + " of " + ticked(device.text), nearest);
     }
     return Fault{last.index, std::move(why)};
   }
 
+  /// The unit that a name means, and all facets of a device.
+  std::vector<std::uint32_t> units_of(std::string_view device, std::string_view facet) const {
+    std::vector<std::uint32_t> units;
+    if (const auto unit = names_.unit(device, facet)) units.push_back(*unit);
+    if (facet.empty()) {
+      const std::vector<std::uint32_t> facets = names_.facets(device);
+      units.insert(units.end(), facets.begin(), facets.end());
+    }
+    return units;
+  }
+
+  Fault several(const Expression& expression, const std::vector<std::uint32_t>& having) const {
+    const Name& device = expression.names.front();
+    const Name& last = expression.names.back();
+    constexpr std::size_t kMostNamed = 3;
+    std::string paths;
+    for (std::size_t i = 0; i < having.size() && i < kMostNamed; ++i) {
+      paths += (i == 0 ? "" : ", ") + ticked(names_.path(having[i]) + "." + last.text);
+    }
+    if (having.size() > kMostNamed) paths += " and others";
+    return {{device.index.offset, last.index.offset + last.index.length - device.index.offset},
+            ticked(device.text + "." + last.text) + " is in several facets of the device; write " + paths};
+  }
+
   Fault no_symbol(const Name& name) const {
-    if (names_.unit(name.text, {})) {
+    if (!units_of(name.text, {}).empty()) {
       return {name.index,
               ticked(name.text) + " is a device; name one of its states, as in " + ticked(name.text + ".STATE")};
     }
@@ -147,7 +183,7 @@ class Resolver {
   Fault no_unit(const Expression& expression, std::string_view facet) const {
     const Name& device = expression.names.front();
     const std::string nearest = names_.nearest_device(device.text, facet);
-    if (!facet.empty() && names_.unit(device.text, {})) {
+    if (!facet.empty() && !units_of(device.text, {}).empty()) {
       return {expression.names[1].index, missing("facet " + ticked(facet) + " of " + ticked(device.text), nearest)};
     }
     if (facet.empty() && names_.symbol(device.text)) {

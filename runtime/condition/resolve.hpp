@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "symplant/condition/expression.hpp"
 #include "symplant/condition/tree.hpp"
@@ -25,6 +26,10 @@ class Names {
 
   /// The unit of a device, or of one of its facets if `facet` is not empty.
   virtual std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const = 0;
+  /// The units of a device's facets that have a name, in their order.
+  virtual std::vector<std::uint32_t> facets(std::string_view device) const = 0;
+  /// `DEVICE`, or `DEVICE.FACET`.
+  virtual std::string path(std::uint32_t unit) const = 0;
   virtual std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const = 0;
   virtual std::optional<Symbol> symbol(std::string_view name) const = 0;
 

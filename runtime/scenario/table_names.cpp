@@ -1,13 +1,15 @@
 // Looks up units, states and symbols of a plant's tables by name.
 #include "symplant/scenario/table_names.hpp"
 
+#include <utility>
+
 #include "symplant/tables/ascii.hpp"
 #include "symplant/tables/nearest.hpp"
 
 namespace symplant::scenario {
 namespace {
 
-std::string path(std::string_view device, std::string_view facet) {
+std::string path_of(std::string_view device, std::string_view facet) {
   std::string text(device);
   return facet.empty() ? text : text.append(".").append(facet);
 }
@@ -17,16 +19,28 @@ std::string path(std::string_view device, std::string_view facet) {
 TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
   const tables::PlantTables& tables = names.tables();
   units_.reserve(tables.units.size());
-  for (std::uint32_t u = 0; u < tables.units.size(); ++u) units_.try_emplace(tables::to_upper(names.unit(u)), u);
+  for (std::uint32_t u = 0; u < tables.units.size(); ++u) {
+    std::string name = tables::to_upper(names.unit(u));
+    const std::size_t dot = name.rfind('.');
+    if (dot != std::string::npos) facets_[name.substr(0, dot)].push_back(u);
+    units_.try_emplace(std::move(name), u);
+  }
   symbols_.reserve(tables.symbols.size());
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(tables::to_upper(names.symbol(s)), s);
 }
 
 std::optional<std::uint32_t> TableNames::unit(std::string_view device, std::string_view facet) const {
-  const auto found = units_.find(tables::to_upper(path(device, facet)));
+  const auto found = units_.find(tables::to_upper(path_of(device, facet)));
   if (found == units_.end()) return std::nullopt;
   return found->second;
 }
+
+std::vector<std::uint32_t> TableNames::facets(std::string_view device) const {
+  const auto found = facets_.find(tables::to_upper(device));
+  return found == facets_.end() ? std::vector<std::uint32_t>() : found->second;
+}
+
+std::string TableNames::path(std::uint32_t unit) const { return std::string(names_.unit(unit)); }
 
 std::optional<std::uint8_t> TableNames::state(std::uint32_t unit, std::string_view name) const {
   const auto states = names_.states(unit);
@@ -44,7 +58,7 @@ std::optional<condition::Names::Symbol> TableNames::symbol(std::string_view name
 }
 
 std::string TableNames::nearest_device(std::string_view device, std::string_view facet) const {
-  const std::string wanted = path(device, facet);
+  const std::string wanted = path_of(device, facet);
   tables::NearestName nearest(wanted);
   for (std::uint32_t u = 0; u < names_.tables().units.size(); ++u) nearest.offer(names_.unit(u));
   return std::string(nearest.name());

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "symplant/condition/resolve.hpp"
 #include "symplant/trace/plant_names.hpp"
@@ -18,6 +19,8 @@ class TableNames final : public condition::Names {
   explicit TableNames(const trace::PlantNames& names);
 
   std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override;
+  std::vector<std::uint32_t> facets(std::string_view device) const override;
+  std::string path(std::uint32_t unit) const override;
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
   std::optional<Symbol> symbol(std::string_view name) const override;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
@@ -27,7 +30,8 @@ class TableNames final : public condition::Names {
 
  private:
   const trace::PlantNames& names_;
-  std::unordered_map<std::string, std::uint32_t> units_;  ///< by name in upper case
+  std::unordered_map<std::string, std::uint32_t> units_;                ///< by name in upper case
+  std::unordered_map<std::string, std::vector<std::uint32_t>> facets_;  ///< by device in upper case
   std::unordered_map<std::string, std::uint32_t> symbols_;
 };
 

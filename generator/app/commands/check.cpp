@@ -20,6 +20,7 @@
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
 #include "findings/selection.hpp"
+#include "model/pair_units.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/version.hpp"
 
@@ -69,8 +70,23 @@ std::string lists_text(const model::PlantModel& plant) {
   return text;
 }
 
+/// Under a custom naming rule: what it accounts for.
+std::string paired_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
+  const model::NamingScore score = model::naming_score(plant);
+  const auto percent = [&](std::size_t count) {
+    return score.symbols == 0 ? 0 : (count * 100 + score.symbols / 2) / score.symbols;
+  };
+  return fmt::format(
+      "{}: of {} BOOL I/O symbol{} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data; {} "
+      "unit{}; {}\n",
+      list, score.symbols, score.symbols == 1 ? "" : "s", score.paired, percent(score.paired), score.accounted(),
+      percent(score.accounted()), score.constant, score.operator_panel, score.data, plant.units.size(),
+      plant.units.size() == 1 ? "" : "s", selected_text(findings));
+}
+
 /// How many names follow the rule, and the number of devices and findings.
 std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
+  if (plant.pairing != nullptr) return paired_line(list, plant, findings);
   const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
     return symbol.reading.fault == name::NameFault::none;
   });

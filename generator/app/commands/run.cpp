@@ -37,9 +37,18 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   if (count != 0) lines.push_back(fmt::format("internal: {} rows ({})", count, internal));
   std::size_t numeric = 0;
   std::size_t faulty = 0;
+  std::size_t outside = 0;  // by a custom naming rule
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.unmodelled == model::Unmodelled::modelled) continue;
-    ++(symbol.unmodelled == model::Unmodelled::numeric ? numeric : faulty);
+    if (symbol.unmodelled == model::Unmodelled::numeric) {
+      ++numeric;
+    } else {
+      ++(symbol.unmodelled >= model::Unmodelled::unpaired ? outside : faulty);
+    }
+  }
+  if (outside != 0) {
+    lines.push_back(fmt::format(
+        "in no device: {} by the naming rule, which pairs them with nothing; the links still carry them", outside));
   }
   if (numeric != 0)
     lines.push_back(fmt::format(

@@ -21,7 +21,8 @@ void check_direction_against_address(const Rule& rule, const Subject& subject, d
   std::set<const model::Symbol*> reported;  // by SP407
   for (const TaskClaim& claim : task_claims(plant)) reported.insert(&plant.symbols[claim.overruled]);
   for (const model::Symbol& symbol : plant.symbols) {
-    if (!symbol.address || symbol.reading.fault != name::NameFault::none) continue;
+    const name::NameFault fault = symbol.reading.fault;
+    if (!symbol.address || (fault != name::NameFault::none && fault != name::NameFault::not_linked)) continue;
     const bool name_says_operation = symbol.reading.direction == name::Direction::operation;
     if (name_says_operation == (symbol.direction == tables::Direction::operation)) continue;
     if (reported.count(&symbol) != 0) continue;

@@ -1,4 +1,4 @@
-// SP206 named-otherwise: few names of a list follow the naming rule.
+// SP208 named-otherwise: few names of a list follow the naming rule.
 #include <fmt/format.h>
 
 #include <vector>
@@ -70,7 +70,7 @@ bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::Name
   return symbol.reading.fault == fault && !subject.named_otherwise[symbol.list];
 }
 
-const Rule kNamedOtherwise{{"SP206", "named-otherwise", diag::Severity::warning,
+const Rule kNamedOtherwise{{"SP208", "named-otherwise", diag::Severity::warning,
                             "few names of a list follow the naming rule", kNamedOtherwisePage, diag::Rank::name},
                            check_named_otherwise};
 

@@ -15,6 +15,7 @@ constexpr std::string_view kNoDevicePage =
     R"(The lists have I/O symbols, but none of them is in a device. Devices are made from BOOL symbols whose names have the form of
 the naming rule, `LINE_PROC_DEV_I|O_TASK`: `EXLINE_MB_AGV_O_P1` and `EXLINE_MB_AGV_I_P1` are an operation and an event of the
 device `EXLINE_MB_AGV`. The message counts the symbols by reason.
+Under a custom naming rule devices are made from operations and events that the rule pairs.
 
 **What the model loses.** All behavior. The symbols would be on the links, but nothing drives an input and no output has an
 effect.
@@ -47,9 +48,32 @@ OutsideBy outside_by(const model::Symbol& symbol) {
     case name::NameFault::illegal_character:
       return kByCharacter;
     case name::NameFault::none:
+    case name::NameFault::not_linked:
       break;
   }
   return kBySize;
+}
+
+/// The reasons under a custom naming rule.
+std::vector<Outside> reasons_unlinked(const model::PlantModel& plant) {
+  std::vector<Outside> reasons{
+      {0, "is matched by no rule", "are matched by no rule", "add rules to"},
+      {0, "has no symbol to be paired with", "have no symbols to be paired with", "correct"},
+      {0, "is ignored", "are ignored", "correct `ignore` of"},
+      {0, "is in a device that is too large", "are in devices that are too large", "check the device level of"},
+      {0, "has a role that is never paired, or is a number", "have roles that are never paired, or are numbers",
+       "add rules for operations and events to"},
+  };
+  for (const model::Symbol& symbol : plant.symbols) {
+    const model::Unmodelled by = symbol.unmodelled;
+    const std::size_t reason = by == model::Unmodelled::no_rule          ? 0
+                               : by == model::Unmodelled::unpaired       ? 1
+                               : by == model::Unmodelled::ignored        ? 2
+                               : by == model::Unmodelled::unit_too_large ? 3
+                                                                         : 4;
+    ++reasons[reason].count;
+  }
+  return reasons;
 }
 
 std::vector<Outside> reasons_outside(const model::PlantModel& plant) {
@@ -64,7 +88,11 @@ std::vector<Outside> reasons_outside(const model::PlantModel& plant) {
       {0, "is in a device that is too large", "are in devices that are too large",
        "check the device level of the names in"},
   };
-  for (const model::Symbol& symbol : plant.symbols) ++reasons[outside_by(symbol)].count;
+  if (plant.pairing != nullptr) {
+    reasons = reasons_unlinked(plant);
+  } else {
+    for (const model::Symbol& symbol : plant.symbols) ++reasons[outside_by(symbol)].count;
+  }
   std::erase_if(reasons, [](const Outside& reason) { return reason.count == 0; });
   std::stable_sort(reasons.begin(), reasons.end(),
                    [](const Outside& a, const Outside& b) { return a.count > b.count; });
@@ -84,8 +112,7 @@ void check_no_device(const Rule& rule, const Subject& subject, diag::Diagnostics
       rule.info,
       fmt::format(
           "none of {} I/O symbol{} is in a device: {}; {} `{}`; until then the symbols are served, and nothing moves",
-          plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice,
-          plant.rule->pattern),
+          plant.symbols.size(), plant.symbols.size() == 1 ? "" : "s", text, reasons.front().advice, plant.rule_text()),
       location_of(plant, plant.symbols.front()));
 }
 

@@ -65,7 +65,7 @@ std::string io_advice(InternalReason reason, const model::PlantModel& plant) {
     case InternalReason::no_direction:
       break;
   }
-  return fmt::format("export the addresses as well, or name the symbols by `{}`", plant.rule->pattern);
+  return fmt::format("export the addresses as well, or name the symbols by `{}`", plant.rule_text());
 }
 
 /// The reasons, the most frequent one first.

@@ -17,11 +17,21 @@ class PlainNames final : public condition::Names {
   explicit PlainNames(const model::PlantModel& plant) : plant_(plant) {}
 
   std::optional<std::uint32_t> unit(std::string_view device, std::string_view facet) const override {
-    for (std::uint32_t i = 0; facet.empty() && i < plant_.units.size(); ++i) {
-      if (same_name(plant_.units[i].path, device)) return i;
+    const std::string wanted = std::string(device) + (facet.empty() ? "" : ".") + std::string(facet);
+    for (std::uint32_t i = 0; i < plant_.units.size(); ++i) {
+      if (same_name(plant_.units[i].path, wanted)) return i;
     }
     return std::nullopt;
   }
+  std::vector<std::uint32_t> facets(std::string_view device) const override {
+    std::vector<std::uint32_t> units;
+    for (std::uint32_t i = 0; i < plant_.units.size(); ++i) {
+      const std::string_view path = plant_.units[i].path;
+      if (same_name(path.substr(0, path.rfind('.')), device) && path.find('.') != path.npos) units.push_back(i);
+    }
+    return units;
+  }
+  std::string path(std::uint32_t unit) const override { return std::string(plant_.units[unit].path); }
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override {
     const auto& states = plant_.units[unit].states;
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -21,6 +21,12 @@ class SmallPlant final : public condition::Names {
     if (device == "DOOR" && facet == "LOCK") return 2;
     return std::nullopt;
   }
+  std::vector<std::uint32_t> facets(std::string_view device) const override {
+    if (device == "DOOR") return {2};
+    if (device == "LIFT") return {3, 4};
+    return {};
+  }
+  std::string path(std::uint32_t unit) const override { return unit == 3 ? "LIFT.A" : unit == 4 ? "LIFT.B" : "?"; }
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override {
     for (std::size_t s = 0; s < states_[unit].size(); ++s) {
       if (states_[unit][s] == name) return static_cast<std::uint8_t>(s);

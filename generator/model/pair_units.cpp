@@ -1,0 +1,99 @@
+// Groups symbols by the facets that a custom naming rule makes of them.
+#include "model/pair_units.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include "base/large_memory.hpp"
+
+namespace symplant::model {
+namespace {
+
+Unmodelled reason_of(pairing::Account account, const Symbol& symbol) {
+  switch (account) {
+    case pairing::Account::paired:
+      return Unmodelled::modelled;
+    case pairing::Account::constant:
+      return Unmodelled::constant;
+    case pairing::Account::operator_panel:
+      return Unmodelled::operator_panel;
+    case pairing::Account::data:
+      return symbol.type == tables::DataType::boolean ? Unmodelled::data : Unmodelled::numeric;
+    case pairing::Account::none:
+      return Unmodelled::role_none;
+    case pairing::Account::unpaired:
+      return Unmodelled::unpaired;
+    case pairing::Account::ignored:
+      return Unmodelled::ignored;
+    case pairing::Account::no_rule:
+    case pairing::Account::no_direction:
+      return Unmodelled::no_rule;
+    case pairing::Account::internal:
+      return Unmodelled::named_internal;
+  }
+  return Unmodelled::no_rule;
+}
+
+std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector<const name::RuleReading*>& readings) {
+  std::vector<pairing::Input> inputs;
+  base::reserve_large(inputs, plant.symbols.size());
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const Symbol& symbol = plant.symbols[i];
+    const bool operation = symbol.direction == tables::Direction::operation;
+    inputs.push_back({readings[i], symbol.name(), operation ? name::Side::operation : name::Side::event,
+                      symbol.type == tables::DataType::boolean, plant.controller_of(symbol)});
+  }
+  return inputs;
+}
+
+void add_unit(PlantModel& plant, const pairing::Facet& facet) {
+  const auto index = static_cast<std::uint32_t>(plant.units.size());
+  Unit& unit = plant.units.emplace_back();
+  unit.path = facet.unit_path();
+  unit.device = facet.device;
+  unit.facet = &facet;
+  for (const pairing::Member& member : facet.members) {
+    Symbol& symbol = plant.symbols[member.input];
+    symbol.unit = index;
+    name::NameReading& reading = symbol.reading;
+    reading.fault = name::NameFault::none;
+    reading.device_path = facet.path;
+    reading.line = facet.line;
+    reading.process = facet.process;
+    reading.device = facet.device;
+    reading.task = member.task;
+    (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(member.input);
+  }
+}
+
+}  // namespace
+
+void pair_units(Derived& derived, const std::vector<const name::RuleReading*>& readings) {
+  PlantModel& plant = derived.plant;
+  plant.pairing =
+      std::make_shared<const pairing::Pairing>(pairing::pair(plant.reader->naming(), inputs_of(plant, readings)));
+  base::reserve_large(plant.units, plant.pairing->facets.size());
+  for (const pairing::Facet& facet : plant.pairing->facets) add_unit(plant, facet);
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    Symbol& symbol = plant.symbols[i];
+    const pairing::Account account = plant.pairing->accounts[i];
+    symbol.unmodelled = reason_of(account, symbol);
+    if (account == pairing::Account::constant) symbol.initial = plant.pairing->constant_on[i] ? 1 : 0;
+  }
+}
+
+NamingScore naming_score(const PlantModel& plant) {
+  NamingScore score;
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const pairing::Account account = plant.pairing->accounts[i];
+    if (plant.symbols[i].type != tables::DataType::boolean || account == pairing::Account::ignored) continue;
+    ++score.symbols;
+    if (account == pairing::Account::paired) ++score.paired;
+    if (account == pairing::Account::constant) ++score.constant;
+    if (account == pairing::Account::operator_panel) ++score.operator_panel;
+    if (account == pairing::Account::data) ++score.data;
+  }
+  return score;
+}
+
+}  // namespace symplant::model
