@@ -262,6 +262,9 @@ constexpr auto kData = std::to_array<std::string_view>(
      "vin",   "prog",     "program",   "prg",      "value",  "word",   "address",    "adr",   "bcd",
      "사양",  "차종코드", "코드",      "데이터",   "번호",   "카운트", "축번호",     "수량",  "データ",
      "番号",  "コード",   "daten",     "nummer",   "данные", "код",    "количество", "номер", "слоев"});
+constexpr auto kParts =
+    std::to_array<std::string_view>({"part", "plt", "pallet", "workpiece", "파트", "파레트", "감지", "대차", "ワーク",
+                                     "teil", "werkstück", "наличия", "наличие", "деталь"});
 constexpr auto kSpare = std::to_array<std::string_view>({"spare", "reserve", "reserved", "sp", "res", "unused",
                                                          "notused", "예비", "미사용", "予備", "未使用", "frei",
                                                          "unbenutzt", "резерв", "свободный", "запас", "dummy", "n/a"});
@@ -309,9 +312,9 @@ constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
 
 const BuiltInWords& built_in_words() {
   static constexpr BuiltInWords kWords{
-      kPairs, kSynonyms,  kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel,
-      kAlarm, kData,      kSpare,        kHealthy,          kEcho,         kStart,   kDone,
-      kReset, kInterlock, kCauses};
+      kPairs,     kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm,
+      kData,      kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset,
+      kInterlock, kCauses};
   return kWords;
 }
 

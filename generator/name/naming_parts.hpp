@@ -48,6 +48,20 @@ class RuleFields : public FieldTest {
   std::array<std::unique_ptr<re2::RE2>, kFields> expressions_;
 };
 
+/// Words of which a text must have one. Words of scripts without blanks are also found within words.
+class RequiredWords {
+ public:
+  RequiredWords(const std::vector<std::string>& words, const Separators& separators);
+
+  bool empty() const { return words_.empty() && phrases_.empty() && inside_.empty(); }
+  bool are_in(const PreparedText& text) const;
+
+ private:
+  std::unordered_set<std::string> words_;
+  std::vector<std::string> phrases_;  ///< enclosed by blanks
+  std::vector<std::string> inside_;
+};
+
 struct CompiledPattern {
   Source source;
   Pattern pattern;
@@ -57,6 +71,7 @@ struct CompiledRule {
   std::vector<CompiledPattern> patterns;
   RuleFields fields;
   Replacements replace;
+  RequiredWords has;
 };
 
 struct CompiledNaming::Parts {

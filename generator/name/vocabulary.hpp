@@ -44,6 +44,7 @@ struct BuiltInWords {
   std::span<const std::string_view> panel;  ///< of what an operator sees or touches
   std::span<const std::string_view> alarm;
   std::span<const std::string_view> data;
+  std::span<const std::string_view> parts;  ///< of work pieces that sensors see
   std::span<const std::string_view> spare;
   std::span<const std::string_view> healthy;  ///< of contacts that are on in a healthy plant
   std::span<const std::string_view> echo;     ///< that a text repeats what the other side says
