@@ -62,11 +62,15 @@ void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnos
   diagnostics.locate(source, spans);
 }
 
-std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists) {
+/// By the built-in rule if `reader` is null.
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader) {
   std::vector<model::ListInput> named;
   named.reserve(lists.size());
   for (const ReadList& list : lists) {
-    named.push_back({list.table, name::read_names(*list.table, name::built_in_rule()), list.controller, list.xy});
+    named.push_back({list.table,
+                     reader == nullptr ? name::read_names(*list.table, name::built_in_rule())
+                                       : name::read_names(*list.table, *reader),
+                     list.controller, list.xy});
   }
   return named;
 }
@@ -105,9 +109,11 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
     return std::nullopt;
   }
   progress.stage("parsing names");
-  std::vector<model::ListInput> lists = parse_names(inputs->lists);
+  const auto reader = inputs->naming == nullptr ? nullptr : std::make_shared<name::SymbolReader>(inputs->naming);
+  std::vector<model::ListInput> lists = parse_names(inputs->lists, reader.get());
   progress.stage("deriving models");
-  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name);  // symbols have copies of the readings
+  model::Derived named =
+      model::derive(std::exchange(lists, {}), inputs->name, reader);  // symbols have copies of the readings
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   const bool sound = inputs->readable && derived.evidence.faults.empty();
   const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));

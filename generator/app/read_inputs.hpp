@@ -11,6 +11,7 @@
 #include "base/file_system.hpp"
 #include "description/plant_file.hpp"
 #include "diag/diagnostic.hpp"
+#include "name/compiled_naming.hpp"
 
 namespace symplant::app {
 
@@ -28,6 +29,7 @@ struct Inputs {
   std::vector<description::DescriptionFault> faults;            ///< of the description's form
   bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
   std::vector<ReadList> lists;
+  std::shared_ptr<const name::CompiledNaming> naming;  ///< null: the built-in rule
 };
 
 /// Reads all files of a plant. Nothing if there is no list. Adds findings to `diagnostics`, except those in `faults`.
