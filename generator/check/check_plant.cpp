@@ -27,7 +27,8 @@ void check_plant(const model::PlantModel& plant, const model::Evidence& evidence
   const DeviceClasses classes(plant);
   const OverruledNames overruled(plant);
   std::vector<WrittenCondition> conditions;
-  const Subject subject{plant, evidence, classes, overruled, conditions};
+  const std::vector<bool> named_otherwise = lists_named_otherwise(plant);
+  const Subject subject{plant, evidence, classes, overruled, conditions, named_otherwise};
   conditions = conditions_of(subject);
   for (const Rule* rule : kRules) {
     if (plant.pairing != nullptr && is_of_built_in_names(rule)) continue;

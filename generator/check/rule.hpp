@@ -25,6 +25,7 @@ struct Subject {
   const DeviceClasses& classes;
   const OverruledNames& overruled;
   const std::vector<WrittenCondition>& conditions;  ///< of the description
+  const std::vector<bool>& named_otherwise;         ///< for each list: SP208 or SP415 reports all its names at once
 };
 
 struct Rule {

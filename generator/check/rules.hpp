@@ -18,6 +18,7 @@ extern const Rule kIllegalCharacter;           // SP204
 extern const Rule kNameSlip;                   // SP205
 extern const Rule kPathAmbiguous;              // SP206
 extern const Rule kRoleTaken;                  // SP207
+extern const Rule kNamedOtherwise;             // SP208
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -54,6 +55,7 @@ extern const Rule kSequenceRepeated;           // SP412
 extern const Rule kOneTaskAlone;               // SP413
 extern const Rule kShapeLacksSymbol;           // SP414
 extern const Rule kNoDevice;                   // SP415
+extern const Rule kTasksLookParallel;          // SP416
 extern const Rule kInferredRestState;          // SP501
 extern const Rule kInferredSingleSolenoid;     // SP502
 extern const Rule kInferredSequence;           // SP503
@@ -83,6 +85,7 @@ inline constexpr std::array kRules{
     &kNameSlip,
     &kPathAmbiguous,
     &kRoleTaken,
+    &kNamedOtherwise,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
@@ -119,6 +122,7 @@ inline constexpr std::array kRules{
     &kOneTaskAlone,
     &kShapeLacksSymbol,
     &kNoDevice,
+    &kTasksLookParallel,
     &kInferredRestState,
     &kInferredSingleSolenoid,
     &kInferredSequence,
@@ -142,6 +146,10 @@ inline constexpr std::array kRules{
 /// it is.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
+/// Whether a name has this fault, and needs a finding of its own.
+bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::NameFault fault);
+/// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
+std::vector<bool> lists_named_otherwise(const model::PlantModel& plant);
 /// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model
 /// of its device if the fault is behind the device's levels.
 diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol);

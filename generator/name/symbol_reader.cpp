@@ -55,7 +55,11 @@ struct SymbolReader::Work {
   bool match(const SymbolText& symbol, std::size_t rule);
   bool match(const SymbolText& symbol, const CompiledRule& rule, const CompiledPattern& pattern, MatchedText& match);
   bool is_ignored(const SymbolText& symbol);
+  void forget_texts() {
+    for (SourceText& source : sources) source.made = false;
+  }
   std::string field(Field field, char joint) const;
+  RuleReading reading_by(std::size_t rule, const SymbolText& symbol);
   void read_levels(RuleReading& reading);
   void read_side(const SymbolText& symbol, std::size_t rule, RuleReading& reading);
   void read_task(std::size_t rule, RuleReading& reading);
@@ -220,29 +224,42 @@ SymbolReader::SymbolReader(std::shared_ptr<const CompiledNaming> naming)
     : work_(std::make_unique<Work>(std::move(naming))) {}
 SymbolReader::~SymbolReader() = default;
 
+/// The reading of a symbol that the rule has just matched.
+RuleReading SymbolReader::Work::reading_by(std::size_t rule, const SymbolText& symbol) {
+  RuleReading reading;
+  reading.rule = static_cast<std::uint16_t>(rule);
+  reading.role = naming->naming().rules[rule].role;
+  read_side(symbol, rule, reading);
+  read_levels(reading);
+  read_task(rule, reading);
+  reading.outcome = !reading.side                     ? Outcome::no_direction
+                    : *reading.side == Side::internal ? Outcome::internal
+                                                      : Outcome::read;
+  return reading;
+}
+
 RuleReading SymbolReader::read(const SymbolText& symbol) {
   Work& work = *work_;
-  for (auto& source : work.sources) source.made = false;
+  work.forget_texts();
   RuleReading reading;
+  reading.side = symbol.address;
   if (work.is_ignored(symbol)) {
     reading.outcome = Outcome::ignored;
     return reading;
   }
-  const std::vector<SymbolRule>& rules = work.naming->naming().rules;
-  std::size_t rule = 0;
-  while (rule < rules.size() && !work.match(symbol, rule)) ++rule;
+  for (std::size_t rule = 0; rule < work.parts.rules.size(); ++rule) {
+    if (!work.match(symbol, rule)) continue;
+    ++work.matched[rule];
+    return work.reading_by(rule, symbol);
+  }
+  return reading;
+}
+
+RuleReading SymbolReader::read_by(std::size_t rule, const SymbolText& symbol) {
+  work_->forget_texts();
+  if (work_->match(symbol, rule)) return work_->reading_by(rule, symbol);
+  RuleReading reading;
   reading.side = symbol.address;
-  if (rule == rules.size()) return reading;
-  ++work.matched[rule];
-  reading.rule = static_cast<std::uint16_t>(rule);
-  reading.role = rules[rule].role;
-  reading.side = std::nullopt;
-  work.read_side(symbol, rule, reading);
-  work.read_levels(reading);
-  work.read_task(rule, reading);
-  reading.outcome = !reading.side                     ? Outcome::no_direction
-                    : *reading.side == Side::internal ? Outcome::internal
-                                                      : Outcome::read;
   return reading;
 }
 

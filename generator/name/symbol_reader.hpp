@@ -21,6 +21,9 @@ class SymbolReader {
   /// O(text) for usual patterns; at worst O(text squared * pattern). Does not throw, whatever the texts hold.
   RuleReading read(const SymbolText& symbol);
 
+  /// Reads by one rule, as if it were the only one; `no_rule` if it does not match.
+  RuleReading read_by(std::size_t rule, const SymbolText& symbol);
+
   const CompiledNaming& naming() const;
   /// How many symbols each rule matched so far, by index in Naming::rules.
   const std::vector<std::size_t>& matched() const;

@@ -48,20 +48,25 @@ void Series::take(std::string_view number) {
 
 class DataSymbols {
  public:
-  explicit DataSymbols(Work& work) : work_(work), texts_(work.inputs.size()) {}
+  explicit DataSymbols(Work& work) : work_(work) {}
 
-  void run() {
+  void set_repeated() {
     std::vector<std::uint32_t> data;
     for (std::uint32_t i = 0; i < work_.inputs.size(); ++i) {
       if (!work_.is_free(i)) continue;
       const std::uint32_t first = first_of_text(i);
       if (first != i) data.insert(data.end(), {first, i});
-      add_numbers(i);
-    }
-    for (const auto& [input, series] : in_series_) {
-      if (series_[series].is_data()) data.push_back(input);
     }
     for (const std::uint32_t input : data) work_.result.accounts[input] = Account::data;
+  }
+
+  void set_weights() {
+    for (std::uint32_t i = 0; i < work_.inputs.size(); ++i) {
+      if (work_.is_free(i)) add_numbers(i);
+    }
+    for (const auto& [input, series] : in_series_) {
+      if (series_[series].is_data()) work_.result.accounts[input] = Account::data;
+    }
   }
 
  private:
@@ -133,6 +138,8 @@ class DataSymbols {
 
 }  // namespace
 
-void set_data_aside(Work& work) { DataSymbols(work).run(); }
+void set_repeated_texts_aside(Work& work) { DataSymbols(work).set_repeated(); }
+
+void set_weights_aside(Work& work) { DataSymbols(work).set_weights(); }
 
 }  // namespace symplant::pairing

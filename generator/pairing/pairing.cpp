@@ -1,4 +1,4 @@
-// The order of pairing: links, data, archetypes, words.
+// The order of pairing: links, archetypes, words, then data.
 #include "pairing/pairing.hpp"
 
 #include <algorithm>
@@ -99,9 +99,10 @@ std::string joined_words(std::string_view text) {
 Pairing pair(const name::CompiledNaming& naming, std::span<const Input> inputs) {
   Work work(naming, inputs);
   pair_by_links(work);
-  set_data_aside(work);
+  set_repeated_texts_aside(work);
   pair_by_archetypes(work);
   pair_by_words(work);
+  set_weights_aside(work);
   finish(work);
   return std::move(work.result);
 }

@@ -41,8 +41,10 @@ struct Work {
 
 /// Joins symbols by the rows of Naming::links.
 void pair_by_links(Work& work);
-/// Accounts for numbers that are spread over bits, and for symbols of one text.
-void set_data_aside(Work& work);
+/// Accounts for symbols of one text.
+void set_repeated_texts_aside(Work& work);
+/// Accounts for numbers that are spread over bits, as far as nothing else joins them.
+void set_weights_aside(Work& work);
 /// Joins symbols by archetypes, and accounts for constants.
 void pair_by_archetypes(Work& work);
 /// Joins symbols by their tasks.

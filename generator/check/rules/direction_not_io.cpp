@@ -60,7 +60,7 @@ std::string direction_message(const model::PlantModel& plant, const model::Symbo
 void check_direction_not_io(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.reading.fault != name::NameFault::direction_not_io) continue;
+    if (!breaks_rule(subject, symbol, name::NameFault::direction_not_io)) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(rule.info, about_name(plant, symbol), direction_message(plant, symbol), location);

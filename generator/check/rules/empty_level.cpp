@@ -17,7 +17,7 @@ constexpr std::string_view kEmptyLevelPage =
 void check_empty_level(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.reading.fault != name::NameFault::empty_level) continue;
+    if (!breaks_rule(subject, symbol, name::NameFault::empty_level)) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(rule.info, about_name(plant, symbol),

@@ -19,7 +19,7 @@ none. It is still served, under the name that it has.
 void check_illegal_character(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.reading.fault != name::NameFault::illegal_character) continue;
+    if (!breaks_rule(subject, symbol, name::NameFault::illegal_character)) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(rule.info, about_name(plant, symbol),

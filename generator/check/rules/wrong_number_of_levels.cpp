@@ -21,7 +21,7 @@ void check_wrong_number_of_levels(const Rule& rule, const Subject& subject, diag
   const model::PlantModel& plant = subject.plant;
   const std::size_t wanted = plant.rule->levels.size();
   for (const model::Symbol& symbol : plant.symbols) {
-    if (symbol.reading.fault != name::NameFault::wrong_number_of_levels) continue;
+    if (!breaks_rule(subject, symbol, name::NameFault::wrong_number_of_levels)) continue;
     diag::Location location = location_of(plant, symbol);
     narrow(location, symbol);
     diagnostics.add(

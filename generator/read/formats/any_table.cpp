@@ -9,6 +9,7 @@
 #include "read/rules/missing_column.hpp"
 #include "read/rules/unclosed_quote.hpp"
 #include "read/rules/unknown_format.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::read {
 
@@ -33,7 +34,7 @@ std::string shown(const Layout& layout, const std::vector<CsvRow>& rows, std::si
   std::string examples;
   for (const std::string_view cell : sample_cells(rows, column)) {
     if (examples.size() > 80 || std::count(examples.begin(), examples.end(), '`') == 2 * kExamples) break;
-    examples += fmt::format("{}`{}`", examples.empty() ? "" : ", ", cell.substr(0, 40));
+    examples += fmt::format("{}`{}`", examples.empty() ? "" : ", ", text::first_code_points(cell, 40));
   }
   return text + " (" + examples + ")";
 }

@@ -121,11 +121,15 @@ TEST_CASE("Symbols of one text are data") {
   CHECK(paired.of(Account::data) == "S1_RB_GO_X2 S1_RB_GO_X3");
 }
 
-TEST_CASE("Numbers that are weights are data, numbers that count are not") {
+TEST_CASE("Numbers that are weights are data unless both sides have them, numbers that count are not") {
   const std::string pattern = "{process}_{device}_{task...}";
   const Paired weights(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 4", "Q S1_RB_JOB 8",
-                                            "I S1_RB_JOB 1", "I S1_RB_JOB 10"});
+                                            "I S1_RB_AT 1", "I S1_RB_AT 10"});
+  CHECK(weights.facets().empty());
   CHECK(weights.of(Account::data) == "S1_RB_JOB 1 S1_RB_JOB 2 S1_RB_JOB 4 S1_RB_JOB 8");
+  const Paired both(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 4", "Q S1_RB_JOB 8",
+                                         "I S1_RB_JOB 1", "I S1_RB_JOB 2", "I S1_RB_JOB 4", "I S1_RB_JOB 8"});
+  CHECK(both.of(Account::data).empty());
   const Paired count(naming_of(pattern), {"Q S1_RB_JOB 1", "Q S1_RB_JOB 2", "Q S1_RB_JOB 3", "Q S1_RB_JOB 4",
                                           "Q S1_RB_JOB 8", "I S1_RB_JOB 1"});
   CHECK(count.of(Account::data).empty());

@@ -1,0 +1,238 @@
+// Looks for directions, classes, devices and motions in the words of a list.
+#include "infer/candidates.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "infer/differences.hpp"
+
+namespace symplant::infer {
+namespace {
+
+constexpr std::size_t kPositions = 4;   ///< words at the begin that may say direction, class or device
+constexpr double kPure = 0.9;           ///< share of a word's samples on one side
+constexpr double kLeastMarked = 0.05;   ///< share of samples with a direction word
+constexpr std::size_t kLeastCount = 3;  ///< samples of a class word
+constexpr double kLeastOfDevice = 6;    ///< symbols of a device that a shape names
+constexpr std::size_t kMostDifferences = 12;
+
+struct Sides {
+  std::size_t operations = 0;
+  std::size_t events = 0;
+
+  std::size_t total() const { return operations + events; }
+  std::optional<name::Side> pure() const {
+    const auto share = static_cast<double>(std::max(operations, events)) / static_cast<double>(total());
+    if (total() < kLeastCount || share < kPure) return std::nullopt;
+    return operations > events ? name::Side::operation : name::Side::event;
+  }
+  void add(bool operation) { ++(operation ? operations : events); }
+};
+
+using WordSides = std::map<std::string, name::Side>;
+
+/// The fields before the word at a position.
+std::string prefix(std::size_t position) {
+  constexpr std::array<std::string_view, kPositions> kPrefixes = {"", "{process}_", "{line}_{process}_", ""};
+  return std::string(kPrefixes[position]);
+}
+
+class CandidateFinder {
+ public:
+  CandidateFinder(const std::vector<SampleWords>& words, name::Source source, const name::Vocabulary& vocabulary)
+      : words_(words), source_(source), vocabulary_(vocabulary) {}
+
+  std::vector<Candidate> run() {
+    count();
+    find_markers();
+    for (std::size_t position = 0; position + 1 < kPositions; ++position) {
+      find_devices(position);
+      find_classes(position);
+    }
+    find_motions();
+    find_differences();
+    std::stable_sort(found_.begin(), found_.end(), [](const Candidate& a, const Candidate& b) {
+      return a.kind != b.kind ? a.kind < b.kind : a.support > b.support;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  void count() {
+    for (const SampleWords& text : words_) {
+      for (std::size_t k = 0; k < std::min(kPositions, text.words.size()); ++k) {
+        sides_[k][text.words[k]].add(text.operation);
+      }
+    }
+  }
+
+  bool has_motion(const SampleWords& text) const {
+    return std::any_of(text.words.begin(), text.words.end(),
+                       [&](const std::string& word) { return vocabulary_.motion(word).has_value(); });
+  }
+
+  /// A position with short words of which each is on one side.
+  void find_markers() {
+    std::size_t most = 0;
+    for (std::size_t k = 0; k + 1 < kPositions; ++k) {
+      WordSides marks;
+      Sides total;
+      for (const auto& [word, sides] : sides_[k]) {
+        const auto side = sides.pure();
+        if (!side || word.size() > 2 || is_number(word)) continue;
+        marks.emplace(word, *side);
+        total.operations += *side == name::Side::operation ? sides.total() : 0;
+        total.events += *side == name::Side::event ? sides.total() : 0;
+      }
+      const auto least = kLeastMarked * static_cast<double>(words_.size());
+      if (total.operations == 0 || total.events == 0 || static_cast<double>(total.total()) < least) continue;
+      if (total.total() <= most) continue;
+      most = total.total();
+      marker_position_ = k;
+      marks_ = std::move(marks);
+    }
+  }
+
+  bool is_marked(std::size_t position) const { return !marks_.empty() && marker_position_ == position; }
+
+  name::SymbolRule rule(std::string pattern) const {
+    name::SymbolRule rule;
+    rule.patterns.push_back({source_, std::move(pattern)});
+    return rule;
+  }
+
+  void mark(name::SymbolRule& rule) const {
+    name::FieldRule field{"direction", {}, {}};
+    for (const auto& [word, side] : marks_) field.words.emplace_back(word, side);
+    rule.fields.push_back(std::move(field));
+  }
+
+  void add(CandidateKind kind, std::vector<name::SymbolRule> rules, std::size_t support, std::string why) {
+    found_.push_back({kind, std::move(rules), support, std::move(why)});
+  }
+
+  /// Words of one shape, such as RB1 and RB2, at a position: devices with many symbols on both sides.
+  void find_devices(std::size_t position) {
+    struct Shape {
+      Sides sides;
+      std::set<std::string> devices;
+    };
+    const bool marked = position > 0 && is_marked(position - 1);
+    std::map<std::string, Shape> shapes;
+    for (const SampleWords& text : words_) {
+      if (text.words.size() < position + 2) continue;
+      const std::string& word = text.words[position];
+      if (is_number(word) || word.size() < 2) continue;
+      Shape& shape = shapes[shape_of(word)];
+      shape.sides.add(text.operation);
+      std::string path = word;
+      for (std::size_t i = 0; i < position; ++i) {
+        if (!is_marked(i)) path = text.words[i] + "_" + path;
+      }
+      shape.devices.insert(std::move(path));
+    }
+    std::string expression;
+    std::size_t support = 0;
+    for (const auto& [shape, found] : shapes) {
+      const auto size = static_cast<double>(found.sides.total()) / static_cast<double>(found.devices.size());
+      if (found.sides.operations < kLeastCount || found.sides.events < kLeastCount || size < kLeastOfDevice) continue;
+      if (shape.find('#') == std::string::npos || shape == "#") continue;
+      expression.append(expression.empty() ? "" : "|").append(expression_of_shape(shape));
+      support += found.sides.total();
+    }
+    if (support == 0) return;
+    const std::size_t before = marked ? position - 1 : position;
+    name::SymbolRule devices = rule(prefix(before) + (marked ? "{direction}_" : "") + "{device}_{task...}");
+    if (marked) mark(devices);
+    devices.fields.push_back({"device", expression, {}});
+    add(CandidateKind::devices, {std::move(devices)}, support, "devices `" + expression + "`");
+  }
+
+  /// Words at a position that are on one side each, in texts with a motion.
+  void find_classes(std::size_t position) {
+    std::map<std::string, Sides> words;
+    for (const SampleWords& text : words_) {
+      if (text.words.size() < position + 2 || !has_motion(text)) continue;
+      words[text.words[position]].add(text.operation);
+    }
+    WordSides classes;
+    Sides total;
+    for (const auto& [word, sides] : words) {
+      const auto side = sides.pure();
+      if (!side || is_number(word) || vocabulary_.motion(word)) continue;
+      classes.emplace(word, *side);
+      total.operations += sides.operations;
+      total.events += sides.events;
+    }
+    if (total.operations == 0 || total.events == 0) return;
+    for (const std::string_view rest : {"{class}_{device...}_{task:known}", "{class}_{task:known}_{device...}"}) {
+      name::SymbolRule motions = rule(prefix(position) + std::string(rest));
+      for (const auto& [word, side] : classes) motions.classes.emplace_back(word, side);
+      add(CandidateKind::motions, {std::move(motions)}, total.total(), "classes before a motion");
+    }
+  }
+
+  void find_motions() {
+    const auto support = static_cast<std::size_t>(
+        std::count_if(words_.begin(), words_.end(), [&](const SampleWords& text) { return has_motion(text); }));
+    if (support == 0) return;
+    std::vector<std::string> patterns = {"{process}_{device...}_{task:known}", "{device...}_{task:known}",
+                                         "{process}_{task:known}_{device...}", "{task:known}_{device...}"};
+    for (const std::string& pattern : patterns) add(CandidateKind::motions, {rule(pattern)}, support, "motions");
+    if (marks_.empty()) return;
+    for (const std::string_view rest :
+         {"{direction}_{device...}_{task:known}", "{direction}_{task:known}_{device...}"}) {
+      name::SymbolRule marked = rule(prefix(marker_position_) + std::string(rest));
+      mark(marked);
+      add(CandidateKind::motions, {std::move(marked)}, support + 1, "motions after a direction");
+    }
+  }
+
+  static std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text.append(text.empty() ? "" : "_").append(quoted(word));
+    return text;
+  }
+
+  void find_differences() {
+    std::size_t count = 0;
+    for (const Difference& difference : differences_of(words_, vocabulary_, {})) {
+      if (difference.operation.empty() || difference.event.empty()) continue;
+      if (++count > kMostDifferences) break;
+      const bool before = difference.before == difference.support;
+      const bool after = difference.after == difference.support;
+      if (!before && !after) continue;
+      std::vector<name::SymbolRule> rules;
+      for (const bool operation : {true, false}) {
+        const std::string words = joined(operation ? difference.operation : difference.event);
+        name::SymbolRule one = rule(before ? after ? "{device...}_" + words + "_{task...}" : "{device...}_" + words
+                                           : words + "_{device...}");
+        if (!before || !after) one.task = "ON";
+        one.side = operation ? name::Side::operation : name::Side::event;
+        rules.push_back(std::move(one));
+      }
+      add(CandidateKind::difference, std::move(rules), difference.support,
+          "`" + joined(difference.operation) + "` -> `" + joined(difference.event) + "`");
+    }
+  }
+
+  const std::vector<SampleWords>& words_;
+  name::Source source_;
+  const name::Vocabulary& vocabulary_;
+  std::array<std::map<std::string, Sides>, kPositions> sides_;
+  std::size_t marker_position_ = 0;
+  WordSides marks_;
+  std::vector<Candidate> found_;
+};
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(const std::vector<SampleWords>& words, name::Source source,
+                                     const name::Vocabulary& vocabulary) {
+  return CandidateFinder(words, source, vocabulary).run();
+}
+
+}  // namespace symplant::infer

@@ -1,0 +1,131 @@
+// Finds differences of operations and events by joining them on the words that they have in common.
+#include "infer/differences.hpp"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "text/folding.hpp"
+
+namespace symplant::infer {
+namespace {
+
+/// A text without one run of words.
+struct Cut {
+  std::uint32_t text;  ///< index in the words
+  std::uint32_t begin;
+  std::uint32_t count;
+};
+
+struct Side {
+  std::vector<Cut> operations;
+  std::vector<Cut> events;
+};
+
+/// A word as it is compared: a motion as its pair, which both positions have.
+std::string compared(const std::string& word, const name::Vocabulary& vocabulary) {
+  if (const auto motion = vocabulary.motion(word)) return text::folded(motion->rest_word);
+  return word;
+}
+
+class Miner {
+ public:
+  Miner(const std::vector<SampleWords>& words, const name::Vocabulary& vocabulary, DifferenceLimits limits)
+      : words_(words), vocabulary_(vocabulary), limits_(limits) {}
+
+  std::vector<Difference> run() {
+    for (std::uint32_t i = 0; i < words_.size(); ++i) cut(i);
+    tally();
+    std::vector<Difference> found;
+    for (auto& [key, difference] : tally_) {
+      if (difference.support >= limits_.least_support) found.push_back(std::move(difference));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Difference& a, const Difference& b) { return a.support > b.support; });
+    return found;
+  }
+
+ private:
+  bool may_be_cut(const std::string& word) const { return !is_number(word) && !vocabulary_.motion(word); }
+
+  void cut(std::uint32_t text) {
+    const std::vector<std::string>& words = words_[text].words;
+    if (words.size() > 16) return;
+    std::vector<std::string> keys;
+    for (const std::string& word : words) keys.push_back(compared(word, vocabulary_));
+    const auto add = [&](std::size_t begin, std::size_t count) {
+      if (words.size() - count < limits_.least_common) return;
+      std::string key;
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i >= begin && i < begin + count) continue;
+        key.append(keys[i]).append(1, '\x1f');
+      }
+      Side& side = joined_[key];
+      auto& cuts = words_[text].operation ? side.operations : side.events;
+      if (cuts.size() < 4) {
+        cuts.push_back({text, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(count)});
+      }
+    };
+    add(words.size(), 0);
+    for (std::size_t begin = 0; begin < words.size(); ++begin) {
+      for (std::size_t count = 1; count <= limits_.most_words && begin + count <= words.size(); ++count) {
+        if (!may_be_cut(words[begin + count - 1])) break;
+        add(begin, count);
+      }
+    }
+  }
+
+  std::vector<std::string> cut_words(const Cut& cut) const {
+    const auto first = words_[cut.text].words.begin() + static_cast<std::ptrdiff_t>(cut.begin);
+    return {first, first + static_cast<std::ptrdiff_t>(cut.count)};
+  }
+
+  void tally() {
+    for (const auto& [key, side] : joined_) {
+      if (side.operations.empty() || side.events.empty()) continue;
+      if (side.operations.size() > 2 || side.events.size() > 3) continue;  // the common words are not specific
+      for (const Cut& operation : side.operations) {
+        for (const Cut& event : side.events) add(operation, event);
+      }
+    }
+  }
+
+  void add(const Cut& operation, const Cut& event) {
+    if (operation.count == 0 && event.count == 0) return;
+    if (operation.count != 0 && event.count != 0 && operation.begin != event.begin) return;
+    std::vector<std::string> operation_words = cut_words(operation);
+    std::vector<std::string> event_words = cut_words(event);
+    if (operation_words == event_words) return;
+    std::string key;
+    for (const std::string& word : operation_words) key.append(word).append(1, ' ');
+    key += '\x1f';
+    for (const std::string& word : event_words) key.append(word).append(1, ' ');
+    if (!counted_[key].emplace(operation.text, true).second) return;
+    Difference& difference = tally_[key];
+    if (++difference.support == 1) {
+      difference.operation = std::move(operation_words);
+      difference.event = std::move(event_words);
+    }
+    const Cut& placed = operation.count != 0 ? operation : event;
+    const std::size_t size = words_[placed.text].words.size();
+    if (placed.begin != 0) ++difference.before;
+    if (placed.begin + placed.count < size) ++difference.after;
+  }
+
+  const std::vector<SampleWords>& words_;
+  const name::Vocabulary& vocabulary_;
+  DifferenceLimits limits_;
+  std::unordered_map<std::string, Side> joined_;
+  std::map<std::string, Difference> tally_;
+  std::unordered_map<std::string, std::map<std::uint32_t, bool>> counted_;
+};
+
+}  // namespace
+
+std::vector<Difference> differences_of(const std::vector<SampleWords>& words, const name::Vocabulary& vocabulary,
+                                       DifferenceLimits limits) {
+  return Miner(words, vocabulary, limits).run();
+}
+
+}  // namespace symplant::infer
