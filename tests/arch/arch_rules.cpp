@@ -20,9 +20,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 15> kGenerator = {"base",  "text",        "diag",  "address", "read",
-                                                         "name",  "description", "model", "convert", "lower",
-                                                         "check", "findings",    "emit",  "view",    "app"};
+constexpr std::array<std::string_view, 16> kGenerator = {"base",        "text",    "diag",  "address", "read",  "name",
+                                                         "description", "pairing", "model", "convert", "lower", "check",
+                                                         "findings",    "emit",    "view",  "app"};
 constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
                                                        "exec",   "link",   "trace", "scenario",  "host"};
 

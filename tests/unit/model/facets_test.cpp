@@ -202,7 +202,7 @@ TEST_CASE("Disabling a device disables all its facets") {
   CHECK(unit.disables[1] == std::vector<std::uint32_t>{0, 1, 2});
 }
 
-TEST_CASE("Constants stand at their value from the start") {
+TEST_CASE("Constants have their value from the start") {
   name::Naming naming = cell();
   name::SymbolRule normal;
   normal.patterns.push_back({name::Source::name, "{device...}_NORMAL"});
