@@ -17,6 +17,7 @@ struct CompileOptions {
   std::string today = {};              ///< YYYY-MM-DD, for findings ignored until a day; empty: no entry has expired
   bool tables = true;                  ///< false: only checks follow, and the plant is lowered only if they need it
   findings::Selection selection = {};  ///< which findings are reported
+  std::string naming = {};             ///< a naming.json or `@PROFILE`; empty: what the plant.json gives
 };
 
 }  // namespace symplant::app

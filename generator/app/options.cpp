@@ -81,6 +81,11 @@ void add_plant_options(CLI::App& command, PlantOptions& options) {
           },
           "how X and Y count if no row proves it (default: hex)")
       ->type_name("hex|octal");
+  command
+      .add_option("--naming", options.naming,
+                  "how names are read: a naming.json, or a ready profile (`symplant naming` lists them) (default: the "
+                  "naming of plant.json, else LINE_PROC_DEV_I|O_TASK)")
+      ->type_name("FILE|@PROFILE");
   command.add_flag("--verbose", options.verbose, "show what was decided and why, and notes");
 }
 
@@ -195,10 +200,16 @@ void show_counts(Context& context, const std::string& plant, const diag::Diagnos
 
 }  // namespace
 
+CompileOptions compile_options(const Context& context, const std::string& plant, const PlantOptions& options) {
+  CompileOptions compiled{plant, options.read, options.xy, context.today};
+  compiled.naming = options.naming;
+  return compiled;
+}
+
 std::optional<Compiled> compile_for(Context& context, const std::string& plant, const PlantOptions& options) {
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
-  auto compiled = compile({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
+  auto compiled = compile(compile_options(context, plant, options), context.files, progress, diagnostics);
   show_findings(context, diagnostics, options.verbose);
   if (compiled && options.verbose) report_decisions(context, *compiled);
   show_counts(context, plant, diagnostics, options.verbose, compiled);
@@ -208,7 +219,7 @@ std::optional<Compiled> compile_for(Context& context, const std::string& plant, 
 std::optional<Inputs> read_for(Context& context, const std::string& plant, const PlantOptions& options) {
   diag::Diagnostics diagnostics;
   Progress progress(context.err, context.progress);
-  auto inputs = read_inputs({plant, options.read, options.xy, context.today}, context.files, progress, diagnostics);
+  auto inputs = read_inputs(compile_options(context, plant, options), context.files, progress, diagnostics);
   if (inputs && inputs->source != nullptr) description::add_findings(inputs->source, inputs->faults, diagnostics);
   show_findings(context, diagnostics, options.verbose);
   show_counts(context, plant, diagnostics, options.verbose, inputs);

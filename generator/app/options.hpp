@@ -11,13 +11,17 @@
 
 namespace symplant::app {
 
-/// The options of every command that reads a plant: --input-format, --encoding, --xy, --verbose.
+/// The options of every command that reads a plant: --input-format, --encoding, --xy, --naming, --verbose.
 struct PlantOptions {
   read::ReadOptions read;
   std::optional<address::Radix> xy;
+  std::string naming;
   bool verbose = false;
 };
 void add_plant_options(CLI::App& command, PlantOptions& options);
+
+/// What a command compiles by these options.
+CompileOptions compile_options(const Context& context, const std::string& plant, const PlantOptions& options);
 
 /// compile() for a command. Shows the errors on `context.err`, and the warnings as a line of counts (with --verbose all
 /// findings). If there are errors, returns no value and sets the exit code to 2.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/map_findings.hpp"
+#include "app/naming_findings.hpp"
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
 #include "check/catalogue.hpp"
@@ -83,6 +84,7 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
     add_description_findings(inputs, derived.evidence, diagnostics);
     add_url_findings(plant, diagnostics);
   }
+  if (inputs.naming_parts != nullptr) add_naming_findings(plant, *inputs.naming_parts, diagnostics);
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
   lower::check_limits(tables, diagnostics);
@@ -106,6 +108,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   const std::optional<Inputs> inputs = read_inputs(options, files, progress, diagnostics);
   if (!inputs) {
     diagnostics = findings::select(diagnostics, options.selection);
+    diagnostics.sort_by_location();
     return std::nullopt;
   }
   progress.stage("parsing names");
@@ -115,6 +118,7 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   model::Derived named =
       model::derive(std::exchange(lists, {}), inputs->name, reader);  // symbols have copies of the readings
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
+  if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();
   const bool lowered = sound && (options.tables || symbols_can_overlap(derived.plant));
   progress.stage("lowering");

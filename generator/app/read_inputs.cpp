@@ -7,7 +7,9 @@
 
 #include "app/list_files.hpp"
 #include "description/description_rules.hpp"
+#include "naming/load.hpp"
 #include "read/loading.hpp"
+#include "symplant/json/location.hpp"
 
 namespace symplant::app {
 namespace {
@@ -33,10 +35,38 @@ class InputReader {
                        : read::read_symbol_list(options_.plant, how, files_, diagnostics_);
     if (!table) return std::nullopt;
     add_list(std::move(*table), {}, options_.xy);
+    naming::NamingReference given;
+    given.file = options_.naming;
+    if (!read_naming(given)) return std::nullopt;
     return std::move(inputs_);
   }
 
  private:
+  /// False if the naming rule has a fault; true without one.
+  bool read_naming(const naming::NamingReference& reference) {
+    if (reference.empty()) return true;
+    if (!reference.file.empty()) progress_.stage("reading " + reference.file);
+    inputs_.naming_parts = naming::load_naming(reference, files_, diagnostics_);
+    if (inputs_.naming_parts == nullptr) return false;
+    inputs_.naming = inputs_.naming_parts->rule;
+    return true;
+  }
+
+  /// What the option gives, else what the plant.json gives.
+  naming::NamingReference naming_of(description::PlantFile& file) const {
+    naming::NamingReference reference;
+    reference.file = options_.naming;
+    if (!reference.file.empty()) return reference;
+    const json::Fault here{"/naming", {}, 0, false};
+    const json::Span span = json::spans(inputs_.source->text(), {&here, 1}).front();
+    reference.where = {inputs_.source, {span.begin, span.end}};
+    reference.folder = fs::path(options_.plant).parent_path().string();
+    reference.file = std::move(file.naming);
+    reference.inline_text = std::move(file.naming_text);
+    reference.pointer = here.pointer;
+    return reference;
+  }
+
   void add_list(read::SymbolTable table, const std::string& controller, std::optional<address::Radix> xy) {
     inputs_.lists.push_back({std::make_shared<read::SymbolTable>(std::move(table)), controller, xy});
   }
@@ -53,7 +83,9 @@ class InputReader {
     description::add_findings(inputs_.source, reading.syntax, diagnostics_);
     inputs_.faults = std::move(reading.faults);
     inputs_.readable = reading.syntax.empty() && inputs_.faults.empty();
-    if (reading.file && read_lists(reading.file->symbols)) {
+    const bool has_lists = reading.file && read_lists(reading.file->symbols);
+    const bool has_naming = reading.file && read_naming(naming_of(*reading.file));
+    if (has_lists && has_naming) {
       inputs_.name = reading.file->name;
       inputs_.description = std::make_shared<const description::Description>(std::move(reading.file->description));
       return true;

@@ -11,7 +11,7 @@
 #include "base/file_system.hpp"
 #include "description/plant_file.hpp"
 #include "diag/diagnostic.hpp"
-#include "name/compiled_naming.hpp"
+#include "naming/load.hpp"
 
 namespace symplant::app {
 
@@ -29,10 +29,12 @@ struct Inputs {
   std::vector<description::DescriptionFault> faults;            ///< of the description's form
   bool readable = true;  ///< everything was read and fits its format; otherwise the inputs serve to find faults only
   std::vector<ReadList> lists;
-  std::shared_ptr<const name::CompiledNaming> naming;  ///< null: the built-in rule
+  std::shared_ptr<const name::CompiledNaming> naming;                  ///< null: the built-in rule
+  std::shared_ptr<const symplant::naming::LoadedNaming> naming_parts;  ///< where its parts are; null with `naming`
 };
 
-/// Reads all files of a plant. Nothing if there is no list. Adds findings to `diagnostics`, except those in `faults`.
+/// Reads all files of a plant. Nothing if there is no list, or if the naming rule has a fault. Adds findings to
+/// `diagnostics`, except those in `faults`.
 std::optional<Inputs> read_inputs(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                   diag::Diagnostics& diagnostics);
 

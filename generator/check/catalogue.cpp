@@ -9,6 +9,7 @@
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
 #include "lower/limits.hpp"
+#include "naming/rules.hpp"
 #include "read/rules.hpp"
 #include "symplant/tables/nearest.hpp"
 #include "text/ascii.hpp"
@@ -34,6 +35,7 @@ std::vector<const diag::RuleInfo*> catalogue() {
   for (const Rule* rule : kRules) all.push_back(&rule->info);
   all.push_back(&lower::kPlantTooLarge);
   all.insert(all.end(), description::rules().begin(), description::rules().end());
+  all.insert(all.end(), naming::rules().begin(), naming::rules().end());
   std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   return all;
 }

@@ -22,8 +22,10 @@ foreach(floor tables engine plant condition json share exec link trace scenario 
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/templates DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant)
 install(FILES ${PROJECT_SOURCE_DIR}/generator/description/plant.schema.json
+              ${PROJECT_SOURCE_DIR}/generator/naming/naming.schema.json
               ${PROJECT_SOURCE_DIR}/generator/view/model.schema.json
               ${PROJECT_SOURCE_DIR}/runtime/scenario/scenario.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/schema)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/generator/naming/profiles DESTINATION ${CMAKE_INSTALL_DATADIR}/symplant/naming)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/generator/cmake/symplantConfig.cmake.in

@@ -20,6 +20,12 @@ constexpr std::array<const diag::RuleInfo*, 8> kRules{
     &kDescriptionNotJson,    &kDescriptionSchema, &kDescriptionUnknownName, &kContradictoryPatterns,
     &kPatternMatchesNothing, &kLeftOutForSome,    &kConditionNotUnderstood, &kDescriptionContradiction};
 
+text::Span span_of(const json::Span& span) { return {span.begin, span.end}; }
+
+}  // namespace
+
+std::span<const diag::RuleInfo* const> rules() { return kRules; }
+
 const diag::RuleInfo& rule_of(FaultKind kind) {
   switch (kind) {
     case FaultKind::contradiction:
@@ -40,12 +46,6 @@ const diag::RuleInfo& rule_of(FaultKind kind) {
   return kDescriptionContradiction;
 }
 
-text::Span span_of(const json::Span& span) { return {span.begin, span.end}; }
-
-}  // namespace
-
-std::span<const diag::RuleInfo* const> rules() { return kRules; }
-
 void add_empty_file(const std::string& path, diag::Diagnostics& diagnostics) {
   diagnostics.add(kDescriptionNotJson,
                   "the file `" + path +
@@ -55,16 +55,21 @@ void add_empty_file(const std::string& path, diag::Diagnostics& diagnostics) {
 }
 
 void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const json::Placed> faults,
-                  diag::Diagnostics& diagnostics) {
+                  diag::Diagnostics& diagnostics, const diag::RuleInfo& rule) {
   for (const json::Placed& fault : faults) {
     std::vector<diag::Related> related;
     if (fault.related) related.push_back({{source, span_of(fault.related->span)}, fault.related->message});
-    diagnostics.add(kDescriptionNotJson, fault.message, {source, span_of(fault.span)}, std::move(related));
+    diagnostics.add(rule, fault.message, {source, span_of(fault.span)}, std::move(related));
   }
 }
 
-void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const DescriptionFault> faults,
+void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const json::Placed> faults,
                   diag::Diagnostics& diagnostics) {
+  add_findings(source, faults, diagnostics, kDescriptionNotJson);
+}
+
+void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::span<const DescriptionFault> faults,
+                  diag::Diagnostics& diagnostics, RuleOf rule_of_kind) {
   if (faults.empty()) return;
   std::vector<json::Fault> wanted;
   wanted.reserve(faults.size());
@@ -79,7 +84,7 @@ void add_findings(const std::shared_ptr<const text::SourceFile>& source, std::sp
     if (!faults[i].related.empty()) {
       related.push_back({{source, span_of(locations[next_related++].span)}, faults[i].related_message});
     }
-    diagnostics.add(rule_of(faults[i].kind), faults[i].message, {source, span_of(locations[i].span)},
+    diagnostics.add(rule_of_kind(faults[i].kind), faults[i].message, {source, span_of(locations[i].span)},
                     std::move(related));
   }
 }

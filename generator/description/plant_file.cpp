@@ -27,7 +27,7 @@ constexpr std::array kOtherFiles{
     OtherFile{"symplant-trace", "this is a trace of a run, not a plant description"},
     OtherFile{"symplant-diagnostics", "this is output of `symplant check --format json`, not a plant description"},
     OtherFile{"symplant-model", "this is output of `symplant model --format json`, not a plant description"},
-    OtherFile{"symplant-naming", "this is a naming rule, not a plant description"},
+    OtherFile{"symplant-naming", "this is a naming rule; give it to `--naming`, next to a plant or a list"},
     OtherFile{"$id", "this looks like a JSON Schema, not a plant description"},
     OtherFile{"definitions", "this looks like a JSON Schema, not a plant description"},
     OtherFile{"dependencies", "this looks like the package.json of a JavaScript package, not a plant description"},
@@ -69,12 +69,12 @@ class PlantFileReader {
   PlantFileReader(Json& root, std::vector<DescriptionFault>& faults) : root_(root), all_(faults), faults_(faults) {}
 
   PlantFile read(std::string_view stem) {
-    take_out_later_keys();
     check_shape();
     file_.name = text_or_empty(root_, "name");
     check_text(file_.name, Pointer("/name"), faults_);
     if (file_.name.empty()) file_.name = stem;
     read_lists();
+    read_naming();
     read_defaults();
     if (const Json* devices = member(root_, "devices"); devices != nullptr && devices->is_object()) {
       file_.description.devices.reserve(devices->size());
@@ -89,15 +89,6 @@ class PlantFileReader {
   }
 
  private:
-  /// Removes keys of the format that this version does not support yet, with a message that differs from unknown keys.
-  void take_out_later_keys() {
-    constexpr std::string_view kLater = "naming";
-    if (!root_.is_object() || root_.erase(std::string(kLater)) == 0) return;
-    all_.push_back({(Pointer("") / kLater).text(),
-                    ticked(kLater) + " is not supported by this version of symplant; remove it", 0, FaultKind::shape,
-                    true});
-  }
-
   void check_shape() {
     for (json::Fault& fault : json::Schema(plant_schema()).check(root_)) {
       all_.push_back(
@@ -174,6 +165,13 @@ class PlantFileReader {
     }
     faults_.add(here, "unknown list format " + ticked(format) + "; choose one of " + known +
                           (nearest.name().empty() ? "" : "; did you mean " + ticked(nearest.name()) + "?"));
+  }
+
+  void read_naming() {
+    const Json* naming = member(root_, "naming");
+    if (naming == nullptr) return;
+    if (naming->is_string()) file_.naming = naming->get<std::string>();
+    if (naming->is_object()) file_.naming_text = naming->dump();
   }
 
   void read_defaults() {

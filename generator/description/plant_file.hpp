@@ -30,6 +30,8 @@ struct ListReference {
 struct PlantFile {
   std::string name;
   std::vector<ListReference> symbols;
+  std::string naming;       ///< the file of the naming rule, relative to the plant.json, or `@PROFILE`; empty: none
+  std::string naming_text;  ///< a naming rule that is written in the plant.json, as JSON; empty: none
   Description description;
 };
 

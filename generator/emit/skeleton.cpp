@@ -69,6 +69,7 @@ class Skeleton {
     links();
     check_section();
     line("  \"symbols\": [" + list_reference() + "],");
+    if (!list_.naming.empty()) line("  \"naming\": " + json_text(list_.naming) + ",");
     event_not_driven();
     line("  \"devices\": {");
     for (std::size_t i = 0; i < shapes_.size(); ++i) device(shapes_[i], i + 1 == shapes_.size());

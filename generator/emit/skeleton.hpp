@@ -14,6 +14,7 @@ struct SkeletonList {
   std::string format;    ///< empty: detected
   std::string encoding;  ///< empty: detected
   std::string xy;        ///< `hex`, `octal`; empty: not given
+  std::string naming;    ///< a naming.json relative to the description, or `@PROFILE`; empty: the built-in rule
 };
 
 /// The text of a plant.json: valid, and the same plant as the bare list. Each line with a key after `//` may be

@@ -202,6 +202,7 @@ struct PlantModel {
   /// The custom naming rule; null under the built-in one. Holds the texts of names.
   std::shared_ptr<const name::SymbolReader> reader;
   std::shared_ptr<const pairing::Pairing> pairing;  ///< under a custom rule: the facets of the units; else null
+  std::vector<std::string> naming_files;            ///< naming.json and its links; none with the built-in rule
   std::vector<Symbol> symbols;                      ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;                          ///< in the order of their first symbol
   std::vector<Requirement> requirements;
@@ -217,7 +218,7 @@ struct PlantModel {
   std::string list_names() const;  ///< of all lists, separated by commas
   /// The files of the lists, in their order.
   std::vector<const text::SourceFile*> sources() const;
-  /// All files of the plant: plant.json, if there is one, then the lists in their order.
+  /// All files of the plant: plant.json, if there is one, then the lists in their order, then those of the naming rule.
   std::vector<std::string> input_files() const;
 };
 

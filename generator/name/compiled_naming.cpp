@@ -58,7 +58,8 @@ CompiledRule compiled_rule(const SymbolRule& rule, std::size_t index, const Comp
   std::array<bool, kFields> has{};
   for (const SourcePattern& source : rule.patterns) {
     std::string pointer = index_pointer("rules", index, "pattern");
-    if (rule.patterns.size() > 1) pointer.append("/").append(source_key(source.source));
+    // If the pattern is a text, the pointer refers to no value, and its parent is meant.
+    if (const std::string_view key = source_key(source.source); !key.empty()) pointer.append("/").append(key);
     auto pattern = Pattern::compile(source.pattern, parts.separators, {});
     if (!pattern) {
       faults.push_back({std::move(pointer), pattern.error().message, pattern.error().offset});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "name/pattern_syntax.hpp"
+#include "symplant/tables/nearest.hpp"
 #include "text/folding.hpp"
 
 namespace symplant::name {
@@ -116,6 +117,11 @@ class PatternBuilder {
 
   std::string unknown(std::string_view name) const {
     if (archetype_) return "unknown field `{" + std::string(name) + "}`; the texts of an archetype only have `{x}`";
+    tables::NearestName nearest(name);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Field::x); ++i) nearest.offer(kFieldNames[i]);
+    if (!nearest.name().empty()) {
+      return "unknown field `{" + std::string(name) + "}`; did you mean `{" + std::string(nearest.name()) + "}`?";
+    }
     return "unknown field `{" + std::string(name) +
            "}`; fields are line, process, device, direction, class and task, with `...` for several words";
   }

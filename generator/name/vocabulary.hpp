@@ -33,6 +33,7 @@ struct BuiltInWords {
   };
   std::span<const Pair> pairs;
   std::span<const Synonym> synonyms;
+  std::span<const std::string_view> fused_motions;  ///< motions that follow another word without a blank
   std::span<const std::string_view> operation_affixes;
   std::span<const std::string_view> event_affixes;
   std::span<const ClassWord> classes;
@@ -41,6 +42,11 @@ struct BuiltInWords {
   std::span<const std::string_view> data;
   std::span<const std::string_view> spare;
   std::span<const std::string_view> healthy;  ///< of contacts that are on in a healthy plant
+  std::span<const std::string_view> echo;     ///< that a text repeats what the other side says
+  std::span<const std::string_view> start;    ///< that work may begin
+  std::span<const std::string_view> done;     ///< that work is done
+  std::span<const std::string_view> reset;
+  std::span<const std::string_view> interlock;  ///< of permissions between machines
 };
 const BuiltInWords& built_in_words();
 

@@ -181,7 +181,7 @@ std::string naming_text(const name::Naming& naming, std::string_view links_file)
   constexpr std::array<std::string_view, 3> kLevels = {"line", "process", "device"};
   Lines lines;
   lines.add("symplant-naming", 1);
-  lines.add("name", naming.name);
+  if (!naming.name.empty()) lines.add("name", naming.name);
   lines.add("normalise", normalise_json(naming.normalise));
   lines.add("separators", naming.separators);
   if (!naming.ignore.empty()) lines.add("ignore", naming.ignore);

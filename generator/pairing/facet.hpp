@@ -68,7 +68,8 @@ inline constexpr std::size_t kAccounts = 10;
 struct Remark {
   enum class Kind : std::uint8_t {
     role_taken,      ///< another symbol of its device has the same role of an archetype; it is left out
-    link_unknown,    ///< a link names a symbol that does not exist, or is not I/O: `link` is its row
+    link_unknown,    ///< a link names a symbol that does not exist, or is not BOOL I/O: `link` is its row, and
+                     ///< `other` is 1 if it is the operation
     link_side,       ///< a link names an operation as an event, or the reverse
     link_repeated,   ///< a link names a symbol that an earlier link gives another state or device: `other` is its row
     path_ambiguous,  ///< another device has the same path with other levels

@@ -20,9 +20,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 16> kGenerator = {"base",        "text",    "diag",  "address", "read",  "name",
-                                                         "description", "pairing", "model", "convert", "lower", "check",
-                                                         "findings",    "emit",    "view",  "app"};
+constexpr std::array<std::string_view, 18> kGenerator = {
+    "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing",
+    "infer", "model", "convert", "lower",   "check", "findings", "emit",        "view",   "app"};
 constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
                                                        "exec",   "link",   "trace", "scenario",  "host"};
 
@@ -33,7 +33,9 @@ struct RuntimeUse {
 };
 constexpr std::array kRuntimeUse = {
     RuntimeUse{"read", " tables "},
+    RuntimeUse{"name", " tables "},
     RuntimeUse{"description", " tables json link "},
+    RuntimeUse{"naming", " tables json "},
     RuntimeUse{"model", " tables condition link "},
     RuntimeUse{"lower", " tables condition "},
     RuntimeUse{"check", " tables condition "},

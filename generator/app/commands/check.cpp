@@ -120,8 +120,10 @@ class Check {
   void look_at(const std::string& file) {
     diag::Diagnostics diagnostics;
     Progress progress(context_.err, context_.progress);
-    auto compiled = compile({file, options_.plant.read, options_.plant.xy, context_.today, false, selection_},
-                            context_.files, progress, diagnostics);
+    CompileOptions how = compile_options(context_, file, options_.plant);
+    how.tables = false;
+    how.selection = selection_;
+    auto compiled = compile(how, context_.files, progress, diagnostics);
     if (compiled) {
       const std::vector<std::string> read = compiled->plant.input_files();
       inputs_.insert(inputs_.end(), read.begin(), read.end());

@@ -24,7 +24,7 @@ struct InitOptions {
   bool force = false;
 };
 
-/// The path of the list relative to the folder of the description, with `/`, which every system accepts.
+/// The path of a file relative to the folder of the description, with `/`, which every system accepts.
 std::string list_from(const std::string& output, const std::string& list) {
   namespace fs = std::filesystem;
   std::error_code unknown;
@@ -39,6 +39,10 @@ emit::SkeletonList reference(const InitOptions& options) {
   list.file = options.output.empty() ? options.list : list_from(options.output, options.list);
   list.format = given.read.input_format;
   if (given.read.encoding) list.encoding = text::encoding_name(*given.read.encoding);
+  list.naming = given.naming;
+  if (!list.naming.empty() && !list.naming.starts_with('@') && !options.output.empty()) {
+    list.naming = list_from(options.output, given.naming);
+  }
   if (given.xy) list.xy = *given.xy == address::Radix::hexadecimal ? "hex" : "octal";
   return list;
 }

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "description/plant_file.hpp"
+#include "naming/naming_file.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/scenario/read_scenario.hpp"
 #include "view/model_json.hpp"
@@ -19,12 +20,12 @@ namespace {
 
 struct Schema {
   std::string_view format;
-  std::string_view (*text)();  ///< null: this version does not support the format yet
+  std::string_view (*text)();
 };
 constexpr std::array kSchemas{
     Schema{"plant", &description::plant_schema},
     Schema{"scenario", &scenario::scenario_schema},
-    Schema{"naming", nullptr},
+    Schema{"naming", &naming::naming_schema},
     Schema{"model", &view::model_schema},
 };
 
@@ -46,9 +47,6 @@ void add_schema(CLI::App& app, Context& context) {
     if (found == kSchemas.end()) {
       context.err << "error: `" << options->format
                   << "` is not a format with a schema: write plant, scenario, naming or model\n";
-      context.exit_code = host::kBadInput;
-    } else if (found->text == nullptr) {
-      context.err << "error: the format `" << options->format << "` is not supported by this version of symplant yet\n";
       context.exit_code = host::kBadInput;
     } else {
       write_result(context, options->output, base::whole(std::string(found->text())), {});

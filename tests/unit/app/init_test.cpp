@@ -187,6 +187,15 @@ TEST_CASE("init: The options of the list are in the description") {
         nlohmann::json{{"file", "excell.csv"}, {"format", "gx-iec"}, {"encoding", "utf-8"}, {"xy", "octal"}});
 }
 
+TEST_CASE("init: The naming rule of the option is in the description") {
+  MemoryFileSystem files = lists();
+  files.files["rules/own.json"] = R"({"symplant-naming": 1, "rules": [{"pattern": "{device}"}]})";
+  CHECK(json_of(run_tool({"init", "excell.csv", "--naming", "@strict"}, files).out).at("naming") == "@strict");
+  CHECK(run_tool({"init", "excell.csv", "--naming", "rules/own.json", "-o", "out/plant.json"}, files).code == 0);
+  CHECK(json_of(files.files["out/plant.json"]).at("naming") == "../rules/own.json");
+  CHECK_FALSE(json_of(run_tool({"init", "excell.csv"}, files).out).contains("naming"));
+}
+
 TEST_CASE("init: An existing file is not overwritten without --force") {
   MemoryFileSystem files = lists();
   files.files["plant.json"] = "my work";

@@ -215,10 +215,19 @@ TEST_CASE("Unknown keys are rejected with the nearest one, planned keys with a s
   CHECK(shape(R"("device": {})") == "/device: the key `device` is unknown here; did you mean `devices`?");
   CHECK(shape(R"("devices": {"D": {"transition": []}})") ==
         "/devices/D/transition: the key `transition` is unknown here; did you mean `transitions`?");
-  CHECK(shape(R"("naming": {"rule": 1})") ==
-        "/naming: `naming` is not supported by this version of symplant; remove it");
   CHECK(shape(R"("links": [{"url": "loop:", "wordorder": "low-first"}])") ==
         "/links/0/wordorder: the key `wordorder` is unknown here; did you mean `word-order`?");
+}
+
+TEST_CASE("A naming rule is a file, a profile, or an object that is kept as text") {
+  CHECK(sound(R"("naming": "rules/naming.json")").naming == "rules/naming.json");
+  CHECK(sound(R"("naming": "@ls-body")").naming == "@ls-body");
+  const description::PlantFile file = sound(R"("naming": {"rules": []})");
+  CHECK(file.naming.empty());
+  CHECK(file.naming_text == R"({"rules":[]})");
+  CHECK(shape(R"("naming": 1)") ==
+        "/naming: expected a naming rule: the path of a naming.json, `@` and a ready profile, or the rule itself, but "
+        "found the number `1`");
 }
 
 TEST_CASE("All faults of form are reported in one run") {

@@ -1,0 +1,62 @@
+// Reads texts, pairs and sides of a naming.json.
+#include "naming/entries.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace symplant::naming {
+
+using description::member;
+using Json = nlohmann::json;
+
+std::optional<name::Side> side_of(std::string_view word) {
+  if (word == "operation") return name::Side::operation;
+  if (word == "event") return name::Side::event;
+  if (word == "internal") return name::Side::internal;
+  return std::nullopt;
+}
+
+std::vector<std::pair<std::string, name::Side>> sides_of(const Json& object) {
+  std::vector<std::pair<std::string, name::Side>> sides;
+  if (!object.is_object()) return sides;
+  for (const auto& [word, value] : object.items()) {
+    const auto side = value.is_string() ? side_of(value.get_ref<const std::string&>()) : std::nullopt;
+    if (side) sides.emplace_back(word, *side);
+  }
+  return sides;
+}
+
+std::vector<std::string> texts_of(const Json& object, std::string_view key) {
+  std::vector<std::string> texts;
+  const Json* array = member(object, key);
+  if (array == nullptr || !array->is_array()) return texts;
+  for (const Json& text : *array) {
+    if (text.is_string()) texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
+std::vector<std::pair<std::string, std::string>> pairs_of(const Json& object, std::string_view key) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  const Json* array = member(object, key);
+  if (array == nullptr || !array->is_array()) return pairs;
+  for (const Json& pair : *array) {
+    if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string()) continue;
+    pairs.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
+  }
+  return pairs;
+}
+
+std::vector<name::Replacement> replacements_of(const Json& object) {
+  std::vector<name::Replacement> replacements;
+  for (auto& [expression, replacement] : pairs_of(object, "replace")) {
+    replacements.push_back({std::move(expression), std::move(replacement)});
+  }
+  return replacements;
+}
+
+std::optional<bool> optional_flag(const Json& object, std::string_view key) {
+  const Json* value = member(object, key);
+  return value != nullptr && value->is_boolean() ? std::optional(value->get<bool>()) : std::nullopt;
+}
+
+}  // namespace symplant::naming

@@ -1,0 +1,13 @@
+// The rules of naming.json.
+#pragma once
+
+#include <span>
+
+#include "diag/diagnostic.hpp"
+
+namespace symplant::naming {
+
+/// By id.
+std::span<const diag::RuleInfo* const> rules();
+
+}  // namespace symplant::naming
