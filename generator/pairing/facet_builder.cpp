@@ -59,6 +59,7 @@ Facet FacetBuilder::take(std::uint32_t device, bool numbered) {
   by_name_.clear();
   taken_.clear();
   further_.clear();
+  unnamed_.clear();
   shared_ = false;
   return facet;
 }
@@ -101,6 +102,7 @@ void FacetBuilder::add_events(Facet& facet) {
       }
       further_.push_back({false, s, std::move(task)});
     }
+    if (!named && states_[s].operations.empty()) unnamed_.push_back(s);
   }
 }
 
@@ -116,6 +118,7 @@ std::shared_ptr<const description::DeviceDescription> FacetBuilder::base(std::ui
   std::string key;
   const auto add = [&](std::string_view text) { key.append(text).push_back('\0'); };
   add(rest == kNone ? std::string_view() : std::string_view(states_[rest].name));
+  for (const std::uint32_t state : unnamed_) add(states_[state].name);
   for (const Further& further : further_) {
     add(further.operation ? "O" : "I");
     add(states_[further.state].name);
@@ -129,6 +132,7 @@ std::shared_ptr<const description::DeviceDescription> FacetBuilder::base(std::ui
     base.actuation = tables::Actuation::spring;
     base.rest = states_[rest].name;
   }
+  for (const std::uint32_t state : unnamed_) base.states.push_back(states_[state].name);
   for (const Further& further : further_) {
     const std::string& state = states_[further.state].name;
     if (further.operation) {

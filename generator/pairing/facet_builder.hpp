@@ -58,7 +58,8 @@ class FacetBuilder {
   const Work& work_;
   std::vector<StateDraft> states_;  ///< the first `count_` are in use, the memory of the others is kept
   std::size_t count_ = 0;
-  std::vector<Further> further_;  ///< symbols that are not the first of their state
+  std::vector<std::uint32_t> unnamed_;  ///< states that no symbol names
+  std::vector<Further> further_;        ///< symbols that are not the first of their state
   /// Devices repeat their bases.
   std::unordered_map<std::string, std::shared_ptr<const description::DeviceDescription>> bases_;
   std::unordered_map<std::string, std::size_t, text::HashIgnoringCase, text::EqualIgnoringCase> by_name_;

@@ -227,6 +227,17 @@ TEST_CASE("Two devices of one path, and two symbols of one role, are warnings") 
   CHECK(roles.count("role-taken") == 1);
 }
 
+TEST_CASE("An event of several states is on in each of them") {
+  name::Naming naming = cell();
+  naming.links = {{"KA1", "B1", "UP"}, {"KA2", "B1", "MIDDLE"}, {"", "B2", "DOWN"}};
+  naming.links[1].operation.clear();
+  const Analysed list = analyse_cell({"Q KA1", "I B1", "I B2"}, {}, naming);
+  CHECK(faults(list).empty());
+  const model::Unit& unit = unit_of(list, "KA1");
+  CHECK(states_text(unit) == "UP MIDDLE DOWN");
+  CHECK(unit.outputs[1].enter == std::vector<std::pair<std::uint32_t, bool>>{{0, true}});
+}
+
 TEST_CASE("A list without pairs says why") {
   const Analysed list = analyse_cell({"Q S1_RB_ADV_SOL", "I S1_RB_READY", "I XYZ"});
   CHECK(list.count("no-device") == 1);
