@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/map_findings.hpp"
+#include "app/naming_findings.hpp"
 #include "app/read_inputs.hpp"
 #include "app/url_findings.hpp"
 #include "check/catalogue.hpp"
@@ -62,11 +63,15 @@ void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnos
   diagnostics.locate(source, spans);
 }
 
-std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists) {
+/// By the built-in rule if `reader` is null.
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader) {
   std::vector<model::ListInput> named;
   named.reserve(lists.size());
   for (const ReadList& list : lists) {
-    named.push_back({list.table, name::read_names(*list.table, name::built_in_rule()), list.controller, list.xy});
+    named.push_back({list.table,
+                     reader == nullptr ? name::read_names(*list.table, name::built_in_rule())
+                                       : name::read_names(*list.table, *reader),
+                     list.controller, list.xy});
   }
   return named;
 }
@@ -79,6 +84,7 @@ void check(const Inputs& inputs, const model::Derived& derived, const lower::Eng
     add_description_findings(inputs, derived.evidence, diagnostics);
     add_url_findings(plant, diagnostics);
   }
+  if (inputs.naming_parts != nullptr) add_naming_findings(plant, *inputs.naming_parts, diagnostics);
   if (!inputs.readable) return;
   check::check_plant(plant, derived.evidence, diagnostics);
   lower::check_limits(tables, diagnostics);
@@ -106,9 +112,11 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
     return std::nullopt;
   }
   progress.stage("parsing names");
-  std::vector<model::ListInput> lists = parse_names(inputs->lists);
+  const auto reader = inputs->naming == nullptr ? nullptr : std::make_shared<name::SymbolReader>(inputs->naming);
+  std::vector<model::ListInput> lists = parse_names(inputs->lists, reader.get());
   progress.stage("deriving models");
-  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name);  // symbols have copies of the readings
+  model::Derived named =
+      model::derive(std::exchange(lists, {}), inputs->name, reader);  // symbols have copies of the readings
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();

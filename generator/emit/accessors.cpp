@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/index_table.hpp"
@@ -77,9 +78,10 @@ Numbered numbered(const std::string& device) {
   return result;
 }
 
+/// A custom naming rule may leave a level empty.
 std::string path_of(const std::string& line, const std::string& process) {
   std::string path = line;
-  return path.append("_").append(process);
+  return path.append(line.empty() || process.empty() ? "" : "_").append(process);
 }
 
 /// A plant of more devices has no accessors for single devices itself: g++ takes time for the square of the members.
@@ -131,18 +133,19 @@ class Writer {
     }
     text::IdentifierScope scope;
     for (const auto& [line, processes] : lines_) {
-      group_names_[line] = scope.unique(line);
+      if (!line.empty()) line_names_[line] = scope.unique(line);
       for (const auto& [process, devices] : processes) {
-        const std::string path = path_of(line, process);
-        group_names_[path] = scope.unique(path);
+        process_names_[{line, process}] = scope.unique(path_of(line, process));
       }
     }
   }
 
   void write_groups(RowWriter& rows) const {
     for (const auto& [line, processes] : lines_) {
-      for (const auto& [process, devices] : processes) add_process(rows, path_of(line, process), devices);
-      add_line(rows, line, processes);
+      for (const auto& [process, devices] : processes) {
+        add_process(rows, path_of(line, process), process_names_.at({line, process}), devices);
+      }
+      if (!line.empty()) add_line(rows, line, processes);
     }
   }
 
@@ -157,19 +160,18 @@ class Writer {
       }
     }
     text::IdentifierScope scope{kPlantMembers};
-    const auto add = [&](const std::string& name, const std::string& path) {
-      const std::string& type = group_names_.at(path);
+    const auto add = [&](const std::string& name, const std::string& type) {
       rows.text("  groups::").text(type).text(" ").text(scope.unique(text::to_lower(name)));
       rows.text("() noexcept { return groups::").text(type).text("(*this); }\n");
     };
-    for (const auto& [line, processes] : lines_) add(line, line);
+    for (const auto& [line, type] : line_names_) add(line, type);
     for (const std::string_view member : kPlantMembers) names.add(member);
     const bool few = plant_.units.size() <= kMostDevicesOfPlant;
     std::size_t number = 0;
     for (const auto& [line, processes] : lines_) {
       ++number;
       for (const auto& [process, devices] : processes) {
-        if (names.is_single(number++)) add(process, path_of(line, process));
+        if (names.is_single(number++)) add(process, process_names_.at({line, process}));
         for (const auto& [device, unit] : devices) {
           if (names.is_single(number++) && few) add_device(rows, scope.unique(text::to_lower(device)), unit, "*this");
         }
@@ -180,8 +182,7 @@ class Writer {
  private:
   const std::string& class_of(std::uint32_t unit) const { return classes_[tables_.units[unit].type]; }
 
-  void begin_group(RowWriter& rows, const std::string& path) const {
-    const std::string& name = group_names_.at(path);
+  static void begin_group(RowWriter& rows, const std::string& path, const std::string& name) {
     rows.text("/// ").comment(path).text("\nclass ").text(name).text(" {\n public:\n  explicit ").text(name);
     rows.text("(symplant::plant::Plant& plant) noexcept : plant_(plant) {}\n");
   }
@@ -193,9 +194,9 @@ class Writer {
     rows.number(unit).text("}; }  // ").comment(plant_.units[unit].path).text("\n");
   }
 
-  void add_process(RowWriter& rows, const std::string& path, const Devices& devices) const {
+  void add_process(RowWriter& rows, const std::string& path, const std::string& type, const Devices& devices) const {
     text::IdentifierScope scope;
-    begin_group(rows, path);
+    begin_group(rows, path, type);
     std::map<std::string, std::vector<std::pair<std::uint64_t, std::uint32_t>>> series;
     for (const auto& [device, unit] : devices) {
       add_device(rows, scope.unique(text::to_lower(device)), unit, "plant_");
@@ -231,9 +232,9 @@ class Writer {
 
   void add_line(RowWriter& rows, const std::string& line, const Processes& processes) const {
     text::IdentifierScope scope;
-    begin_group(rows, line);
+    begin_group(rows, line, line_names_.at(line));
     for (const auto& [process, devices] : processes) {
-      const std::string& type = group_names_.at(path_of(line, process));
+      const std::string& type = process_names_.at({line, process});
       rows.text("  ").text(type).text(" ").text(scope.unique(text::to_lower(process)));
       rows.text("() const noexcept { return ").text(type).text("(plant_); }\n");
     }
@@ -245,7 +246,8 @@ class Writer {
   std::vector<std::string> classes_;
   std::string name_space_;
   Lines lines_;
-  std::map<std::string, std::string> group_names_;  ///< by path
+  std::map<std::string, std::string> line_names_;                             ///< of classes, by line
+  std::map<std::pair<std::string, std::string>, std::string> process_names_;  ///< of classes, by line and process
 };
 
 }  // namespace

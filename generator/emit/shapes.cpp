@@ -18,7 +18,7 @@ std::string key_of(const model::Unit& unit) {
     key += text::to_upper(state.name) + (state.operation != model::kNone ? "\nO" : "\n-") +
            (state.event != model::kNone ? "I\n" : "-\n");
   }
-  if (unit.facet != nullptr && unit.facet->by == pairing::FacetBy::archetype) {
+  if (unit.is_archetype()) {
     key += std::to_string(unit.facet->archetype) + "\n";
   }
   key += std::string(description::actuation_name(unit.actuation)) + "\n" + std::to_string(unit.rest) + "\n" +

@@ -190,7 +190,7 @@ class Skeleton {
     if (!hint.empty()) line("    // Worth giving: " + hint);
     line("    " + json_text(shape.pattern) + ": {");
     line("      // \"initial\": " + json_text(unit.states[unit.initial].name) + ",");
-    if (unit.facet != nullptr && unit.facet->by == pairing::FacetBy::archetype) {
+    if (unit.is_archetype()) {
       line("      \"only\": true  // the transitions are those of the archetype");
       line(last ? "    }" : "    },");
       return;

@@ -209,7 +209,7 @@ std::string without_digits(std::string_view device) {
 /// The device level, and the archetype of the facet: `RBT_Work`.
 std::string class_stem(const model::Unit& unit, const model::PlantModel& plant) {
   std::string stem = without_digits(unit.device);
-  if (unit.facet == nullptr || unit.facet->by != pairing::FacetBy::archetype) return stem;
+  if (!unit.is_archetype()) return stem;
   std::string archetype = plant.reader->naming().naming().archetypes[unit.facet->archetype].name;
   if (!archetype.empty()) archetype.front() = text::upper(archetype.front());
   return stem.append("_").append(archetype);

@@ -45,7 +45,7 @@ void choose_actuation_and_rest(Unit& unit, const description::Defaults& defaults
   InferredRest inferred;
   if (unit.states.size() == 1) {
     inferred = add_rest_state(unit);
-  } else if (unit.states.size() == 2) {
+  } else if (unit.states.size() == 2 && !unit.is_archetype()) {
     inferred = infer_single_solenoid(unit, evidence);
   }
   unit.actuation = inferred.spring ? tables::Actuation::spring : defaults.actuation;

@@ -158,6 +158,8 @@ struct Unit {
 
   /// The path of its device.
   std::string_view device_path() const { return facet == nullptr ? path : facet->path; }
+  /// Whether the naming rule gives all of its model.
+  bool is_archetype() const { return facet != nullptr && facet->by == pairing::FacetBy::archetype; }
   /// Whether digits at the end of its states are sequence numbers.
   bool has_sequence() const { return facet == nullptr || facet->numbered; }
   bool has_behaviour() const { return described != nullptr && !described->behaviour.empty(); }

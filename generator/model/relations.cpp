@@ -209,7 +209,8 @@ class Relations {
 }  // namespace
 
 void add_relations(PlantModel& plant, description::Faults& faults) {
-  if (plant.description->devices.empty() && plant.description->requirements.empty()) return;
+  const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
+  if (!described && plant.description->requirements.empty()) return;
   Relations(plant, faults).run();
 }
 

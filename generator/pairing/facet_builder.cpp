@@ -11,10 +11,6 @@ namespace {
 
 constexpr std::size_t kFewStates = 8;  ///< up to here a linear search is fastest
 
-bool is_empty(const description::DeviceDescription& base) {
-  return !base.actuation && base.transitions.empty() && base.outputs.empty();
-}
-
 }  // namespace
 
 void FacetBuilder::add(std::uint32_t input, std::string_view state, bool rest) {
@@ -28,92 +24,127 @@ void FacetBuilder::add_again(std::uint32_t event, std::string_view state) {
 }
 
 FacetBuilder::StateDraft& FacetBuilder::state_of(std::string_view name, bool rest) {
-  if (states_.size() <= kFewStates) {
-    for (StateDraft& state : states_) {
+  if (count_ <= kFewStates) {
+    for (StateDraft& state : states()) {
       if (text::equal_ignoring_case(state.name, name)) return state;
     }
   } else {
-    for (std::size_t i = by_name_.size(); i < states_.size(); ++i) by_name_.emplace(states_[i].name, i);
+    for (std::size_t i = by_name_.size(); i < count_; ++i) by_name_.emplace(states_[i].name, i);
     if (const auto found = by_name_.find(name); found != by_name_.end()) return states_[found->second];
   }
-  return states_.emplace_back(StateDraft{std::string(name), rest, {}, {}});
+  if (count_ == states_.size()) states_.emplace_back();
+  StateDraft& added = states_[count_++];
+  added.name.assign(name);
+  added.rest = rest;
+  added.operations.clear();
+  added.events.clear();
+  return added;
 }
 
 Facet FacetBuilder::take(std::uint32_t device, bool numbered) {
   device_ = device;
   Facet facet;
   facet.numbered = numbered;
-  description::DeviceDescription base;
-  if (!numbered) {
-    sort_states(facet);
-    add_spring(base);
-  }
-  add_operations(facet, base);
-  add_events(facet, base);
+  if (!numbered) sort_states(facet);
+  std::size_t symbols = 0;
+  for (const StateDraft& state : states()) symbols += state.operations.size() + state.events.size();
+  facet.members.reserve(symbols);
+  add_operations(facet);
+  add_events(facet);
   std::sort(facet.members.begin(), facet.members.end(),
             [](const Member& a, const Member& b) { return a.input < b.input; });
-  base.by_naming = true;
-  if (!is_empty(base)) facet.base = std::make_shared<const description::DeviceDescription>(std::move(base));
-  states_.clear();
+  const std::uint32_t rest = numbered ? kNone : rest_of_spring();
+  if (rest != kNone || !further_.empty()) facet.base = base(rest);
+  count_ = 0;
   by_name_.clear();
   taken_.clear();
+  further_.clear();
+  unnamed_.clear();
   shared_ = false;
   return facet;
 }
 
 void FacetBuilder::sort_states(Facet& facet) {
-  std::stable_sort(states_.begin(), states_.end(),
+  std::stable_sort(states().begin(), states().end(),
                    [](const StateDraft& a, const StateDraft& b) { return a.rest && !b.rest; });
-  facet.first_is_rest = states_.front().rest && states_.size() > 1 && !states_[1].rest;
-  facet.states.reserve(states_.size());
-  for (const StateDraft& state : states_) facet.states.push_back(state.name);
+  facet.first_is_rest = count_ > 1 && states_[0].rest && !states_[1].rest;
+  facet.states.reserve(count_);
+  for (const StateDraft& state : states()) facet.states.push_back(state.name);
 }
 
 /// The first operation of a state has its name. Further ones are commands that lead to it.
-void FacetBuilder::add_operations(Facet& facet, description::DeviceDescription& base) {
-  for (const StateDraft& state : states_) {
-    for (std::size_t i = 0; i < state.operations.size(); ++i) {
-      const std::uint32_t input = state.operations[i];
-      if (i == 0) {
-        facet.members.push_back({input, state.name});
-        continue;
+void FacetBuilder::add_operations(Facet& facet) {
+  for (std::uint32_t s = 0; s < count_; ++s) {
+    bool named = false;
+    for (const std::uint32_t input : states_[s].operations) {
+      if (!std::exchange(named, true)) {
+        facet.members.push_back({input, states_[s].name});
+      } else {
+        further_.push_back({true, s, further_task(input)});
+        facet.members.push_back({input, further_.back().task});
       }
-      std::string task = further_task(input);
-      base.transitions.push_back({"*", state.name, task, {}, false, false, {}, {}});
-      facet.members.push_back({input, std::move(task)});
     }
   }
 }
 
 /// The first event of a state has its name. Further ones are switched when the state is entered and left.
-void FacetBuilder::add_events(Facet& facet, description::DeviceDescription& base) {
+void FacetBuilder::add_events(Facet& facet) {
   std::unordered_map<std::uint32_t, std::string> known;  // events with a task, if some have several states
-  for (const StateDraft& state : states_) {
-    description::GivenOutputs outputs{state.name, {}, {}};
+  for (std::uint32_t s = 0; s < count_; ++s) {
     bool named = false;
-    for (const std::uint32_t input : state.events) {
+    for (const std::uint32_t input : states_[s].events) {
       const auto found = shared_ ? known.find(input) : known.end();
-      std::string task = found != known.end() ? found->second : named ? further_task(input) : state.name;
+      std::string task = found != known.end() ? found->second : named ? further_task(input) : states_[s].name;
       if (found == known.end()) {
         facet.members.push_back({input, task});
         if (shared_) known.emplace(input, task);
         if (!std::exchange(named, true)) continue;
       }
-      outputs.enter.emplace_back(task, true);
-      outputs.leave.emplace_back(std::move(task), false);
+      further_.push_back({false, s, std::move(task)});
     }
-    if (!outputs.enter.empty()) base.outputs.push_back(std::move(outputs));
+    if (!named && states_[s].operations.empty()) unnamed_.push_back(s);
   }
 }
 
 /// Of two states one has a command, and something reports the other or both: without the command the device returns.
-void FacetBuilder::add_spring(description::DeviceDescription& base) const {
-  if (states_.size() != 2) return;
+std::uint32_t FacetBuilder::rest_of_spring() const {
+  if (count_ != 2) return kNone;
   const bool first = !states_[0].operations.empty();
   const bool second = !states_[1].operations.empty();
-  if (first == second) return;
-  base.actuation = tables::Actuation::spring;
-  base.rest = states_[first ? 1 : 0].name;
+  return first == second ? kNone : first ? 1 : 0;
+}
+
+std::shared_ptr<const description::DeviceDescription> FacetBuilder::base(std::uint32_t rest) {
+  std::string key;
+  const auto add = [&](std::string_view text) { key.append(text).push_back('\0'); };
+  add(rest == kNone ? std::string_view() : std::string_view(states_[rest].name));
+  for (const std::uint32_t state : unnamed_) add(states_[state].name);
+  for (const Further& further : further_) {
+    add(further.operation ? "O" : "I");
+    add(states_[further.state].name);
+    add(further.task);
+  }
+  const auto [found, added] = bases_.try_emplace(std::move(key));
+  if (!added) return found->second;
+  description::DeviceDescription base;
+  base.by_naming = true;
+  if (rest != kNone) {
+    base.actuation = tables::Actuation::spring;
+    base.rest = states_[rest].name;
+  }
+  for (const std::uint32_t state : unnamed_) base.states.push_back(states_[state].name);
+  for (const Further& further : further_) {
+    const std::string& state = states_[further.state].name;
+    if (further.operation) {
+      base.transitions.push_back({"*", state, further.task, {}, false, false, {}, {}});
+      continue;
+    }
+    if (base.outputs.empty() || base.outputs.back().state != state) base.outputs.push_back({state, {}, {}});
+    base.outputs.back().enter.emplace_back(further.task, true);
+    base.outputs.back().leave.emplace_back(further.task, false);
+  }
+  found->second = std::make_shared<const description::DeviceDescription>(std::move(base));
+  return found->second;
 }
 
 std::string FacetBuilder::further_task(std::uint32_t input) {
@@ -131,7 +162,7 @@ std::string FacetBuilder::further_task(std::uint32_t input) {
 
 std::string FacetBuilder::unique(std::string task) {
   if (taken_.empty()) {
-    for (const StateDraft& state : states_) taken_.emplace(state.name, 1);
+    for (const StateDraft& state : states()) taken_.emplace(state.name, 1);
   }
   std::size_t& last = taken_.try_emplace(task, 0).first->second;
   if (++last == 1) return task;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -21,7 +23,7 @@ class FacetBuilder {
   void add(std::uint32_t input, std::string_view state, bool rest);
   /// Adds one more state of an event.
   void add_again(std::uint32_t event, std::string_view state);
-  bool has_symbols() const { return !states_.empty(); }
+  bool has_symbols() const { return count_ != 0; }
   /// The facet of the symbols added since the last call: members, states and base. `device` is the first symbol of its
   /// device, whose words are left out of the texts of sensors. Numbered states keep their order by number.
   Facet take(std::uint32_t device, bool numbered);
@@ -34,17 +36,32 @@ class FacetBuilder {
     std::vector<std::uint32_t> events;
   };
 
+  std::span<StateDraft> states() { return {states_.data(), count_}; }
+  std::span<const StateDraft> states() const { return {states_.data(), count_}; }
   StateDraft& state_of(std::string_view name, bool rest);
   void sort_states(Facet& facet);
-  void add_operations(Facet& facet, description::DeviceDescription& base);
-  void add_events(Facet& facet, description::DeviceDescription& base);
-  void add_spring(description::DeviceDescription& base) const;
+  void add_operations(Facet& facet);
+  void add_events(Facet& facet);
+  /// The index of the state that a spring returns to; kNone without one.
+  std::uint32_t rest_of_spring() const;
+  std::shared_ptr<const description::DeviceDescription> base(std::uint32_t rest);
   /// A task for a symbol that is not the first of its state.
   std::string further_task(std::uint32_t input);
   std::string unique(std::string task);
 
+  struct Further {
+    bool operation;
+    std::uint32_t state;
+    std::string task;
+  };
+
   const Work& work_;
-  std::vector<StateDraft> states_;
+  std::vector<StateDraft> states_;  ///< the first `count_` are in use, the memory of the others is kept
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> unnamed_;  ///< states that no symbol names
+  std::vector<Further> further_;        ///< symbols that are not the first of their state
+  /// Devices repeat their bases.
+  std::unordered_map<std::string, std::shared_ptr<const description::DeviceDescription>> bases_;
   std::unordered_map<std::string, std::size_t, text::HashIgnoringCase, text::EqualIgnoringCase> by_name_;
   std::unordered_map<std::string, std::size_t, text::HashIgnoringCase, text::EqualIgnoringCase> taken_;
   bool shared_ = false;  ///< an event reports several states

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/index_table.hpp"
 #include "pairing/work.hpp"
 #include "text/ascii.hpp"
 
@@ -33,44 +34,72 @@ std::string name_of(const Facet& facet) {
 
 class Names {
  public:
-  explicit Names(const Work& work) : facets_(work.devices.size()), unnamed_(work.devices.size()) {
-    for (const Draft& draft : work.drafts) {
-      if (draft.device == kNone) continue;
-      ++facets_[draft.device];
-      if (draft.facet.by != FacetBy::archetype) ++unnamed_[draft.device];
+  explicit Names(Work& work) : drafts_(work.drafts), devices_(work.devices.size()), before_(work.drafts.size(), kNone) {
+    for (const Draft& draft : drafts_) {
+      if (draft.device != kNone && draft.facet.by != FacetBy::archetype) ++devices_[draft.device].unnamed;
     }
   }
 
-  void give(Draft& draft) {
-    Facet& facet = draft.facet;
+  void give(std::uint32_t index) {
+    Draft& draft = drafts_[index];
     if (draft.device == kNone) return;
-    if (facet.by != FacetBy::archetype && unnamed_[draft.device] > 1) facet.name = name_of(facet);
-    if (facet.name.empty()) return;
-    facet.full_path = std::string(facet.path) + "." + facet.name;
-    if (facets_[draft.device] == 1) return;
-    const std::string name = facet.name;
-    for (std::size_t n = 2; !taken_.insert(std::to_string(draft.device) + "." + text::to_upper(facet.name)).second;
-         ++n) {
-      facet.name = name + "_" + std::to_string(n);
-      facet.full_path = std::string(facet.path) + "." + facet.name;
-    }
+    Device& device = devices_[draft.device];
+    if (draft.facet.by != FacetBy::archetype && device.unnamed > 1) draft.facet.name = name_of(draft.facet);
+    if (draft.facet.name.empty()) return;
+    make_unique(draft, device);
+    before_[index] = std::exchange(device.last, index);
+    ++device.named;
+    draft.facet.full_path.reserve(draft.facet.path.size() + 1 + draft.facet.name.size());
+    draft.facet.full_path.append(draft.facet.path).append(".").append(draft.facet.name);
   }
 
  private:
-  std::vector<std::uint32_t> facets_;      ///< of each device
-  std::vector<std::uint32_t> unnamed_;     ///< of each device: facets other than those of archetypes
-  std::unordered_set<std::string> taken_;  ///< number of the device and name
+  struct Device {
+    std::uint32_t unnamed = 0;   ///< facets other than those of archetypes
+    std::uint32_t named = 0;     ///< facets with a name so far
+    std::uint32_t last = kNone;  ///< of these
+  };
+
+  void make_unique(Draft& draft, const Device& device) {
+    const std::string name = draft.facet.name;
+    for (std::size_t n = 2; is_taken(draft, device); ++n) draft.facet.name = name + "_" + std::to_string(n);
+  }
+
+  /// Most devices have so few facets that a linear search is fastest.
+  bool is_taken(const Draft& draft, const Device& device) {
+    constexpr std::uint32_t kFew = 16;
+    if (device.named >= kFew) {
+      const auto key = [&](const Facet& facet) {
+        return std::to_string(draft.device) + "." + text::to_upper(facet.name);
+      };
+      if (device.named == kFew) {
+        for (std::uint32_t d = device.last; d != kNone; d = before_[d]) taken_.insert(key(drafts_[d].facet));
+      }
+      return !taken_.insert(key(draft.facet)).second;
+    }
+    for (std::uint32_t d = device.last; d != kNone; d = before_[d]) {
+      if (text::equal_ignoring_case(drafts_[d].facet.name, draft.facet.name)) return true;
+    }
+    return false;
+  }
+
+  std::vector<Draft>& drafts_;
+  std::vector<Device> devices_;
+  std::vector<std::uint32_t> before_;      ///< of each facet: the one named before it in its device
+  std::unordered_set<std::string> taken_;  ///< of devices with many facets: number of the device and name
 };
 
 /// Reports devices whose path another device has.
 void check_paths(Work& work, const std::vector<std::uint32_t>& order) {
-  text::ByName<std::uint32_t> by_path;
-  by_path.reserve(work.drafts.size());
+  base::IndexTable by_path(order.size());
   for (const std::uint32_t d : order) {
     const Draft& draft = work.drafts[d];
-    const auto [first, added] = by_path.try_emplace(draft.facet.path, d);
-    const Draft& known = work.drafts[first->second];
-    if (added || (known.device == draft.device && draft.device != kNone)) continue;
+    const std::uint32_t first =
+        by_path.find_or_add(text::hash_ignoring_case(draft.facet.path), d, [&](std::uint32_t other) {
+          return text::equal_ignoring_case(work.drafts[other].facet.path, draft.facet.path);
+        });
+    const Draft& known = work.drafts[first];
+    if (first == d || (known.device == draft.device && draft.device != kNone)) continue;
     work.result.remarks.push_back(
         {Remark::Kind::path_ambiguous, draft.facet.members.front().input, known.facet.members.front().input, 0});
   }
@@ -85,7 +114,7 @@ void finish(Work& work) {
     return work.drafts[a].facet.members.front().input < work.drafts[b].facet.members.front().input;
   });
   Names names(work);
-  for (const std::uint32_t d : order) names.give(work.drafts[d]);
+  for (const std::uint32_t d : order) names.give(d);
   check_paths(work, order);
   work.result.facets.reserve(order.size());
   for (const std::uint32_t d : order) work.result.facets.push_back(std::move(work.drafts[d].facet));

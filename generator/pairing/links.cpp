@@ -54,7 +54,8 @@ class LinkPairing {
   std::uint32_t find(const std::string& name, name::Side side, std::uint32_t row) {
     const std::uint32_t input = symbols_.find(name)->second;
     if (input == kNone || !work_.inputs[input].boolean) {
-      work_.result.remarks.push_back({Remark::Kind::link_unknown, input == kNone ? 0 : input, 0, row});
+      work_.result.remarks.push_back(
+          {Remark::Kind::link_unknown, input == kNone ? 0 : input, side == name::Side::operation ? 1U : 0U, row});
       return kNone;
     }
     if (work_.inputs[input].side == side) return input;

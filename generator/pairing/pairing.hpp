@@ -1,91 +1,12 @@
 // Joins operations and events that a naming rule has read: facets, each with the symbols of one unit.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "description/description.hpp"
 #include "name/compiled_naming.hpp"
-#include "name/rule_reading.hpp"
+#include "pairing/facet.hpp"
 
 namespace symplant::pairing {
-
-/// An I/O symbol.
-struct Input {
-  const name::RuleReading* reading = nullptr;
-  std::string_view name;         ///< for links
-  name::Side side{};             ///< operation or event
-  bool boolean = true;           ///< others are data
-  std::uint32_t controller = 0;  ///< only symbols of one controller are joined
-};
-
-struct Member {
-  std::uint32_t input = 0;
-  std::string task;  ///< in the facet: the state that it leads to or reports, or a command or report of the base
-};
-
-/// What made a facet.
-enum class FacetBy : std::uint8_t { links, archetype, words };
-
-/// The symbols of one unit. Views point into readings and names of the inputs.
-struct Facet {
-  std::string_view path;  ///< of its device
-  std::string_view line;
-  std::string_view process;
-  std::string_view device;
-  std::string name;       ///< empty: the facet has the device's name
-  std::string full_path;  ///< `DEVICE.FACET`; empty if the facet has the device's name
-  FacetBy by = FacetBy::words;
-  bool numbered = false;            ///< its states are in the order of their sequence numbers
-  std::uint32_t archetype = 0;      ///< index in Naming::archetypes
-  std::vector<Member> members;      ///< in list order
-  std::vector<std::string> states;  ///< S in its order; empty if `numbered`
-  bool first_is_rest = false;       ///< the vocabulary or the archetype says that the first state is the rest position
-  /// What the rule says of its model; null if nothing. The user's description has priority, key by key.
-  std::shared_ptr<const description::DeviceDescription> base;
-
-  std::string_view unit_path() const { return full_path.empty() ? path : std::string_view(full_path); }
-};
-
-/// What a symbol is accounted for as.
-enum class Account : std::uint8_t {
-  paired,    ///< in a facet
-  constant,  ///< a contact that has one value
-  operator_panel,
-  data,      ///< not BOOL, a weight, or one of several symbols of one text
-  none,      ///< its rule has the role `none`
-  unpaired,  ///< read, but nothing to link it with
-  ignored,
-  no_rule,
-  no_direction,
-  internal,
-};
-inline constexpr std::size_t kAccounts = 10;
-
-/// Something that the user should know; `input` is the symbol.
-struct Remark {
-  enum class Kind : std::uint8_t {
-    role_taken,      ///< another symbol of its device has the same role of an archetype; it is left out
-    link_unknown,    ///< a link names a symbol that does not exist, or is not I/O: `link` is its row
-    link_side,       ///< a link names an operation as an event, or the reverse
-    link_repeated,   ///< a link names a symbol that an earlier link gives another state or device: `other` is its row
-    path_ambiguous,  ///< another device has the same path with other levels
-  } kind{};
-  std::uint32_t input = 0;
-  std::uint32_t other = 0;  ///< an input; of `link_repeated` a row of the links
-  std::uint32_t link = 0;   ///< index in Naming::links
-};
-
-struct Pairing {
-  std::vector<Facet> facets;      ///< in the order of their first symbol
-  std::vector<Account> accounts;  ///< one an input
-  std::vector<bool> constant_on;  ///< one an input: the value of a constant
-  std::vector<Remark> remarks;
-};
 
 /// O(inputs) for usual rules; O(archetypes * symbols) within a device.
 Pairing pair(const name::CompiledNaming& naming, std::span<const Input> inputs);

@@ -21,6 +21,7 @@ class WordPairing {
     group_of_.resize(work_.inputs.size(), kNone);
     find_groups();
     const std::vector<std::uint32_t> order = sort_by_group();
+    work_.drafts.reserve(work_.drafts.size() + groups_.all().size());
     for (std::size_t begin = 0; begin < order.size();) {
       std::size_t end = begin;
       while (end < order.size() && group_of_[order[end]] == group_of_[order[begin]]) ++end;

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "pairing/pairing.hpp"
+#include "name/compiled_naming.hpp"
+#include "pairing/facet.hpp"
 
 namespace symplant::pairing {
 

@@ -130,7 +130,7 @@ class Resolver {
       atom.kind = Atom::Kind::moving;
       having = units;
     }
-    // The facet with the device's name comes first: it cannot be named in another way.
+    // The facet with the device's name comes first: it has no longer name.
     if (having.size() > 1 && names_.unit(device.text, facet) != having.front()) return several(expression, having);
     if (!having.empty()) {
       atom.of = having.front();

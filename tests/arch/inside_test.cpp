@@ -53,9 +53,9 @@ std::vector<std::string> files_in(const std::string& text) {
 /// The order of the walk: down the generator's layers, then the runtime's.
 std::size_t depth_of(const std::string& file) {
   const std::vector<std::string> order{
-      "generator/app",  "generator/base",        "generator/text",  "generator/address", "generator/read",
-      "generator/name", "generator/description", "generator/model", "generator/lower",   "runtime/host",
-      "runtime/exec",   "runtime/plant",         "runtime/engine",  "runtime/link"};
+      "generator/app",  "generator/base",        "generator/text",    "generator/address", "generator/read",
+      "generator/name", "generator/description", "generator/pairing", "generator/model",   "generator/lower",
+      "runtime/host",   "runtime/exec",          "runtime/plant",     "runtime/engine",    "runtime/link"};
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (file.starts_with(order[i] + "/")) return i;
   }

@@ -112,7 +112,8 @@ struct GivenList {
 /// Reads lists and their names, builds their plant with a description, checks it: compile() with what plant.json would
 /// say.
 inline Analysed analyse_lists(const std::vector<GivenList>& given, description::Description description = {},
-                              std::string_view today = {}, const findings::Selection& selection = {}) {
+                              std::string_view today = {}, const findings::Selection& selection = {},
+                              std::shared_ptr<name::SymbolReader> reader = nullptr) {
   MemoryFileSystem files;
   Analysed result;
   std::vector<model::ListInput> lists;
@@ -120,15 +121,26 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
     files.files[list.file] = list.text;
     auto read = read::read_symbol_list(list.file, {}, files, result.diagnostics);
     const auto table = std::make_shared<const read::SymbolTable>(std::move(read.value()));
-    lists.push_back({table, name::read_names(*table, name::built_in_rule()), list.controller, list.xy});
+    lists.push_back(
+        {table, reader == nullptr ? name::read_names(*table, name::built_in_rule()) : name::read_names(*table, *reader),
+         list.controller, list.xy});
   }
-  result.derived = model::describe(model::derive(lists, "symbols"),
+  result.derived = model::describe(model::derive(lists, "symbols", std::move(reader)),
                                    std::make_shared<const description::Description>(std::move(description)));
   const model::PlantModel& plant = result.model();
   check::check_plant(plant, result.evidence(), result.diagnostics);
   result.diagnostics = findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);
   result.diagnostics.sort_by_location(plant.sources());
   return result;
+}
+
+/// By a custom naming rule.
+inline Analysed analyse_by_rule(name::Naming naming, const std::vector<GivenList>& given,
+                                description::Description description = {}) {
+  std::vector<name::NamingFault> faults;
+  auto compiled = name::CompiledNaming::compile(std::move(naming), faults);
+  if (compiled == nullptr) throw std::invalid_argument(faults.front().pointer + ": " + faults.front().message);
+  return analyse_lists(given, std::move(description), {}, {}, std::make_shared<name::SymbolReader>(compiled));
 }
 
 /// A list whose table `change` changes after it was read, such as to another notation of addresses.

@@ -78,7 +78,7 @@ std::string paired_line(const std::string& list, const model::PlantModel& plant,
   };
   return fmt::format(
       "{}: of {} BOOL I/O symbol{} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data; {} "
-      "unit{}; {}\n",
+      "facet{}; {}\n",
       list, score.symbols, score.symbols == 1 ? "" : "s", score.paired, percent(score.paired), score.accounted(),
       percent(score.accounted()), score.constant, score.operator_panel, score.data, plant.units.size(),
       plant.units.size() == 1 ? "" : "s", selected_text(findings));

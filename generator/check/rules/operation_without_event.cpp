@@ -31,8 +31,8 @@ bool reports_by_outputs(const model::Unit& unit, std::uint32_t state) {
 void check_operation_without_event(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics) {
   const model::PlantModel& plant = subject.plant;
   for (const model::Unit& unit : plant.units) {
-    if (unit.events.empty() || is_one_word_twice(subject, unit) || unit.has_behaviour())
-      continue;  // the user's code reports
+    if (unit.events.empty() || is_one_word_twice(subject, unit) || unit.has_behaviour() || unit.is_archetype())
+      continue;  // the user's code reports, or the roles say what is reported
     for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
       const model::State& state = unit.states[s];
       if (state.operation == model::kNone || state.event != model::kNone || needs_no_feedback(state.name)) continue;

@@ -55,7 +55,8 @@ class SmallPlant final : public condition::Names {
     return std::string(nearest.name());
   }
 
-  std::vector<std::vector<std::string_view>> states_{{"P1", "P2"}, {"OPEN", "moving"}, {"SHUT"}};
+  std::vector<std::vector<std::string_view>> states_{
+      {"P1", "P2"}, {"OPEN", "moving"}, {"SHUT"}, {"UP"}, {"UP", "DOWN"}};
   std::map<std::string_view, Symbol> symbols_{
       {"START", {7, DataType::boolean}}, {"LEVEL", {8, DataType::int_}}, {"SPEED", {9, DataType::real}}};
 };
@@ -107,6 +108,15 @@ TEST_CASE("`moving` is true while a unit moves, unless the unit has a state of t
   CHECK(resolved("AGV.MOVING") == "unit0~");
   CHECK(resolved("DOOR.moving") == "unit1@1");
   CHECK(resolved("DOOR.LOCK.moving") == "unit2~");
+}
+
+TEST_CASE("The state of a device is looked up in its facets") {
+  CHECK(resolved("DOOR.SHUT") == "unit2@0");
+  CHECK(resolved("LIFT.DOWN") == "unit4@1");
+  CHECK(resolved("not LIFT.UP") == "4+7 `LIFT.UP` is in several facets of the device; write `LIFT.A.UP`, `LIFT.B.UP`");
+  CHECK(resolved("LIFT.moving") ==
+        "0+11 `LIFT.moving` is in several facets of the device; write `LIFT.A.moving`, `LIFT.B.moving`");
+  CHECK(resolved("LIFT") == "0+4 `LIFT` is a device; name one of its states, as in `LIFT.STATE`");
 }
 
 TEST_CASE("A comparison that is always or never true is a constant") {

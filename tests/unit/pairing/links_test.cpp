@@ -41,6 +41,7 @@ TEST_CASE("An event may report several states of its device") {
   const Paired one(linked({{"KA1", "B1", "UP"}, {"", "B1", "MIDDLE"}}), {"Q KA1", "I B1"});
   CHECK(one.facets() == "KA1: KA1>UP B1<UP");
   CHECK(one.facet(0).states == std::vector<std::string>{"UP", "MIDDLE"});
+  CHECK(one.facet(0).base->states == std::vector<std::string>{"MIDDLE"});
   REQUIRE(one.facet(0).base->outputs.size() == 1);
   CHECK(one.facet(0).base->outputs[0].state == "MIDDLE");
 }

@@ -79,7 +79,7 @@ TEST_CASE("With one command for two positions a spring leads to the other") {
   CHECK(paired.facet(0).base->rest == "UP");
 }
 
-TEST_CASE("Operations with numbers are facets of their own, and their sensors belong to them") {
+TEST_CASE("Each numbered operation is a separate facet with its sensors") {
   CHECK(facets(kPattern, {"Q S1_SOL_JIG_CLAMP1", "Q S1_SOL_JIG_CLAMP2", "I S1_LS_JIG_CLAMP1", "I S1_LS_JIG_CLAMP2",
                           "I S1_LS_JIG_UNCLAMP2"}) ==
         "S1_JIG.CLAMP1: S1_SOL_JIG_CLAMP1>CLAMP1 S1_LS_JIG_CLAMP1<CLAMP1 | "

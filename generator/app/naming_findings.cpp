@@ -1,0 +1,75 @@
+// Findings about the links of a naming rule.
+#include "app/naming_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "naming/rules/naming_contradiction.hpp"
+#include "symplant/tables/nearest.hpp"
+#include "text/ascii.hpp"
+
+namespace symplant::app {
+namespace {
+
+using pairing::Remark;
+
+/// Each location takes a pass over the text of the links. The others are shown when these are fixed.
+constexpr std::size_t kMostShown = 200;
+
+/// The name in the link that the remark is about.
+const std::string& name_of(const name::NamedLink& link, const Remark& remark, const model::PlantModel& plant) {
+  const auto is = [&](const std::string& name) {
+    return text::equal_ignoring_case(plant.symbols[remark.input].name(), name);
+  };
+  if (remark.kind == Remark::Kind::link_unknown) return remark.other == 0 ? link.event : link.operation;
+  return is(link.event) ? link.event : link.operation;
+}
+
+std::string unknown(const std::string& name, const model::PlantModel& plant) {
+  for (const model::Symbol& symbol : plant.symbols) {
+    if (text::equal_ignoring_case(symbol.name(), name)) {
+      return fmt::format("`{}` is a number; only BOOL symbols lead to states and report them", name);
+    }
+  }
+  tables::NearestName nearest(name);
+  for (const model::Symbol& symbol : plant.symbols) nearest.offer(symbol.name());
+  return fmt::format(
+      "`{}` is not an I/O symbol of the plant{}", name,
+      nearest.name().empty() ? std::string("; correct the name") : fmt::format("; did you mean `{}`?", nearest.name()));
+}
+
+std::string message(const Remark& remark, const model::PlantModel& plant) {
+  const std::vector<name::NamedLink>& links = plant.reader->naming().naming().links;
+  const name::NamedLink& link = links[remark.link];
+  const std::string& name = name_of(link, remark, plant);
+  if (remark.kind == Remark::Kind::link_unknown) return unknown(name, plant);
+  if (remark.kind == Remark::Kind::link_repeated) {
+    return fmt::format("an earlier link gives `{}` another state or device (`{}`); remove one of them", name,
+                       links[remark.other].state);
+  }
+  const bool operation = plant.symbols[remark.input].direction == tables::Direction::operation;
+  return fmt::format("`{}` is an {}, but the link names it as the {}", name, operation ? "operation" : "event",
+                     operation ? "event" : "operation");
+}
+
+}  // namespace
+
+void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
+                         diag::Diagnostics& diagnostics) {
+  std::size_t shown = 0;
+  for (const Remark& remark : plant.pairing->remarks) {
+    if (remark.kind == Remark::Kind::role_taken || remark.kind == Remark::Kind::path_ambiguous) continue;
+    if (++shown > kMostShown) return;
+    std::vector<diag::Related> related;
+    if (remark.kind == Remark::Kind::link_repeated) {
+      related.push_back({parts.link_location(remark.other), "the earlier link"});
+    }
+    diagnostics.add(naming::kNamingContradiction, message(remark, plant), parts.link_location(remark.link),
+                    std::move(related));
+  }
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,14 @@
+// Findings about the links of a naming rule, which need the plant's symbols.
+#pragma once
+
+#include "diag/diagnostic.hpp"
+#include "model/plant_model.hpp"
+#include "naming/load.hpp"
+
+namespace symplant::app {
+
+/// Adds an error for each link that cannot be used. The plant must have a custom naming rule, with these parts.
+void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
+                         diag::Diagnostics& diagnostics);
+
+}  // namespace symplant::app

@@ -1,0 +1,98 @@
+// The symbols of a pairing, and the facets found so far.
+#include "pairing/work.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/large_memory.hpp"
+
+namespace symplant::pairing {
+namespace {
+
+Account account_of(const Input& input, const name::Naming& naming, bool& on) {
+  const name::RuleReading& reading = *input.reading;
+  switch (reading.outcome) {
+    case name::Outcome::read:
+      break;
+    case name::Outcome::no_rule:
+      return Account::no_rule;
+    case name::Outcome::ignored:
+      return Account::ignored;
+    case name::Outcome::no_direction:
+      return Account::no_direction;
+    case name::Outcome::internal:
+      return Account::internal;
+  }
+  switch (reading.role) {
+    case name::Role::io:
+      return input.boolean ? Account::unpaired : Account::data;
+    case name::Role::operator_panel:
+      return Account::operator_panel;
+    case name::Role::data:
+      return Account::data;
+    case name::Role::none:
+      return Account::none;
+    case name::Role::constant:
+      if (!input.boolean) return Account::data;
+      if (input.side != name::Side::event) return Account::none;
+      on = naming.rules[reading.rule].value.value_or(true);
+      return Account::constant;
+  }
+  return Account::unpaired;
+}
+
+}  // namespace
+
+Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
+    : compiled(of), naming(of.naming()), inputs(symbols) {
+  base::reserve_large(device, inputs.size());
+  result.accounts.reserve(inputs.size());
+  result.constant_on.resize(inputs.size());
+  std::vector<std::vector<std::uint32_t>> by_controller;
+  for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+    const name::RuleReading& of_input = reading(i);
+    bool on = false;
+    result.accounts.push_back(account_of(inputs[i], naming, on));
+    if (on) result.constant_on[i] = true;
+    if (of_input.outcome != name::Outcome::read || of_input.path.empty()) {
+      device.push_back(kNone);
+      continue;
+    }
+    if (inputs[i].controller >= by_controller.size()) by_controller.resize(inputs[i].controller + 1);
+    std::vector<std::uint32_t>& known = by_controller[inputs[i].controller];
+    if (of_input.device_id >= known.size()) {
+      known.resize(std::max<std::size_t>(of_input.device_id + std::size_t{1}, known.size() * 2), kNone);
+    }
+    std::uint32_t& index = known[of_input.device_id];
+    if (index == kNone) {
+      index = static_cast<std::uint32_t>(devices.size());
+      devices.push_back(i);
+    }
+    device.push_back(index);
+  }
+}
+
+void Work::add(Facet facet, std::uint32_t of_device) {
+  for (const Member& member : facet.members) result.accounts[member.input] = Account::paired;
+  if (of_device != kNone) {
+    const name::RuleReading& levels = reading(devices[of_device]);
+    facet.path = levels.path;
+    facet.line = levels.line;
+    facet.process = levels.process;
+    facet.device = levels.device;
+  }
+  drafts.push_back({std::move(facet), of_device});
+}
+
+void Work::add(Facet facet, std::string_view path) {
+  facet.path = facet.device = path;
+  add(std::move(facet), kNone);
+}
+
+std::string joined_words(std::string_view text) {
+  std::string joined(text);
+  std::replace(joined.begin(), joined.end(), ' ', '_');
+  return joined;
+}
+
+}  // namespace symplant::pairing
