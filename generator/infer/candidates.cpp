@@ -221,7 +221,7 @@ class CandidateFinder {
     std::size_t count = 0;
     for (const Difference& difference : differences_of(words_, vocabulary_, {})) {
       if (difference.operation.empty() || difference.event.empty() || is_marker(difference)) continue;
-      if (!is_credible(difference, cause_of(difference))) continue;
+      if (!is_credible(difference, cause_of(difference, vocabulary_))) continue;
       if (++count > kMostDifferences) break;
       const bool before = difference.before == difference.support;
       const bool after = difference.after == difference.support;

@@ -20,7 +20,7 @@
 namespace symplant::infer {
 namespace {
 
-constexpr std::size_t kMostSearched = 4'000;  ///< samples in search of rules
+constexpr std::size_t kMostSearched = 6'000;  ///< samples in search of rules
 
 /// The begin of a text up to its first separator: mostly the station.
 std::string_view first_word(const Sample& sample) {
@@ -48,6 +48,21 @@ std::vector<Sample> searched(std::span<const Sample> samples) {
     if (taken[first_word(sample)] && some.size() < 2 * kMostSearched) some.push_back(sample);
   }
   return some.size() >= kMostSearched / 8 ? some : std::vector<Sample>(all.begin(), all.begin() + kMostSearched);
+}
+
+/// The samples that no rule matches.
+std::vector<Sample> without(const std::vector<Sample>& samples, name::Naming frame,
+                            const std::vector<name::SymbolRule>& rules) {
+  frame.rules = rules;
+  std::vector<name::NamingFault> faults;
+  const auto compiled = name::CompiledNaming::compile(std::move(frame), faults);
+  if (compiled == nullptr) return samples;
+  name::SymbolReader reader(compiled);
+  std::vector<Sample> others;
+  for (const Sample& sample : samples) {
+    if (reader.read(sample.text).outcome == name::Outcome::no_rule) others.push_back(sample);
+  }
+  return others;
 }
 
 std::vector<name::Source> sources_of(std::span<const Sample> samples) {
@@ -126,8 +141,11 @@ name::Naming pruned(name::Naming naming, std::span<const Sample> samples) {
 }  // namespace
 
 Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known) {
-  const std::vector<Sample> some = searched(samples);
-  Proposal proposal = search(frame_of(some), some);
+  const std::vector<Sample> all_some = searched(samples);
+  const name::Naming frame = frame_of(all_some);
+  const std::vector<name::SymbolRule> panel = panel_rules(frame, all_some);
+  const std::vector<Sample> some = without(all_some, frame, panel);
+  Proposal proposal = search(frame, some);
   for (const name::Naming& naming : known) {
     const Score score = score_on(naming, some);
     if (score.paired <= proposal.score.paired) continue;
@@ -135,6 +153,7 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
     proposal.score = score;
     proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired)};
   }
+  proposal.naming.rules.insert(proposal.naming.rules.begin(), panel.begin(), panel.end());
   const name::Naming with = with_roles(proposal.naming, some);
   if (score_on(with, some).paired >= proposal.score.paired) proposal.naming = with;
   proposal.naming = pruned(std::move(proposal.naming), samples);

@@ -7,13 +7,13 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "name/compiled_naming.hpp"
 #include "name/normaliser.hpp"
 #include "name/pattern.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "name/vocabulary.hpp"
 
 namespace re2 {
@@ -46,20 +46,6 @@ class RuleFields : public FieldTest {
   std::unordered_map<std::string, Side> folded_directions_;  // folded
   std::unordered_map<std::string, Side> classes_;            // folded; empty: the vocabulary's
   std::array<std::unique_ptr<re2::RE2>, kFields> expressions_;
-};
-
-/// Words of which a text must have one. Words of scripts without blanks are also found within words.
-class RequiredWords {
- public:
-  RequiredWords(const std::vector<std::string>& words, const Separators& separators);
-
-  bool empty() const { return words_.empty() && phrases_.empty() && inside_.empty(); }
-  bool are_in(const PreparedText& text) const;
-
- private:
-  std::unordered_set<std::string> words_;
-  std::vector<std::string> phrases_;  ///< enclosed by blanks
-  std::vector<std::string> inside_;
 };
 
 struct CompiledPattern {
