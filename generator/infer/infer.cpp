@@ -154,8 +154,7 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
     proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired)};
   }
   proposal.naming.rules.insert(proposal.naming.rules.begin(), panel.begin(), panel.end());
-  const name::Naming with = with_roles(proposal.naming, some);
-  if (score_on(with, some).paired >= proposal.score.paired) proposal.naming = with;
+  proposal.naming = with_roles(proposal.naming, all_some);
   proposal.naming = pruned(std::move(proposal.naming), samples);
   proposal.score = score_on(proposal.naming, samples);
   return proposal;

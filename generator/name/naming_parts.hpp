@@ -69,6 +69,7 @@ struct CompiledNaming::Parts {
   Replacements replace;
   std::vector<std::string> ignore;  ///< folded patterns with `*` and `?`
   std::vector<CompiledRule> rules;
+  std::vector<CompiledRule> rest;
   std::vector<std::vector<Pattern>> archetypes;  ///< by archetype, then by text
   std::array<std::string, 3> fixed;              ///< line, process, device
 };
