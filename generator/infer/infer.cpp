@@ -142,7 +142,8 @@ name::Naming pruned(name::Naming naming, std::span<const Sample> samples) {
 
 Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known) {
   const std::vector<Sample> all_some = searched(samples);
-  const name::Naming frame = frame_of(all_some);
+  name::Naming frame = frame_of(all_some);
+  add_abbreviations(frame, all_some);
   const std::vector<name::SymbolRule> panel = panel_rules(frame, all_some);
   const std::vector<Sample> some = without(all_some, frame, panel);
   Proposal proposal = search(frame, some);
