@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -91,14 +92,34 @@ std::vector<Candidate> all_candidates(const name::Naming& frame, std::span<const
   return all;
 }
 
+/// What a rule explains of the samples that are searched.
+struct Merit {
+  Score score;
+  std::size_t devices = 0;  ///< with facets
+
+  /// Rules that pair nearly as much with finer devices are better: a coarse device pairs by chance.
+  bool exceeds(const Merit& other) const {
+    const double all = static_cast<double>(score.counted) / 100;
+    const double more = static_cast<double>(score.paired) - static_cast<double>(other.score.paired);
+    if (more > all || more < -all) return more > 0;
+    return devices != other.devices ? devices > other.devices : more > 0;
+  }
+};
+
+Merit merit_on(const name::Naming& naming, std::span<const Sample> samples) {
+  std::vector<name::NamingFault> faults;
+  const auto compiled = name::CompiledNaming::compile(naming, faults);
+  if (compiled == nullptr) return {};
+  const Applied applied = apply(compiled, samples);
+  std::set<std::string_view> devices;
+  for (const pairing::Facet& facet : applied.pairing.facets) devices.insert(facet.path);
+  return {applied.score, devices.size()};
+}
+
 Score score_on(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   return compiled == nullptr ? Score() : apply(compiled, samples).score;
-}
-
-bool exceeds(const Score& a, const Score& b) {
-  return a.paired != b.paired ? a.paired > b.paired : a.accounted > b.accounted;
 }
 
 /// The best rule that the search finds from its different starts.
@@ -110,6 +131,7 @@ Proposal search(const name::Naming& frame, std::span<const Sample> samples) {
   }
   Proposal best;
   best.naming = frame;
+  Merit best_merit;
   const Search rules(frame, candidates, samples);
   for (const Start& start : starts) {
     Choice choice = rules.run(start);
@@ -117,8 +139,10 @@ Proposal search(const name::Naming& frame, std::span<const Sample> samples) {
     naming.rules = std::move(choice.rules);
     if (naming.rules.empty()) continue;
     naming = with_archetypes(naming, samples, choice.steps);
-    const Score score = score_on(naming, samples);
-    if (exceeds(score, best.score)) best = {std::move(naming), score, std::move(choice.steps)};
+    const Merit merit = merit_on(naming, samples);
+    if (!merit.exceeds(best_merit)) continue;
+    best_merit = merit;
+    best = {std::move(naming), merit.score, std::move(choice.steps)};
   }
   return best;
 }
