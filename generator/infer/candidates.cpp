@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "infer/causes.hpp"
 #include "infer/differences.hpp"
 
 namespace symplant::infer {
@@ -124,6 +125,7 @@ class CandidateFinder {
     std::map<std::string, Shape> shapes;
     for (const SampleWords& text : words_) {
       if (text.words.size() < position + 2) continue;
+      if (marked && !marks_.contains(text.words[position - 1])) continue;
       const std::string& word = text.words[position];
       if (is_number(word) || word.size() < 2) continue;
       Shape& shape = shapes[shape_of(word)];
@@ -145,10 +147,14 @@ class CandidateFinder {
     }
     if (support == 0) return;
     const std::size_t before = marked ? position - 1 : position;
-    name::SymbolRule devices = rule(prefix(before) + (marked ? "{direction}_" : "") + "{device}_{task...}");
-    if (marked) mark(devices);
-    devices.fields.push_back({"device", expression, {}});
-    add(CandidateKind::devices, {std::move(devices)}, support, "devices `" + expression + "`");
+    std::vector<name::SymbolRule> rules;
+    if (marked) {
+      rules.push_back(rule(prefix(before) + "{direction}_{device}_{task...}"));
+      mark(rules.back());
+    }
+    rules.push_back(rule(prefix(before) + "{device}_{task...}"));
+    for (name::SymbolRule& devices : rules) devices.fields.push_back({"device", expression, {}});
+    add(CandidateKind::devices, std::move(rules), support, "devices `" + expression + "`");
   }
 
   /// Words at a position that are on one side each, in texts with a motion.
@@ -171,6 +177,7 @@ class CandidateFinder {
     for (const std::string_view rest : {"{class}_{device...}_{task:known}", "{class}_{task:known}_{device...}"}) {
       name::SymbolRule motions = rule(prefix(position) + std::string(rest));
       for (const auto& [word, side] : classes) motions.classes.emplace_back(word, side);
+      motions.fan_out = true;
       add(CandidateKind::motions, {std::move(motions)}, total.total(), "classes before a motion");
     }
   }
@@ -181,14 +188,22 @@ class CandidateFinder {
     if (support == 0) return;
     std::vector<std::string> patterns = {"{process}_{device...}_{task:known}", "{device...}_{task:known}",
                                          "{process}_{task:known}_{device...}", "{task:known}_{device...}"};
-    for (const std::string& pattern : patterns) add(CandidateKind::motions, {rule(pattern)}, support, "motions");
+    for (const std::string& pattern : patterns) {
+      name::SymbolRule motions = rule(pattern);
+      motions.fan_out = true;
+      add(CandidateKind::motions, {std::move(motions)}, support, "motions");
+    }
     if (marks_.empty()) return;
     for (const std::string_view rest :
          {"{direction}_{device...}_{task:known}", "{direction}_{task:known}_{device...}"}) {
       name::SymbolRule marked = rule(prefix(marker_position_) + std::string(rest));
       mark(marked);
+      marked.fan_out = true;
       add(CandidateKind::motions, {std::move(marked)}, support + 1, "motions after a direction");
     }
+    name::SymbolRule others = rule("{device...}_{direction}_{task...}");
+    mark(others);
+    add(CandidateKind::difference, {std::move(others)}, support, "equal texts after a direction");
   }
 
   static std::string joined(const std::vector<std::string>& words) {
@@ -197,10 +212,16 @@ class CandidateFinder {
     return text;
   }
 
+  /// Whether the difference says no more than the direction.
+  bool is_marker(const Difference& difference) const {
+    return marks_.contains(difference.operation.front()) || marks_.contains(difference.operation.back());
+  }
+
   void find_differences() {
     std::size_t count = 0;
     for (const Difference& difference : differences_of(words_, vocabulary_, {})) {
-      if (difference.operation.empty() || difference.event.empty()) continue;
+      if (difference.operation.empty() || difference.event.empty() || is_marker(difference)) continue;
+      if (!is_credible(difference, cause_of(difference, vocabulary_))) continue;
       if (++count > kMostDifferences) break;
       const bool before = difference.before == difference.support;
       const bool after = difference.after == difference.support;

@@ -68,7 +68,7 @@ class Miner {
       }
     };
     add(words.size(), 0);
-    for (std::size_t begin = 0; begin < words.size(); ++begin) {
+    for (std::size_t begin = limits_.fixed; begin < words.size(); ++begin) {
       for (std::size_t count = 1; count <= limits_.most_words && begin + count <= words.size(); ++count) {
         if (!may_be_cut(words[begin + count - 1])) break;
         add(begin, count);
@@ -97,20 +97,39 @@ class Miner {
     std::vector<std::string> operation_words = cut_words(operation);
     std::vector<std::string> event_words = cut_words(event);
     if (operation_words == event_words) return;
+    if (!operation_words.empty() && !event_words.empty() &&
+        (operation_words.front() == event_words.front() || operation_words.back() == event_words.back())) {
+      return;  // a shorter difference says the same
+    }
     std::string key;
     for (const std::string& word : operation_words) key.append(word).append(1, ' ');
     key += '\x1f';
     for (const std::string& word : event_words) key.append(word).append(1, ' ');
     if (!counted_[key].emplace(operation.text, true).second) return;
     Difference& difference = tally_[key];
+    const Cut& placed = operation.count != 0 ? operation : event;
+    const std::size_t size = words_[placed.text].words.size();
+    std::string before = text_of(placed.text, limits_.fixed, placed.begin);
+    std::string after = text_of(placed.text, placed.begin + placed.count, size);
+    if (!before.empty()) ++difference.before;
+    if (!after.empty()) ++difference.after;
     if (++difference.support == 1) {
       difference.operation = std::move(operation_words);
       difference.event = std::move(event_words);
+      difference.before_text = std::move(before);
+      difference.after_text = std::move(after);
+      difference.example_operation = operation.text;
+      difference.example_event = event.text;
+      return;
     }
-    const Cut& placed = operation.count != 0 ? operation : event;
-    const std::size_t size = words_[placed.text].words.size();
-    if (placed.begin != 0) ++difference.before;
-    if (placed.begin + placed.count < size) ++difference.after;
+    if (difference.before_text != before) difference.before_text.reset();
+    if (difference.after_text != after) difference.after_text.reset();
+  }
+
+  std::string text_of(std::uint32_t text, std::size_t begin, std::size_t end) const {
+    std::string joined;
+    for (std::size_t i = begin; i < end; ++i) joined.append(joined.empty() ? "" : " ").append(words_[text].words[i]);
+    return joined;
   }
 
   const std::vector<SampleWords>& words_;

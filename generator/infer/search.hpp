@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,8 +20,33 @@ struct Choice {
   std::vector<std::string> steps;  ///< what was chosen and why, for --verbose
 };
 
-/// `frame` is a naming rule without rules. Adds the candidate that pairs most, again and again, until none pairs more.
-/// O(samples * candidates * rounds).
-Choice choose(const name::Naming& frame, const std::vector<Candidate>& candidates, std::span<const Sample> samples);
+/// What the search begins with.
+struct Start {
+  std::size_t devices = SIZE_MAX;  ///< a candidate that is chosen in any case, since archetypes may join its tasks
+  bool devices_first = true;       ///< rules of devices apply before those of motions
+};
+
+/// Adds the candidate that pairs most, again and again, until none pairs more. The readings of all candidates are made
+/// once. O(samples * candidates * rounds).
+class Search {
+ public:
+  /// `frame` is a naming rule without rules. Candidates and samples must outlive the search.
+  Search(const name::Naming& frame, const std::vector<Candidate>& candidates, std::span<const Sample> samples);
+
+  Choice run(Start start) const;
+
+ private:
+  std::vector<std::size_t> with(const std::vector<std::size_t>& chosen, std::size_t candidate,
+                                bool devices_first) const;
+  Score score_of(const std::vector<std::size_t>& order) const;
+  bool better(const Score& a, const Score& b) const;
+
+  const std::vector<Candidate>& candidates_;
+  std::span<const Sample> samples_;
+  std::vector<std::size_t> first_rule_;  ///< of each candidate
+  std::shared_ptr<const name::CompiledNaming> naming_;
+  std::unique_ptr<name::SymbolReader> reader_;
+  std::vector<std::vector<name::RuleReading>> readings_;  ///< by rule, then by sample
+};
 
 }  // namespace symplant::infer

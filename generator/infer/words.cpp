@@ -5,7 +5,9 @@
 
 #include "name/normaliser.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "text/ascii.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::infer {
 namespace {
@@ -23,11 +25,15 @@ std::string text_of(const Sample& sample, name::Source source) {
 std::vector<SampleWords> words_of(std::span<const Sample> samples, name::Source source, const name::Naming& naming,
                                   const name::Vocabulary& vocabulary) {
   const name::Separators separators(naming.separators);
+  std::vector<std::pair<std::size_t, std::string>> faults;
+  const name::Replacements replacements(naming.normalise.replace, faults);
   name::PreparedText text;
   std::vector<SampleWords> all;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     if (!samples[i].boolean) continue;
-    text.prepare(name::normalised(text_of(samples[i], source), naming.normalise, vocabulary, separators), separators);
+    std::string normal = name::normalised(text_of(samples[i], source), naming.normalise, vocabulary, separators);
+    replacements.apply(normal);
+    text.prepare(normal, separators);
     if (text.words().empty()) continue;
     SampleWords& words = all.emplace_back();
     words.sample = i;
@@ -73,6 +79,19 @@ std::string quoted(std::string_view text) {
     quoted += c;
   }
   return quoted;
+}
+
+bool contains(const std::vector<std::string>& words, std::string_view known, const name::Vocabulary& vocabulary) {
+  const auto stem = [](std::string_view word) { return word.substr(0, word.find_last_not_of("0123456789") + 1); };
+  if (known.find(' ') != known.npos) {
+    std::string text = " ";
+    for (const std::string& word : words) text.append(stem(word)).append(" ");
+    return text.find(" " + std::string(known) + " ") != std::string::npos;
+  }
+  const bool within = text::code_point_at(known, 0).value >= name::kFirstWithoutBlanks;
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return within ? word.find(known) != std::string::npos && !vocabulary.motion(word) : stem(word) == known;
+  });
 }
 
 bool is_number(std::string_view word) {

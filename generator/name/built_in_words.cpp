@@ -98,6 +98,7 @@ constexpr auto kSynonyms = std::to_array<BuiltInWords::Synonym>({{"back", "RET"}
                                                                  {"unclamped", "UNCLAMP"},
                                                                  {"unclmp", "UNCLAMP"},
                                                                  {"언클램프", "UNCLAMP"},
+                                                                 {"클램프", "CLAMP"},
                                                                  {"アンクランプ", "UNCLAMP"},
                                                                  {"lösen", "UNCLAMP"},
                                                                  {"loesen", "UNCLAMP"},
@@ -195,9 +196,9 @@ constexpr auto kSynonyms = std::to_array<BuiltInWords::Synonym>({{"back", "RET"}
                                                                  {"把持", "GRIP"}});
 
 // Motions that are written without a blank after another word.
-constexpr auto kFusedMotions =
-    std::to_array<std::string_view>({"전진", "후진", "상승", "하강", "잠김", "풀림", "열림", "닫힘", "정회전", "역회전",
-                                     "前進", "後退", "上昇", "下降", "クランプ", "アンクランプ", "正転", "逆転"});
+constexpr auto kFusedMotions = std::to_array<std::string_view>(
+    {"언클램프", "클램프", "전진", "후진", "상승", "하강", "잠김",     "풀림",         "열림", "닫힘",
+     "정회전",   "역회전", "前進", "後退", "上昇", "下降", "クランプ", "アンクランプ", "正転", "逆転"});
 
 constexpr auto kOperationAffixes = std::to_array<std::string_view>({"sol",        "sv",
                                                                     "valve",      "cmd",
@@ -261,6 +262,10 @@ constexpr auto kData = std::to_array<std::string_view>(
      "vin",   "prog",     "program",   "prg",      "value",  "word",   "address",    "adr",   "bcd",
      "사양",  "차종코드", "코드",      "데이터",   "번호",   "카운트", "축번호",     "수량",  "データ",
      "番号",  "コード",   "daten",     "nummer",   "данные", "код",    "количество", "номер", "слоев"});
+constexpr auto kDiagnosis = std::to_array<std::string_view>({"battery", "배터리", "バッテリ", "batterie", "батарея"});
+constexpr auto kParts =
+    std::to_array<std::string_view>({"part", "plt", "pallet", "workpiece", "파트", "파레트", "감지", "대차", "ワーク",
+                                     "teil", "werkstück", "наличия", "наличие", "деталь"});
 constexpr auto kSpare = std::to_array<std::string_view>({"spare", "reserve", "reserved", "sp", "res", "unused",
                                                          "notused", "예비", "미사용", "予備", "未使用", "frei",
                                                          "unbenutzt", "резерв", "свободный", "запас", "dummy", "n/a"});
@@ -283,13 +288,34 @@ constexpr auto kInterlock = std::to_array<std::string_view>(
      "permission", "allow", "ready in",       "in ok",  "non intf", "간섭무",       "간섭",       "인터록",
      "작업가능",   "가능",  "インターロック", "干渉",   "freigabe", "verriegelung", "разрешение", "блокировка"});
 
+constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
+                                                             {"sel", "echo"},
+                                                             {"start", "running"},
+                                                             {"start", "runing"},
+                                                             {"start", "run"},
+                                                             {"동작", "동작감시"},
+                                                             {"기동", "기동중"},
+                                                             {"기동", "운전중"},
+                                                             {"起動", "運転中"},
+                                                             {"start", "läuft"},
+                                                             {"управление", "обратная связь"},
+                                                             {"команда", "обратная связь"},
+                                                             {"запуск", "работа"},
+                                                             {"cmd", "fb"},
+                                                             {"command", "feedback"},
+                                                             {"output", "feedback"},
+                                                             {"req", "ack"},
+                                                             {"request", "ack"},
+                                                             {"on", "on fb"},
+                                                             {"прг", "echo"}});
+
 }  // namespace
 
 const BuiltInWords& built_in_words() {
-  static constexpr BuiltInWords kWords{kPairs,        kSynonyms, kFusedMotions, kOperationAffixes,
-                                       kEventAffixes, kClasses,  kPanel,        kAlarm,
-                                       kData,         kSpare,    kHealthy,      kEcho,
-                                       kStart,        kDone,     kReset,        kInterlock};
+  static constexpr BuiltInWords kWords{
+      kPairs, kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm, kDiagnosis,
+      kData,  kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset, kInterlock,
+      kCauses};
   return kWords;
 }
 

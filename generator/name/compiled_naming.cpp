@@ -53,7 +53,8 @@ std::optional<Field> field_of(std::string_view name) {
 
 CompiledRule compiled_rule(const SymbolRule& rule, std::size_t index, const CompiledNaming::Parts& parts,
                            std::vector<NamingFault>& faults) {
-  CompiledRule compiled{{}, RuleFields(rule, parts.vocabulary), Replacements()};
+  CompiledRule compiled{
+      {}, RuleFields(rule, parts.vocabulary), Replacements(), RequiredWords(rule.has, parts.separators)};
   compiled.replace = compiled_replacements(rule.replace, index_pointer("rules", index, "replace"), faults);
   std::array<bool, kFields> has{};
   for (const SourcePattern& source : rule.patterns) {

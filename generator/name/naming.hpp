@@ -62,9 +62,10 @@ struct SymbolRule {
   std::vector<FieldRule> fields;
   std::vector<std::pair<std::string, Side>> classes;  ///< words of the field `class`; empty: the vocabulary's
   std::vector<Replacement> replace;                   ///< after those of Normalise
-  std::optional<Side> side;                           ///< only symbols whose address is on this side
-  std::optional<std::string> task;                    ///< the task of all its symbols
-  bool fan_out = false;  ///< an operation drives every device of its process whose words contain its own
+  std::vector<std::string> has;     ///< the text must have one of these words or phrases, digits at a word's end apart
+  std::optional<Side> side;         ///< only symbols whose address is on this side
+  std::optional<std::string> task;  ///< the task of all its symbols
+  bool fan_out = false;             ///< an operation drives every device of its process whose words contain its own
   Role role = Role::io;
   std::optional<bool> value;  ///< of the role `constant`
 };

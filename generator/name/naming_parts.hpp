@@ -7,13 +7,13 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "name/compiled_naming.hpp"
 #include "name/normaliser.hpp"
 #include "name/pattern.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "name/vocabulary.hpp"
 
 namespace re2 {
@@ -57,6 +57,7 @@ struct CompiledRule {
   std::vector<CompiledPattern> patterns;
   RuleFields fields;
   Replacements replace;
+  RequiredWords has;
 };
 
 struct CompiledNaming::Parts {

@@ -64,7 +64,7 @@ class PatternBuilder {
       any.next = next;
       return builder.add(std::move(any));
     }
-    std::uint32_t operator()(const x3::forward_ast<syntax::Group>& group) const {
+    std::uint32_t operator()(const syntax::x3::forward_ast<syntax::Group>& group) const {
       return builder.group(group.get(), next);
     }
   };

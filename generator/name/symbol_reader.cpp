@@ -122,7 +122,7 @@ bool SymbolReader::Work::match(const SymbolText& symbol, std::size_t index) {
     if (match_count == matches.size() || !match(symbol, rule, pattern, matches[match_count])) return false;
     ++match_count;
   }
-  return match_count != 0;
+  return match_count != 0 && (rule.has.empty() || rule.has.are_in(*matches[0].text, parts.vocabulary));
 }
 
 bool SymbolReader::Work::is_ignored(const SymbolText& symbol) {

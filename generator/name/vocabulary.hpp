@@ -31,6 +31,10 @@ struct BuiltInWords {
     std::string_view word;
     Side side;
   };
+  struct Cause {
+    std::string_view operation;  ///< words, separated by blanks
+    std::string_view event;
+  };
   std::span<const Pair> pairs;
   std::span<const Synonym> synonyms;
   std::span<const std::string_view> fused_motions;  ///< motions that follow another word without a blank
@@ -39,7 +43,9 @@ struct BuiltInWords {
   std::span<const ClassWord> classes;
   std::span<const std::string_view> panel;  ///< of what an operator sees or touches
   std::span<const std::string_view> alarm;
+  std::span<const std::string_view> diagnosis;  ///< of what sensors say of themselves
   std::span<const std::string_view> data;
+  std::span<const std::string_view> parts;  ///< of work pieces that sensors see
   std::span<const std::string_view> spare;
   std::span<const std::string_view> healthy;  ///< of contacts that are on in a healthy plant
   std::span<const std::string_view> echo;     ///< that a text repeats what the other side says
@@ -47,6 +53,7 @@ struct BuiltInWords {
   std::span<const std::string_view> done;     ///< that work is done
   std::span<const std::string_view> reset;
   std::span<const std::string_view> interlock;  ///< of permissions between machines
+  std::span<const Cause> causes;                ///< words of an operation and of the event that it causes
 };
 const BuiltInWords& built_in_words();
 

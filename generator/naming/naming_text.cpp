@@ -84,6 +84,7 @@ Json rule_json(const name::SymbolRule& rule) {
   }
   if (!rule.classes.empty()) json["classes"] = sides_json(rule.classes);
   if (!rule.replace.empty()) json["replace"] = replace_json(rule.replace);
+  if (!rule.has.empty()) json["has"] = rule.has;
   if (rule.side) json["side"] = side_text(*rule.side);
   if (rule.task) json["task"] = *rule.task;
   if (rule.fan_out) json["fan-out"] = true;

@@ -53,6 +53,7 @@ class RuleEntry {
     read_fields();
     read_classes();
     rule_.replace = replacements_of(entry_);
+    rule_.has = texts_of(entry_, "has");
     rule_.side = side_of(text_or_empty(entry_, "side"));
     read_task();
     rule_.fan_out = description::flag_member(entry_, "fan-out");

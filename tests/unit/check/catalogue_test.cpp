@@ -7,6 +7,7 @@
 #include "app/tool.hpp"
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
+#include "naming/rules.hpp"
 #include "read/rules.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -28,7 +29,7 @@ TEST_CASE("Rules are sorted by id, each id and slug once") {
   }
   const std::size_t of_lower = 1;
   CHECK(check::catalogue().size() ==
-        check::kRules.size() + read::rules().size() + description::rules().size() + of_lower);
+        check::kRules.size() + read::rules().size() + description::rules().size() + naming::rules().size() + of_lower);
 }
 
 TEST_CASE("Every rule has a summary without a full stop and a page with the fix") {

@@ -61,7 +61,7 @@ TEST_CASE("A naming rule is a file relative to plant.json, a profile, or a value
   CHECK(rule_name(read(plant_with(R"("naming": {"name": "inside", "rules": [{"pattern": "{device}"}]})"))) == "inside");
 }
 
-TEST_CASE("--naming wins over plant.json, and its path is relative to the current folder") {
+TEST_CASE("The option --naming wins over plant.json, and its path is relative to the current folder") {
   MemoryFileSystem files = plant_with(R"("naming": "@ls-body")");
   files.files["own.json"] = R"({"symplant-naming": 1, "name": "own", "rules": [{"pattern": "{device}"}]})";
   CHECK(rule_name(read(files, "own.json")) == "own");
