@@ -39,7 +39,7 @@ std::size_t count_texts(std::span<const Sample> samples, const Test& test) {
   return count;
 }
 
-/// A hyphen parts words unless most stand between digits and letters without blanks (`S441-2`).
+/// A hyphen parts words unless most are between digits and letters without blanks (`S441-2`).
 bool hyphen_separates(std::span<const Sample> samples) {
   std::size_t within = 0;
   std::size_t between = 0;
