@@ -227,7 +227,7 @@ TEST_CASE("A constant keeps its value from the start") {
   rows[1].name = "RB_GONE";
   rows[2].name = "RB_GO";
   Run run(test::lower_analysed(test::analyse_by_rule(naming, {{"list.csv", test::list_text(rows)}})));
-  const std::string events = run.events(1, 200);
+  const std::string events = run.events(1, 200, false);
   CHECK(events.starts_with("50:10 "));
   CHECK(events.find(":00") == std::string::npos);
   CHECK(events.find(":11") != std::string::npos);
