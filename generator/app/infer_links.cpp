@@ -45,7 +45,8 @@ std::string infer_links_text(const std::vector<name::NamedLink>& links, const st
   for (const infer::OpenLink& link : open) {
     std::string events;
     for (const std::string& event : link.events) events.append(events.empty() ? "" : " | ").append(event);
-    text += on_one_line("# close to it: " + events) + '\n';
+    const std::string what = link.text.empty() ? "" : link.text + "; ";
+    text += on_one_line("# " + what + "close to it: " + events) + '\n';
     std::string row = row_text({link.operation, "", link.state});
     row.pop_back();
     text += '#' + on_one_line(std::move(row)) + '\n';

@@ -60,9 +60,10 @@ struct NearMiss {
 
 /// A link to complete by hand: what names cannot pair.
 struct OpenLink {
-  std::string operation;  ///< a symbol
+  std::string operation;  ///< the name of a symbol
   std::string state;
-  std::vector<std::string> events;  ///< symbols; the closest first
+  std::string text;                 ///< of the operation, if it is not the name
+  std::vector<std::string> events;  ///< names, with their texts; the closest first
 };
 
 /// Shapes in the order of their counts, and how many more there are.

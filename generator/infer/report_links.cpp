@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "infer/report_parts.hpp"
+#include "infer/words.hpp"
 #include "pairing/archetypes.hpp"
 
 namespace symplant::infer {
@@ -84,7 +85,7 @@ class CorrespondenceFinder {
   struct Draft {
     Correspondence found;
     Suspects suspects;
-    std::map<std::string_view, std::size_t> tasks;
+    std::map<std::string, std::size_t> tasks;               ///< by shape
     std::pair<std::string_view, std::string_view> example;  ///< names
     std::uint32_t operation = 0;
     std::uint32_t event = 0;
@@ -111,9 +112,9 @@ class CorrespondenceFinder {
       for (const pairing::Member& member : facet.members) {
         const std::size_t rule = reading(member.input).rule;
         if (!naming_.rules[rule].side) continue;
-        if (!first) first = root(rule);
-        const auto [low, high] = std::minmax(*first, root(rule));
-        parents[high] = low;
+        const std::size_t own = root(rule);
+        const std::size_t low = std::min(first.value_or(own), own);
+        parents[std::max(first.value_or(own), own)] = low;
         first = low;
       }
     }
@@ -146,7 +147,7 @@ class CorrespondenceFinder {
       const bool by_words = facet.by == pairing::FacetBy::words;
       Draft& draft = drafts_[by_words ? Key{true, group_of(operation)} : Key{false, facet.archetype}];
       if (by_words) {
-        ++draft.tasks[member.task];
+        ++draft.tasks[shape_of(member.task)];
       } else {
         draft.read_by.insert(group_of(operation));
       }

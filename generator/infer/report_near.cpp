@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t kMostNearMisses = 20;
 constexpr std::size_t kMostEvents = 3;       ///< of an operation
 constexpr std::size_t kMostVisited = 5'000;  ///< events that are compared with an operation
-constexpr std::size_t kLeastShared = 2;      ///< words
+constexpr std::size_t kLeastShared = 2;      ///< words, and at least half of the operation's
 constexpr std::size_t kLeastOfSeries = 3;
 constexpr std::size_t kMostOpenLinks = 200;
 constexpr std::size_t kMostOtherWords = 2;  ///< words of an operation of a series that its event lacks
 
-/// Unpaired events by their words, and by the shapes of words with digits.
+/// Unpaired events by their words and motions, and by their words without digits.
 class EventIndex {
  public:
   explicit EventIndex(const ReportInput& input) : input_(input) {
@@ -36,9 +36,12 @@ class EventIndex {
   /// At most `kMostEvents`, the closest first. O(kMostVisited).
   std::vector<std::uint32_t> closest(std::uint32_t operation) const {
     std::vector<std::pair<const std::vector<std::uint32_t>*, bool>> postings;  // and whether it is a word
+    std::size_t words = 0;
     for (const std::string& key : keys_of(operation)) {
+      const bool word = key.front() != kStem;
+      words += word ? 1 : 0;
       const auto found = events_.find(key);
-      if (found != events_.end()) postings.emplace_back(&found->second, key.front() != kShape);
+      if (found != events_.end()) postings.emplace_back(&found->second, word);
     }
     std::stable_sort(postings.begin(), postings.end(),
                      [](const auto& a, const auto& b) { return a.first->size() < b.first->size(); });
@@ -55,16 +58,20 @@ class EventIndex {
         rank.weight += weight * (word ? 2 : 1);
       }
     }
-    return best(ranks, input_.samples[operation].controller);
+    return best(ranks, std::max(kLeastShared, (words + 1) / 2), input_.samples[operation].controller);
   }
 
-  /// Words, and their shapes after a mark.
+  /// Words, of which a motion is its canonical word, and words without their digits after a mark.
   std::vector<std::string> keys_of(std::uint32_t sample) const {
-    std::vector<std::string> keys = input_.texts.words(sample);
-    const std::size_t words = keys.size();
-    for (std::size_t i = 0; i < words; ++i) {
-      const std::string shape = shape_of(keys[i]);
-      if (shape != keys[i] && shape != "#") keys.push_back(kShape + shape);
+    std::vector<std::string> keys;
+    for (std::string& word : input_.texts.words(sample)) {
+      if (const auto motion = input_.naming.vocabulary().motion(word)) {
+        keys.emplace_back(motion->canonical);
+        continue;
+      }
+      const std::string stem = word.substr(0, word.find_last_not_of("0123456789") + 1);
+      if (!stem.empty() && stem != word) keys.push_back(kStem + stem);
+      keys.push_back(std::move(word));
     }
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -72,18 +79,18 @@ class EventIndex {
   }
 
  private:
-  static constexpr char kShape = '\x01';
+  static constexpr char kStem = '\x01';
 
   struct Rank {
     std::size_t shared = 0;
     std::size_t weight = 0;
   };
 
-  std::vector<std::uint32_t> best(const std::unordered_map<std::uint32_t, Rank>& ranks,
+  std::vector<std::uint32_t> best(const std::unordered_map<std::uint32_t, Rank>& ranks, std::size_t least,
                                   std::uint32_t controller) const {
     std::vector<std::pair<std::size_t, std::uint32_t>> order;
     for (const auto& [event, rank] : ranks) {
-      if (rank.shared < kLeastShared || input_.samples[event].controller != controller) continue;
+      if (rank.shared < least || input_.samples[event].controller != controller) continue;
       order.emplace_back(rank.weight, event);
     }
     const auto first = [&](const auto& a, const auto& b) {
@@ -139,11 +146,15 @@ class NearMisses {
     if (operations.size() < kLeastOfSeries || !is_series(operations.front(), events.front())) return;
     for (const std::uint32_t operation : operations) {
       if (report_.open_links.size() == kMostOpenLinks) return;
-      report_.open_links.push_back({name(operation), state_of(operation), names(index_.closest(operation))});
+      report_.open_links.push_back(
+          {name(operation), motion_of(operation), comment(operation), named(index_.closest(operation))});
     }
   }
 
   std::string name(std::uint32_t sample) const { return std::string(input_.samples[sample].text.name); }
+  std::string comment(std::uint32_t sample) const {
+    return input_.texts.source(sample) == name::Source::name ? std::string() : input_.texts.shown(sample);
+  }
 
   std::vector<std::string> shown(const std::vector<std::uint32_t>& samples) const {
     std::vector<std::string> texts;
@@ -151,24 +162,29 @@ class NearMisses {
     return texts;
   }
 
-  std::vector<std::string> names(const std::vector<std::uint32_t>& samples) const {
+  /// Names with their comments if these are what the rule reads.
+  std::vector<std::string> named(const std::vector<std::uint32_t>& samples) const {
     std::vector<std::string> texts;
-    for (const std::uint32_t sample : samples) texts.push_back(name(sample));
+    for (const std::uint32_t sample : samples) {
+      const std::string text = comment(sample);
+      texts.push_back(text.empty() ? name(sample) : name(sample) + " " + text);
+    }
     return texts;
   }
 
-  /// The motion in an operation's text; empty without one.
-  std::string state_of(std::uint32_t operation) const {
+  /// The last motion in a text; empty without one.
+  std::string motion_of(std::uint32_t sample) const {
     std::string state;
-    for (const std::string& word : input_.texts.words(operation)) {
+    for (const std::string& word : input_.texts.words(sample)) {
       if (const auto motion = input_.naming.vocabulary().motion(word)) state = motion->canonical;
     }
     return state;
   }
 
-  /// Whether an operation moves something numbered, and an event has nearly the same words with other numbers.
+  /// Whether an operation moves something numbered, and an event of a motion has nearly the same words with other
+  /// numbers.
   bool is_series(std::uint32_t operation, std::uint32_t event) const {
-    if (state_of(operation).empty()) return false;
+    if (motion_of(operation).empty() || motion_of(event).empty()) return false;
     std::vector<std::string> others;
     for (const std::string& word : input_.texts.words(event)) others.push_back(shape_of(word));
     std::size_t missing = 0;

@@ -44,7 +44,7 @@ std::uint8_t kinds_of(const std::vector<std::string>& words) {
   add(kDoneText, known.done);
   add(kAnswerText, known.echo);
   add(kAnswerText, known.reset);
-  add(kHealthyText, known.healthy);
+  if (!has_word(words, known.alarm)) add(kHealthyText, known.healthy);
   return kinds;
 }
 

@@ -19,8 +19,8 @@ enum TextKind : std::uint8_t {
   kInterlockText = 2,
   kStartText = 4,
   kDoneText = 8,
-  kAnswerText = 16,  ///< an echo, an acknowledge or a reset
-  kHealthyText = 32,
+  kAnswerText = 16,   ///< an echo, an acknowledge or a reset
+  kHealthyText = 32,  ///< of a contact that is on in a healthy plant, and no alarm
 };
 
 /// Each sample has one text: the one that its rule reads, or else the one that most rules read.

@@ -84,6 +84,11 @@ class Infer {
       proposal.naming = infer::with_answers(proposal.naming, report, answers_.refused, answers_.accepted);
       score = infer::score_of(proposal.naming, read->samples);
     }
+    if (proposal.naming.rules.empty()) {
+      report_out_ << "the names follow no rule: no naming rule was written; describe the devices in plant.json\n";
+      context_.exit_code = host::kFindings;
+      return;
+    }
     if (!write(proposal.naming, report, read->files)) return;
     report_out_ << infer_score_text(score) << "; next: " << next_command() << "\n";
   }
