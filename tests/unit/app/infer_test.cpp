@@ -272,6 +272,29 @@ TEST_CASE("infer: The result is never below the naming rule of --naming") {
   CHECK(contains(last_line(run.err), "paired 100 % (8 of 8)"));
 }
 
+TEST_CASE("infer: Links of the given naming rule are written to links.csv, but not over another file") {
+  MemoryFileSystem files;
+  std::vector<Row> rows;
+  for (int i = 0; i < 4; ++i) {
+    const std::string number = std::to_string(i);
+    rows.push_back({"up" + number, "", "BOOL", "FALSE", "%QX" + number});
+    rows.push_back({"reed" + std::to_string(9 - i), "", "BOOL", "FALSE", "%IX" + number});
+  }
+  files.files["list.csv"] = list_text(rows);
+  files.files["own.json"] = R"({ "symplant-naming": 1, "rules": [{ "pattern": "{device}", "task": "ON" }],
+    "links": [["up0", "reed9", "UP"], ["up1", "reed8", "UP"]] })";
+  const ToolRun run = run_tool({"infer", "list.csv", "--naming", "own.json", "-o", "naming.json"}, files);
+  CHECK(contains(last_line(run.out), "(4 of 8)"));
+  CHECK(files.files["links.csv"] == "operation,event,state\nup0,reed9,UP\nup1,reed8,UP\n");
+  CHECK(contains(run_tool({"check", "list.csv", "--naming", "naming.json"}, files).out, " 4 ("));
+  files.files["links.csv"] = "operation,event,state\n";
+  files.files.erase("naming.json");
+  const ToolRun again = run_tool({"infer", "list.csv", "--naming", "own.json", "-o", "naming.json"}, files);
+  CHECK(again.code == 2);
+  CHECK(contains(again.err, "`links.csv` already exists, and may contain your work"));
+  CHECK_FALSE(files.exists("naming.json"));
+}
+
 TEST_CASE("infer: --verbose shows what was found and why") {
   MemoryFileSystem files = stations();
   CHECK_FALSE(contains(run_tool({"infer", "list.csv"}, files).err, "decided: "));
