@@ -146,7 +146,7 @@ inline constexpr std::array kRules{
 /// it is.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
-/// Whether a name has this fault, and needs a finding of its own.
+/// Whether a name has this fault, and needs a separate finding.
 bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::NameFault fault);
 /// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
 std::vector<bool> lists_named_otherwise(const model::PlantModel& plant);

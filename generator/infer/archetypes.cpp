@@ -267,6 +267,16 @@ std::vector<FoundArchetype> archetypes_from(const std::vector<FoundTexts>& all) 
   return archetypes;
 }
 
+/// Adds an archetype; a name that is taken gets a number.
+void add_named(name::Archetype archetype, std::vector<name::Archetype>& all) {
+  const std::string wanted = archetype.name;
+  const auto taken = [&](const name::Archetype& other) { return other.name == archetype.name; };
+  for (int number = 2; std::any_of(all.begin(), all.end(), taken); ++number) {
+    archetype.name = fmt::format("{}-{}", wanted, number);
+  }
+  all.push_back(std::move(archetype));
+}
+
 std::shared_ptr<const name::CompiledNaming> compiled(const name::Naming& naming) {
   std::vector<name::NamingFault> faults;
   return name::CompiledNaming::compile(naming, faults);
@@ -287,7 +297,7 @@ name::Naming with_archetypes(const name::Naming& naming, std::span<const Sample>
   std::vector<FoundArchetype> found = archetypes_of(applied, samples, *before);
   if (found.size() > kMostArchetypes) found.resize(kMostArchetypes);
   name::Naming all = naming;
-  for (const FoundArchetype& one : found) all.archetypes.push_back(one.archetype);
+  for (const FoundArchetype& one : found) add_named(one.archetype, all.archetypes);
   const auto with = compiled(all);
   if (with == nullptr) return naming;
   const Applied after = apply(with, samples);

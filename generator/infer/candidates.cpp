@@ -201,9 +201,23 @@ class CandidateFinder {
       marked.fan_out = true;
       add(CandidateKind::motions, {std::move(marked)}, support + 1, "motions after a direction");
     }
+    find_contactors();
     name::SymbolRule others = rule("{device...}_{direction}_{task...}");
     mark(others);
-    add(CandidateKind::difference, {std::move(others)}, support, "equal texts after a direction");
+    add(CandidateKind::others, {std::move(others)}, support, "equal texts after a direction");
+  }
+
+  /// Contacts of a contactor (`MC ON`) report that a motor runs, in whichever direction.
+  void find_contactors() {
+    for (const std::string_view words : {"MC_ON", "MC"}) {
+      name::SymbolRule contact = rule("{process}_{device...}_" + std::string(words));
+      contact.side = name::Side::event;
+      contact.task = "FWD";
+      name::SymbolRule motions = rule("{process}_{device...}_{task:known}");
+      motions.fan_out = true;
+      add(CandidateKind::motions, {std::move(contact), std::move(motions)}, 0,
+          "motions and contactors `" + std::string(words) + "`");
+    }
   }
 
   static std::string joined(const std::vector<std::string>& words) {
@@ -221,7 +235,7 @@ class CandidateFinder {
     std::size_t count = 0;
     for (const Difference& difference : differences_of(words_, vocabulary_, {})) {
       if (difference.operation.empty() || difference.event.empty() || is_marker(difference)) continue;
-      if (!is_credible(difference, cause_of(difference))) continue;
+      if (!is_credible(difference, cause_of(difference, vocabulary_))) continue;
       if (++count > kMostDifferences) break;
       const bool before = difference.before == difference.support;
       const bool after = difference.after == difference.support;

@@ -11,7 +11,12 @@
 namespace symplant::infer {
 
 /// What a candidate is about; rules are tried in this order.
-enum class CandidateKind : std::uint8_t { devices, motions, difference, panel };
+enum class CandidateKind : std::uint8_t {
+  devices,     ///< devices named by a number, with any tasks
+  motions,     ///< devices with a motion
+  difference,  ///< two texts that differ in known words
+  others,      ///< equal texts: only where nothing else pairs them, because the device level is coarse
+};
 
 /// One or two rules that belong together.
 struct Candidate {

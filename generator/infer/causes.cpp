@@ -32,29 +32,26 @@ constexpr std::size_t kLeastUnknown = 5;
 
 }  // namespace
 
-bool has_word(const std::vector<std::string>& words, std::span<const std::string_view> list) {
-  std::string text = " ";
-  for (const std::string& word : words) text.append(shape_of(word)).append(" ");
-  std::erase(text, '#');
-  return std::any_of(list.begin(), list.end(), [&](std::string_view known) {
-    return text.find(" " + std::string(known) + " ") != std::string::npos;
-  });
+bool has_word(const std::vector<std::string>& words, std::span<const std::string_view> list,
+              const name::Vocabulary& vocabulary) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](std::string_view known) { return contains(words, known, vocabulary); });
 }
 
-Cause cause_of(const Difference& difference) {
+Cause cause_of(const Difference& difference, const name::Vocabulary& vocabulary) {
   const name::BuiltInWords& known = name::built_in_words();
   const std::vector<std::string>& operation = difference.operation;
   const std::vector<std::string>& event = difference.event;
-  if (has_word(event, known.alarm) || has_word(event, known.panel)) return Cause::none;
-  if (has_word(operation, known.alarm) || has_word(operation, known.panel)) return Cause::none;
-  if (!event.empty() && has_word(event, known.echo)) return Cause::echo;
-  if (event.empty() && has_word(operation, known.echo)) return Cause::ack;
-  if (has_word(event, known.done) && !operation.empty()) return Cause::work;
+  if (has_word(event, known.alarm, vocabulary) || has_word(event, known.panel, vocabulary)) return Cause::none;
+  if (has_word(operation, known.alarm, vocabulary) || has_word(operation, known.panel, vocabulary)) return Cause::none;
+  if (!event.empty() && has_word(event, known.echo, vocabulary)) return Cause::echo;
+  if (event.empty() && has_word(operation, known.echo, vocabulary)) return Cause::ack;
+  if (has_word(event, known.done, vocabulary) && !operation.empty()) return Cause::work;
   const bool operation_side =
       only(operation, {known.operation_affixes}) || only_class(operation, name::Side::operation);
   const bool event_side = only(event, {known.event_affixes}) || only_class(event, name::Side::event);
   if (operation_side && event_side) return Cause::sides;
-  if (has_word(event, known.healthy)) return Cause::none;
+  if (has_word(event, known.healthy, vocabulary)) return Cause::none;
   return Cause::unknown;
 }
 

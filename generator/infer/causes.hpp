@@ -11,7 +11,8 @@
 namespace symplant::infer {
 
 /// The words of a list of the vocabulary, of which some are phrases.
-bool has_word(const std::vector<std::string>& words, std::span<const std::string_view> list);
+bool has_word(const std::vector<std::string>& words, std::span<const std::string_view> list,
+              const name::Vocabulary& vocabulary);
 
 enum class Cause : std::uint8_t {
   none,     ///< an alarm, a lamp, a healthy contact: nothing that an operation moves
@@ -21,7 +22,7 @@ enum class Cause : std::uint8_t {
   sides,    ///< words that only say the side
   unknown,  ///< the words say nothing: only their support counts
 };
-Cause cause_of(const Difference& difference);
+Cause cause_of(const Difference& difference, const name::Vocabulary& vocabulary);
 /// Whether words or support are enough to link both sides.
 bool is_credible(const Difference& difference, Cause cause);
 

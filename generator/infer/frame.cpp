@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "infer/differences.hpp"
 #include "infer/words.hpp"
 #include "name/vocabulary.hpp"
 #include "text/folding.hpp"
@@ -15,6 +16,7 @@ namespace symplant::infer {
 namespace {
 
 constexpr std::size_t kLeastFused = 3;  ///< texts in which a motion is written together with another word
+constexpr std::string_view kDirections = "i o x y q e a";  ///< letters that are words
 constexpr std::string_view kSeparators = " _.:/&(),[]\"'#";
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
@@ -37,7 +39,7 @@ std::size_t count_texts(std::span<const Sample> samples, const Test& test) {
   return count;
 }
 
-/// A hyphen parts words unless most stand between digits and letters without blanks (`S441-2`).
+/// A hyphen parts words unless most are between digits and letters without blanks (`S441-2`).
 bool hyphen_separates(std::span<const Sample> samples) {
   std::size_t within = 0;
   std::size_t between = 0;
@@ -99,6 +101,17 @@ void ignore_spares(std::span<const Sample> samples, name::Naming& naming, const 
   }
 }
 
+/// The words that do not say the side.
+std::vector<SampleWords> without_sides(std::vector<SampleWords> texts, const name::Vocabulary& vocabulary) {
+  for (SampleWords& text : texts) {
+    std::erase_if(text.words, [&](const std::string& word) {
+      return kDirections.find(word) != std::string_view::npos || vocabulary.class_side(word) || vocabulary.is_affix(word, name::Side::event) ||
+             vocabulary.is_affix(word, name::Side::operation);
+    });
+  }
+  return texts;
+}
+
 }  // namespace
 
 name::Naming frame_of(std::span<const Sample> samples) {
@@ -120,6 +133,24 @@ name::Naming frame_of(std::span<const Sample> samples) {
   const name::Vocabulary vocabulary(naming.tasks, {});
   ignore_spares(samples, naming, vocabulary);
   return naming;
+}
+
+void add_abbreviations(name::Naming& frame, std::span<const Sample> samples) {
+  const name::Vocabulary vocabulary(frame.tasks, {});
+  DifferenceLimits limits;
+  limits.least_common = 3;
+  limits.most_words = 1;
+  for (const name::Source source : {name::Source::name, name::Source::comment}) {
+    for (const Difference& difference :
+         differences_of(without_sides(words_of(samples, source, frame, vocabulary), vocabulary), vocabulary, limits)) {
+      if (difference.operation.size() != 1 || difference.event.size() != 1) continue;
+      std::string longer = difference.operation.front();
+      std::string shorter = difference.event.front();
+      if (longer.size() < shorter.size()) std::swap(longer, shorter);
+      if (shorter.empty() || !longer.starts_with(shorter) || longer.size() < shorter.size() + 2) continue;
+      frame.normalise.replace.push_back({"(?i)\\b" + longer + "\\b", shorter});
+    }
+  }
 }
 
 }  // namespace symplant::infer

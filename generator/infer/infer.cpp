@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -20,7 +21,7 @@
 namespace symplant::infer {
 namespace {
 
-constexpr std::size_t kMostSearched = 4'000;  ///< samples in search of rules
+constexpr std::size_t kMostSearched = 6'000;  ///< samples in search of rules
 
 /// The begin of a text up to its first separator: mostly the station.
 std::string_view first_word(const Sample& sample) {
@@ -50,6 +51,21 @@ std::vector<Sample> searched(std::span<const Sample> samples) {
   return some.size() >= kMostSearched / 8 ? some : std::vector<Sample>(all.begin(), all.begin() + kMostSearched);
 }
 
+/// The samples that no rule matches.
+std::vector<Sample> without(const std::vector<Sample>& samples, name::Naming frame,
+                            const std::vector<name::SymbolRule>& rules) {
+  frame.rules = rules;
+  std::vector<name::NamingFault> faults;
+  const auto compiled = name::CompiledNaming::compile(std::move(frame), faults);
+  if (compiled == nullptr) return samples;
+  name::SymbolReader reader(compiled);
+  std::vector<Sample> others;
+  for (const Sample& sample : samples) {
+    if (reader.read(sample.text).outcome == name::Outcome::no_rule) others.push_back(sample);
+  }
+  return others;
+}
+
 std::vector<name::Source> sources_of(std::span<const Sample> samples) {
   const auto has = [&](auto member) {
     return std::any_of(samples.begin(), samples.end(),
@@ -76,14 +92,34 @@ std::vector<Candidate> all_candidates(const name::Naming& frame, std::span<const
   return all;
 }
 
+/// What a rule explains of the samples that are searched.
+struct Merit {
+  Score score;
+  std::size_t devices = 0;  ///< with facets
+
+  /// Rules that pair nearly as much with finer devices are better: a coarse device pairs by chance.
+  bool exceeds(const Merit& other) const {
+    const double all = static_cast<double>(score.counted) / 100;
+    const double more = static_cast<double>(score.paired) - static_cast<double>(other.score.paired);
+    if (more > all || more < -all) return more > 0;
+    return devices != other.devices ? devices > other.devices : more > 0;
+  }
+};
+
+Merit merit_on(const name::Naming& naming, std::span<const Sample> samples) {
+  std::vector<name::NamingFault> faults;
+  const auto compiled = name::CompiledNaming::compile(naming, faults);
+  if (compiled == nullptr) return {};
+  const Applied applied = apply(compiled, samples);
+  std::set<std::string_view> devices;
+  for (const pairing::Facet& facet : applied.pairing.facets) devices.insert(facet.path);
+  return {applied.score, devices.size()};
+}
+
 Score score_on(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   return compiled == nullptr ? Score() : apply(compiled, samples).score;
-}
-
-bool exceeds(const Score& a, const Score& b) {
-  return a.paired != b.paired ? a.paired > b.paired : a.accounted > b.accounted;
 }
 
 /// The best rule that the search finds from its different starts.
@@ -95,6 +131,7 @@ Proposal search(const name::Naming& frame, std::span<const Sample> samples) {
   }
   Proposal best;
   best.naming = frame;
+  Merit best_merit;
   const Search rules(frame, candidates, samples);
   for (const Start& start : starts) {
     Choice choice = rules.run(start);
@@ -102,8 +139,10 @@ Proposal search(const name::Naming& frame, std::span<const Sample> samples) {
     naming.rules = std::move(choice.rules);
     if (naming.rules.empty()) continue;
     naming = with_archetypes(naming, samples, choice.steps);
-    const Score score = score_on(naming, samples);
-    if (exceeds(score, best.score)) best = {std::move(naming), score, std::move(choice.steps)};
+    const Merit merit = merit_on(naming, samples);
+    if (!merit.exceeds(best_merit)) continue;
+    best_merit = merit;
+    best = {std::move(naming), merit.score, std::move(choice.steps)};
   }
   return best;
 }
@@ -126,8 +165,12 @@ name::Naming pruned(name::Naming naming, std::span<const Sample> samples) {
 }  // namespace
 
 Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> known) {
-  const std::vector<Sample> some = searched(samples);
-  Proposal proposal = search(frame_of(some), some);
+  const std::vector<Sample> all_some = searched(samples);
+  name::Naming frame = frame_of(all_some);
+  add_abbreviations(frame, all_some);
+  const std::vector<name::SymbolRule> panel = panel_rules(frame, all_some);
+  const std::vector<Sample> some = without(all_some, frame, panel);
+  Proposal proposal = search(frame, some);
   for (const name::Naming& naming : known) {
     const Score score = score_on(naming, some);
     if (score.paired <= proposal.score.paired) continue;
@@ -135,8 +178,8 @@ Proposal infer(std::span<const Sample> samples, std::span<const name::Naming> kn
     proposal.score = score;
     proposal.steps = {fmt::format("ready rule `{}`: {} paired", naming.name, score.paired)};
   }
-  const name::Naming with = with_roles(proposal.naming, some);
-  if (score_on(with, some).paired >= proposal.score.paired) proposal.naming = with;
+  proposal.naming.rules.insert(proposal.naming.rules.begin(), panel.begin(), panel.end());
+  proposal.naming = with_roles(proposal.naming, all_some);
   proposal.naming = pruned(std::move(proposal.naming), samples);
   proposal.score = score_on(proposal.naming, samples);
   return proposal;

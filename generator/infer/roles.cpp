@@ -27,7 +27,7 @@ struct RoleWords {
 
 std::vector<RoleWords> role_words() {
   const name::BuiltInWords& known = name::built_in_words();
-  return {{"panel", known.panel, std::nullopt, name::Role::operator_panel, std::nullopt},
+  return {{"diagnosis", known.diagnosis, name::Side::event, name::Role::constant, false},
           {"alarms", known.alarm, name::Side::event, name::Role::constant, false},
           {"alarm lamps", known.alarm, name::Side::operation, name::Role::operator_panel, std::nullopt},
           {"interlocks", known.interlock, std::nullopt, name::Role::data, std::nullopt},
@@ -35,28 +35,56 @@ std::vector<RoleWords> role_words() {
           {"parts", known.parts, name::Side::event, name::Role::operator_panel, std::nullopt}};
 }
 
-/// The words of a list that occur on a side, but not in a paired symbol.
-std::vector<std::string> free_words(const RoleWords& role, const std::vector<SampleWords>& texts,
-                                    const Applied& applied) {
+/// The words of a list that occur in symbols that nothing links.
+std::vector<std::string> found_words(const RoleWords& role, const std::vector<SampleWords>& texts,
+                                     const Applied& applied, const name::Vocabulary& vocabulary) {
   std::vector<std::string> found;
   for (const std::string_view word : role.words) {
-    const std::array<std::string_view, 1> one = {word};
-    std::size_t free = 0;
-    bool paired = false;
-    for (const SampleWords& text : texts) {
-      if (role.side && *role.side != (text.operation ? name::Side::operation : name::Side::event)) continue;
-      const pairing::Account account = applied.pairing.accounts[text.sample];
-      if (account == pairing::Account::ignored || !has_word(text.words, one)) continue;
-      paired = paired || account == pairing::Account::paired;
-      if (account > pairing::Account::data) ++free;
-      if (paired) break;
-    }
-    if (!paired && free != 0) found.emplace_back(word);
+    const auto has = [&](const SampleWords& text) {
+      if (role.side && *role.side != (text.operation ? name::Side::operation : name::Side::event)) return false;
+      return applied.pairing.accounts[text.sample] > pairing::Account::data &&
+             applied.pairing.accounts[text.sample] != pairing::Account::ignored &&
+             contains(text.words, word, vocabulary);
+    };
+    if (std::any_of(texts.begin(), texts.end(), has)) found.emplace_back(word);
   }
   return found;
 }
 
+/// Contacts that are on in a healthy plant are asked for: no other word decides on them.
+name::SymbolRule healthy_contacts(name::Source source) {
+  name::SymbolRule rule;
+  rule.name = "questions";
+  std::string words;
+  for (const std::string_view word : name::built_in_words().healthy) {
+    words.append(words.empty() ? "" : "|").append(quoted(word));
+  }
+  rule.patterns.push_back({source, "*_(" + words + ")"});
+  rule.side = name::Side::event;
+  rule.role = name::Role::none;
+  return rule;
+}
+
 }  // namespace
+
+std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<const Sample> samples) {
+  const name::Vocabulary vocabulary(frame.tasks, {});
+  std::vector<name::SymbolRule> rules;
+  for (const name::Source source : {name::Source::comment, name::Source::name}) {
+    const std::vector<SampleWords> texts = words_of(samples, source, frame, vocabulary);
+    name::SymbolRule rule;
+    for (const std::string_view word : name::built_in_words().panel) {
+      const auto has = [&](const SampleWords& text) { return contains(text.words, word, vocabulary); };
+      if (std::any_of(texts.begin(), texts.end(), has)) rule.has.emplace_back(word);
+    }
+    if (rule.has.empty()) continue;
+    rule.name = "panel";
+    rule.patterns.push_back({source, "*"});
+    rule.role = name::Role::operator_panel;
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
 
 name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
@@ -64,22 +92,22 @@ name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samp
   if (compiled == nullptr) return naming;
   const Applied applied = apply(compiled, samples);
   name::Naming result = naming;
-  std::vector<name::SymbolRule> roles;
   for (const name::Source source : {name::Source::comment, name::Source::name}) {
     const std::vector<SampleWords> texts = words_of(samples, source, naming, compiled->vocabulary());
+    if (texts.size() * 20 < samples.size()) continue;
+    result.rest.push_back(healthy_contacts(source));
     for (const RoleWords& role : role_words()) {
       name::SymbolRule rule;
-      rule.has = free_words(role, texts, applied);
+      rule.has = found_words(role, texts, applied, compiled->vocabulary());
       if (rule.has.empty()) continue;
       rule.name = role.name;
       rule.patterns.push_back({source, "*"});
       rule.side = role.side;
       rule.role = role.role;
       rule.value = role.value;
-      roles.push_back(std::move(rule));
+      result.rest.push_back(std::move(rule));
     }
   }
-  result.rules.insert(result.rules.begin(), roles.begin(), roles.end());
   return result;
 }
 

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "infer/evaluate.hpp"
 #include "name/naming.hpp"
 
 namespace symplant::infer {
 
-/// Adds rules with roles before those that link. A word counts only if no paired symbol has it. O(samples * words).
+/// Rules for what an operator sees and touches: a lamp and a button of one text are no pair. O(samples * words).
+std::vector<name::SymbolRule> panel_rules(const name::Naming& frame, std::span<const Sample> samples);
+
+/// Adds rules for what nothing links. O(samples * words).
 name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samples);
 
 }  // namespace symplant::infer

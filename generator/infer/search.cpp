@@ -87,14 +87,27 @@ Choice Search::run(Start start) const {
     choice.score = score_of(chosen);
     choice.steps.push_back(fmt::format("{}: {} paired", candidates_[start.devices].why, choice.score.paired));
   }
+  const auto is_others = [&](std::size_t i) { return candidates_[i].kind == CandidateKind::others; };
   std::vector<std::size_t> open;
+  std::vector<std::size_t> later;
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    if (i != start.devices) open.push_back(i);
+    if (i != start.devices) (is_others(i) ? later : open).push_back(i);
   }
+  add_best(chosen, std::move(open), start.devices_first, choice);
+  add_best(chosen, std::move(later), start.devices_first, choice);
+  for (const std::size_t candidate : chosen) {
+    const auto& rules = candidates_[candidate].rules;
+    choice.rules.insert(choice.rules.end(), rules.begin(), rules.end());
+  }
+  return choice;
+}
+
+void Search::add_best(std::vector<std::size_t>& chosen, std::vector<std::size_t> open, bool devices_first,
+                      Choice& choice) const {
   while (!open.empty()) {
     std::vector<Trial> trials;
     for (const std::size_t candidate : open) {
-      std::vector<std::size_t> order = with(chosen, candidate, start.devices_first);
+      std::vector<std::size_t> order = with(chosen, candidate, devices_first);
       const Score score = score_of(order);
       trials.push_back({candidate, std::move(order), score});
     }
@@ -112,11 +125,6 @@ Choice Search::run(Start start) const {
     choice.score = best->score;
     chosen = best->order;
   }
-  for (const std::size_t candidate : chosen) {
-    const auto& rules = candidates_[candidate].rules;
-    choice.rules.insert(choice.rules.end(), rules.begin(), rules.end());
-  }
-  return choice;
 }
 
 }  // namespace symplant::infer

@@ -38,6 +38,8 @@ class Search {
  private:
   std::vector<std::size_t> with(const std::vector<std::size_t>& chosen, std::size_t candidate,
                                 bool devices_first) const;
+  void add_best(std::vector<std::size_t>& chosen, std::vector<std::size_t> open, bool devices_first,
+                Choice& choice) const;
   Score score_of(const std::vector<std::size_t>& order) const;
   bool better(const Score& a, const Score& b) const;
 

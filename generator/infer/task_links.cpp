@@ -86,7 +86,7 @@ class TaskMiner {
     for (const std::uint32_t index : tasks) {
       const Task& task = tasks_[index];
       if (task.tokens.size() > kMostTokens || task.tokens.empty()) continue;
-      if (!task.operation && has_word(words_of(task), known_.alarm)) continue;
+      if (!task.operation && has_word(words_of(task), known_.alarm, vocabulary_)) continue;
       add_cuts(index, task.operation ? operations : events);
     }
     std::vector<std::pair<std::string_view, const std::vector<TaskCut>*>> ordered;
@@ -179,7 +179,7 @@ class TaskMiner {
     };
     if (std::any_of(operation.begin(), operation.end(), in_both)) return;
     const Task& commanding = tasks_[operation_cut.task];
-    if (has_word(words_of(tasks_[event_cut.task]), known_.interlock) && !permits(commanding)) return;
+    if (has_word(words_of(tasks_[event_cut.task]), known_.interlock, vocabulary_) && !permits(commanding)) return;
     const bool causal = is_causal(operation, event);
     if ((!causal && common) || !is_specific(key, commanding, causal)) return;
     TaskDifference& difference = tally_[{operation, event}];
@@ -192,7 +192,7 @@ class TaskMiner {
   /// Whether an operation gives a permission, which an interlock of the other side may answer.
   bool permits(const Task& task) const {
     const std::vector<std::string> words = words_of(task);
-    return ends_in(joined_words(words), known_.start) || has_word(words, known_.interlock);
+    return ends_in(joined_words(words), known_.start) || has_word(words, known_.interlock, vocabulary_);
   }
 
   using BuiltIn = name::BuiltInWords;

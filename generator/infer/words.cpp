@@ -5,7 +5,9 @@
 
 #include "name/normaliser.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "text/ascii.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::infer {
 namespace {
@@ -77,6 +79,19 @@ std::string quoted(std::string_view text) {
     quoted += c;
   }
   return quoted;
+}
+
+bool contains(const std::vector<std::string>& words, std::string_view known, const name::Vocabulary& vocabulary) {
+  const auto stem = [](std::string_view word) { return word.substr(0, word.find_last_not_of("0123456789") + 1); };
+  if (known.find(' ') != known.npos) {
+    std::string text = " ";
+    for (const std::string& word : words) text.append(stem(word)).append(" ");
+    return text.find(" " + std::string(known) + " ") != std::string::npos;
+  }
+  const bool within = text::code_point_at(known, 0).value >= name::kFirstWithoutBlanks;
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return within ? word.find(known) != std::string::npos && !vocabulary.motion(word) : stem(word) == known;
+  });
 }
 
 bool is_number(std::string_view word) {

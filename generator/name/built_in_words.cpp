@@ -196,9 +196,9 @@ constexpr auto kSynonyms = std::to_array<BuiltInWords::Synonym>({{"back", "RET"}
                                                                  {"把持", "GRIP"}});
 
 // Motions that are written without a blank after another word.
-constexpr auto kFusedMotions =
-    std::to_array<std::string_view>({"전진", "후진", "상승", "하강", "잠김", "풀림", "열림", "닫힘", "정회전", "역회전",
-                                     "前進", "後退", "上昇", "下降", "クランプ", "アンクランプ", "正転", "逆転"});
+constexpr auto kFusedMotions = std::to_array<std::string_view>(
+    {"언클램프", "클램프", "전진", "후진", "상승", "하강", "잠김",     "풀림",         "열림", "닫힘",
+     "정회전",   "역회전", "前進", "後退", "上昇", "下降", "クランプ", "アンクランプ", "正転", "逆転"});
 
 constexpr auto kOperationAffixes = std::to_array<std::string_view>({"sol",        "sv",
                                                                     "valve",      "cmd",
@@ -251,17 +251,20 @@ constexpr auto kPanel = std::to_array<std::string_view>(
      "звонок",       "колонна",  "цвет",     "сирена",   "тумблер", "авария кнопка", "manual", "manu",      "maint",
      "mainte"});
 constexpr auto kAlarm = std::to_array<std::string_view>(
-    {"err",      "error",        "ng",         "alarm",  "alm",     "fault",    "flt",     "fail",
-     "abnormal", "trip",         "trouble",    "wrn",    "warning", "overload", "overrun", "bypass",
-     "slack",    "low battery",  "unmatching", "이상",   "에러",    "알람",     "트립",    "고장",
-     "오버단",   "누락",         "바이패스",   "異常",   "故障",    "アラーム", "störung", "stoerung",
-     "fehler",   "alarmmeldung", "warnung",    "авария", "аварии",  "ошибка",   "затор",   "перегрузка"});
+    {"과부하",       "과열",     "과전압",  "저전압",   "오버런",  "지락",        "overvoltage",
+     "undervoltage", "overheat", "err",     "error",    "ng",      "alarm",       "alm",
+     "fault",        "flt",      "fail",    "abnormal", "trip",    "trouble",     "wrn",
+     "warning",      "overload", "overrun", "bypass",   "slack",   "low battery", "unmatching",
+     "이상",         "에러",     "알람",    "트립",     "고장",    "오버단",      "누락",
+     "바이패스",     "異常",     "故障",    "アラーム", "störung", "stoerung",    "fehler",
+     "alarmmeldung", "warnung",  "авария",  "аварии",   "ошибка",  "затор",       "перегрузка"});
 constexpr auto kData = std::to_array<std::string_view>(
-    {"ctype", "type",     "body type", "bodytype", "cn",     "number", "code",       "data",  "bit",
-     "count", "cnt",      "qty",       "seq",      "model",  "spec",   "speed",      "freq",  "current",
-     "vin",   "prog",     "program",   "prg",      "value",  "word",   "address",    "adr",   "bcd",
-     "사양",  "차종코드", "코드",      "데이터",   "번호",   "카운트", "축번호",     "수량",  "データ",
-     "番号",  "コード",   "daten",     "nummer",   "данные", "код",    "количество", "номер", "слоев"});
+    {"차종",   "clock", "flicker", "플리커",   "클럭",   "ctype",   "type", "body type",  "bodytype", "cn",
+     "number", "code",  "data",    "bit",      "count",  "cnt",     "qty",  "seq",        "model",    "spec",
+     "speed",  "freq",  "current", "vin",      "prog",   "program", "prg",  "value",      "word",     "address",
+     "adr",    "bcd",   "사양",    "차종코드", "코드",   "데이터",  "번호", "카운트",     "축번호",   "수량",
+     "データ", "番号",  "コード",  "daten",    "nummer", "данные",  "код",  "количество", "номер",    "слоев"});
+constexpr auto kDiagnosis = std::to_array<std::string_view>({"battery", "배터리", "バッテリ", "batterie", "батарея"});
 constexpr auto kParts =
     std::to_array<std::string_view>({"part", "plt", "pallet", "workpiece", "파트", "파레트", "감지", "대차", "ワーク",
                                      "teil", "werkstück", "наличия", "наличие", "деталь"});
@@ -312,9 +315,9 @@ constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
 
 const BuiltInWords& built_in_words() {
   static constexpr BuiltInWords kWords{
-      kPairs,     kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm,
-      kData,      kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset,
-      kInterlock, kCauses};
+      kPairs, kSynonyms, kFusedMotions, kOperationAffixes, kEventAffixes, kClasses, kPanel, kAlarm, kDiagnosis,
+      kData,  kParts,    kSpare,        kHealthy,          kEcho,         kStart,   kDone,  kReset, kInterlock,
+      kCauses};
   return kWords;
 }
 

@@ -51,14 +51,14 @@ std::optional<Field> field_of(std::string_view name) {
   return std::nullopt;
 }
 
-CompiledRule compiled_rule(const SymbolRule& rule, std::size_t index, const CompiledNaming::Parts& parts,
+CompiledRule compiled_rule(std::string_view list, const SymbolRule& rule, std::size_t index, const NamingParts& parts,
                            std::vector<NamingFault>& faults) {
   CompiledRule compiled{
       {}, RuleFields(rule, parts.vocabulary), Replacements(), RequiredWords(rule.has, parts.separators)};
-  compiled.replace = compiled_replacements(rule.replace, index_pointer("rules", index, "replace"), faults);
+  compiled.replace = compiled_replacements(rule.replace, index_pointer(list, index, "replace"), faults);
   std::array<bool, kFields> has{};
   for (const SourcePattern& source : rule.patterns) {
-    std::string pointer = index_pointer("rules", index, "pattern");
+    std::string pointer = index_pointer(list, index, "pattern");
     // If the pattern is a text, the pointer refers to no value, and its parent is meant.
     if (const std::string_view key = source_key(source.source); !key.empty()) pointer.append("/").append(key);
     auto pattern = Pattern::compile(source.pattern, parts.separators, {});
@@ -70,7 +70,7 @@ CompiledRule compiled_rule(const SymbolRule& rule, std::size_t index, const Comp
     compiled.patterns.push_back({source.source, std::move(*pattern)});
   }
   for (const FieldRule& field : rule.fields) {
-    const std::string pointer = index_pointer("rules", index, "fields") + "/" + field.field;
+    const std::string pointer = index_pointer(list, index, "fields") + "/" + field.field;
     const std::optional<Field> known = field_of(field.field);
     if (!known || !has[static_cast<std::size_t>(*known)]) {
       faults.push_back({pointer, "`" + field.field + "` is not a field of this rule's pattern; remove it"});
@@ -86,13 +86,16 @@ CompiledRule compiled_rule(const SymbolRule& rule, std::size_t index, const Comp
 
 }  // namespace
 
-CompiledNaming::Parts::Parts(const Naming& naming)
+NamingParts::NamingParts(const Naming& naming)
     : separators(naming.separators),
       vocabulary(naming.tasks, {}),
       replace(compiled_replacements(naming.normalise.replace, "/normalise/replace", faults)) {
   for (const std::string& pattern : naming.ignore) ignore.push_back(text::folded(text::normal_form(pattern)));
   for (std::size_t i = 0; i < naming.rules.size(); ++i) {
-    rules.push_back(compiled_rule(naming.rules[i], i, *this, faults));
+    rules.push_back(compiled_rule("rules", naming.rules[i], i, *this, faults));
+  }
+  for (std::size_t i = 0; i < naming.rest.size(); ++i) {
+    rest.push_back(compiled_rule("rest", naming.rest[i], i, *this, faults));
   }
   for (std::size_t i = 0; i < naming.archetypes.size(); ++i) {
     std::vector<Pattern>& texts = archetypes.emplace_back();
@@ -111,7 +114,8 @@ CompiledNaming::Parts::Parts(const Naming& naming)
   }
 }
 
-CompiledNaming::CompiledNaming(Naming naming) : naming_(std::move(naming)), parts_(std::make_unique<Parts>(naming_)) {}
+CompiledNaming::CompiledNaming(Naming naming)
+    : naming_(std::move(naming)), parts_(std::make_unique<NamingParts>(naming_)) {}
 CompiledNaming::~CompiledNaming() = default;
 
 std::shared_ptr<const CompiledNaming> CompiledNaming::compile(Naming naming, std::vector<NamingFault>& faults) {

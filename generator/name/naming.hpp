@@ -140,6 +140,7 @@ struct Naming {
   std::string separators = " _";
   std::vector<std::string> ignore;  ///< patterns with `*` and `?` on the normalised text
   std::vector<SymbolRule> rules;
+  std::vector<SymbolRule> rest;                      ///< roles of symbols that nothing links
   std::vector<std::pair<Level, std::string>> fixed;  ///< line, process or device that no name carries
   DirectionRule direction;
   TaskRules tasks;

@@ -7,13 +7,14 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
-#include "name/compiled_naming.hpp"
+#include "name/naming.hpp"
+#include "name/naming_fault.hpp"
 #include "name/normaliser.hpp"
 #include "name/pattern.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "name/vocabulary.hpp"
 
 namespace re2 {
@@ -48,20 +49,6 @@ class RuleFields : public FieldTest {
   std::array<std::unique_ptr<re2::RE2>, kFields> expressions_;
 };
 
-/// Words of which a text must have one. Words of scripts without blanks are also found within words.
-class RequiredWords {
- public:
-  RequiredWords(const std::vector<std::string>& words, const Separators& separators);
-
-  bool empty() const { return words_.empty() && phrases_.empty() && inside_.empty(); }
-  bool are_in(const PreparedText& text) const;
-
- private:
-  std::unordered_set<std::string> words_;
-  std::vector<std::string> phrases_;  ///< enclosed by blanks
-  std::vector<std::string> inside_;
-};
-
 struct CompiledPattern {
   Source source;
   Pattern pattern;
@@ -74,8 +61,9 @@ struct CompiledRule {
   RequiredWords has;
 };
 
-struct CompiledNaming::Parts {
-  explicit Parts(const Naming& naming);
+/// A naming rule as the reader uses it.
+struct NamingParts {
+  explicit NamingParts(const Naming& naming);
 
   std::vector<NamingFault> faults;
   Separators separators;
@@ -83,6 +71,7 @@ struct CompiledNaming::Parts {
   Replacements replace;
   std::vector<std::string> ignore;  ///< folded patterns with `*` and `?`
   std::vector<CompiledRule> rules;
+  std::vector<CompiledRule> rest;
   std::vector<std::vector<Pattern>> archetypes;  ///< by archetype, then by text
   std::array<std::string, 3> fixed;              ///< line, process, device
 };

@@ -1,14 +1,13 @@
 // Looks for words that a text must have.
+#include "name/required_words.hpp"
+
 #include <algorithm>
 
-#include "name/naming_parts.hpp"
 #include "text/folding.hpp"
 #include "text/utf8.hpp"
 
 namespace symplant::name {
 namespace {
-
-constexpr char32_t kFirstWithoutBlanks = 0x2E80;  ///< from here on: scripts of East Asia
 
 std::string_view without_digits(std::string_view word) {
   return word.substr(0, word.find_last_not_of("0123456789") + 1);
@@ -40,16 +39,19 @@ RequiredWords::RequiredWords(const std::vector<std::string>& words, const Separa
   }
 }
 
-bool RequiredWords::are_in(const PreparedText& text) const {
+bool RequiredWords::are_in(const PreparedText& text, const Vocabulary& vocabulary) const {
   for (const Word& word : text.words()) {
     const std::string_view folded = text.folded().substr(word.begin, word.end - word.begin);
     if (words_.contains(std::string(without_digits(folded)))) return true;
+    if (inside_.empty() || vocabulary.motion(folded)) continue;
+    for (const std::string& part : inside_) {
+      if (folded.find(part) != std::string_view::npos) return true;
+    }
   }
   const auto within = [](std::string_view whole) {
     return [whole](const std::string& part) { return whole.find(part) != std::string_view::npos; };
   };
-  return std::any_of(inside_.begin(), inside_.end(), within(text.folded())) ||
-         (!phrases_.empty() && std::any_of(phrases_.begin(), phrases_.end(), within(spaced(text))));
+  return !phrases_.empty() && std::any_of(phrases_.begin(), phrases_.end(), within(spaced(text)));
 }
 
 }  // namespace symplant::name

@@ -35,8 +35,10 @@ enum class Outcome : std::uint8_t {
 struct RuleReading {
   Outcome outcome = Outcome::no_rule;
   Role role = Role::io;
-  std::uint16_t rule = 0;                ///< index in Naming::rules; valid if a rule matched
-  std::optional<Side> side;              ///< as the evidence decides; set if `read`
+  Role rest = Role::io;      ///< the role if nothing links the symbol; `io`: no rule of Naming::rest matches
+  bool rest_value = false;   ///< of the role `constant` in `rest`
+  std::uint16_t rule = 0;    ///< index in Naming::rules; valid if a rule matched
+  std::optional<Side> side;  ///< as the evidence decides; set if `read`
   Evidence side_by = Evidence::address;  ///< what decided it
   std::optional<Side> side_of_name;      ///< as field, class or prefix say, if one does
   std::string_view line;

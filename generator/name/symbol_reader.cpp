@@ -48,11 +48,18 @@ struct SymbolReader::Work {
   };
 
   explicit Work(std::shared_ptr<const CompiledNaming> of)
-      : naming(std::move(of)), parts(naming->parts()), matched(parts.rules.size()), replaced(parts.rules.size()) {}
+      : naming(std::move(of)),
+        parts(naming->parts()),
+        matched(parts.rules.size()),
+        replaced(parts.rules.size() + parts.rest.size()) {}
 
   PreparedText& source(const SymbolText& symbol, std::size_t slot);
   const PreparedText& text_for(const SymbolText& symbol, const CompiledRule& rule, std::size_t slot);
-  bool match(const SymbolText& symbol, std::size_t rule);
+  bool match(const SymbolText& symbol, const SymbolRule& given, const CompiledRule& rule);
+  bool match(const SymbolText& symbol, std::size_t rule) {
+    return match(symbol, naming->naming().rules[rule], parts.rules[rule]);
+  }
+  void read_rest(const SymbolText& symbol, RuleReading& reading);
   bool match(const SymbolText& symbol, const CompiledRule& rule, const CompiledPattern& pattern, MatchedText& match);
   bool is_ignored(const SymbolText& symbol);
   void forget_texts() {
@@ -65,7 +72,7 @@ struct SymbolReader::Work {
   void read_task(std::size_t rule, RuleReading& reading);
 
   std::shared_ptr<const CompiledNaming> naming;
-  const CompiledNaming::Parts& parts;
+  const NamingParts& parts;
   std::vector<std::size_t> matched;
   TextStore texts;
   TextStore devices;                                   // folded levels
@@ -99,7 +106,9 @@ const PreparedText& SymbolReader::Work::text_for(const SymbolText& symbol, const
   if (rule.replace.empty()) return text;
   std::string replaced_text = sources[slot].normal;
   rule.replace.apply(replaced_text);
-  PreparedText& own = replaced[static_cast<std::size_t>(&rule - parts.rules.data())];
+  const bool in_rest = !parts.rest.empty() && &rule >= parts.rest.data() && &rule <= &parts.rest.back();
+  PreparedText& own = replaced[in_rest ? parts.rules.size() + static_cast<std::size_t>(&rule - parts.rest.data())
+                                       : static_cast<std::size_t>(&rule - parts.rules.data())];
   own.prepare(replaced_text, parts.separators);
   return own;
 }
@@ -113,16 +122,24 @@ bool SymbolReader::Work::match(const SymbolText& symbol, const CompiledRule& rul
   return attempt(slot_of(pattern.source)) || (pattern.source == Source::name_then_comment && attempt(1));
 }
 
-bool SymbolReader::Work::match(const SymbolText& symbol, std::size_t index) {
-  const SymbolRule& given = naming->naming().rules[index];
+bool SymbolReader::Work::match(const SymbolText& symbol, const SymbolRule& given, const CompiledRule& rule) {
   if (given.side && symbol.address != given.side) return false;
-  const CompiledRule& rule = parts.rules[index];
   match_count = 0;
   for (const CompiledPattern& pattern : rule.patterns) {
     if (match_count == matches.size() || !match(symbol, rule, pattern, matches[match_count])) return false;
     ++match_count;
   }
-  return match_count != 0 && (rule.has.empty() || rule.has.are_in(*matches[0].text));
+  return match_count != 0 && (rule.has.empty() || rule.has.are_in(*matches[0].text, parts.vocabulary));
+}
+
+void SymbolReader::Work::read_rest(const SymbolText& symbol, RuleReading& reading) {
+  const std::vector<SymbolRule>& rest = naming->naming().rest;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    if (!match(symbol, rest[i], parts.rest[i])) continue;
+    reading.rest = rest[i].role;
+    reading.rest_value = rest[i].value.value_or(true);
+    return;
+  }
 }
 
 bool SymbolReader::Work::is_ignored(const SymbolText& symbol) {
@@ -250,8 +267,10 @@ RuleReading SymbolReader::read(const SymbolText& symbol) {
   for (std::size_t rule = 0; rule < work.parts.rules.size(); ++rule) {
     if (!work.match(symbol, rule)) continue;
     ++work.matched[rule];
-    return work.reading_by(rule, symbol);
+    reading = work.reading_by(rule, symbol);
+    break;
   }
+  if (reading.role == Role::io) work.read_rest(symbol, reading);
   return reading;
 }
 

@@ -43,6 +43,7 @@ struct BuiltInWords {
   std::span<const ClassWord> classes;
   std::span<const std::string_view> panel;  ///< of what an operator sees or touches
   std::span<const std::string_view> alarm;
+  std::span<const std::string_view> diagnosis;  ///< of what sensors say of themselves
   std::span<const std::string_view> data;
   std::span<const std::string_view> parts;  ///< of work pieces that sensors see
   std::span<const std::string_view> spare;

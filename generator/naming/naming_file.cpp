@@ -78,6 +78,13 @@ class NamingReader {
     for_each("rules", [&](const Json& entry, const Pointer& here) {
       naming_.rules.push_back(rule_entry(entry, here, faults_));
     });
+    for_each("rest", [&](const Json& entry, const Pointer& here) {
+      naming_.rest.push_back(rule_entry(entry, here, faults_));
+      if (naming_.rest.back().role == name::Role::io) {
+        faults_.add(here, "a rule of `rest` needs a role, since it reads only what nothing links; add `role`",
+                    description::FaultKind::contradiction);
+      }
+    });
     read_fixed();
     read_direction();
     read_tasks();

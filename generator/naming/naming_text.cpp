@@ -187,6 +187,7 @@ std::string naming_text(const name::Naming& naming, std::string_view links_file)
   lines.add("separators", naming.separators);
   if (!naming.ignore.empty()) lines.add("ignore", naming.ignore);
   lines.add_list("rules", jsons(naming.rules, rule_json));
+  lines.add_list("rest", jsons(naming.rest, rule_json));
   Json fixed = Json::object();
   for (const auto& [level, text] : naming.fixed) fixed[kLevels[static_cast<std::size_t>(level)]] = text;
   lines.add("fixed", fixed);

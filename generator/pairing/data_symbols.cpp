@@ -1,6 +1,7 @@
 // Finds numbers that are spread over bits, and symbols of one text.
 #include <bit>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "base/index_table.hpp"
@@ -11,6 +12,7 @@ namespace symplant::pairing {
 namespace {
 
 constexpr int kLeastWeights = 4;
+constexpr std::size_t kMostOfMotion = 4;  ///< valves of one motion, or sensors of one position, with the same text
 
 /// Texts of one device and side that are equal but for one number.
 struct Series {
@@ -51,13 +53,18 @@ class DataSymbols {
   explicit DataSymbols(Work& work) : work_(work) {}
 
   void set_repeated() {
-    std::vector<std::uint32_t> data;
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> repeated;  // by the first symbol: the others
     for (std::uint32_t i = 0; i < work_.inputs.size(); ++i) {
       if (!work_.is_free(i)) continue;
       const std::uint32_t first = first_of_text(i);
-      if (first != i) data.insert(data.end(), {first, i});
+      if (first != i) repeated[first].push_back(i);
     }
-    for (const std::uint32_t input : data) work_.result.accounts[input] = Account::data;
+    for (const auto& [first, others] : repeated) {
+      const bool motion = work_.reading(first).task.pair != name::kNoPair;
+      if (motion && others.size() < kMostOfMotion) continue;
+      work_.result.accounts[first] = Account::data;
+      for (const std::uint32_t input : others) work_.result.accounts[input] = Account::data;
+    }
   }
 
   void set_weights() {

@@ -107,7 +107,19 @@ void check_paths(Work& work, const std::vector<std::uint32_t>& order) {
 
 }  // namespace
 
+/// Gives the role of a rule about the rest to each symbol that nothing links.
+void account_for_rest(Work& work) {
+  for (std::uint32_t i = 0; i < work.inputs.size(); ++i) {
+    Account& account = work.result.accounts[i];
+    const name::RuleReading& reading = work.reading(i);
+    if (account == Account::paired || account == Account::ignored || reading.rest == name::Role::io) continue;
+    account = account_of(work.inputs[i], reading.rest);
+    if (account == Account::constant && reading.rest_value) work.result.constant_on[i] = true;
+  }
+}
+
 void finish(Work& work) {
+  account_for_rest(work);
   std::vector<std::uint32_t> order(work.drafts.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -23,25 +23,29 @@ Account account_of(const Input& input, const name::Naming& naming, bool& on) {
     case name::Outcome::internal:
       return Account::internal;
   }
-  switch (reading.role) {
-    case name::Role::io:
-      return input.boolean ? Account::unpaired : Account::data;
-    case name::Role::operator_panel:
-      return Account::operator_panel;
-    case name::Role::data:
-      return Account::data;
-    case name::Role::none:
-      return Account::none;
-    case name::Role::constant:
-      if (!input.boolean) return Account::data;
-      if (input.side != name::Side::event) return Account::none;
-      on = naming.rules[reading.rule].value.value_or(true);
-      return Account::constant;
-  }
-  return Account::unpaired;
+  if (reading.role == name::Role::io) return input.boolean ? Account::unpaired : Account::data;
+  const Account account = account_of(input, reading.role);
+  if (account == Account::constant) on = naming.rules[reading.rule].value.value_or(true);
+  return account;
 }
 
 }  // namespace
+
+Account account_of(const Input& input, name::Role role) {
+  switch (role) {
+    case name::Role::operator_panel:
+      return Account::operator_panel;
+    case name::Role::constant:
+      if (!input.boolean) return Account::data;
+      return input.side == name::Side::event ? Account::constant : Account::none;
+    case name::Role::none:
+      return Account::none;
+    case name::Role::io:
+    case name::Role::data:
+      break;
+  }
+  return Account::data;
+}
 
 Work::Work(const name::CompiledNaming& of, std::span<const Input> symbols)
     : compiled(of), naming(of.naming()), inputs(symbols) {

@@ -40,6 +40,8 @@ struct Work {
   Pairing result;
 };
 
+/// What a symbol of a role other than `io` is accounted for as.
+Account account_of(const Input& input, name::Role role);
 /// Joins symbols by the rows of Naming::links.
 void pair_by_links(Work& work);
 /// Accounts for symbols of one text.

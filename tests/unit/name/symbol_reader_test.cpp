@@ -107,7 +107,7 @@ TEST_CASE("A rule may take one field from the name and another from the comment"
   CHECK(parts(reader->read({"KA12", "spare", {}, {}})) == "no rule");
 }
 
-TEST_CASE("The comment of a word stands before that of its bit") {
+TEST_CASE("The comment of a word comes before that of its bit") {
   Naming naming;
   SymbolRule rule;
   rule.patterns = {{Source::parent_and_comment, "{process}_{device}_{task...}"}};
@@ -119,12 +119,12 @@ TEST_CASE("The comment of a word stands before that of its bit") {
 
 TEST_CASE("Affixes say the side only, and synonyms are one word") {
   Naming naming = naming_of("{process}_{device}_{task...}");
-  naming.tasks.synonyms = {{"VOR", "ADV"}, {"IN POS", "POSITIONED"}};
+  naming.tasks.synonyms = {{"VOR", "ADV"}, {"FULL STROKE", "STROKED"}};
   naming.tasks.event_affixes = {"OKAY"};
   const auto reader = reader_of(naming);
   CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::event})) == "|S1|A|event|ADV");
   CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::operation})) == "|S1|A|operation|ADV OKAY");
-  CHECK(parts(reader->read({"S1_A_IN_POS", {}, {}, Side::event})) == "|S1|A|event|POSITIONED");
+  CHECK(parts(reader->read({"S1_A_FULL_STROKE", {}, {}, Side::event})) == "|S1|A|event|STROKED");
 }
 
 TEST_CASE("The number of a sensor is off the canonical task and kept apart") {
