@@ -32,11 +32,11 @@ std::string without_digits(const std::vector<std::string>& words) {
   return text;
 }
 
-std::uint8_t kinds_of(const std::vector<std::string>& words) {
+std::uint8_t kinds_of(const std::vector<std::string>& words, const name::Vocabulary& vocabulary) {
   const name::BuiltInWords& known = name::built_in_words();
   std::uint8_t kinds = 0;
   const auto add = [&](std::uint8_t kind, std::span<const std::string_view> list) {
-    if (has_word(words, list)) kinds = static_cast<std::uint8_t>(kinds | kind);
+    if (has_word(words, list, vocabulary)) kinds = static_cast<std::uint8_t>(kinds | kind);
   };
   add(kPanelText, known.panel);
   add(kInterlockText, known.interlock);
@@ -44,7 +44,7 @@ std::uint8_t kinds_of(const std::vector<std::string>& words) {
   add(kDoneText, known.done);
   add(kAnswerText, known.echo);
   add(kAnswerText, known.reset);
-  if (!has_word(words, known.alarm)) add(kHealthyText, known.healthy);
+  if (!has_word(words, known.alarm, vocabulary)) add(kHealthyText, known.healthy);
   return kinds;
 }
 
@@ -114,7 +114,7 @@ std::vector<std::string> ReportTexts::words(std::uint32_t sample) const {
 std::uint8_t ReportTexts::kinds(std::uint32_t sample) {
   const std::vector<std::string> own = words(sample);
   const auto [known, added] = kinds_.emplace(without_digits(own), std::uint8_t{0});
-  if (added) known->second = kinds_of(own);
+  if (added) known->second = kinds_of(own, naming_.vocabulary());
   return known->second;
 }
 

@@ -52,6 +52,7 @@ TEST_CASE("A field is one word, a field with dots any number, the last motion th
   CHECK(read(*reader, "S205_WRS_CLAMP1_ADV1") == "|S205|CLAMP1|event|ADV");
   CHECK(read(*reader, "S205_SOL_1ST_CLAMP1_RET") == "|S205|1ST_CLAMP1|operation|RET");
   CHECK(read(*reader, "S205_SOL_CLAMP1_WELD") == "no rule");
+  CHECK(read(*reader, "S205_LS_LOCK_CLAMP_ADV_END_2") == "|S205|LOCK_CLAMP|event|ADV");
   CHECK(read(*reader, "S205_ZZZ_CLAMP1_ADV") == "no rule");
 }
 
