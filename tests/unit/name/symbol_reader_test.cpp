@@ -146,6 +146,44 @@ TEST_CASE("Words in Cyrillic are one device in any case") {
   CHECK(reader->read({"Стол_ADV", {}, {}, {}}).device_id != reader->read({"захват_RET", {}, {}, {}}).device_id);
 }
 
+TEST_CASE("Comments padded to columns are parted where a known word begins") {
+  Naming naming;
+  naming.normalise.columns = 8;
+  SymbolRule rule;
+  rule.patterns = {{Source::comment, "{process}_{device}_{task:known}"}};
+  naming.rules.push_back(rule);
+  const auto reader = reader_of(naming);
+  CHECK(parts(reader->read({"X0", "S1 LIFTUP", {}, Side::event})) == "no rule");  // UP is not at a boundary
+  CHECK(parts(reader->read({"X1", "S10 LIFTUP", {}, Side::event})) == "|S10|LIFT|event|UP");
+  CHECK(parts(reader->read({"X2", "S10 TABLDOWN", {}, Side::event})) == "|S10|TABL|event|DOWN");
+}
+
+TEST_CASE("A rule may ask for words, which scripts without blanks also hold within words") {
+  Naming naming = naming_of("*");
+  naming.rules[0].has = {"LAMP", "push button", "램프"};
+  naming.rules[0].role = Role::operator_panel;
+  const auto reader = reader_of(naming);
+  const auto role = [&](std::string_view name) { return reader->read({name, {}, {}, Side::event}).role; };
+  CHECK(role("S10_LAMP3") == Role::operator_panel);
+  CHECK(role("S10 push_button 2") == Role::operator_panel);
+  CHECK(role("비상램프") == Role::operator_panel);
+  CHECK(role("S10_CLAMP") == Role::io);
+  CHECK(role("클램프") == Role::io);  // a motion, although its letters hold the word for a lamp
+}
+
+TEST_CASE("A rule about the rest gives a role to what the other rules read, for later") {
+  Naming naming = naming_of("{device}_{task...}");
+  naming.rest.push_back(rule_of("*_(READY|OK)"));
+  naming.rest[0].role = Role::constant;
+  naming.rest[0].value = false;
+  const auto reader = reader_of(naming);
+  const RuleReading reading = reader->read({"AIR_OK", {}, {}, Side::event});
+  CHECK(reading.outcome == Outcome::read);
+  CHECK(reading.rest == Role::constant);
+  CHECK_FALSE(reading.rest_value);
+  CHECK(reader->read({"AIR_ON", {}, {}, Side::event}).rest == Role::io);
+}
+
 TEST_CASE("Ignored symbols and fixed levels") {
   Naming naming = naming_of("{device...}_{task}");
   naming.ignore = {"SPARE*", "* SP"};
