@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "infer/report.hpp"
+#include "infer/report_data.hpp"
 #include "infer/report_texts.hpp"
 
 namespace symplant::infer {

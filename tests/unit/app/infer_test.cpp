@@ -241,7 +241,7 @@ TEST_CASE("infer: Names without any rule give no file") {
   CHECK_FALSE(files.exists("naming.json"));
 }
 
-TEST_CASE("infer: Several lists are one plant, and a plant.json stands for its lists") {
+TEST_CASE("infer: Several lists are one plant, and a plant.json means its lists") {
   MemoryFileSystem files = stations();
   std::vector<Row> rows = station_rows();
   const std::vector<Row> first(rows.begin(), rows.begin() + 40);
