@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "infer/causes.hpp"
@@ -64,7 +65,9 @@ struct Skeleton {
   std::string operation;
   std::string event;
 
-  friend auto operator<=>(const Skeleton&, const Skeleton&) = default;
+  friend bool operator<(const Skeleton& a, const Skeleton& b) {
+    return std::tie(a.operation, a.event) < std::tie(b.operation, b.event);
+  }
 };
 
 std::vector<Skeleton> skeletons_of(const Tokens& operation, const Tokens& event) {
