@@ -58,7 +58,7 @@ Report report_of(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   if (compiled == nullptr) return report;
-  const Applied applied = apply(compiled, samples);
+  const Applied applied = apply_rule(compiled, samples);
   ReportTexts texts(*compiled, samples, applied.readings);
   const ReportInput input{*compiled, samples, applied, texts};
   report.score = applied.score;
@@ -74,7 +74,7 @@ Report report_of(const name::Naming& naming, std::span<const Sample> samples) {
 Score score_of(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
-  return compiled == nullptr ? Score() : apply(compiled, samples).score;
+  return compiled == nullptr ? Score() : apply_rule(compiled, samples).score;
 }
 
 name::Naming with_answers(const name::Naming& naming, const Report& report, const std::set<std::size_t>& refused,
