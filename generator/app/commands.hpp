@@ -13,6 +13,7 @@ void add_check(CLI::App& app, Context& context);
 void add_explain(CLI::App& app, Context& context);
 void add_rules(CLI::App& app, Context& context);
 void add_generate(CLI::App& app, Context& context);
+void add_infer(CLI::App& app, Context& context);
 void add_naming(CLI::App& app, Context& context);
 void add_init(CLI::App& app, Context& context);
 void add_model(CLI::App& app, Context& context);

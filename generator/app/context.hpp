@@ -19,6 +19,7 @@ struct Context {
   bool colour_out = false;
   bool colour_err = false;
   bool progress = false;                    ///< there is a terminal for a progress line
+  std::istream* answers = nullptr;          ///< of a person at a terminal; null: no question is asked
   int exit_code = 0;                        ///< set by the command
   base::ProcessRunner* programs = nullptr;  ///< null: no other program is run
   /// The last plant of a command. Keeping it saves its destruction: the memory is freed when the process ends.

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   symplant::base::SystemProcessRunner programs;
   context.programs = &programs;
   context.progress = isatty(fileno(stderr)) != 0;
+  if (isatty(fileno(stdin)) != 0 && isatty(fileno(stdout)) != 0) context.answers = &std::cin;
   int code = symplant::app::run_tool(argc, argv, context);
   std::cout.flush();
   if (!std::cout) {

@@ -1,4 +1,4 @@
-// Findings about the links of a naming rule.
+// Findings about the parts of a naming rule.
 #include "app/naming_findings.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "naming/rules/naming_contradiction.hpp"
+#include "naming/rules/naming_matches_nothing.hpp"
 #include "symplant/tables/nearest.hpp"
 #include "text/ascii.hpp"
 
@@ -55,10 +56,8 @@ std::string message(const Remark& remark, const model::PlantModel& plant) {
                      operation ? "event" : "operation");
 }
 
-}  // namespace
-
-void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
-                         diag::Diagnostics& diagnostics) {
+void add_link_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
+                       diag::Diagnostics& diagnostics) {
   std::size_t shown = 0;
   for (const Remark& remark : plant.pairing->remarks) {
     if (remark.kind == Remark::Kind::role_taken || remark.kind == Remark::Kind::path_ambiguous) continue;
@@ -70,6 +69,40 @@ void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNam
     diagnostics.add(naming::kNamingContradiction, message(remark, plant), parts.link_location(remark.link),
                     std::move(related));
   }
+}
+
+/// Rules that read no symbol, and archetypes without a device.
+void add_unmatched(const model::PlantModel& plant, const naming::LoadedNaming& parts, diag::Diagnostics& diagnostics) {
+  if (parts.shown.starts_with('@')) return;
+  const std::vector<std::size_t>& matched = plant.reader->matched();
+  for (std::size_t i = 0; i < matched.size(); ++i) {
+    if (matched[i] != 0) continue;
+    diagnostics.add(
+        naming::kNamingMatchesNothing,
+        "this rule reads no symbol; correct its pattern, move it before the rule that takes its symbols, or "
+        "remove it",
+        parts.location(fmt::format("/rules/{}", i)));
+  }
+  const std::vector<name::Archetype>& archetypes = plant.reader->naming().naming().archetypes;
+  std::vector<bool> found(archetypes.size());
+  for (const pairing::Facet& facet : plant.pairing->facets) {
+    if (facet.by == pairing::FacetBy::archetype) found[facet.archetype] = true;
+  }
+  for (std::size_t i = 0; i < archetypes.size(); ++i) {
+    if (found[i] || archetypes[i].model == name::ArchetypeModel::constant) continue;
+    diagnostics.add(naming::kNamingMatchesNothing,
+                    fmt::format("no device has texts for the roles of `{}`; correct them, or remove the archetype",
+                                archetypes[i].name),
+                    parts.location(fmt::format("/archetypes/{}", i)));
+  }
+}
+
+}  // namespace
+
+void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
+                         diag::Diagnostics& diagnostics) {
+  add_link_findings(plant, parts, diagnostics);
+  add_unmatched(plant, parts, diagnostics);
 }
 
 }  // namespace symplant::app

@@ -1,4 +1,4 @@
-// Findings about the links of a naming rule, which need the plant's symbols.
+// Findings about the parts of a naming rule that need the plant's symbols.
 #pragma once
 
 #include "diag/diagnostic.hpp"
@@ -7,7 +7,8 @@
 
 namespace symplant::app {
 
-/// Adds an error for each link that cannot be used. The plant must have a custom naming rule, with these parts.
+/// Adds an error for each link that cannot be used, and a warning for each rule and archetype that matches nothing. The
+/// plant must have a custom naming rule, with these parts.
 void add_naming_findings(const model::PlantModel& plant, const naming::LoadedNaming& parts,
                          diag::Diagnostics& diagnostics);
 

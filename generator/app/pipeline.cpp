@@ -63,19 +63,6 @@ void locate(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnos
   diagnostics.locate(source, spans);
 }
 
-/// By the built-in rule if `reader` is null.
-std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader) {
-  std::vector<model::ListInput> named;
-  named.reserve(lists.size());
-  for (const ReadList& list : lists) {
-    named.push_back({list.table,
-                     reader == nullptr ? name::read_names(*list.table, name::built_in_rule())
-                                       : name::read_names(*list.table, *reader),
-                     list.controller, list.xy});
-  }
-  return named;
-}
-
 /// Adds all findings about the plant. A description that does not fit its schema is not checked further.
 void check(const Inputs& inputs, const model::Derived& derived, const lower::EngineTables& tables,
            diag::Diagnostics& diagnostics) {
@@ -102,6 +89,18 @@ void finish(const Inputs& inputs, const model::PlantModel& plant, const CompileO
 }
 
 }  // namespace
+
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader) {
+  std::vector<model::ListInput> named;
+  named.reserve(lists.size());
+  for (const ReadList& list : lists) {
+    named.push_back({list.table,
+                     reader == nullptr ? name::read_names(*list.table, name::built_in_rule())
+                                       : name::read_names(*list.table, *reader),
+                     list.controller, list.xy});
+  }
+  return named;
+}
 
 std::optional<Compiled> compile(const CompileOptions& options, const base::FileSystem& files, Progress& progress,
                                 diag::Diagnostics& diagnostics) {

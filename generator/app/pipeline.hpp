@@ -2,13 +2,17 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "app/compile_options.hpp"
 #include "app/progress.hpp"
+#include "app/read_inputs.hpp"
 #include "base/file_system.hpp"
 #include "diag/diagnostic.hpp"
 #include "lower/engine_tables.hpp"
 #include "model/derived.hpp"
+#include "model/list_input.hpp"
+#include "name/symbol_reader.hpp"
 
 namespace symplant::app {
 
@@ -17,6 +21,9 @@ struct Compiled {
   model::Evidence evidence;
   lower::EngineTables tables;  ///< empty if the description has errors, or if only checks follow
 };
+
+/// The lists with their names read by `reader`, or by the built-in rule if it is null. O(rows).
+std::vector<model::ListInput> parse_names(const std::vector<ReadList>& lists, name::SymbolReader* reader);
 
 /// Reads a plant.json and its lists, or a bare list, derives the model, lowers it and checks it. Each stage runs once.
 /// The result has no value if a file cannot be read or does not fit its format. While `diagnostics` has an

@@ -19,6 +19,7 @@ extern const Rule kNameSlip;                   // SP205
 extern const Rule kPathAmbiguous;              // SP206
 extern const Rule kRoleTaken;                  // SP207
 extern const Rule kNamedOtherwise;             // SP208
+extern const Rule kDirectionConflict;          // SP209
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -86,6 +87,7 @@ inline constexpr std::array kRules{
     &kPathAmbiguous,
     &kRoleTaken,
     &kNamedOtherwise,
+    &kDirectionConflict,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
@@ -146,13 +148,18 @@ inline constexpr std::array kRules{
 /// it is.
 void narrow(diag::Location& location, const model::Symbol& symbol);
 std::string_view faulty_part(const model::Symbol& symbol);
-/// Whether a name has this fault, and needs a finding of its own.
+/// Whether a name has this fault, and needs a separate finding.
 bool breaks_rule(const Subject& subject, const model::Symbol& symbol, name::NameFault fault);
 /// For each list of the plant: whether its names follow another rule than the plant's. O(symbols).
 std::vector<bool> lists_named_otherwise(const model::PlantModel& plant);
 /// A symbol whose name breaks the naming rule, and what it explains: the missing symbol that it may be, and the model
 /// of its device if the fault is behind the device's levels.
 diag::Subjects about_name(const model::PlantModel& plant, const model::Symbol& symbol);
+/// Whether the naming rule makes contradictions of names and addresses errors.
+bool conflicts_are_errors(const model::PlantModel& plant);
+/// Adds a finding for each symbol whose name says another direction than its address.
+void report_direction_conflicts(const Rule& rule, const Subject& subject, diag::Diagnostics& diagnostics);
+
 /// What a symbol loses that is in no device: "no device drives it", "it drives no device".
 std::string_view consequence(const model::Symbol& symbol);
 

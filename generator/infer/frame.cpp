@@ -39,7 +39,7 @@ std::size_t count_texts(std::span<const Sample> samples, const Test& test) {
   return count;
 }
 
-/// A hyphen parts words unless most stand between digits and letters without blanks (`S441-2`).
+/// A hyphen parts words unless most are between digits and letters without blanks (`S441-2`).
 bool hyphen_separates(std::span<const Sample> samples) {
   std::size_t within = 0;
   std::size_t between = 0;
@@ -105,8 +105,8 @@ void ignore_spares(std::span<const Sample> samples, name::Naming& naming, const 
 std::vector<SampleWords> without_sides(std::vector<SampleWords> texts, const name::Vocabulary& vocabulary) {
   for (SampleWords& text : texts) {
     std::erase_if(text.words, [&](const std::string& word) {
-      return kDirections.find(word) != std::string_view::npos || vocabulary.class_side(word) || vocabulary.is_affix(word, name::Side::event) ||
-             vocabulary.is_affix(word, name::Side::operation);
+      return kDirections.find(word) != std::string_view::npos || vocabulary.class_side(word) ||
+             vocabulary.is_affix(word, name::Side::event) || vocabulary.is_affix(word, name::Side::operation);
     });
   }
   return texts;

@@ -12,7 +12,7 @@
 
 namespace symplant::infer {
 
-/// A word of a task. Digits at the end of a word are a token of their own, glued to it.
+/// A word of a task. Digits at the end of a word are a separate token, glued to it.
 struct TaskToken {
   std::string word;  ///< folded
   bool glued = false;

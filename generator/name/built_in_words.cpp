@@ -240,16 +240,16 @@ constexpr auto kClasses = std::to_array<BuiltInWords::ClassWord>({{"prs", Side::
                                                                   {"pbly", Side::operation}});
 
 constexpr auto kPanel = std::to_array<std::string_view>(
-    {"pb",           "pbl",      "pbli",     "pblq",     "pblx",    "pbly",          "pblz",   "pbx",       "spb",
-     "ssp",          "ssd",      "ssw",      "sbs",      "cos",     "epb",           "stl",    "ptl",       "pl",
-     "gl",           "rl",       "yl",       "wl",       "lamp",    "led",           "buzzer", "buz",       "buzz",
-     "bz",           "horn",     "siren",    "melody",   "beacon",  "tower",         "button", "switch",    "selector",
-     "hmi",          "joystick", "pendant",  "push",     "램프",    "부저",          "버저",   "멜로디",    "버튼",
-     "스위치",       "경광등",   "수동",     "비상정지", "점등",    "소등",          "호출",   "이상해제",  "ランプ",
-     "ブザー",       "押釦",     "スイッチ", "非常停止", "taster",  "taste",         "lampe",  "leuchte",   "schalter",
-     "wahlschalter", "hupe",     "нотаус",   "кнопка",   "кнопки",  "кнопеа",        "лампа",  "индикатор", "звук",
-     "звонок",       "колонна",  "цвет",     "сирена",   "тумблер", "авария кнопка", "manual", "manu",      "maint",
-     "mainte"});
+    {"jog",       "조그",     "pb",           "pbl",      "pbli",     "pblq",     "pblx",    "pbly",          "pblz",
+     "pbx",       "spb",      "ssp",          "ssd",      "ssw",      "sbs",      "cos",     "epb",           "stl",
+     "ptl",       "pl",       "gl",           "rl",       "yl",       "wl",       "lamp",    "led",           "buzzer",
+     "buz",       "buzz",     "bz",           "horn",     "siren",    "melody",   "beacon",  "tower",         "button",
+     "switch",    "selector", "hmi",          "joystick", "pendant",  "push",     "램프",    "부저",          "버저",
+     "멜로디",    "버튼",     "스위치",       "경광등",   "수동",     "비상정지", "점등",    "소등",          "호출",
+     "이상해제",  "ランプ",   "ブザー",       "押釦",     "スイッチ", "非常停止", "taster",  "taste",         "lampe",
+     "leuchte",   "schalter", "wahlschalter", "hupe",     "нотаус",   "кнопка",   "кнопки",  "кнопеа",        "лампа",
+     "индикатор", "звук",     "звонок",       "колонна",  "цвет",     "сирена",   "тумблер", "авария кнопка", "manual",
+     "manu",      "maint",    "mainte"});
 constexpr auto kAlarm = std::to_array<std::string_view>(
     {"과부하",       "과열",     "과전압",  "저전압",   "오버런",  "지락",        "overvoltage",
      "undervoltage", "overheat", "err",     "error",    "ng",      "alarm",       "alm",
@@ -259,11 +259,12 @@ constexpr auto kAlarm = std::to_array<std::string_view>(
      "바이패스",     "異常",     "故障",    "アラーム", "störung", "stoerung",    "fehler",
      "alarmmeldung", "warnung",  "авария",  "аварии",   "ошибка",  "затор",       "перегрузка"});
 constexpr auto kData = std::to_array<std::string_view>(
-    {"차종",   "clock", "flicker", "플리커",   "클럭",   "ctype",   "type", "body type",  "bodytype", "cn",
-     "number", "code",  "data",    "bit",      "count",  "cnt",     "qty",  "seq",        "model",    "spec",
-     "speed",  "freq",  "current", "vin",      "prog",   "program", "prg",  "value",      "word",     "address",
-     "adr",    "bcd",   "사양",    "차종코드", "코드",   "데이터",  "번호", "카운트",     "축번호",   "수량",
-     "データ", "番号",  "コード",  "daten",    "nummer", "данные",  "код",  "количество", "номер",    "слоев"});
+    {"timer",     "타이머",   "차종",   "clock",  "flicker",    "플리커", "클럭",    "ctype", "type",
+     "body type", "bodytype", "cn",     "number", "code",       "data",   "bit",     "count", "cnt",
+     "qty",       "seq",      "model",  "spec",   "speed",      "freq",   "current", "vin",   "prog",
+     "program",   "prg",      "value",  "word",   "address",    "adr",    "bcd",     "사양",  "차종코드",
+     "코드",      "데이터",   "번호",   "카운트", "축번호",     "수량",   "データ",  "番号",  "コード",
+     "daten",     "nummer",   "данные", "код",    "количество", "номер",  "слоев"});
 constexpr auto kDiagnosis = std::to_array<std::string_view>({"battery", "배터리", "バッテリ", "batterie", "батарея"});
 constexpr auto kParts =
     std::to_array<std::string_view>({"part", "plt", "pallet", "workpiece", "파트", "파레트", "감지", "대차", "ワーク",
@@ -286,9 +287,10 @@ constexpr auto kDone = std::to_array<std::string_view>(
     {"work comp", "wk comp", "work complete", "comp", "complete", "작업완료", "完了", "fertig", "done", "готово"});
 constexpr auto kReset = std::to_array<std::string_view>({"rst", "reset", "리셋", "リセット", "сброс"});
 constexpr auto kInterlock = std::to_array<std::string_view>(
-    {"interlock",  "intlk", "intf",           "interf", "mutual",   "mutal",        "enable",     "permit",
-     "permission", "allow", "ready in",       "in ok",  "non intf", "간섭무",       "간섭",       "인터록",
-     "작업가능",   "가능",  "インターロック", "干渉",   "freigabe", "verriegelung", "разрешение", "блокировка"});
+    {"handshake", "핸드쉐이크", "핸드 쉐이크",  "pause",      "일시정지",  "interlock",  "intlk", "intf",
+     "interf",    "mutual",     "mutal",        "enable",     "permit",    "permission", "allow", "ready in",
+     "in ok",     "non intf",   "간섭무",       "간섭",       "인터록",    "작업가능",   "가능",  "インターロック",
+     "干渉",      "freigabe",   "verriegelung", "разрешение", "блокировка"});
 
 constexpr auto kCauses = std::to_array<BuiltInWords::Cause>({{"select", "echo"},
                                                              {"sel", "echo"},

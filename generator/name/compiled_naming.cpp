@@ -51,8 +51,8 @@ std::optional<Field> field_of(std::string_view name) {
   return std::nullopt;
 }
 
-CompiledRule compiled_rule(std::string_view list, const SymbolRule& rule, std::size_t index,
-                           const CompiledNaming::Parts& parts, std::vector<NamingFault>& faults) {
+CompiledRule compiled_rule(std::string_view list, const SymbolRule& rule, std::size_t index, const NamingParts& parts,
+                           std::vector<NamingFault>& faults) {
   CompiledRule compiled{
       {}, RuleFields(rule, parts.vocabulary), Replacements(), RequiredWords(rule.has, parts.separators)};
   compiled.replace = compiled_replacements(rule.replace, index_pointer(list, index, "replace"), faults);
@@ -86,7 +86,7 @@ CompiledRule compiled_rule(std::string_view list, const SymbolRule& rule, std::s
 
 }  // namespace
 
-CompiledNaming::Parts::Parts(const Naming& naming)
+NamingParts::NamingParts(const Naming& naming)
     : separators(naming.separators),
       vocabulary(naming.tasks, {}),
       replace(compiled_replacements(naming.normalise.replace, "/normalise/replace", faults)) {
@@ -114,7 +114,8 @@ CompiledNaming::Parts::Parts(const Naming& naming)
   }
 }
 
-CompiledNaming::CompiledNaming(Naming naming) : naming_(std::move(naming)), parts_(std::make_unique<Parts>(naming_)) {}
+CompiledNaming::CompiledNaming(Naming naming)
+    : naming_(std::move(naming)), parts_(std::make_unique<NamingParts>(naming_)) {}
 CompiledNaming::~CompiledNaming() = default;
 
 std::shared_ptr<const CompiledNaming> CompiledNaming::compile(Naming naming, std::vector<NamingFault>& faults) {

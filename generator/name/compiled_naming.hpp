@@ -8,18 +8,12 @@
 #include <vector>
 
 #include "name/naming.hpp"
+#include "name/naming_fault.hpp"
 
 namespace symplant::name {
 
 class Vocabulary;
-
-/// A fault of a naming rule: a JSON pointer into naming.json ("/rules/0/pattern") and a message. `column` is the offset
-/// within the text at the pointer, in bytes from 0.
-struct NamingFault {
-  std::string pointer;
-  std::string message;
-  std::size_t column = 0;
-};
+struct NamingParts;
 
 /// Patterns, regular expressions and vocabulary of a rule. Immutable; may be shared by threads.
 class CompiledNaming {
@@ -33,14 +27,13 @@ class CompiledNaming {
   const Naming& naming() const { return naming_; }
   const Vocabulary& vocabulary() const;
 
-  struct Parts;
-  const Parts& parts() const { return *parts_; }
+  const NamingParts& parts() const { return *parts_; }
 
  private:
   explicit CompiledNaming(Naming naming);
 
   Naming naming_;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<NamingParts> parts_;
 };
 
 /// Reads an archetype's text: `*` is any run, `|` separates alternatives, `{x}` is a run that may be empty; blanks

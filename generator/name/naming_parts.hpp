@@ -9,7 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "name/compiled_naming.hpp"
+#include "name/naming.hpp"
+#include "name/naming_fault.hpp"
 #include "name/normaliser.hpp"
 #include "name/pattern.hpp"
 #include "name/prepared_text.hpp"
@@ -60,8 +61,9 @@ struct CompiledRule {
   RequiredWords has;
 };
 
-struct CompiledNaming::Parts {
-  explicit Parts(const Naming& naming);
+/// A naming rule as the reader uses it.
+struct NamingParts {
+  explicit NamingParts(const Naming& naming);
 
   std::vector<NamingFault> faults;
   Separators separators;

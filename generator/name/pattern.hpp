@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "name/pattern_fault.hpp"
 #include "name/prepared_text.hpp"
 
 namespace symplant::name {
@@ -21,11 +22,6 @@ namespace symplant::name {
 enum class Field : std::uint8_t { line, process, device, direction, klass, task, x };
 inline constexpr std::size_t kFields = 7;
 std::string_view field_name(Field field);
-
-struct PatternFault {
-  std::size_t offset = 0;  ///< in the pattern, in bytes
-  std::string message;
-};
 
 /// Where a field of a pattern lies in a text.
 struct Capture {

@@ -62,7 +62,7 @@ class Match {
     if (step.fused) return run(step, at, at + 1, step.tail ? text_.size() : text_.run_end(at));
     for (std::size_t end = text_.run_end(at);;) {  // at ends of words
       if (take(step, at, end)) return true;
-      if (!step.tail || end == text_.size()) return false;
+      if (!(step.tail || step.known) || end == text_.size()) return false;
       end = text_.run_end(text_.run_end(end));
     }
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "name/pattern.hpp"
+#include "name/pattern_fault.hpp"
 
 namespace symplant::name::syntax {
 

@@ -9,6 +9,7 @@
 namespace symplant::name {
 
 Separators::Separators(std::string_view characters) {
+  ascii_[' '] = true;
   for (std::size_t at = 0; at < characters.size();) {
     const text::CodePoint character = text::code_point_at(characters, at);
     if (character.value < 0x80) {

@@ -10,7 +10,7 @@
 
 namespace symplant::name {
 
-/// The characters that separate words.
+/// The characters that separate words: a blank, and those given.
 class Separators {
  public:
   explicit Separators(std::string_view characters);

@@ -78,13 +78,14 @@ std::optional<Side> RuleFields::class_side(std::string_view folded) const {
 }
 
 bool RuleFields::fits_known(const PreparedText& text, std::size_t begin, std::size_t end) const {
-  bool has_motion = false;
+  bool has_motion = false;  // one: two motions are a device and its task
   for (std::size_t at = begin; at < end;) {
     const std::size_t run = std::min(text.run_end(at), end);
     if (!text.is_separator(at)) {
       const std::string_view word = text.folded().substr(at, run - at);
       const bool is_motion = vocabulary_->motion(word).has_value();
       const bool is_number = std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+      if (is_motion && has_motion) return false;
       if (!is_motion && !(is_number && has_motion) && !vocabulary_->is_affix(word, Side::event) &&
           !vocabulary_->is_affix(word, Side::operation)) {
         return false;

@@ -72,7 +72,7 @@ struct SymbolReader::Work {
   void read_task(std::size_t rule, RuleReading& reading);
 
   std::shared_ptr<const CompiledNaming> naming;
-  const CompiledNaming::Parts& parts;
+  const NamingParts& parts;
   std::vector<std::size_t> matched;
   TextStore texts;
   TextStore devices;                                   // folded levels

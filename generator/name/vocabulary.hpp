@@ -16,7 +16,7 @@
 
 namespace symplant::name {
 
-/// The words that ship with the tool; docs/naming.md lists them. All are folded.
+/// The words that ship with the tool, folded; `symplant naming --words` prints them.
 struct BuiltInWords {
   struct Pair {
     std::string_view rest;

@@ -27,18 +27,15 @@ class LinksReader {
   LinksReader(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnostics& diagnostics)
       : source_(source),
         diagnostics_(diagnostics),
-        csv_(source->text(), read::sniff_delimiter(source->text()), arena_) {}
+        csv_(source->text(), read::sniff_delimiter(first_line(source->text())), arena_) {}
 
   LinksFile read() {
     read::CsvRow row;
-    bool more = csv_.next(row);
-    while (more && row.blank()) more = csv_.next(row);
+    const bool more = next(row);
     if (!more && !csv_.unclosed_quote()) {
       add(kNamingSchema, "the file of links is empty; its first row is `operation,event,state`", {});
     } else if (more && read_header(row)) {
-      while (csv_.next(row)) {
-        if (!row.blank()) read_row(row);
-      }
+      while (next(row)) read_row(row);
     }
     if (csv_.unclosed_quote()) {
       const std::size_t quote = *csv_.unclosed_quote();
@@ -48,6 +45,24 @@ class LinksReader {
   }
 
  private:
+  /// The first line that is neither blank nor a comment.
+  static std::string_view first_line(std::string_view text) {
+    while (!text.empty()) {
+      const std::string_view line = text.substr(0, text.find('\n'));
+      if (!line.starts_with('#') && line.find_first_not_of(" \t\r,;") != std::string_view::npos) return line;
+      text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return text;
+  }
+
+  /// The next row that is neither blank nor a comment.
+  bool next(read::CsvRow& row) {
+    while (csv_.next(row)) {
+      if (!row.blank() && source_->text()[row.whole.begin] != '#') return true;
+    }
+    return false;
+  }
+
   void add(const diag::RuleInfo& rule, std::string message, text::Span span) {
     diagnostics_.add(rule, std::move(message), {source_, span});
   }

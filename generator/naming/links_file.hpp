@@ -20,7 +20,7 @@ struct LinksFile {
 };
 
 /// Reads a table with the columns `operation`, `event` and `state` in any order, separated by `,`, `;` or TAB. Blank
-/// rows do not count. Adds a finding for each fault. O(text).
+/// rows and lines that begin with `#` do not count. Adds a finding for each fault. O(text).
 LinksFile read_links_file(const std::shared_ptr<const text::SourceFile>& source, diag::Diagnostics& diagnostics);
 
 }  // namespace symplant::naming

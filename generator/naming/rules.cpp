@@ -4,12 +4,14 @@
 #include <array>
 
 #include "naming/rules/naming_contradiction.hpp"
+#include "naming/rules/naming_matches_nothing.hpp"
 #include "naming/rules/naming_schema.hpp"
 
 namespace symplant::naming {
 namespace {
 
-constexpr std::array<const diag::RuleInfo*, 2> kNamingRules{&kNamingSchema, &kNamingContradiction};
+constexpr std::array<const diag::RuleInfo*, 3> kNamingRules{&kNamingSchema, &kNamingContradiction,
+                                                            &kNamingMatchesNothing};
 
 }  // namespace
 

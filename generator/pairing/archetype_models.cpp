@@ -63,11 +63,8 @@ class ModelWriter {
     const bool reset = operation(ArchetypeRole::reset, "RESET");
     event(ArchetypeRole::busy, "RUN");
     event(ArchetypeRole::done, "DONE");
-    if (start) {
-      commanded("IDLE", "RUN", "RUN", Duration::fixed(0), Duration::fixed(0));
-    } else {  // it starts by itself, as soon as the PLC has seen the end of the run before
-      automatic("IDLE", "RUN", "not " + symbol(ack ? ArchetypeRole::ack : ArchetypeRole::reset), Duration::fixed(0));
-    }
+    // Without a start the work begins when a scenario or the user sets the state: no event comes on by itself.
+    if (start) commanded("IDLE", "RUN", "RUN", Duration::fixed(0), Duration::fixed(0));
     automatic("RUN", "DONE", "", Duration::fixed(archetype_.takes));
     if (ack) acknowledge("DONE", ArchetypeRole::ack);
     if (reset) acknowledge("*", ArchetypeRole::reset);

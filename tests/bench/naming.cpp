@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "infer/infer.hpp"
 #include "name/name_parser.hpp"
 #include "name/symbol_reader.hpp"
 
@@ -91,6 +92,44 @@ void cylinders_with_expressions(benchmark::State& state) {
   read_all(state, body_names(), naming);
 }
 BENCHMARK(cylinders_with_expressions);
+
+/// Stations of robots and clamps, as body-shop lists name them.
+std::vector<std::string> station_names(std::size_t count) {
+  std::vector<std::string> names;
+  for (int station = 10; names.size() < count; ++station) {
+    for (int robot = 1; robot < 5; ++robot) {
+      for (int bit = 1; bit <= 16; ++bit) {
+        names.push_back(fmt::format("Q S{}_Q_RB{}_PROG_SELECT_{}", station, robot, bit));
+        names.push_back(fmt::format("I S{}_I_RB{}_PROG_ECHO_{}", station, robot, bit));
+      }
+    }
+    for (int clamp = 0; clamp < 120; ++clamp) {
+      const char* motion = clamp % 2 == 0 ? "ADV" : "RET";
+      names.push_back(fmt::format("Q S{}_SOL_CLAMP{}_{}", station, clamp / 2, motion));
+      names.push_back(fmt::format("I S{}_LS_CLAMP{}_{}1", station, clamp / 2, motion));
+      names.push_back(fmt::format("I S{}_LS_CLAMP{}_{}2", station, clamp / 2, motion));
+    }
+    for (int button = 0; button < 30; ++button) names.push_back(fmt::format("I S{}_PB_{}_START", station, button));
+  }
+  names.resize(count);
+  return names;
+}
+
+void inference(benchmark::State& state) {
+  const std::vector<std::string> names = station_names(static_cast<std::size_t>(state.range(0)));
+  std::vector<infer::Sample> samples;
+  for (const std::string& name : names) {
+    infer::Sample& sample = samples.emplace_back();
+    sample.text.name = std::string_view(name).substr(2);
+    sample.side = name.front() == 'Q' ? name::Side::operation : name::Side::event;
+    sample.text.address = sample.side;
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    const infer::Proposal proposal = infer::infer(samples, {});
+    if (proposal.score.paired_share() < 0.5) state.SkipWithError("less than half was paired");
+  }
+}
+BENCHMARK(inference)->Arg(4'000)->Arg(64'000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace symplant::bench

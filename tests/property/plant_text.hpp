@@ -26,6 +26,7 @@ struct PlantText {
   std::vector<Row> rows;
   description::Description description;
   std::size_t second_list = 0;         ///< first row of a second list; 0 or after the last row: there is one list
+  std::string naming = {};             ///< the naming rule (cell_plant.hpp); empty: the built-in one
   std::string second_controller = {};  ///< the controller of the second list; empty: that of the first
 
   bool two_lists() const { return second_list > 0 && second_list < rows.size(); }

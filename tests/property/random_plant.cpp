@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "property/cell_plant.hpp"
 #include "property/random_unit.hpp"
 
 namespace symplant::property {
@@ -85,7 +86,9 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
   Dice dice(seed * 2 + 1);
   DrawnPlant drawn;
   for (;; ++drawn.refused) {
-    if (options.most_units > 100 && dice.one_in(50)) {
+    if (options.naming_rules && seed % 8 == 7) {
+      drawn.text = cell_plant(dice);
+    } else if (options.most_units > 100 && dice.one_in(50)) {
       drawn.text = ripple_plant(dice);
     } else {
       const PlannedPlant plan = random_plan(dice, options);

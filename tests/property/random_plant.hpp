@@ -21,6 +21,7 @@ struct DrawnPlant {
 struct DrawOptions {
   bool behaviours = true;
   std::size_t most_units = 1000;
+  bool naming_rules = true;  ///< some plants have a custom naming rule
 };
 
 /// The same plant for the same seed and options, everywhere.

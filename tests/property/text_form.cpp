@@ -75,6 +75,7 @@ std::string write_case(const Case& the_case) {
   Writer writer;
   const PlantText& plant = the_case.plant;
   writer.line("plant " + plant.name);
+  if (!plant.naming.empty()) writer.line("naming " + plant.naming);
   for (const Row& row : plant.rows) {
     writer.line("row " + row.name + " " + cell(row.address) + " " + cell(row.type) + " " + cell(row.initial));
   }

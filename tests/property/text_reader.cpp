@@ -78,6 +78,8 @@ class Reader {
     if (word == "do") return action(line);
     if (word == "plant") {
       result.plant.name = line.word();
+    } else if (word == "naming") {
+      result.plant.naming = line.word();
     } else if (word == "row") {
       Row row;
       row.name = line.word();

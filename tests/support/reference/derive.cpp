@@ -22,6 +22,12 @@ UnitRules gather(const Rules& rules, std::uint32_t index) {
   for (const description::DeviceDescription& device : model.description->devices) {
     if (same_name(device.path, unit.path)) unit.described = &device;
   }
+  if (const pairing::Facet* facet = model.units[index].facet; facet != nullptr) {
+    unit.described = model.units[index].described;
+    unit.sequence = facet->numbered;
+    unit.archetype = facet->by == pairing::FacetBy::archetype;
+    unit.order = facet->states;
+  }
   for (std::uint32_t i = 0; i < model.symbols.size(); ++i) {
     const model::Symbol& symbol = model.symbols[i];
     if (symbol.unit == index) {
@@ -106,6 +112,10 @@ std::string sequence_number(std::string_view name) {
   while (first > 0 && name[first - 1] >= '0' && name[first - 1] <= '9') --first;
   while (first + 1 < name.size() && name[first] == '0') ++first;
   return std::string(name.substr(first));
+}
+
+std::string UnitRules::number_of(const StateRules& state) const {
+  return sequence ? sequence_number(state.name) : std::string();
 }
 
 bool lower_number(const std::string& a, const std::string& b) {

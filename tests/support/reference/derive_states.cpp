@@ -66,12 +66,12 @@ std::vector<StateRules> tasks(const Rules& rules, const UnitRules& unit) {
 
 /// Inference 2: the index of Y in S, kNone if the unit is not a single solenoid.
 std::uint32_t single_solenoid_rest(const UnitRules& unit) {
-  if (unit.states.size() != 2) return kNone;
+  if (unit.states.size() != 2 || unit.archetype) return kNone;
   for (std::uint32_t x = 0; x < 2; ++x) {
     const StateRules& commanded = unit.states[x];
     const StateRules& other = unit.states[1 - x];
     if (commanded.operation != kNone && commanded.event != kNone && other.operation == kNone &&
-        sequence_number(other.name).empty()) {
+        unit.number_of(other).empty()) {
       return 1 - x;
     }
   }
@@ -103,15 +103,27 @@ void derive_states(Rules& rules, UnitRules& unit) {
   std::vector<StateRules> others;
   for (const StateRules& state : tasks(rules, unit)) {
     if (is_only_a_command(unit, state) || is_only_a_report(unit, state)) continue;
-    (sequence_number(state.name).empty() ? others : numbered).push_back(state);
+    (unit.number_of(state).empty() ? others : numbered).push_back(state);
   }
   std::stable_sort(numbered.begin(), numbered.end(), [](const StateRules& a, const StateRules& b) {
     return lower_number(sequence_number(a.name), sequence_number(b.name));
   });
   unit.states = numbered;
   unit.states.insert(unit.states.end(), others.begin(), others.end());
-  if (unit.described == nullptr) return;
-  for (const std::string& state : unit.described->states) unit.states.emplace_back().name = state;
+  if (unit.described != nullptr) {
+    for (const std::string& state : unit.described->states) unit.states.emplace_back().name = state;
+  }
+  std::vector<StateRules> ordered;
+  for (const std::string& name : unit.order) {
+    for (const StateRules& state : unit.states) {
+      if (same_name(state.name, name)) ordered.push_back(state);
+    }
+  }
+  for (const StateRules& state : unit.states) {
+    const auto same = [&](const std::string& name) { return same_name(state.name, name); };
+    if (std::none_of(unit.order.begin(), unit.order.end(), same)) ordered.push_back(state);
+  }
+  unit.states = ordered;
 }
 
 void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
@@ -134,7 +146,7 @@ void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
   std::uint32_t initial = kNone;
   if (unit.described != nullptr) {
     if (unit.described->actuation) unit.actuation = *unit.described->actuation;
-    if (unit.described->rest) rest = named_state(rules, unit, *unit.described->rest);
+    if (unit.described->rest && unit.spring()) rest = named_state(rules, unit, *unit.described->rest);
     if (unit.described->initial) initial = named_state(rules, unit, *unit.described->initial);
   }
   if (initial == kNone) initial = initial_by_column(rules, unit);

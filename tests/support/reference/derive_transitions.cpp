@@ -93,7 +93,7 @@ std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
   std::string lower;    // the highest number below
   std::string highest;  // of all
   for (const StateRules& state : unit.states) {
-    const std::string other = sequence_number(state.name);
+    const std::string other = unit.number_of(state);
     if (other.empty()) continue;
     if (highest.empty() || lower_number(highest, other)) highest = other;
     if (lower_number(other, number) && (lower.empty() || lower_number(lower, other))) lower = other;
@@ -101,7 +101,7 @@ std::uint32_t predecessor(const UnitRules& unit, const std::string& number) {
   const std::string& wanted = lower.empty() ? highest : lower;
   std::uint32_t found = kNone;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
-    if (sequence_number(unit.states[i].name) != wanted) continue;
+    if (unit.number_of(unit.states[i]) != wanted) continue;
     if (found != kNone) return kNone;
     found = i;
   }
@@ -112,14 +112,14 @@ void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Transit
   if (unit.actuation != tables::Actuation::latched) return;
   bool some_operation = false;
   for (const StateRules& state : unit.states) {
-    some_operation = some_operation || (!sequence_number(state.name).empty() && state.operation != kNone);
+    some_operation = some_operation || (!unit.number_of(state).empty() && state.operation != kNone);
   }
   if (!some_operation) return;
   for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
     const StateRules& state = unit.states[to];
     bool led_to = state.operation != kNone;
     for (const Transition& transition : given) led_to = led_to || (transition.commanded() && transition.to == to);
-    const std::string number = sequence_number(state.name);
+    const std::string number = unit.number_of(state);
     if (number.empty() || state.event == kNone || led_to) continue;
     const std::uint32_t from = predecessor(unit, number);
     if (from == kNone || from == to) continue;

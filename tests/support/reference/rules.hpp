@@ -54,7 +54,12 @@ struct UnitRules {
   std::uint32_t rest = kNone;  ///< of a spring
   std::uint8_t initial = 0;
   tables::Time travel = tables::kSecond;
+  bool sequence = true;                 ///< digits at the end of states are sequence numbers
+  bool archetype = false;               ///< the naming rule gives the model
+  std::vector<std::string> order = {};  ///< states that come first in S, by the naming rule
 
+  /// The sequence number of a state; empty without one.
+  std::string number_of(const StateRules& state) const;
   bool spring() const { return actuation == tables::Actuation::spring; }
   /// The operation has the state's name, or commands a transition to it.
   bool leads_to(std::uint32_t operation, std::uint8_t state) const;

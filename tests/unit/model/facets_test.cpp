@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/condition_text.hpp"
 #include "support/catch.hpp"
 #include "support/compile.hpp"
 #include "unit/model/description_support.hpp"

@@ -52,6 +52,7 @@ TEST_CASE("A field is one word, a field with dots any number, the last motion th
   CHECK(read(*reader, "S205_WRS_CLAMP1_ADV1") == "|S205|CLAMP1|event|ADV");
   CHECK(read(*reader, "S205_SOL_1ST_CLAMP1_RET") == "|S205|1ST_CLAMP1|operation|RET");
   CHECK(read(*reader, "S205_SOL_CLAMP1_WELD") == "no rule");
+  CHECK(read(*reader, "S205_LS_LOCK_CLAMP_ADV_END_2") == "|S205|LOCK_CLAMP|event|ADV");
   CHECK(read(*reader, "S205_ZZZ_CLAMP1_ADV") == "no rule");
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("A rule may take one field from the name and another from the comment"
   CHECK(parts(reader->read({"KA12", "spare", {}, {}})) == "no rule");
 }
 
-TEST_CASE("The comment of a word stands before that of its bit") {
+TEST_CASE("The comment of a word comes before that of its bit") {
   Naming naming;
   SymbolRule rule;
   rule.patterns = {{Source::parent_and_comment, "{process}_{device}_{task...}"}};
@@ -119,12 +120,12 @@ TEST_CASE("The comment of a word stands before that of its bit") {
 
 TEST_CASE("Affixes say the side only, and synonyms are one word") {
   Naming naming = naming_of("{process}_{device}_{task...}");
-  naming.tasks.synonyms = {{"VOR", "ADV"}, {"IN POS", "POSITIONED"}};
+  naming.tasks.synonyms = {{"VOR", "ADV"}, {"FULL STROKE", "STROKED"}};
   naming.tasks.event_affixes = {"OKAY"};
   const auto reader = reader_of(naming);
   CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::event})) == "|S1|A|event|ADV");
   CHECK(parts(reader->read({"S1_A_VOR_OKAY", {}, {}, Side::operation})) == "|S1|A|operation|ADV OKAY");
-  CHECK(parts(reader->read({"S1_A_IN_POS", {}, {}, Side::event})) == "|S1|A|event|POSITIONED");
+  CHECK(parts(reader->read({"S1_A_FULL_STROKE", {}, {}, Side::event})) == "|S1|A|event|STROKED");
 }
 
 TEST_CASE("The number of a sensor is off the canonical task and kept apart") {
@@ -143,6 +144,44 @@ TEST_CASE("Words in Cyrillic are one device in any case") {
   const auto reader = reader_of(naming_of("{device}_{task...}"));
   CHECK(reader->read({"Захват_ADV", {}, {}, {}}).device_id == reader->read({"захват_RET", {}, {}, {}}).device_id);
   CHECK(reader->read({"Стол_ADV", {}, {}, {}}).device_id != reader->read({"захват_RET", {}, {}, {}}).device_id);
+}
+
+TEST_CASE("Comments padded to columns are parted where a known word begins") {
+  Naming naming;
+  naming.normalise.columns = 8;
+  SymbolRule rule;
+  rule.patterns = {{Source::comment, "{process}_{device}_{task:known}"}};
+  naming.rules.push_back(rule);
+  const auto reader = reader_of(naming);
+  CHECK(parts(reader->read({"X0", "S1 LIFTUP", {}, Side::event})) == "no rule");  // UP is not at a boundary
+  CHECK(parts(reader->read({"X1", "S10 LIFTUP", {}, Side::event})) == "|S10|LIFT|event|UP");
+  CHECK(parts(reader->read({"X2", "S10 TABLDOWN", {}, Side::event})) == "|S10|TABL|event|DOWN");
+}
+
+TEST_CASE("A rule may ask for words, which scripts without blanks also hold within words") {
+  Naming naming = naming_of("*");
+  naming.rules[0].has = {"LAMP", "push button", "램프"};
+  naming.rules[0].role = Role::operator_panel;
+  const auto reader = reader_of(naming);
+  const auto role = [&](std::string_view name) { return reader->read({name, {}, {}, Side::event}).role; };
+  CHECK(role("S10_LAMP3") == Role::operator_panel);
+  CHECK(role("S10 push_button 2") == Role::operator_panel);
+  CHECK(role("비상램프") == Role::operator_panel);
+  CHECK(role("S10_CLAMP") == Role::io);
+  CHECK(role("클램프") == Role::io);  // a motion, although its letters hold the word for a lamp
+}
+
+TEST_CASE("A rule about the rest gives a role to what the other rules read, for later") {
+  Naming naming = naming_of("{device}_{task...}");
+  naming.rest.push_back(rule_of("*_(READY|OK)"));
+  naming.rest[0].role = Role::constant;
+  naming.rest[0].value = false;
+  const auto reader = reader_of(naming);
+  const RuleReading reading = reader->read({"AIR_OK", {}, {}, Side::event});
+  CHECK(reading.outcome == Outcome::read);
+  CHECK(reading.rest == Role::constant);
+  CHECK_FALSE(reading.rest_value);
+  CHECK(reader->read({"AIR_ON", {}, {}, Side::event}).rest == Role::io);
 }
 
 TEST_CASE("Ignored symbols and fixed levels") {

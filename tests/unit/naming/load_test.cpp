@@ -109,6 +109,21 @@ TEST_CASE("Links are read from a table next to the naming rule") {
   CHECK(second.source->position(second.span.begin).line == 4);
 }
 
+TEST_CASE("Comments in a table of links do not count") {
+  MemoryFileSystem files = plant_with(R"("naming": "rules/own.json")");
+  files.files["cell/rules/own.json"] =
+      R"({"symplant-naming": 1, "links": "links.csv", "rules": [{"pattern": "{device}"}]})";
+  files.files["cell/rules/links.csv"] =
+      "# a, b, c\n#\noperation;event;state\n#O,E,S\n#O2,,S\nO1;E1;ADV\n\"#O2\";E2;ADV\n# end";
+  const ReadPlant plant = read(files);
+  INFO(plant.findings);
+  REQUIRE(plant.inputs);
+  const auto& links = plant.inputs->naming->naming().links;
+  REQUIRE(links.size() == 2);
+  CHECK(links[0].event == "E1");
+  CHECK(links[1].operation == "#O2");
+}
+
 TEST_CASE("The location of a link without a file is its row in the naming rule") {
   const ReadPlant plant =
       read(plant_with("\"naming\": {\n\"rules\": [{\"pattern\": \"{device}\"}],\n\"links\": [[\"O\", \"E\", \"S\"],\n"

@@ -1,0 +1,54 @@
+// Makes samples of the symbols of lists.
+#include "app/infer_samples.hpp"
+
+#include <iterator>
+#include <utility>
+
+#include "model/derive.hpp"
+
+namespace symplant::app {
+namespace {
+
+name::Side side_of(tables::Direction direction) {
+  return direction == tables::Direction::operation ? name::Side::operation : name::Side::event;
+}
+
+infer::Sample sample_of(const model::PlantModel& plant, const model::Symbol& symbol) {
+  infer::Sample sample;
+  sample.text.name = symbol.name();
+  sample.text.comment = symbol.row->comment;
+  sample.text.parent_comment = plant.lists[symbol.list].table->extra_of(*symbol.row).parent_comment;
+  sample.side = side_of(symbol.direction);
+  if (symbol.direction_by != model::DirectionBy::name) sample.text.address = sample.side;
+  sample.boolean = symbol.type == tables::DataType::boolean;
+  sample.controller = plant.lists[symbol.list].controller;
+  return sample;
+}
+
+}  // namespace
+
+std::optional<InferInputs> read_samples(Context& context, const std::vector<std::string>& files,
+                                        const PlantOptions& options) {
+  InferInputs read;
+  std::vector<ReadList> lists;
+  for (const std::string& file : files) {
+    auto inputs = read_for(context, file, options);
+    if (!inputs) return std::nullopt;
+    if (inputs->source != nullptr) read.files.push_back(inputs->source->path());
+    if (inputs->naming_parts != nullptr) {
+      const std::vector<std::string>& more = inputs->naming_parts->files;
+      read.files.insert(read.files.end(), more.begin(), more.end());
+      read.given.push_back(inputs->naming->naming());
+    }
+    for (const ReadList& list : inputs->lists) read.files.push_back(list.table->source->path());
+    lists.insert(lists.end(), std::make_move_iterator(inputs->lists.begin()),
+                 std::make_move_iterator(inputs->lists.end()));
+  }
+  read.derived = model::derive(parse_names(lists, nullptr), files.front());
+  const model::PlantModel& plant = read.derived.plant;
+  read.samples.reserve(plant.symbols.size());
+  for (const model::Symbol& symbol : plant.symbols) read.samples.push_back(sample_of(plant, symbol));
+  return read;
+}
+
+}  // namespace symplant::app

@@ -1,0 +1,121 @@
+// Chooses and prepares the texts of samples for a report.
+#include "infer/report_texts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "infer/causes.hpp"
+#include "infer/words.hpp"
+#include "name/prepared_text.hpp"
+#include "name/vocabulary.hpp"
+
+namespace symplant::infer {
+namespace {
+
+constexpr std::size_t kMostShown = 80;  ///< bytes
+
+/// What the pattern of a symbol's rule reads first.
+name::Source source_of(const name::Naming& naming, const name::RuleReading& reading) {
+  const name::Source source = naming.rules[reading.rule].patterns.front().source;
+  return source == name::Source::name_then_comment ? name::Source::name : source;
+}
+
+name::Replacements replacements_of(const name::Naming& naming) {
+  std::vector<std::pair<std::size_t, std::string>> faults;  // none: the rule is compiled
+  return {naming.normalise.replace, faults};
+}
+
+std::string without_digits(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text.append(shape_of(word)).append(" ");
+  return text;
+}
+
+std::uint8_t kinds_of(const std::vector<std::string>& words, const name::Vocabulary& vocabulary) {
+  const name::BuiltInWords& known = name::built_in_words();
+  std::uint8_t kinds = 0;
+  const auto add = [&](std::uint8_t kind, std::span<const std::string_view> list) {
+    if (has_word(words, list, vocabulary)) kinds = static_cast<std::uint8_t>(kinds | kind);
+  };
+  add(kPanelText, known.panel);
+  add(kInterlockText, known.interlock);
+  add(kStartText, known.start);
+  add(kDoneText, known.done);
+  add(kAnswerText, known.echo);
+  add(kAnswerText, known.reset);
+  if (!has_word(words, known.alarm, vocabulary)) add(kHealthyText, known.healthy);
+  return kinds;
+}
+
+}  // namespace
+
+ReportTexts::ReportTexts(const name::CompiledNaming& naming, std::span<const Sample> samples,
+                         std::span<const name::RuleReading> readings)
+    : naming_(naming),
+      samples_(samples),
+      separators_(naming.naming().separators),
+      replacements_(replacements_of(naming.naming())),
+      sources_(samples.size(), name::Source::name) {
+  std::array<std::size_t, 4> counts{};
+  const auto is_read = [&](std::size_t i) { return readings[i].outcome == name::Outcome::read; };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_read(i)) ++counts[static_cast<std::size_t>(source_of(naming.naming(), readings[i]))];
+  }
+  const auto usual = static_cast<name::Source>(std::max_element(counts.begin() + 1, counts.end()) - counts.begin());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const name::Source source = is_read(i) ? source_of(naming.naming(), readings[i]) : usual;
+    if (!samples[i].text.comment.empty() || !samples[i].text.parent_comment.empty()) sources_[i] = source;
+  }
+}
+
+std::string ReportTexts::raw(std::uint32_t sample) const {
+  const name::SymbolText& text = samples_[sample].text;
+  if (sources_[sample] == name::Source::name) return std::string(text.name);
+  std::string both;
+  if (sources_[sample] == name::Source::parent_and_comment) both = text.parent_comment;
+  both.append(both.empty() || text.comment.empty() ? "" : " ").append(text.comment);
+  return both;
+}
+
+std::string ReportTexts::normal(std::uint32_t sample) const {
+  std::string text = name::normalised(raw(sample), naming_.naming().normalise, naming_.vocabulary(), separators_);
+  replacements_.apply(text);
+  return text;
+}
+
+std::string ReportTexts::shown(std::uint32_t sample) const {
+  std::string text;
+  for (const char c : raw(sample)) {
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank) {
+      text += c;
+    } else if (!text.empty() && text.back() != ' ') {
+      text += ' ';
+    }
+  }
+  if (text.size() <= kMostShown) return text;
+  std::size_t end = kMostShown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end) + "...";
+}
+
+std::vector<std::string> ReportTexts::words(std::uint32_t sample) const {
+  name::PreparedText text;
+  text.prepare(normal(sample), separators_);
+  std::vector<std::string> words;
+  words.reserve(text.words().size());
+  for (const name::Word& word : text.words()) {
+    words.emplace_back(text.folded().substr(word.begin, word.end - word.begin));
+  }
+  return words;
+}
+
+std::uint8_t ReportTexts::kinds(std::uint32_t sample) {
+  const std::vector<std::string> own = words(sample);
+  const auto [known, added] = kinds_.emplace(without_digits(own), std::uint8_t{0});
+  if (added) known->second = kinds_of(own, naming_.vocabulary());
+  return known->second;
+}
+
+}  // namespace symplant::infer
