@@ -59,7 +59,8 @@ std::string render_json(std::span<const Diagnostic> findings, const LeftOut& lef
   return render_json(std::span(&findings, 1), left_out);
 }
 
-std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out) {
+std::string render_json(std::span<const std::span<const Diagnostic>> parts, const LeftOut& left_out,
+                        std::span<const std::string> plants) {
   // One finding at a time: a document of a million findings would fill the memory.
   std::string text = "{\n  \"symplant-diagnostics\": " + std::to_string(kJsonVersion) + ",\n  \"findings\": [";
   std::array<std::size_t, 3> counts{};
@@ -80,7 +81,10 @@ std::string render_json(std::span<const std::span<const Diagnostic>> parts, cons
   if (left_out.by_description != 0) counted["ignored"] = left_out.by_description;
   if (left_out.by_options != 0) counted["left_out"] = left_out.by_options;
   append(text, counted, 2);
-  return text += "\n}\n";
+  for (std::size_t i = 0; i < plants.size(); ++i) {
+    text.append(i == 0 ? ",\n  \"plants\": [\n    " : ",\n    ").append(plants[i]);
+  }
+  return text += plants.empty() ? "\n}\n" : "\n  ]\n}\n";
 }
 
 }  // namespace symplant::diag

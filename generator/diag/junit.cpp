@@ -60,6 +60,7 @@ class SuiteRenderer {
       for (const RuleInfo* rule : options_.rules) {
         if (!failing[rule]) pass(*rule, lesser[rule]);
       }
+      for (const Gate& gate : report_.gates) test(gate);
     }
     return "  <testsuite name=\"" + markup_text(report_.plant) + "\"" + counts_.attributes() + ">\n" + cases_ +
            "  </testsuite>\n";
@@ -109,6 +110,18 @@ class SuiteRenderer {
     } else {
       cases_ += ">\n      <system-out>" + body_of(lesser) + "</system-out>\n    </testcase>\n";
     }
+  }
+
+  void test(const Gate& gate) {
+    ++counts_.tests;
+    cases_ += "    <testcase classname=\"" + markup_text(report_.plant) + "\" name=\"" + markup_text(gate.name) +
+              "\" time=\"0\"";
+    if (gate.failure.empty()) {
+      cases_ += "/>\n";
+      return;
+    }
+    ++counts_.failures;
+    cases_ += ">\n      <failure message=\"" + markup_text(gate.failure) + "\"/>\n    </testcase>\n";
   }
 
   const Report& report_;

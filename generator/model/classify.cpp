@@ -213,6 +213,10 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   auto result = classified(row, address, named);
   if (auto* symbol = std::get_if<Symbol>(&result)) {
     symbol->reading.fault = name::NameFault::not_linked;
+    symbol->reading.device_path = reading.path;
+    symbol->reading.line = reading.line;
+    symbol->reading.process = reading.process;
+    symbol->reading.device = reading.device;
     const std::optional<name::Side> side = reading.side_of_name ? reading.side_of_name : reading.side;
     symbol->reading.direction = side == name::Side::operation ? name::Direction::operation : name::Direction::event;
   }

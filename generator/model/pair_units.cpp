@@ -82,18 +82,4 @@ void pair_units(Derived& derived, const std::vector<const name::RuleReading*>& r
   }
 }
 
-NamingScore naming_score(const PlantModel& plant) {
-  NamingScore score;
-  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-    const pairing::Account account = plant.pairing->accounts[i];
-    if (plant.symbols[i].type != tables::DataType::boolean || account == pairing::Account::ignored) continue;
-    ++score.symbols;
-    if (account == pairing::Account::paired) ++score.paired;
-    if (account == pairing::Account::constant) ++score.constant;
-    if (account == pairing::Account::operator_panel) ++score.operator_panel;
-    if (account == pairing::Account::data) ++score.data;
-  }
-  return score;
-}
-
 }  // namespace symplant::model

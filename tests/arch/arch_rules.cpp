@@ -20,9 +20,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kLeastHead = 15;  // characters, slashes included
 
 // Lowest first; a layer may use the layers before it.
-constexpr std::array<std::string_view, 18> kGenerator = {
-    "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing",
-    "infer", "model", "convert", "lower",   "check", "findings", "emit",        "view",   "app"};
+constexpr std::array<std::string_view, 19> kGenerator = {
+    "base",  "text",  "diag",    "address", "read",  "name",     "description", "naming", "pairing", "infer",
+    "model", "score", "convert", "lower",   "check", "findings", "emit",        "view",   "app"};
 constexpr std::array<std::string_view, 11> kRuntime = {"tables", "engine", "plant", "condition", "json", "share",
                                                        "exec",   "link",   "trace", "scenario",  "host"};
 
@@ -37,6 +37,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"description", " tables json link "},
     RuntimeUse{"naming", " tables json "},
     RuntimeUse{"model", " tables condition link "},
+    RuntimeUse{"score", " tables condition "},
     RuntimeUse{"lower", " tables condition "},
     RuntimeUse{"check", " tables condition "},
     RuntimeUse{"emit", " tables plant "},

@@ -12,7 +12,10 @@
 #include <utility>
 
 #include "app/commands.hpp"
+#include "app/min_score.hpp"
 #include "app/options.hpp"
+#include "app/score_json.hpp"
+#include "app/score_text.hpp"
 #include "check/catalogue.hpp"
 #include "diag/json.hpp"
 #include "diag/junit.hpp"
@@ -20,7 +23,7 @@
 #include "diag/text.hpp"
 #include "diag/visible_text.hpp"
 #include "findings/selection.hpp"
-#include "model/pair_units.hpp"
+#include "score/score.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/tables/version.hpp"
 
@@ -35,12 +38,23 @@ struct CheckOptions {
   std::string fail_on = "error";
   std::vector<std::string> select;
   std::vector<std::string> ignore;
+  std::vector<std::string> min_score;
 };
 
 findings::Selection selection_of(const CheckOptions& options) {
   const auto selection = findings::Selection::of(options.select, options.ignore);
   if (!selection) throw CLI::ValidationError("--select/--ignore", diag::visible(selection.error()));
   return *selection;
+}
+
+std::vector<MinScore> min_scores_of(const CheckOptions& options) {
+  std::vector<MinScore> required;
+  for (const std::string& text : options.min_score) {
+    const auto read = read_min_score(text);
+    if (!read) throw CLI::ValidationError("--min-score", diag::visible(read.error()));
+    required.push_back(*read);
+  }
+  return required;
 }
 
 bool reaches(const diag::Diagnostics& diagnostics, diag::Severity least) {
@@ -70,30 +84,20 @@ std::string lists_text(const model::PlantModel& plant) {
   return text;
 }
 
-/// Under a custom naming rule: what it accounts for.
-std::string paired_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
-  const model::NamingScore score = model::naming_score(plant);
-  const auto percent = [&](std::size_t count) {
-    return score.symbols == 0 ? 0 : (count * 100 + score.symbols / 2) / score.symbols;
-  };
-  return fmt::format(
-      "{}: of {} BOOL I/O symbol{} {} ({} %) paired, {} ({} %) accounted for: {} constant, {} operator, {} data; {} "
-      "facet{}; {}\n",
-      list, score.symbols, score.symbols == 1 ? "" : "s", score.paired, percent(score.paired), score.accounted(),
-      percent(score.accounted()), score.constant, score.operator_panel, score.data, plant.units.size(),
-      plant.units.size() == 1 ? "" : "s", selected_text(findings));
-}
-
-/// How many names follow the rule, and the number of devices and findings.
-std::string result_line(const std::string& list, const model::PlantModel& plant, const diag::Diagnostics& findings) {
-  if (plant.pairing != nullptr) return paired_line(list, plant, findings);
-  const auto named = std::count_if(plant.symbols.begin(), plant.symbols.end(), [](const model::Symbol& symbol) {
-    return symbol.reading.fault == name::NameFault::none;
-  });
+/// Under a custom rule its score, the number of facets and findings; under the built-in one how many names follow it,
+/// the number of devices and findings, and the score on a second line.
+std::string result_lines(const std::string& list, const model::PlantModel& plant, const score::Score& score,
+                         const diag::Diagnostics& findings) {
+  const std::string scored = score_text(score.total);
+  if (plant.pairing != nullptr) {
+    return fmt::format("{}: {}; {} facet{}; {}\n", list, scored, plant.units.size(), plant.units.size() == 1 ? "" : "s",
+                       selected_text(findings));
+  }
   const std::size_t internal = std::accumulate(plant.internal.begin(), plant.internal.end(), std::size_t{0});
   const std::string lists = plant.lists.size() == 1 ? "" : fmt::format(" of {} lists", plant.lists.size());
-  return fmt::format("{}: {} of {} I/O names{} follow {}, {} device{}{}; {}\n", list, named, plant.symbols.size(),
-                     lists, plant.rule->pattern, plant.units.size(), plant.units.size() == 1 ? "" : "s",
+  return fmt::format("{0}: {1}\n{0}: {2} of {3} I/O names{4} follow {5}, {6} device{7}{8}; {9}\n", list, scored,
+                     score.named, plant.symbols.size(), lists, plant.rule->pattern, plant.units.size(),
+                     plant.units.size() == 1 ? "" : "s",
                      internal == 0 ? "" : fmt::format(", {} internal row{}", internal, internal == 1 ? "" : "s"),
                      selected_text(findings));
 }
@@ -105,6 +109,7 @@ class Check {
       : options_(options),
         context_(context),
         selection_(selection_of(options)),
+        required_(min_scores_of(options)),
         fail_on_(*diag::severity_of_name(options.fail_on)),
         inputs_(options.plants) {}
 
@@ -139,11 +144,35 @@ class Check {
       if (compiled) text_ += lists_text(compiled->plant);
       text_ += diag::render_text(diagnostics.all(), {context_.colour_out && options_.output.empty(),
                                                      options_.plant.verbose ? std::size_t{0} : std::size_t{20}});
-      if (compiled) text_ += result_line(file, compiled->plant, diagnostics);
-    } else {
-      reports_.push_back({file, std::move(diagnostics), compiled.has_value()});
+    }
+    std::vector<diag::Gate> gates =
+        compiled ? look_at_score(file, compiled->plant, diagnostics) : std::vector<diag::Gate>();
+    if (options_.format != "text") {
+      reports_.push_back({file, std::move(diagnostics), compiled.has_value(), std::move(gates)});
     }
     if (compiled) context_.kept = std::make_shared<const Compiled>(std::move(*compiled));
+  }
+
+  /// Shows the score of a plant, and returns whether it is as required.
+  std::vector<diag::Gate> look_at_score(const std::string& file, const model::PlantModel& plant,
+                                        const diag::Diagnostics& findings) {
+    const score::Score score = score::score_of(plant);
+    if (options_.format == "text") {
+      text_ += score_details(plant, score, options_.plant.verbose);
+      text_ += result_lines(file, plant, score, findings);
+    } else if (options_.format == "json") {
+      scores_.push_back(score_json(file, plant, score));
+    }
+    std::vector<diag::Gate> gates;
+    for (const MinScore& required : required_) {
+      diag::Gate& gate = gates.emplace_back();
+      gate.name = "min-score " + required.written;
+      gate.failure = failed(required, score.total).value_or("");
+      if (gate.failure.empty()) continue;
+      context_.err << fmt::format("error: {}: {}\n", diag::visible(file), gate.failure);
+      context_.exit_code = std::max(context_.exit_code, int{host::kFindings});
+    }
+    return gates;
   }
 
   std::string rendered() {
@@ -156,7 +185,7 @@ class Check {
   std::string as_json() const {
     std::vector<std::span<const diag::Diagnostic>> all;
     for (const diag::Report& report : reports_) all.push_back(report.findings.all());
-    return diag::render_json(all, left_out_) + "\n";
+    return diag::render_json(all, left_out_, scores_) + "\n";
   }
 
   std::string as_sarif() const {
@@ -183,9 +212,11 @@ class Check {
   const CheckOptions& options_;
   Context& context_;
   findings::Selection selection_;
+  std::vector<MinScore> required_;
   diag::Severity fail_on_;
   std::vector<std::string> inputs_;
   std::vector<diag::Report> reports_;
+  std::vector<std::string> scores_;  ///< of plants that could be read, as JSON
   diag::LeftOut left_out_;
   std::string text_;
 };
@@ -215,6 +246,13 @@ void add_check(CLI::App& app, Context& context) {
       ->add_option("--ignore", options->ignore,
                    "do not report these rules; of --select and --ignore the more specific one applies")
       ->type_name("RULE,..")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--min-score", options->min_score,
+                   "exit code 1 if less than this share of the BOOL I/O symbols is paired or accounted for: "
+                   "paired=0.3,accounted=80%")
+      ->type_name("SCORE,..")
       ->delimiter(',')
       ->allow_extra_args(false);
   add_plant_options(*command, options->plant);

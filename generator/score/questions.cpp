@@ -1,0 +1,120 @@
+// Looks for healthy words at the ends of names and comments.
+#include "score/questions.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "name/naming_parts.hpp"
+#include "name/vocabulary.hpp"
+#include "text/folding.hpp"
+
+namespace symplant::score {
+namespace {
+
+/// A separator for patterns that has no meaning in them.
+char separator_of(const name::Naming& naming) {
+  constexpr std::string_view kUsual = "_ -./:";
+  const std::size_t found = kUsual.find_first_of(naming.separators);
+  return found == kUsual.npos ? '_' : kUsual[found];
+}
+
+/// The healthy words of the vocabulary, cut into words as the naming rule cuts texts.
+class HealthyWords {
+ public:
+  HealthyWords(const name::Separators& separators, char separator) {
+    name::PreparedText text;
+    for (const std::string_view word : name::built_in_words().healthy) {
+      std::string& written = texts_.emplace_back(text::normal_form(word));
+      std::replace(written.begin(), written.end(), ' ', separator);
+      text.prepare(written, separators);
+      Phrase phrase{texts_.size() - 1, words_of(text)};
+      by_last_[phrase.words.back()].push_back(std::move(phrase));
+    }
+  }
+
+  const std::vector<std::string>& texts() const { return texts_; }
+
+  /// The index of the longest one at the end of a text.
+  std::optional<std::size_t> at_end(const name::PreparedText& text) const {
+    if (text.words().empty()) return std::nullopt;
+    const name::Word& last = text.words().back();
+    const auto found = by_last_.find(std::string(text.folded().substr(last.begin, last.end - last.begin)));
+    if (found == by_last_.end()) return std::nullopt;
+    const std::vector<std::string> words = words_of(text);
+    const Phrase* longest = nullptr;
+    for (const Phrase& phrase : found->second) {
+      const bool longer = longest == nullptr || phrase.words.size() > longest->words.size();
+      if (longer && phrase.words.size() <= words.size() &&
+          std::equal(phrase.words.rbegin(), phrase.words.rend(), words.rbegin())) {
+        longest = &phrase;
+      }
+    }
+    return longest == nullptr ? std::nullopt : std::optional(longest->index);
+  }
+
+ private:
+  struct Phrase {
+    std::size_t index;
+    std::vector<std::string> words;
+  };
+
+  static std::vector<std::string> words_of(const name::PreparedText& text) {
+    std::vector<std::string> words;
+    for (const name::Word& word : text.words()) {
+      words.emplace_back(text.folded().substr(word.begin, word.end - word.begin));
+    }
+    return words;
+  }
+
+  std::vector<std::string> texts_;
+  std::unordered_map<std::string, std::vector<Phrase>> by_last_;
+};
+
+/// Whether an answer could account for the symbol.
+bool may_be_constant(const model::Symbol& symbol, Verdict verdict) {
+  return symbol.direction == tables::Direction::event &&
+         (verdict == Verdict::no_operation || verdict == Verdict::no_rule || verdict == Verdict::role_none);
+}
+
+}  // namespace
+
+std::string Questions::rule() const {
+  std::string all;  // no word of the vocabulary has a character that patterns or JSON read as syntax
+  for (const std::string& word : words) all.append(all.empty() ? "" : "|").append(word);
+  return R"-({ "name": "healthy", "side": "event", "pattern": "*)-" + std::string(1, separator) + "(" + all +
+         R"-()", "role": "constant", "value": true })-";
+}
+
+Questions questions_of(const model::PlantModel& plant, const Score& score) {
+  const name::Naming plain;
+  std::optional<const name::CompiledNaming::Parts> plain_parts;
+  if (plant.reader == nullptr) plain_parts.emplace(plain);
+  const name::Naming& naming = plant.reader != nullptr ? plant.reader->naming().naming() : plain;
+  const name::CompiledNaming::Parts& parts = plain_parts ? *plain_parts : plant.reader->naming().parts();
+  const char separator = separator_of(naming);
+  const HealthyWords healthy(parts.separators, separator);
+  std::vector<bool> found(healthy.texts().size());
+  Shapes shapes(plant);
+  name::PreparedText text;
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    if (!may_be_constant(plant.symbols[i], score.verdicts[i])) continue;
+    for (const std::string_view written : {plant.symbols[i].name(), plant.symbols[i].row->comment}) {
+      std::string normal = name::normalised(written, naming.normalise, parts.vocabulary, parts.separators);
+      parts.replace.apply(normal);
+      text.prepare(normal, parts.separators);
+      const auto word = healthy.at_end(text);
+      if (!word) continue;
+      found[*word] = true;
+      shapes.add(i, score.verdicts[i]);
+      break;
+    }
+  }
+  Questions questions{shapes.take(), {}, separator};
+  for (std::size_t w = 0; w < found.size(); ++w) {
+    if (found[w]) questions.words.push_back(healthy.texts()[w]);
+  }
+  return questions;
+}
+
+}  // namespace symplant::score

@@ -1,0 +1,24 @@
+// Events that are probably on in a healthy plant. They are asked for, never guessed.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "score/shapes.hpp"
+
+namespace symplant::score {
+
+struct Questions {
+  std::vector<Shape> shapes;       ///< the most frequent first
+  std::vector<std::string> words;  ///< healthy words at the ends of the texts, in the order of the vocabulary
+  char separator = '_';            ///< one that the naming rule knows
+
+  /// For `rest` of naming.json: a rule that makes all these events constant.
+  std::string rule() const;
+};
+
+/// Events that are not accounted for and whose name or comment ends in a healthy word. O(symbols).
+Questions questions_of(const model::PlantModel& plant, const Score& score);
+
+}  // namespace symplant::score

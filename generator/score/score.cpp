@@ -1,0 +1,107 @@
+// Gives each symbol its verdict.
+#include "score/score.hpp"
+
+#include "base/large_memory.hpp"
+#include "score/paired_by_task.hpp"
+
+namespace symplant::score {
+namespace {
+
+using model::Symbol;
+using model::Unmodelled;
+
+Verdict verdict_of_unpaired(const Symbol& symbol) {
+  return symbol.direction == tables::Direction::operation ? Verdict::no_event : Verdict::no_operation;
+}
+
+/// Of a symbol that a custom naming rule accounts for as `account`.
+Verdict verdict_of(pairing::Account account, const Symbol& symbol) {
+  switch (account) {
+    case pairing::Account::paired:
+      return symbol.unmodelled == Unmodelled::modelled ? Verdict::paired : Verdict::unit_too_large;
+    case pairing::Account::constant:
+      return Verdict::constant;
+    case pairing::Account::operator_panel:
+      return Verdict::operator_panel;
+    case pairing::Account::data:
+      return Verdict::data;
+    case pairing::Account::none:
+      return Verdict::role_none;
+    case pairing::Account::unpaired:
+      return verdict_of_unpaired(symbol);
+    case pairing::Account::ignored:
+      return Verdict::not_counted;
+    case pairing::Account::no_rule:
+      return Verdict::no_rule;
+    case pairing::Account::no_direction:
+      return Verdict::no_direction;
+    case pairing::Account::internal:
+      return Verdict::named_internal;
+  }
+  return Verdict::no_rule;
+}
+
+/// Whether it is a contact with an initial value that nothing changes.
+bool keeps_its_value(const model::PlantModel& plant, std::uint32_t index) {
+  const Symbol& symbol = plant.symbols[index];
+  if (symbol.direction == tables::Direction::operation || symbol.initial == 0) return false;
+  const model::Unit& unit = plant.units[symbol.unit];
+  for (std::uint32_t event = 0; event < unit.events.size(); ++event) {
+    if (unit.events[event] == index) return !unit.moves_event(event);
+  }
+  return false;
+}
+
+/// Under the built-in rule.
+Verdict verdict_by_task(const model::PlantModel& plant, std::uint32_t index, bool paired) {
+  const Symbol& symbol = plant.symbols[index];
+  switch (symbol.unmodelled) {
+    case Unmodelled::modelled:
+      return paired ? Verdict::paired : keeps_its_value(plant, index) ? Verdict::constant : verdict_of_unpaired(symbol);
+    case Unmodelled::task_taken:
+      return Verdict::task_taken;
+    case Unmodelled::unit_too_large:
+      return Verdict::unit_too_large;
+    default:
+      return Verdict::no_rule;
+  }
+}
+
+}  // namespace
+
+std::string_view verdict_key(Verdict verdict) {
+  constexpr std::array<std::string_view, kVerdicts> kKeys = {
+      "not_counted",  "paired",   "constant",   "operator",       "data",           "no_rule",  "no_direction",
+      "no_operation", "no_event", "task_taken", "unit_too_large", "named_internal", "role_none"};
+  return kKeys[static_cast<std::size_t>(verdict)];
+}
+
+std::size_t Counts::accounted() const {
+  return paired() + of(Verdict::constant) + of(Verdict::operator_panel) + of(Verdict::data);
+}
+
+std::size_t Counts::open() const {
+  std::size_t count = 0;
+  for (auto v = static_cast<std::size_t>(Verdict::no_rule); v < kVerdicts; ++v) count += by_verdict_[v];
+  return count;
+}
+
+Score score_of(const model::PlantModel& plant) {
+  Score score;
+  base::reserve_large(score.verdicts, plant.symbols.size());
+  const bool by_task = plant.pairing == nullptr;
+  const std::vector<bool> paired = by_task ? paired_by_task(plant) : std::vector<bool>();
+  for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
+    const Symbol& symbol = plant.symbols[i];
+    Verdict verdict = Verdict::not_counted;
+    if (symbol.type == tables::DataType::boolean) {
+      verdict = by_task ? verdict_by_task(plant, i, paired[i]) : verdict_of(plant.pairing->accounts[i], symbol);
+    }
+    if (symbol.reading.fault == name::NameFault::none) ++score.named;
+    score.total.add(verdict);
+    score.verdicts.push_back(verdict);
+  }
+  return score;
+}
+
+}  // namespace symplant::score
