@@ -88,10 +88,10 @@ std::string Questions::rule() const {
 
 Questions questions_of(const model::PlantModel& plant, const Score& score) {
   const name::Naming plain;
-  std::optional<const name::CompiledNaming::Parts> plain_parts;
+  std::optional<const name::NamingParts> plain_parts;
   if (plant.reader == nullptr) plain_parts.emplace(plain);
   const name::Naming& naming = plant.reader != nullptr ? plant.reader->naming().naming() : plain;
-  const name::CompiledNaming::Parts& parts = plain_parts ? *plain_parts : plant.reader->naming().parts();
+  const name::NamingParts& parts = plain_parts ? *plain_parts : plant.reader->naming().parts();
   const char separator = separator_of(naming);
   const HealthyWords healthy(parts.separators, separator);
   std::vector<bool> found(healthy.texts().size());
