@@ -103,8 +103,10 @@ class ReportWriter {
 
   void left_over() {
     const std::size_t left = report_.score.counted - report_.score.accounted;
-    shapes(fmt::format("left over: {} of {} symbols ({} accounted for); the commonest texts, digits as #:",
-                       grouped(left), grouped(report_.score.counted), percent(report_.score.accounted_share())),
+    const std::string asked =
+        report_.asked == 0 ? "" : fmt::format(", {} of them in questions", grouped(report_.asked));
+    shapes(fmt::format("left over: {} of {} symbols{} ({} accounted for); the commonest texts, digits as #:",
+                       grouped(left), grouped(report_.score.counted), asked, percent(report_.score.accounted_share())),
            report_.left_over);
   }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "infer/causes.hpp"
@@ -64,7 +65,9 @@ struct Skeleton {
   std::string operation;
   std::string event;
 
-  friend auto operator<=>(const Skeleton&, const Skeleton&) = default;
+  friend bool operator<(const Skeleton& a, const Skeleton& b) {
+    return std::tie(a.operation, a.event) < std::tie(b.operation, b.event);
+  }
 };
 
 std::vector<Skeleton> skeletons_of(const Tokens& operation, const Tokens& event) {
@@ -293,14 +296,14 @@ std::vector<FoundArchetype> archetypes_of(const Applied& applied, std::span<cons
 name::Naming with_archetypes(const name::Naming& naming, std::span<const Sample> samples,
                              std::vector<std::string>& steps) {
   const auto before = compiled(naming);
-  const Applied applied = apply(before, samples);
+  const Applied applied = apply_rule(before, samples);
   std::vector<FoundArchetype> found = archetypes_of(applied, samples, *before);
   if (found.size() > kMostArchetypes) found.resize(kMostArchetypes);
   name::Naming all = naming;
   for (const FoundArchetype& one : found) add_named(one.archetype, all.archetypes);
   const auto with = compiled(all);
   if (with == nullptr) return naming;
-  const Applied after = apply(with, samples);
+  const Applied after = apply_rule(with, samples);
   std::vector<std::size_t> used(all.archetypes.size());
   for (const pairing::Facet& facet : after.pairing.facets) {
     if (facet.by == pairing::FacetBy::archetype) used[facet.archetype] += facet.members.size();

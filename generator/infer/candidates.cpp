@@ -130,11 +130,11 @@ class CandidateFinder {
       if (is_number(word) || word.size() < 2) continue;
       Shape& shape = shapes[shape_of(word)];
       shape.sides.add(text.operation);
-      std::string path = word;
+      std::string path;
       for (std::size_t i = 0; i < position; ++i) {
-        if (!is_marked(i)) path = text.words[i] + "_" + path;
+        if (!is_marked(i)) path.append(text.words[i]).append("_");
       }
-      shape.devices.insert(std::move(path));
+      shape.devices.insert(path.append(word));
     }
     std::string expression;
     std::size_t support = 0;

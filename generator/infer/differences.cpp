@@ -53,6 +53,7 @@ class Miner {
     const std::vector<std::string>& words = words_[text].words;
     if (words.size() > 16) return;
     std::vector<std::string> keys;
+    keys.reserve(words.size());
     for (const std::string& word : words) keys.push_back(compared(word, vocabulary_));
     const auto add = [&](std::size_t begin, std::size_t count) {
       if (words.size() - count < limits_.least_common) return;

@@ -15,7 +15,7 @@ Score score_of(const pairing::Pairing& pairing, std::span<const Sample> samples)
   return score;
 }
 
-Applied apply(std::shared_ptr<const name::CompiledNaming> naming, std::span<const Sample> samples) {
+Applied apply_rule(const std::shared_ptr<const name::CompiledNaming>& naming, std::span<const Sample> samples) {
   Applied applied;
   applied.reader = std::make_unique<name::SymbolReader>(naming);
   applied.readings.reserve(samples.size());

@@ -49,6 +49,6 @@ struct Applied {
 };
 
 /// O(samples) for usual rules.
-Applied apply(std::shared_ptr<const name::CompiledNaming> naming, std::span<const Sample> samples);
+Applied apply_rule(const std::shared_ptr<const name::CompiledNaming>& naming, std::span<const Sample> samples);
 
 }  // namespace symplant::infer

@@ -110,7 +110,7 @@ Merit merit_on(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   if (compiled == nullptr) return {};
-  const Applied applied = apply(compiled, samples);
+  const Applied applied = apply_rule(compiled, samples);
   std::set<std::string_view> devices;
   for (const pairing::Facet& facet : applied.pairing.facets) devices.insert(facet.path);
   return {applied.score, devices.size()};
@@ -119,7 +119,7 @@ Merit merit_on(const name::Naming& naming, std::span<const Sample> samples) {
 Score score_on(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
-  return compiled == nullptr ? Score() : apply(compiled, samples).score;
+  return compiled == nullptr ? Score() : apply_rule(compiled, samples).score;
 }
 
 /// The best rule that the search finds from its different starts.
@@ -152,7 +152,7 @@ name::Naming pruned(name::Naming naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   if (compiled == nullptr) return naming;
-  const Applied applied = apply(compiled, samples);
+  const Applied applied = apply_rule(compiled, samples);
   const std::vector<std::size_t>& matched = applied.reader->matched();
   std::vector<name::SymbolRule> kept;
   for (std::size_t i = 0; i < naming.rules.size(); ++i) {

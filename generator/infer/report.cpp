@@ -40,6 +40,13 @@ bool ReportInput::is_left_over(std::uint32_t sample) const {
   return samples[sample].boolean && account > pairing::Account::none && account != pairing::Account::ignored;
 }
 
+bool ReportInput::is_asked(std::uint32_t sample) const {
+  if (is_operation(sample) || !samples[sample].boolean) return false;
+  // Role `none`: the proposal leaves these contacts to the questions.
+  if (applied.pairing.accounts[sample] != pairing::Account::none && !is_left_over(sample)) return false;
+  return (texts.kinds(sample) & kHealthyText) != 0;
+}
+
 bool Report::names_do_not_link() const {
   constexpr std::size_t kLeast = 5;     // outputs that are worth a sentence
   constexpr std::size_t kFewPairs = 8;  // fewer than one of so many
@@ -51,7 +58,7 @@ Report report_of(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   if (compiled == nullptr) return report;
-  const Applied applied = apply(compiled, samples);
+  const Applied applied = apply_rule(compiled, samples);
   ReportTexts texts(*compiled, samples, applied.readings);
   const ReportInput input{*compiled, samples, applied, texts};
   report.score = applied.score;
@@ -67,7 +74,7 @@ Report report_of(const name::Naming& naming, std::span<const Sample> samples) {
 Score score_of(const name::Naming& naming, std::span<const Sample> samples) {
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
-  return compiled == nullptr ? Score() : apply(compiled, samples).score;
+  return compiled == nullptr ? Score() : apply_rule(compiled, samples).score;
 }
 
 name::Naming with_answers(const name::Naming& naming, const Report& report, const std::set<std::size_t>& refused,
@@ -82,8 +89,8 @@ name::Naming with_answers(const name::Naming& naming, const Report& report, cons
   }
   remove_at(result.rules, rules);
   remove_at(result.archetypes, archetypes);
-  auto front = result.rules.begin();
-  for (const std::size_t index : accepted) front = std::next(result.rules.insert(front, report.questions[index].rule));
+  auto front = result.rest.begin();
+  for (const std::size_t index : accepted) front = std::next(result.rest.insert(front, report.questions[index].rule));
   return result;
 }
 

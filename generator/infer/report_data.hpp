@@ -44,7 +44,7 @@ struct TextShape {
   name::Source source{};
 };
 
-/// A contact that may be on in a healthy plant: `rule` would make it a constant.
+/// A contact that may be on in a healthy plant: `rule`, for Naming::rest, makes it a constant.
 struct Question {
   TextShape shape;
   name::SymbolRule rule;
@@ -81,8 +81,9 @@ struct Report {
   std::vector<Correspondence> correspondences;  ///< the one that links most first
   std::vector<Question> questions;              ///< the commonest first
   std::size_t more_questions = 0;               ///< shapes that are not among them
-  Shapes left_over;
-  Shapes direction_conflicts;  ///< names that say the other side than the address
+  std::size_t asked = 0;                        ///< symbols of all questions
+  Shapes left_over;                             ///< without those of questions
+  Shapes direction_conflicts;                   ///< names that say the other side than the address
   std::vector<NearMiss> near_misses;
   std::vector<OpenLink> open_links;
 

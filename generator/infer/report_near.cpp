@@ -158,6 +158,7 @@ class NearMisses {
 
   std::vector<std::string> shown(const std::vector<std::uint32_t>& samples) const {
     std::vector<std::string> texts;
+    texts.reserve(samples.size());
     for (const std::uint32_t sample : samples) texts.push_back(input_.texts.shown(sample));
     return texts;
   }

@@ -18,6 +18,8 @@ struct ReportInput {
   /// Whether nothing accounts for a symbol, and it is not set aside.
   bool is_left_over(std::uint32_t sample) const;
   bool is_operation(std::uint32_t sample) const;
+  /// Whether it is an event that nothing accounts for, whose words say that it is on in a healthy plant.
+  bool is_asked(std::uint32_t sample) const;
 };
 
 std::vector<Correspondence> correspondences_of(const ReportInput& input);

@@ -75,7 +75,7 @@ name::SymbolRule constant_rule(const TextShape& shape, bool all_have_addresses) 
 void add_left_over(const ReportInput& input, Report& report) {
   ShapeCounter shapes(input);
   for (std::uint32_t i = 0; i < input.samples.size(); ++i) {
-    if (input.is_left_over(i)) shapes.add(i);
+    if (input.is_left_over(i) && !input.is_asked(i)) shapes.add(i);
   }
   report.left_over = first_of(shapes.take());
 }
@@ -93,20 +93,13 @@ void add_direction_conflicts(const ReportInput& input, Report& report) {
 void add_questions(const ReportInput& input, Report& report) {
   ShapeCounter shapes(input);
   bool all_have_addresses = true;
-  std::map<std::string, bool> linked;  // shapes of linked events: a constant would take them
   for (std::uint32_t i = 0; i < input.samples.size(); ++i) {
-    if (input.is_operation(i) || !input.samples[i].boolean) continue;
-    const bool paired = input.applied.pairing.accounts[i] == pairing::Account::paired;
-    if ((!paired && !input.is_left_over(i)) || (input.texts.kinds(i) & kHealthyText) == 0) continue;
-    if (paired) {
-      linked.emplace(shape_of(input.texts.normal(i)), true);
-    } else {
-      shapes.add(i);
-      all_have_addresses = all_have_addresses && input.samples[i].text.address.has_value();
-    }
+    if (!input.is_asked(i)) continue;
+    shapes.add(i);
+    ++report.asked;
+    all_have_addresses = all_have_addresses && input.samples[i].text.address.has_value();
   }
   for (TextShape& shape : shapes.take()) {
-    if (linked.contains(shape.text)) continue;
     if (report.questions.size() == kMostQuestions) {
       ++report.more_questions;
       continue;

@@ -5,10 +5,11 @@
 #include <array>
 #include <utility>
 
-#include "infer/causes.hpp"
 #include "infer/words.hpp"
 #include "name/prepared_text.hpp"
+#include "name/required_words.hpp"
 #include "name/vocabulary.hpp"
+#include "text/utf8.hpp"
 
 namespace symplant::infer {
 namespace {
@@ -32,21 +33,63 @@ std::string without_digits(const std::vector<std::string>& words) {
   return text;
 }
 
-std::uint8_t kinds_of(const std::vector<std::string>& words, const name::Vocabulary& vocabulary) {
-  const name::BuiltInWords& known = name::built_in_words();
-  std::uint8_t kinds = 0;
-  const auto add = [&](std::uint8_t kind, std::span<const std::string_view> list) {
-    if (has_word(words, list, vocabulary)) kinds = static_cast<std::uint8_t>(kinds | kind);
+/// The lists of words that make a kind, by what has to be looked for.
+class KindWords {
+ public:
+  KindWords() {
+    const name::BuiltInWords& known = name::built_in_words();
+    add(kPanelText, known.panel);
+    add(kInterlockText, known.interlock);
+    add(kStartText, known.start);
+    add(kDoneText, known.done);
+    add(kAnswerText, known.echo);
+    add(kAnswerText, known.reset);
+    add(kHealthyText, known.healthy);
+    add(kAlarm, known.alarm);
+  }
+
+  std::uint8_t of(const std::vector<std::string>& words, const name::Vocabulary& vocabulary) const {
+    unsigned kinds = 0;
+    bool ascii = true;
+    const auto look_for = [&](const Words& list) {
+      for (const auto& [word, kind] : list) kinds |= contains(words, word, vocabulary) ? kind : 0U;
+    };
+    for (const std::string& word : words) {
+      ascii = ascii && std::all_of(word.begin(), word.end(), [](char c) { return static_cast<signed char>(c) >= 0; });
+      const auto found = words_.find(std::string_view(word).substr(0, word.find_last_not_of("0123456789") + 1));
+      if (found == words_.end()) continue;
+      kinds |= found->second.kinds;
+      look_for(found->second.phrases);
+    }
+    if (!ascii) look_for(within_);
+    if ((kinds & kAlarm) != 0) kinds &= ~unsigned{kHealthyText};
+    return static_cast<std::uint8_t>(kinds & ~kAlarm);
+  }
+
+ private:
+  static constexpr unsigned kAlarm = 64;
+  using Words = std::vector<std::pair<std::string_view, unsigned>>;
+  struct Found {
+    unsigned kinds = 0;
+    Words phrases;  ///< that begin with the word
   };
-  add(kPanelText, known.panel);
-  add(kInterlockText, known.interlock);
-  add(kStartText, known.start);
-  add(kDoneText, known.done);
-  add(kAnswerText, known.echo);
-  add(kAnswerText, known.reset);
-  if (!has_word(words, known.alarm, vocabulary)) add(kHealthyText, known.healthy);
-  return kinds;
-}
+
+  void add(unsigned kind, std::span<const std::string_view> list) {
+    for (const std::string_view known : list) {
+      const std::size_t blank = known.find(' ');
+      if (blank != std::string_view::npos) {
+        words_[known.substr(0, blank)].phrases.emplace_back(known, kind);
+      } else if (text::code_point_at(known, 0).value >= name::kFirstWithoutBlanks) {
+        within_.emplace_back(known, kind);
+      } else {
+        words_[known].kinds |= kind;
+      }
+    }
+  }
+
+  std::unordered_map<std::string_view, Found> words_;
+  Words within_;  ///< of scripts without blanks
+};
 
 }  // namespace
 
@@ -56,7 +99,8 @@ ReportTexts::ReportTexts(const name::CompiledNaming& naming, std::span<const Sam
       samples_(samples),
       separators_(naming.naming().separators),
       replacements_(replacements_of(naming.naming())),
-      sources_(samples.size(), name::Source::name) {
+      sources_(samples.size(), name::Source::name),
+      kinds_(samples.size()) {
   std::array<std::size_t, 4> counts{};
   const auto is_read = [&](std::size_t i) { return readings[i].outcome == name::Outcome::read; };
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -112,10 +156,14 @@ std::vector<std::string> ReportTexts::words(std::uint32_t sample) const {
 }
 
 std::uint8_t ReportTexts::kinds(std::uint32_t sample) {
+  static const KindWords kWords;
+  std::optional<std::uint8_t>& kinds = kinds_[sample];
+  if (kinds) return *kinds;
   const std::vector<std::string> own = words(sample);
-  const auto [known, added] = kinds_.emplace(without_digits(own), std::uint8_t{0});
-  if (added) known->second = kinds_of(own, naming_.vocabulary());
-  return known->second;
+  const auto [known, added] = kinds_of_words_.emplace(without_digits(own), std::uint8_t{0});
+  if (added) known->second = kWords.of(own, naming_.vocabulary());
+  kinds = known->second;
+  return *kinds;
 }
 
 }  // namespace symplant::infer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,7 +49,8 @@ class ReportTexts {
   name::Separators separators_;
   name::Replacements replacements_;
   std::vector<name::Source> sources_;
-  std::unordered_map<std::string, std::uint8_t> kinds_;  // by words without digits
+  std::vector<std::optional<std::uint8_t>> kinds_;                // of each sample, once asked for
+  std::unordered_map<std::string, std::uint8_t> kinds_of_words_;  // words without digits
 };
 
 }  // namespace symplant::infer

@@ -90,7 +90,7 @@ name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samp
   std::vector<name::NamingFault> faults;
   const auto compiled = name::CompiledNaming::compile(naming, faults);
   if (compiled == nullptr) return naming;
-  const Applied applied = apply(compiled, samples);
+  const Applied applied = apply_rule(compiled, samples);
   name::Naming result = naming;
   for (const name::Source source : {name::Source::comment, name::Source::name}) {
     const std::vector<SampleWords> texts = words_of(samples, source, naming, compiled->vocabulary());

@@ -90,6 +90,7 @@ class TaskMiner {
       add_cuts(index, task.operation ? operations : events);
     }
     std::vector<std::pair<std::string_view, const std::vector<TaskCut>*>> ordered;
+    ordered.reserve(operations.size());
     for (const auto& [key, cuts] : operations) ordered.emplace_back(key, &cuts);
     std::sort(ordered.begin(), ordered.end());
     for (const auto& [key, cuts] : ordered) {
@@ -105,8 +106,9 @@ class TaskMiner {
   void add_cuts(std::uint32_t index, std::unordered_map<std::string, std::vector<TaskCut>>& cuts) const {
     const std::vector<TaskToken>& tokens = tasks_[index].tokens;
     std::vector<std::uint8_t> removable;
-    for (std::uint8_t i = 0; i < tokens.size(); ++i) {
-      if (!counts(tokens[i].word) && !vocabulary_.motion(tokens[i].word)) removable.push_back(i);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      if (counts(tokens[i].word) || vocabulary_.motion(tokens[i].word)) continue;
+      removable.push_back(static_cast<std::uint8_t>(i));
     }
     const auto add_cut = [&](TaskCut cut) { cuts[key_of(tokens, cut)].push_back(cut); };
     add_cut({index, {}, 0});

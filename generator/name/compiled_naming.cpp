@@ -144,8 +144,8 @@ class AnyField : public FieldTest {
 }  // namespace
 
 struct ArchetypeText::Work {
-  const Pattern* pattern;
-  const Separators* separators;
+  const Pattern* pattern = nullptr;
+  const Separators* separators = nullptr;
   PreparedText text;
 };
 

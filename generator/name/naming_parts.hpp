@@ -50,7 +50,7 @@ class RuleFields : public FieldTest {
 };
 
 struct CompiledPattern {
-  Source source;
+  Source source = Source::name_then_comment;
   Pattern pattern;
 };
 

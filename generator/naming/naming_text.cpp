@@ -172,6 +172,7 @@ class Lines {
 template <class Values, class ToJson>
 std::vector<Json> jsons(const Values& values, ToJson to_json) {
   std::vector<Json> all;
+  all.reserve(values.size());
   for (const auto& value : values) all.push_back(to_json(value));
   return all;
 }

@@ -52,7 +52,7 @@ std::vector<std::string> pairs(const name::Naming& naming, const Lines& lines) {
   const Samples samples(lines);
   const std::span<const Sample> all = samples;
   std::vector<name::NamingFault> faults;
-  const Applied applied = apply(name::CompiledNaming::compile(naming, faults), all);
+  const Applied applied = apply_rule(name::CompiledNaming::compile(naming, faults), all);
   std::vector<std::string> found;
   for (const pairing::Facet& facet : applied.pairing.facets) {
     for (const pairing::Member& a : facet.members) {

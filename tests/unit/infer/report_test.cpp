@@ -127,14 +127,36 @@ TEST_CASE("Report: Contacts that may be on in a healthy plant are questions, and
   CHECK(report.questions[0].shape.text == "S#_RB# AIR OK");
   CHECK(report.questions[0].shape.count == 3);
   const name::Naming with = with_answers(robot_rule(), report, {}, {0});
-  CHECK(with.rules.front().role == name::Role::constant);
+  REQUIRE(with.rest.size() == 1);
+  CHECK(with.rest.front().role == name::Role::constant);
+  CHECK(report.asked == 3);
+  CHECK(report.left_over.shown.size() == 1);
   CHECK(score_of(with, samples).paired == report.score.paired);
   CHECK(score_of(with, samples).accounted == report.score.accounted + 3);
 }
 
-TEST_CASE("Report: Alarms and shapes of linked events are no questions") {
-  const Samples samples({"I S1_RB1 AIR FAULT", "Q S1_RB1 READY", "I S1_RB1 READY", "I S1_RB2 READY"});
-  CHECK(report_of(robot_rule(), samples).questions.empty());
+TEST_CASE("Report: Alarms are no questions") {
+  CHECK(report_of(robot_rule(), Samples({"I S1_RB1 AIR FAULT"})).questions.empty());
+}
+
+TEST_CASE("Report: A constant takes no linked event of its shape") {
+  const Samples samples({"Q S1_RB1 READY", "I S1_RB1 READY", "I S1_RB2 READY"});
+  const Report report = report_of(robot_rule(), samples);
+  REQUIRE(report.questions.size() == 1);
+  CHECK(report.questions[0].shape.count == 1);
+  const Score score = score_of(with_answers(robot_rule(), report, {}, {0}), samples);
+  CHECK(score.paired == 2);
+  CHECK(score.accounted == 3);
+}
+
+TEST_CASE("Report: Contacts that the rule leaves to questions are asked for") {
+  name::Naming naming = robot_rule();
+  naming.rest.push_back(rule_of("*_OK"));
+  naming.rest.back().role = name::Role::none;
+  const Samples samples(robots());
+  const Report report = report_of(naming, samples);
+  REQUIRE(report.questions.size() == 1);
+  CHECK(score_of(with_answers(naming, report, {}, {0}), samples).accounted == report.score.accounted + 3);
 }
 
 TEST_CASE("Report: What is left over is counted by shape") {
