@@ -37,8 +37,8 @@ class ScoreWriter {
     write_parts("lines", Level::line);
     write_parts("stations", Level::station);
     write_parts("devices", Level::device);
-    json_.key("in_the_way");
-    write_shapes(score::open_shapes(plant_, score_));
+    json_.key("left_over");
+    write_shapes(score::left_over_shapes(plant_, score_));
     write_questions();
     json_.end_object();
     json_.end_object();
@@ -54,11 +54,11 @@ class ScoreWriter {
       json_.member(score::verdict_key(verdict), counts.of(verdict));
     }
     json_.member("accounted", counts.accounted());
-    json_.key("open");
+    json_.key("left_over");
     json_.begin_object();
     for (std::size_t v = 0; v < score::kVerdicts; ++v) {
       const auto verdict = static_cast<Verdict>(v);
-      if (score::is_open(verdict) && counts.of(verdict) != 0) {
+      if (score::is_left_over(verdict) && counts.of(verdict) != 0) {
         json_.member(score::verdict_key(verdict), counts.of(verdict));
       }
     }

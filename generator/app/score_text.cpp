@@ -66,25 +66,26 @@ std::string rest_of(std::size_t count, std::string_view one, std::string_view se
 std::string stations_text(const model::PlantModel& plant, const score::Score& score) {
   std::vector<score::Part> stations = score::parts_of(plant, score, score::Level::station);
   if (stations.size() < 2) return "";
-  std::stable_sort(stations.begin(), stations.end(),
-                   [](const score::Part& a, const score::Part& b) { return a.counts.open() > b.counts.open(); });
+  std::stable_sort(stations.begin(), stations.end(), [](const score::Part& a, const score::Part& b) {
+    return a.counts.left_over() > b.counts.left_over();
+  });
   std::string text =
-      fmt::format("  {:<24} {:>8} {:>8} {:>14} {:>6}\n", "station", "symbols", "paired", "accounted for", "open");
+      fmt::format("  {:<24} {:>8} {:>8} {:>14} {:>10}\n", "station", "symbols", "paired", "accounted for", "left over");
   for (std::size_t i = 0; i < std::min(stations.size(), kMostStations); ++i) {
     const score::Counts& counts = stations[i].counts;
     const std::string name = stations[i].station();
-    text += fmt::format("  {:<24} {:>8} {:>6} % {:>12} % {:>6}\n", name.empty() ? "(none)" : diag::visible(name),
+    text += fmt::format("  {:<24} {:>8} {:>6} % {:>12} % {:>10}\n", name.empty() ? "(none)" : diag::visible(name),
                         counts.counted(), percent(counts.paired(), counts.counted()),
-                        percent(counts.accounted(), counts.counted()), counts.open());
+                        percent(counts.accounted(), counts.counted()), counts.left_over());
   }
   return text + rest_of(stations.size() - std::min(stations.size(), kMostStations), "station", "stations", "");
 }
 
-std::string open_text(const model::PlantModel& plant, const score::Score& score, std::size_t most) {
-  const std::vector<Shape> shapes = score::open_shapes(plant, score);
+std::string left_over_text(const model::PlantModel& plant, const score::Score& score, std::size_t most) {
+  const std::vector<Shape> shapes = score::left_over_shapes(plant, score);
   if (shapes.empty()) return "";
-  std::string text = "  in the way, the most symbols first:\n";
-  std::size_t left = score.total.open();
+  std::string text = "  left over, the most frequent shapes first; # is a number:\n";
+  std::size_t left = score.total.left_over();
   const std::size_t shown = std::min(shapes.size(), most);
   for (std::size_t i = 0; i < shown; ++i) {
     const Shape& shape = shapes[i];
@@ -125,8 +126,8 @@ std::string score_text(const score::Counts& counts) {
 }
 
 std::string score_details(const model::PlantModel& plant, const score::Score& score, bool verbose) {
-  if (!verbose) return plant.reader == nullptr ? "" : open_text(plant, score, kMostShapes);
-  return stations_text(plant, score) + open_text(plant, score, kMostShapesVerbose) + questions_text(plant, score);
+  if (!verbose) return plant.reader == nullptr ? "" : left_over_text(plant, score, kMostShapes);
+  return stations_text(plant, score) + left_over_text(plant, score, kMostShapesVerbose) + questions_text(plant, score);
 }
 
 }  // namespace symplant::app

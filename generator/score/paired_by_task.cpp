@@ -49,8 +49,8 @@ class TaskPairs {
       for (std::uint32_t i = 0; i < unit.events.size(); ++i) mark(unit.events, i);
       return;
     }
-    if (unit.described == nullptr || !unit.described->only) {
-      if (unit.operations.empty() || pair_by_name(unit)) return;
+    const bool by_task = unit.described == nullptr || !unit.described->only;
+    if (by_task && !unit.operations.empty() && !pair_by_name(unit)) {
       pair_by_spring(unit);
       pair_by_sequence(unit);
       pair_by_motion(unit);

@@ -12,28 +12,18 @@
 namespace symplant::score {
 namespace {
 
-/// A separator for patterns that has no meaning in them.
-char separator_of(const name::Naming& naming) {
-  constexpr std::string_view kUsual = "_ -./:";
-  const std::size_t found = kUsual.find_first_of(naming.separators);
-  return found == kUsual.npos ? '_' : kUsual[found];
-}
-
 /// The healthy words of the vocabulary, cut into words as the naming rule cuts texts.
 class HealthyWords {
  public:
-  HealthyWords(const name::Separators& separators, char separator) {
+  explicit HealthyWords(const name::Separators& separators) {
     name::PreparedText text;
-    for (const std::string_view word : name::built_in_words().healthy) {
-      std::string& written = texts_.emplace_back(text::normal_form(word));
-      std::replace(written.begin(), written.end(), ' ', separator);
-      text.prepare(written, separators);
-      Phrase phrase{texts_.size() - 1, words_of(text)};
+    const auto& healthy = name::built_in_words().healthy;
+    for (std::size_t i = 0; i < healthy.size(); ++i) {
+      text.prepare(text::normal_form(healthy[i]), separators);
+      Phrase phrase{i, words_of(text)};
       by_last_[phrase.words.back()].push_back(std::move(phrase));
     }
   }
-
-  const std::vector<std::string>& texts() const { return texts_; }
 
   /// The index of the longest one at the end of a text.
   std::optional<std::size_t> at_end(const name::PreparedText& text) const {
@@ -67,7 +57,6 @@ class HealthyWords {
     return words;
   }
 
-  std::vector<std::string> texts_;
   std::unordered_map<std::string, std::vector<Phrase>> by_last_;
 };
 
@@ -81,8 +70,9 @@ bool may_be_constant(const model::Symbol& symbol, Verdict verdict) {
 
 std::string Questions::rule() const {
   std::string all;  // no word of the vocabulary has a character that patterns or JSON read as syntax
-  for (const std::string& word : words) all.append(all.empty() ? "" : "|").append(word);
-  return R"-({ "name": "healthy", "side": "event", "pattern": "*)-" + std::string(1, separator) + "(" + all +
+  for (const std::string_view word : words) all.append(all.empty() ? "" : "|").append(word);
+  const std::string side = by_address ? R"("side": "event", )" : "";
+  return R"-({ "name": "healthy", )-" + side + R"-("pattern": "* ()-" + all +
          R"-()", "role": "constant", "value": true })-";
 }
 
@@ -92,10 +82,11 @@ Questions questions_of(const model::PlantModel& plant, const Score& score) {
   if (plant.reader == nullptr) plain_parts.emplace(plain);
   const name::Naming& naming = plant.reader != nullptr ? plant.reader->naming().naming() : plain;
   const name::NamingParts& parts = plain_parts ? *plain_parts : plant.reader->naming().parts();
-  const char separator = separator_of(naming);
-  const HealthyWords healthy(parts.separators, separator);
-  std::vector<bool> found(healthy.texts().size());
+  const HealthyWords healthy(parts.separators);
+  const auto& known = name::built_in_words().healthy;
+  std::vector<bool> found(known.size());
   Shapes shapes(plant);
+  Questions questions;
   name::PreparedText text;
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     if (!may_be_constant(plant.symbols[i], score.verdicts[i])) continue;
@@ -107,12 +98,13 @@ Questions questions_of(const model::PlantModel& plant, const Score& score) {
       if (!word) continue;
       found[*word] = true;
       shapes.add(i, score.verdicts[i]);
+      questions.by_address = questions.by_address && plant.symbols[i].address;
       break;
     }
   }
-  Questions questions{shapes.take(), {}, separator};
-  for (std::size_t w = 0; w < found.size(); ++w) {
-    if (found[w]) questions.words.push_back(healthy.texts()[w]);
+  questions.shapes = shapes.take();
+  for (std::size_t w = 0; w < known.size(); ++w) {
+    if (found[w]) questions.words.push_back(known[w]);
   }
   return questions;
 }

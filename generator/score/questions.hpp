@@ -10,9 +10,9 @@
 namespace symplant::score {
 
 struct Questions {
-  std::vector<Shape> shapes;       ///< the most frequent first
-  std::vector<std::string> words;  ///< healthy words at the ends of the texts, in the order of the vocabulary
-  char separator = '_';            ///< one that the naming rule knows
+  std::vector<Shape> shapes;            ///< the most frequent first
+  std::vector<std::string_view> words;  ///< healthy words at the ends of the texts, in the order of the vocabulary
+  bool by_address = true;               ///< an address says that each is an event
 
   /// For `rest` of naming.json: a rule that makes all these events constant.
   std::string rule() const;

@@ -80,7 +80,7 @@ std::size_t Counts::accounted() const {
   return paired() + of(Verdict::constant) + of(Verdict::operator_panel) + of(Verdict::data);
 }
 
-std::size_t Counts::open() const {
+std::size_t Counts::left_over() const {
   std::size_t count = 0;
   for (auto v = static_cast<std::size_t>(Verdict::no_rule); v < kVerdicts; ++v) count += by_verdict_[v];
   return count;

@@ -29,7 +29,7 @@ enum class Verdict : std::uint8_t {
 };
 inline constexpr std::size_t kVerdicts = 13;
 
-constexpr bool is_open(Verdict verdict) { return verdict >= Verdict::no_rule; }
+constexpr bool is_left_over(Verdict verdict) { return verdict >= Verdict::no_rule; }
 /// The key in JSON: `no_rule`.
 std::string_view verdict_key(Verdict verdict);
 
@@ -41,8 +41,8 @@ class Counts {
   std::size_t of(Verdict verdict) const { return by_verdict_[static_cast<std::size_t>(verdict)]; }
   std::size_t paired() const { return of(Verdict::paired); }
   std::size_t accounted() const;
-  std::size_t open() const;  ///< not accounted for
-  std::size_t counted() const { return accounted() + open(); }
+  std::size_t left_over() const;  ///< not accounted for
+  std::size_t counted() const { return accounted() + left_over(); }
 
  private:
   std::array<std::uint32_t, kVerdicts> by_verdict_{};

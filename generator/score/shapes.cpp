@@ -56,10 +56,10 @@ std::vector<Shape> Shapes::take() {
   return std::move(shapes_);
 }
 
-std::vector<Shape> open_shapes(const model::PlantModel& plant, const Score& score) {
+std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const Score& score) {
   Shapes shapes(plant);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
-    if (is_open(score.verdicts[i])) shapes.add(i, score.verdicts[i]);
+    if (is_left_over(score.verdicts[i])) shapes.add(i, score.verdicts[i]);
   }
   return shapes.take();
 }

@@ -44,6 +44,6 @@ std::string_view known_text(const model::PlantModel& plant, const model::Symbol&
 bool reads_comments_only(const model::PlantModel& plant);
 
 /// The symbols that are not accounted for, those to repair first in front. O(symbols).
-std::vector<Shape> open_shapes(const model::PlantModel& plant, const Score& score);
+std::vector<Shape> left_over_shapes(const model::PlantModel& plant, const Score& score);
 
 }  // namespace symplant::score

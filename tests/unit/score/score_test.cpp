@@ -1,0 +1,62 @@
+// Tests of the counts under both naming rules.
+#include "score/score.hpp"
+
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/compile.hpp"
+
+namespace symplant::test {
+namespace {
+
+using score::Verdict;
+
+/// "no_event no_rule": the verdicts in list order.
+std::string verdicts(const Analysed& analysed) {
+  std::string text;
+  for (const Verdict verdict : score::score_of(analysed.model()).verdicts) {
+    text.append(text.empty() ? "" : " ").append(score::verdict_key(verdict));
+  }
+  return text;
+}
+
+TEST_CASE("Under the built-in rule each symbol has its verdict") {
+  std::vector<Row> rows = bits({"L_P_D_O_RUN", "L_P_D_I_RUN", "L_P_E_O_LAMP", "L_P_F_I_AIR*", "L_P_F_I_DOOR", "START"});
+  rows.push_back({"L_P_D_I_LEVEL", "", "INT", "0", "%IW9"});
+  const Analysed list = analyse_rows(rows);
+  CHECK(verdicts(list) == "paired paired no_event constant no_operation no_rule not_counted");
+  const score::Score score = score::score_of(list.model());
+  CHECK(score.total.counted() == 6);
+  CHECK(score.total.paired() == 2);
+  CHECK(score.total.accounted() == 3);
+  CHECK(score.total.left_over() == 3);
+  CHECK(score.named == 6);
+}
+
+TEST_CASE("Under a custom rule the pairing gives the verdicts") {
+  name::Naming naming;
+  naming.ignore = {"SPARE*"};
+  const auto rule = [](std::string pattern, name::Role role) {
+    name::SymbolRule one;
+    one.patterns.push_back({name::Source::name, std::move(pattern)});
+    one.role = role;
+    return one;
+  };
+  naming.rules = {rule("PB_{device}", name::Role::operator_panel), rule("OK_{device}", name::Role::constant),
+                  rule("BIT_{device}", name::Role::data), rule("NONE_{device}", name::Role::none),
+                  rule("S_{device}_{task}", name::Role::io)};
+  const std::vector<Row> rows = {{"S_A_ADV", "", "BOOL", "FALSE", "%QX0"}, {"S_A_ADV1", "", "BOOL", "FALSE", "%IX1"},
+                                 {"PB_1", "", "BOOL", "FALSE", "%IX2"},    {"OK_1", "", "BOOL", "FALSE", "%IX3"},
+                                 {"BIT_1", "", "BOOL", "FALSE", "%IX4"},   {"NONE_1", "", "BOOL", "FALSE", "%IX5"},
+                                 {"S_B_UP", "", "BOOL", "FALSE", "%QX6"},  {"S_C_UP", "", "BOOL", "FALSE", "%IX7"},
+                                 {"SPARE_1", "", "BOOL", "FALSE", "%IX8"}, {"OTHER", "", "BOOL", "FALSE", "%IX9"},
+                                 {"S_D_VALUE", "", "INT", "0", "%IW20"}};
+  const Analysed list = analyse_by_rule(naming, {{"list.csv", list_text(rows)}});
+  CHECK(verdicts(list) ==
+        "paired paired operator constant data role_none no_event no_operation not_counted no_rule not_counted");
+  CHECK(score::score_of(list.model()).total.accounted() == 5);
+}
+
+}  // namespace
+}  // namespace symplant::test
