@@ -20,6 +20,7 @@ extern const Rule kPathAmbiguous;              // SP206
 extern const Rule kRoleTaken;                  // SP207
 extern const Rule kNamedOtherwise;             // SP208
 extern const Rule kDirectionConflict;          // SP209
+extern const Rule kLettersAlike;               // SP210
 extern const Rule kDuplicateSymbol;            // SP301
 extern const Rule kSymbolDeclaredDifferently;  // SP302
 extern const Rule kAddressUsedTwice;           // SP303
@@ -88,6 +89,7 @@ inline constexpr std::array kRules{
     &kRoleTaken,
     &kNamedOtherwise,
     &kDirectionConflict,
+    &kLettersAlike,
     &kDuplicateSymbol,
     &kSymbolDeclaredDifferently,
     &kAddressUsedTwice,
