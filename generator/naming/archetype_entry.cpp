@@ -19,7 +19,6 @@ using description::text_or_empty;
 using description::ticked;
 using name::ArchetypeModel;
 using Role = name::ArchetypeRole;
-using Json = nlohmann::json;
 
 /// The roles and settings of a model. Of `commands` and `reports` at least one each is needed, of a mirror and a
 /// contactor there is only one.

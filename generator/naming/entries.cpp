@@ -6,7 +6,6 @@
 namespace symplant::naming {
 
 using description::member;
-using Json = nlohmann::json;
 
 std::optional<name::Side> side_of(std::string_view word) {
   if (word == "operation") return name::Side::operation;

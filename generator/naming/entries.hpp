@@ -13,23 +13,23 @@
 
 namespace symplant::naming {
 
+using Json = nlohmann::json;
+
 /// A side of "operation", "event" or "internal".
 std::optional<name::Side> side_of(std::string_view word);
 /// The words of an object, each with its side.
-std::vector<std::pair<std::string, name::Side>> sides_of(const nlohmann::json& object);
+std::vector<std::pair<std::string, name::Side>> sides_of(const Json& object);
 /// The texts of a member that is an array; none if it is missing.
-std::vector<std::string> texts_of(const nlohmann::json& object, std::string_view key);
+std::vector<std::string> texts_of(const Json& object, std::string_view key);
 /// The pairs of texts of a member that is an array of pairs; none if it is missing.
-std::vector<std::pair<std::string, std::string>> pairs_of(const nlohmann::json& object, std::string_view key);
-std::vector<name::Replacement> replacements_of(const nlohmann::json& object);
+std::vector<std::pair<std::string, std::string>> pairs_of(const Json& object, std::string_view key);
+std::vector<name::Replacement> replacements_of(const Json& object);
 /// A member that is true or false; nothing if it is missing.
-std::optional<bool> optional_flag(const nlohmann::json& object, std::string_view key);
+std::optional<bool> optional_flag(const Json& object, std::string_view key);
 
 /// An entry of `rules`.
-name::SymbolRule rule_entry(const nlohmann::json& entry, const description::Pointer& here,
-                            description::ShapeFaults& faults);
+name::SymbolRule rule_entry(const Json& entry, const description::Pointer& here, description::ShapeFaults& faults);
 /// An entry of `archetypes`.
-name::Archetype archetype_entry(const nlohmann::json& entry, const description::Pointer& here,
-                                description::ShapeFaults& faults);
+name::Archetype archetype_entry(const Json& entry, const description::Pointer& here, description::ShapeFaults& faults);
 
 }  // namespace symplant::naming

@@ -21,7 +21,6 @@ using description::member;
 using description::Pointer;
 using description::text_or_empty;
 using description::ticked;
-using Json = nlohmann::json;
 
 constexpr std::string_view kVersion = "symplant-naming";
 

@@ -15,7 +15,6 @@ using description::Pointer;
 using description::text_member;
 using description::text_or_empty;
 using description::ticked;
-using Json = nlohmann::json;
 
 name::Source source_of(std::string_view word) {
   if (word == "name") return name::Source::name;
