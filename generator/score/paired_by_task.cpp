@@ -146,9 +146,9 @@ class TaskPairs {
     }
     for (std::uint32_t s = 0; s < unit.outputs.size(); ++s) {
       if (!unit.reaches(s)) continue;
-      if (mark_outputs(unit, unit.outputs[s].enter) | mark_outputs(unit, unit.outputs[s].leave)) {
-        mark(unit.operations, unit.states[s].operation);
-      }
+      const bool enters = mark_outputs(unit, unit.outputs[s].enter);
+      const bool leaves = mark_outputs(unit, unit.outputs[s].leave);
+      if (enters || leaves) mark(unit.operations, unit.states[s].operation);
     }
   }
 
