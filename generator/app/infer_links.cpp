@@ -45,11 +45,12 @@ std::string infer_links_text(const std::vector<name::NamedLink>& links, const st
   for (const infer::OpenLink& link : open) {
     std::string events;
     for (const std::string& event : link.events) events.append(events.empty() ? "" : " | ").append(event);
-    const std::string what = link.text.empty() ? "" : link.text + "; ";
-    text += on_one_line("# " + what + "close to it: " + events) + '\n';
+    std::string line = "# ";
+    line.append(link.text).append(link.text.empty() ? "" : "; ").append("close to it: ").append(events);
+    text.append(on_one_line(std::move(line))).push_back('\n');
     std::string row = row_text({link.operation, "", link.state});
     row.pop_back();
-    text += '#' + on_one_line(std::move(row)) + '\n';
+    text.append("#").append(on_one_line(std::move(row))).push_back('\n');
   }
   return text;
 }

@@ -270,4 +270,21 @@ std::vector<Candidate> candidates_of(const std::vector<SampleWords>& words, name
   return CandidateFinder(words, source, vocabulary).run();
 }
 
+std::vector<Candidate> two_source_candidates(const std::vector<SampleWords>& comments,
+                                             const name::Vocabulary& vocabulary) {
+  const auto ends_in_motion = [&](const SampleWords& text) {
+    return vocabulary.motion(text.words.back()).has_value() ||
+           (text.words.size() > 1 && vocabulary.motion(text.words[text.words.size() - 2]).has_value());
+  };
+  const auto support = static_cast<std::size_t>(std::count_if(comments.begin(), comments.end(), ends_in_motion));
+  std::vector<Candidate> candidates;
+  if (support < kLeastCount) return candidates;
+  for (const std::string_view device : {"{line}_{process}_{device}_*", "{process}_{device}_*", "{device}_*"}) {
+    name::SymbolRule rule;
+    rule.patterns = {{name::Source::name, std::string(device)}, {name::Source::comment, "*_{task:known}"}};
+    candidates.push_back({CandidateKind::motions, {std::move(rule)}, support, "devices of names, motions of comments"});
+  }
+  return candidates;
+}
+
 }  // namespace symplant::infer

@@ -30,4 +30,8 @@ struct Candidate {
 std::vector<Candidate> candidates_of(const std::vector<SampleWords>& words, name::Source source,
                                      const name::Vocabulary& vocabulary);
 
+/// Rules that take the device from the name and the task from the comment. `comments` are the words of the comments.
+std::vector<Candidate> two_source_candidates(const std::vector<SampleWords>& comments,
+                                             const name::Vocabulary& vocabulary);
+
 }  // namespace symplant::infer

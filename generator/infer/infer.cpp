@@ -87,6 +87,9 @@ std::vector<Candidate> all_candidates(const name::Naming& frame, std::span<const
     const std::vector<SampleWords> words = words_of(samples, source, frame, vocabulary);
     std::vector<Candidate> candidates = candidates_of(words, source, vocabulary);
     all.insert(all.end(), std::make_move_iterator(candidates.begin()), std::make_move_iterator(candidates.end()));
+    if (source != name::Source::comment) continue;
+    std::vector<Candidate> both = two_source_candidates(words, vocabulary);
+    all.insert(all.end(), std::make_move_iterator(both.begin()), std::make_move_iterator(both.end()));
   }
   std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.kind < b.kind; });
   return all;

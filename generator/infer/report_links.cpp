@@ -270,6 +270,7 @@ class CorrespondenceFinder {
       return rank(first) != rank(second) ? rank(first) > rank(second) : first.what < second.what;
     });
     std::vector<Correspondence> all;
+    all.reserve(order.size());
     for (auto& [key, draft] : order) {
       for (std::size_t i = 0; key.first && i < order.size(); ++i) {
         if (order[i].second->read_by.contains(key.second)) draft->found.needed_by.push_back(i);

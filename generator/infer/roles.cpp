@@ -51,14 +51,21 @@ std::vector<std::string> found_words(const RoleWords& role, const std::vector<Sa
   return found;
 }
 
-/// Contacts that are on in a healthy plant are asked for: no other word decides on them.
-name::SymbolRule healthy_contacts(name::Source source) {
-  name::SymbolRule rule;
-  rule.name = "questions";
+/// Contacts that are on in a healthy plant are asked for: no other word decides on them. Nothing if there are none.
+std::optional<name::SymbolRule> healthy_contacts(name::Source source, const std::vector<SampleWords>& texts,
+                                                 const Applied& applied, const name::Vocabulary& vocabulary) {
   std::string words;
   for (const std::string_view word : name::built_in_words().healthy) {
+    const auto ends = [&](const SampleWords& text) {
+      return !text.operation && applied.pairing.accounts[text.sample] > pairing::Account::data &&
+             contains({text.words.back()}, word, vocabulary);
+    };
+    if (std::none_of(texts.begin(), texts.end(), ends)) continue;
     words.append(words.empty() ? "" : "|").append(quoted(word));
   }
+  if (words.empty()) return std::nullopt;
+  name::SymbolRule rule;
+  rule.name = "questions";
   rule.patterns.push_back({source, "*_(" + words + ")"});
   rule.side = name::Side::event;
   rule.role = name::Role::none;
@@ -95,7 +102,8 @@ name::Naming with_roles(const name::Naming& naming, std::span<const Sample> samp
   for (const name::Source source : {name::Source::comment, name::Source::name}) {
     const std::vector<SampleWords> texts = words_of(samples, source, naming, compiled->vocabulary());
     if (texts.size() * 20 < samples.size()) continue;
-    result.rest.push_back(healthy_contacts(source));
+    auto questions = healthy_contacts(source, texts, applied, compiled->vocabulary());
+    if (questions) result.rest.push_back(std::move(*questions));
     for (const RoleWords& role : role_words()) {
       name::SymbolRule rule;
       rule.has = found_words(role, texts, applied, compiled->vocabulary());
