@@ -70,7 +70,7 @@ class ScoreWriter {
     json_.array(score::parts_of(plant_, score_, level), [&](const Part& part) {
       json_.begin_object();
       if (level == Level::list) json_.member("list", plant_.lists[part.list].table->source->path());
-      if (level == Level::device) json_.member("device", part.path);
+      if (level == Level::device) json_.member("device", part.path());
       if (level != Level::list) json_.member("line", part.line);
       if (level == Level::station || level == Level::device) json_.member("process", part.process);
       write_counts(part.counts);

@@ -51,7 +51,7 @@ std::string_view reason(Verdict verdict, bool one) {
   }
 }
 
-/// "S201_I_RB1_READY"; of a symbol that is known by its comment "X1A0: RB1 READY".
+/// "S10_I_ROB_READY"; of a symbol that is known by its comment "X1A0: ROB READY".
 std::string example_of(const model::PlantModel& plant, const Shape& shape) {
   const model::Symbol& first = plant.symbols[shape.first];
   const std::string text(score::known_text(plant, first, score::reads_comments_only(plant)));
@@ -73,7 +73,7 @@ std::string stations_text(const model::PlantModel& plant, const score::Score& sc
       fmt::format("  {:<24} {:>8} {:>8} {:>14} {:>10}\n", "station", "symbols", "paired", "accounted for", "left over");
   for (std::size_t i = 0; i < std::min(stations.size(), kMostStations); ++i) {
     const score::Counts& counts = stations[i].counts;
-    const std::string name = stations[i].station();
+    const std::string name = stations[i].path();
     text += fmt::format("  {:<24} {:>8} {:>6} % {:>12} % {:>10}\n", name.empty() ? "(none)" : diag::visible(name),
                         counts.counted(), percent(counts.paired(), counts.counted()),
                         percent(counts.accounted(), counts.counted()), counts.left_over());

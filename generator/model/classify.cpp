@@ -213,7 +213,6 @@ std::variant<Symbol, InternalReason> classify(const read::ListRow& row, const na
   auto result = classified(row, address, named);
   if (auto* symbol = std::get_if<Symbol>(&result)) {
     symbol->reading.fault = name::NameFault::not_linked;
-    symbol->reading.device_path = reading.path;
     symbol->reading.line = reading.line;
     symbol->reading.process = reading.process;
     symbol->reading.device = reading.device;

@@ -26,7 +26,7 @@ struct NameReading {
   NameFault fault = NameFault::none;
   text::Span where;          ///< bytes of the name that the fault is about
   std::uint32_t levels = 0;  ///< the number of levels; 0 if an illegal character was found first
-  // Set only without a fault; with `not_linked` also what the custom rule reads, except the task:
+  // Set only without a fault; with `not_linked` also line, process and device, as the custom rule reads them:
   std::string_view device_path;  ///< line, process and device with separators: identifies the device
   std::string_view line;
   std::string_view process;

@@ -17,27 +17,30 @@ Part part_of(const model::Symbol& symbol, Level level) {
   }
   part.line = reading.line;
   if (level != Level::line) part.process = reading.process;
-  if (level == Level::device) part.path = reading.device_path;
+  if (level == Level::device) part.device = reading.device;
   return part;
 }
 
 std::uint64_t hash_of(const Part& part) {
   constexpr std::uint64_t kFactor = 31;
   const std::uint64_t station = text::hash_ignoring_case(part.line) * kFactor + text::hash_ignoring_case(part.process);
-  return station * kFactor + text::hash_ignoring_case(part.path);
+  return station * kFactor + text::hash_ignoring_case(part.device);
 }
 
 bool same(const Part& a, const Part& b) {
   return text::equal_ignoring_case(a.line, b.line) && text::equal_ignoring_case(a.process, b.process) &&
-         text::equal_ignoring_case(a.path, b.path);
+         text::equal_ignoring_case(a.device, b.device);
 }
 
 }  // namespace
 
-std::string Part::station() const {
-  std::string name(line);
-  if (!line.empty() && !process.empty()) name += '_';
-  return name += process;
+std::string Part::path() const {
+  std::string path;
+  for (const std::string_view level : {line, process, device}) {
+    if (!path.empty() && !level.empty()) path += '_';
+    path += level;
+  }
+  return path;
 }
 
 std::vector<Part> parts_of(const model::PlantModel& plant, const Score& score, Level level) {

@@ -22,11 +22,11 @@ struct Part {
   std::uint32_t list = 0;  ///< index in PlantModel::lists; of Level::list only
   std::string_view line = {};
   std::string_view process = {};
-  std::string_view path = {};  ///< of a device
+  std::string_view device = {};
   Counts counts = {};
 
-  /// `LINE_PROC`, without an empty level.
-  std::string station() const;
+  /// `LINE_PROC_DEV`, without empty levels.
+  std::string path() const;
 };
 
 /// The parts of a level that have counted symbols, in the order of their first one; of Level::list all. O(symbols).

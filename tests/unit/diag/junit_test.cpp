@@ -91,3 +91,12 @@ TEST_CASE("JUnit: Each plant is a suite, and the counts are added up") {
   CHECK(contains(text, "<testsuites name=\"symplant check\" tests=\"9\" failures=\"3\""));
   CHECK(contains(text, "<testsuite name=\"line2.json\" tests=\"3\" failures=\"0\""));
 }
+
+TEST_CASE("JUnit: Each gate of a plant is a test of the plant, which fails with its message") {
+  std::vector<diag::Report> reports = one_plant();
+  reports[0].gates = {{"min-score a=1", ""}, {"min-score b=1", "2 < 3"}};
+  const std::string text = junit(reports, diag::Severity::error);
+  CHECK(contains(text, "<testcase classname=\"line1/list.csv\" name=\"min-score a=1\" time=\"0\"/>"));
+  CHECK(contains(text, "name=\"min-score b=1\" time=\"0\">\n      <failure message=\"2 &lt; 3\"/>\n    </testcase>\n"));
+  CHECK(contains(text, "tests=\"6\" failures=\"1\""));
+}

@@ -23,7 +23,7 @@ std::string parts(const Analysed& analysed, Level level) {
   const score::Score score = score::score_of(analysed.model());
   std::string text;
   for (const score::Part& part : score::parts_of(analysed.model(), score, level)) {
-    const std::string name = level == Level::device ? std::string(part.path) : part.station();
+    const std::string name = part.path();
     text += fmt::format("{}{} {}/{}", text.empty() ? "" : ", ", name, part.counts.paired(), part.counts.counted());
   }
   return text;
