@@ -169,7 +169,7 @@ class TableWriter {
   }
 
   void add_counts() {
-    std::array<std::size_t, 5> counts{};
+    std::array<std::size_t, model::kUnmodelled> counts{};
     for (const model::Symbol& symbol : plant_.symbols) ++counts[static_cast<std::size_t>(symbol.unmodelled)];
     const std::size_t unmodelled = plant_.symbols.size() - counts[0];
     line(fmt::format("{} device{}, {} I/O symbol{}, {} of them in no device", plant_.units.size(),
