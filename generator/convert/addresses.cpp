@@ -60,7 +60,7 @@ std::optional<std::uint64_t> bit_number(const Address& address, const AddressFor
   return is_in_word && form.bits_in_bytes ? std::optional(address.first_bit) : std::nullopt;
 }
 
-/// The number of a byte or word, counted as the form counts. Nothing if there is none.
+/// The number of a byte or word, counted as the form counts. Nothing without one.
 std::optional<std::uint64_t> element_number(const Address& address, const AddressForm& form) {
   const std::uint64_t unit = form.counts_bytes ? 8 : bits_of_size(address);
   if (address.bank == address::kBits && form.overlays) {

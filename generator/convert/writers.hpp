@@ -13,7 +13,7 @@ std::span<const WriterInfo* const> writers();
 
 /// Null for an unknown name.
 const WriterInfo* find_writer(std::string_view name);
-/// The writer of files with this extension (".csv"), regardless of case; null if there is none.
+/// The writer of files with this extension (".csv"), regardless of case; null for any other.
 const WriterInfo* writer_of_extension(std::string_view extension);
 
 /// Makes the output and reports what the format cannot hold. The text refers to the symbols.

@@ -51,7 +51,7 @@ std::vector<std::string> found_words(const RoleWords& role, const std::vector<Sa
   return found;
 }
 
-/// Contacts that are on in a healthy plant are asked for: no other word decides on them. Nothing if there are none.
+/// Contacts that are on in a healthy plant are asked for: no other word decides on them. Nothing without such contacts.
 std::optional<name::SymbolRule> healthy_contacts(name::Source source, const std::vector<SampleWords>& texts,
                                                  const Applied& applied, const name::Vocabulary& vocabulary) {
   std::string words;

@@ -42,9 +42,9 @@ class OperationGroups {
   const std::vector<OperationGroup>& all() const { return groups_; }
   OperationGroup& at(std::uint32_t group) { return groups_[group]; }
 
-  /// kNone if there is none.
+  /// kNone without one.
   std::uint32_t find(std::uint32_t device, std::string_view kind) const;
-  /// The group of a device that an event reports; kNone if there is none.
+  /// The group of a device that an event reports; kNone without one.
   std::uint32_t find(std::uint32_t device, const EventKinds& kinds) const;
   /// The group of an operation that was free.
   std::uint32_t of_operation(std::uint32_t operation) const;

@@ -15,7 +15,7 @@ class NumberedDevices {
  public:
   NumberedDevices(const Work& work, const OperationGroups& groups);
 
-  /// The group of the device without the digits at its end; kNone if there is none.
+  /// The group of the device without the digits at its end; kNone without one.
   std::uint32_t find(std::uint32_t event, const EventKinds& kinds) const;
 
  private:
@@ -32,7 +32,7 @@ class FanOut {
  public:
   FanOut(const Work& work, const OperationGroups& groups);
 
-  /// The group of the device whose words the event's device contains, the most words first; kNone if there is none.
+  /// The group of the device whose words the event's device contains, the most words first; kNone without one.
   std::uint32_t find(std::uint32_t event, const EventKinds& kinds) const;
 
  private:

@@ -32,9 +32,9 @@ constexpr std::string_view kSheetAdvice = "save it as a workbook (.xlsx) or as C
 constexpr std::string_view kListAdvice = "export the symbols of the PLC program as text or as a workbook";
 
 struct Signature {
-  std::string_view bytes;   ///< what the file holds
-  bool at_begin;            ///< at its begin, or anywhere
-  std::string_view ending;  ///< how its path ends, in lower case; empty: any
+  std::string_view bytes;      ///< what the file holds
+  bool at_begin;               ///< at its begin, or anywhere
+  std::string_view extension;  ///< of its path, without the dot, in lower case; empty: any
   RecognizedFile file;
 };
 
@@ -48,10 +48,10 @@ constexpr std::array kBinaries{
               false,
               "",
               {"a Rockwell project (ACD, binary)", kLogixAdvice}},
-    Signature{"", true, ".acd", {"a Rockwell project (ACD, binary)", kLogixAdvice}},
+    Signature{"", true, "acd", {"a Rockwell project (ACD, binary)", kLogixAdvice}},
     Signature{"",
               true,
-              ".rss",
+              "rss",
               {"an RSLogix 500 project (RSS, binary)",
                "export its database as CSV: in RSLogix 500, Tools > Database > ASCII Export"}},
     Signature{"SQLite format 3", true, "", {"a database (SQLite)", kListAdvice}},
@@ -61,28 +61,28 @@ constexpr std::array kBinaries{
     Signature{"Rar!", true, "", {"an archive (RAR)", "unpack it and give the list in it"}},
     Signature{"\x89PNG", true, "", {"a picture (PNG)", kListAdvice}},
     Signature{"\xFF\xD8\xFF", true, "", {"a picture (JPEG)", kListAdvice}},
-    Signature{kOleMagic, true, ".xls", {"a workbook of the old kind (.xls)", kSheetAdvice}},
-    Signature{kOleMagic, true, ".gxw", {"a GX Works2 project", kGxAdvice}},
-    Signature{kOleMagic, true, ".project", {"a CODESYS project", kCodesysAdvice}},
+    Signature{kOleMagic, true, "xls", {"a workbook of the old kind (.xls)", kSheetAdvice}},
+    Signature{kOleMagic, true, "gxw", {"a GX Works2 project", kGxAdvice}},
+    Signature{kOleMagic, true, "project", {"a CODESYS project", kCodesysAdvice}},
     Signature{kOleMagic, true, "", {"a compound document of Windows (an old workbook, or a project)", kSheetAdvice}},
-    Signature{"", true, ".gx3", {"a GX Works3 project", kGxAdvice}},
-    Signature{"", true, ".gxw", {"a GX Works2 project", kGxAdvice}},
-    Signature{"", true, ".cxp", {"a CX-Programmer project (binary)", kSysmacAdvice}},
-    Signature{"", true, ".smc2", {"a Sysmac Studio project", kSysmacAdvice}},
-    Signature{"", true, ".stu", {"a Control Expert project (STU, binary)", kSchneiderAdvice}},
+    Signature{"", true, "gx3", {"a GX Works3 project", kGxAdvice}},
+    Signature{"", true, "gxw", {"a GX Works2 project", kGxAdvice}},
+    Signature{"", true, "cxp", {"a CX-Programmer project (binary)", kSysmacAdvice}},
+    Signature{"", true, "smc2", {"a Sysmac Studio project", kSysmacAdvice}},
+    Signature{"", true, "stu", {"a Control Expert project (STU, binary)", kSchneiderAdvice}},
     Signature{"",
               true,
-              ".xgwx",
+              "xgwx",
               {"an XG5000 project",
                "export the variables: in XG5000, open the global variables, then Edit > Export to file (CSV)"}},
-    Signature{"content.xml", false, ".ods", {"a spreadsheet of LibreOffice (.ods)", kSheetAdvice}},
+    Signature{"content.xml", false, "ods", {"a spreadsheet of LibreOffice (.ods)", kSheetAdvice}},
     Signature{"xl/workbook.bin", false, "", {"a binary workbook (.xlsb)", kSheetAdvice}},
     Signature{"word/document.xml", false, "", {"a document of Word", kListAdvice}},
-    Signature{kZipMagic, true, ".zef", {"an archive of Control Expert (ZEF)", kSchneiderAdvice}},
-    Signature{kZipMagic, true, ".sta", {"an archive of Control Expert (STA)", kSchneiderAdvice}},
-    Signature{kZipMagic, true, ".projectarchive", {"an archive of a CODESYS project", kCodesysAdvice}},
-    Signature{kZipMagic, true, ".project", {"a CODESYS project", kCodesysAdvice}},
-    Signature{kZipMagic, true, ".library", {"a CODESYS library", kCodesysAdvice}},
+    Signature{kZipMagic, true, "zef", {"an archive of Control Expert (ZEF)", kSchneiderAdvice}},
+    Signature{kZipMagic, true, "sta", {"an archive of Control Expert (STA)", kSchneiderAdvice}},
+    Signature{kZipMagic, true, "projectarchive", {"an archive of a CODESYS project", kCodesysAdvice}},
+    Signature{kZipMagic, true, "project", {"a CODESYS project", kCodesysAdvice}},
+    Signature{kZipMagic, true, "library", {"a CODESYS library", kCodesysAdvice}},
     Signature{"TIA Portal", false, "", {"a TIA Portal project or archive", kTiaAdvice}},
     Signature{kZipMagic, true, "", {"a zip archive", "unpack it and give the list in it"}},
 };
@@ -141,17 +141,17 @@ constexpr std::array kTexts{
     Signature{"<?xml", true, "", {"an XML file of an unknown kind", kListAdvice}},
 };
 
-bool fits(const Signature& signature, std::string_view content, std::string_view ending) {
-  if (!ending.ends_with(signature.ending)) return false;
+bool fits(const Signature& signature, std::string_view content, std::string_view extension) {
+  if (!signature.extension.empty() && extension != signature.extension) return false;
   return signature.at_begin ? content.starts_with(signature.bytes)
                             : content.find(signature.bytes) != std::string_view::npos;
 }
 
 template <std::size_t N>
 std::optional<RecognizedFile> first_of(const std::array<Signature, N>& signatures, std::string_view content,
-                                       std::string_view ending) {
+                                       std::string_view extension) {
   const auto found = std::find_if(signatures.begin(), signatures.end(),
-                                  [&](const Signature& signature) { return fits(signature, content, ending); });
+                                  [&](const Signature& signature) { return fits(signature, content, extension); });
   return found == signatures.end() ? std::nullopt : std::optional(found->file);
 }
 
@@ -170,8 +170,7 @@ bool has_magic(std::string_view bytes) {
 }
 
 std::optional<RecognizedFile> recognize_bytes(std::string_view path, std::string_view bytes) {
-  const std::string ending = text::to_lower(path.substr(path.size() - std::min<std::size_t>(path.size(), 16)));
-  return first_of(kBinaries, bytes, ending);
+  return first_of(kBinaries, bytes, text::to_lower(path.substr(path.rfind('.') + 1)));
 }
 
 std::optional<RecognizedFile> recognize_text(std::string_view text) {

@@ -37,7 +37,7 @@ constexpr auto kAlike =
                           {U'Ε', 'E'}, {U'Ζ', 'Z'}, {U'Η', 'H'}, {U'Ι', 'I'}, {U'Κ', 'K'}, {U'Μ', 'M'}, {U'Ν', 'N'},
                           {U'Ο', 'O'}, {U'Ρ', 'P'}, {U'Τ', 'T'}, {U'Υ', 'Y'}, {U'Χ', 'X'}});
 
-/// The Latin letter that a character is or looks like; 0 if there is none.
+/// The Latin letter that a character is or looks like; else 0.
 char latin_of(char32_t character) {
   if (character < 0x80) {
     const char letter = text::upper(static_cast<char>(character));

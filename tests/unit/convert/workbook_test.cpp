@@ -42,7 +42,7 @@ TEST_CASE("tia-xlsx: The sheets have the tags and the constants") {
             "1 tag has no address: the list gives none that SIMATIC has; TIA Portal marks such a tag as faulty: `M`"});
 }
 
-TEST_CASE("tia-xlsx: Equal lists give equal bytes, without a sheet of constants if there is none") {
+TEST_CASE("tia-xlsx: Equal lists give equal bytes, and a sheet of constants only for constants") {
   const std::string rows = "VAR_GLOBAL,A,X1F,,BOOL,,a\n";
   CHECK(convert_to("tia-xlsx", gx_list(rows)).text == convert_to("tia-xlsx", gx_list(rows)).text);
   const auto sheets = read::read_workbook(convert_to("tia-xlsx", gx_list(rows)).text);
