@@ -15,8 +15,8 @@ namespace symplant::naming {
 struct NamingReading {
   /// The readable part, even with faults; nothing if it is not a naming rule of this version.
   std::optional<name::Naming> naming;
-  std::string links_file;            ///< as written; empty: the links are in `naming`, or missing
-  std::vector<json::Placed> syntax;  ///< faults of the JSON syntax
+  std::string links_file;                             ///< as written; empty: the links are in `naming`, or missing
+  std::vector<json::Placed> syntax;                   ///< faults of the JSON syntax
   std::vector<description::DescriptionFault> faults;  ///< of the form, and contradictions
 };
 
