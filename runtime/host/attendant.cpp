@@ -52,13 +52,17 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
 
 Attendant::Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console)
     : meter_(meter), console_(console), degraded_(degraded), draws_(draws), manager_(ServiceManager::of_environment()) {
-  for (const OpenLink& open : links) links_.push_back(open.controller.empty() ? "link" : open.controller);
+  for (const OpenLink& open : links) {
+    links_.push_back(open.controller.empty() ? "link" : open.controller);
+    reporting_.push_back(open.link.get());
+  }
   thread_ = std::jthread([this](const std::stop_token& stop) { attend(stop); });
 }
 
 Attendant::~Attendant() {
   thread_.request_stop();
   thread_.join();
+  report_links();
   if (console_.is_taken()) console_.clear();
   report_ready();  // a run may be shorter than a turn
   if (!stopping_) manager_.report("STOPPING=1");
@@ -70,6 +74,7 @@ void Attendant::attend(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   while (!stop.stop_requested()) {
     report_manager();
+    report_links();
     const bool due = draws_ && Clock::now() >= next_line;
     if (due) next_line += kLinePeriod;
     report_user(due);
@@ -87,6 +92,13 @@ void Attendant::report_manager() {
   if (!stopping_ && stop_requested().load()) stopping_ = manager_.report("STOPPING=1");
   const std::uint64_t beats = meter_.beats.value();
   if (manager_.watchdog() != 0 && beats != beats_ && manager_.report("WATCHDOG=1")) beats_ = beats;
+}
+
+void Attendant::report_links() {
+  for (std::size_t i = 0; i < reporting_.size(); ++i) {
+    for (const std::string& message : reporting_[i]->take_messages())
+      console_.message(links_[i] + ": " + message + "\n");
+  }
 }
 
 void Attendant::report_user(bool line_is_due) {

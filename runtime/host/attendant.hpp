@@ -24,8 +24,8 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
 bool can_draw(const RunOptions& options, const std::ostream& out);
 
 /// From construction to destruction, on its own thread: draws a status line on `console` once per second if `draws`,
-/// writes it as a line for each SIGUSR1, and notifies the service manager: READY=1 when the cycle runs, STOPPING=1 when
-/// it is to end, WATCHDOG=1 while it makes progress.
+/// writes it as a line for each SIGUSR1, writes what links report, and notifies the service manager: READY=1 when the
+/// cycle runs, STOPPING=1 when it is to end, WATCHDOG=1 while it makes progress.
 class Attendant {
  public:
   Attendant(const exec::CycleMeter& meter, const Links& links, bool degraded, bool draws, Console& console);
@@ -38,10 +38,12 @@ class Attendant {
   void report_ready();
   void report_manager();
   void report_user(bool line_is_due);
+  void report_links();
 
   const exec::CycleMeter& meter_;
   Console& console_;
   std::vector<std::string> links_;
+  std::vector<link::Link*> reporting_;
   bool degraded_;
   bool draws_;
   ServiceManager manager_;

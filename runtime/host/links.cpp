@@ -17,6 +17,10 @@ std::string OpenLink::silence() const {
     return "its watchdog, holding register " + std::to_string(settings.watchdog) + ", has not changed for " +
            seconds(settings.watchdog_within) + "; check whether the PLC's program runs";
   }
+  if (link->status().is_client) {
+    return "the PLC has not answered for " + seconds(settings.loss_after) +
+           "; check whether it is switched on and connected";
+  }
   return "no valid request that touches the map has come for " + seconds(settings.loss_after) +
          "; check whether the PLC runs and is connected";
 }

@@ -43,6 +43,9 @@ void WatchedLink::report(plant::Plant& plant) const noexcept {
 
 void WatchedLink::read_operations(plant::Plant& plant, tables::Time now) noexcept {
   link_.read_operations(plant, now);
+  if (const std::uint32_t event = link_.take_overwritten(); event != tables::kNone) {
+    recorder_.raise(plant.now(), tables::FindingKind::event_overwritten, event);
+  }
   const LinkState state = link_.state();
   if (state == before_) return;
   if (state == LinkState::lost) recorder_.raise(plant.now(), tables::FindingKind::link_lost, place_);

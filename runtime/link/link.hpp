@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "symplant/exec/exchange.hpp"
 #include "symplant/link/link_settings.hpp"
@@ -26,7 +27,9 @@ struct LinkStatus {
   std::uint32_t connections = 0;     ///< open now
   std::uint64_t crowded_out = 0;     ///< clients closed because there was no room for all
   std::uint32_t losses = 0;          ///< how often the link was lost
-  bool end_unread = false;           ///< leave() was called, and a PLC that reads the status block has not read it yet
+  bool end_unread = false;           ///< leave() was called, and the PLC does not have it yet
+  bool is_client = false;            ///< the link goes to the PLC, which is a server
+  bool armed = true;                 ///< a client link: it may write events
 };
 
 /// A running link to a PLC. The cycle uses it as an Exchange; any thread may call the other members.
@@ -36,6 +39,13 @@ class Link : public exec::Exchange {
   virtual std::string url() const = 0;
 
   virtual LinkStatus status() const noexcept = 0;
+
+  /// A symbol whose event the PLC overwrites after each write, once for each symbol; tables::kNone if there is none
+  /// now. For the cycle's thread: wait-free.
+  virtual std::uint32_t take_overwritten() noexcept { return tables::kNone; }
+
+  /// What the link has to report to the user since the last call, in words. Not for the cycle's thread.
+  virtual std::vector<std::string> take_messages() { return {}; }
 };
 
 inline constexpr std::uint32_t kAllControllers = 0xFFFF'FFFF;

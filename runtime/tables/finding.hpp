@@ -18,11 +18,12 @@ enum class FindingKind : std::uint8_t {
   event_too_short,                ///< of an event
   instantaneous_loop,             ///< of units: one finding each, `more` set on all but the loop's last
   requirement_violated,           ///< of a requirement
-  link_lost,                      ///< of a link; the host reports this kind and the next, the model the others
+  link_lost,                      ///< of a link; the host reports this kind and the next ones, the model the others
   link_back,                      ///< of a link; a note
+  event_overwritten,              ///< of an event
 };
 inline constexpr int kFindingKinds = 9;      ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 11;  ///< with the kinds that the host reports
+inline constexpr int kAllFindingKinds = 12;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;

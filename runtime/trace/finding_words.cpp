@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "instantaneous loop",
                                                                            "requirement violated",
                                                                            "link lost",
-                                                                           "link back"};
+                                                                           "link back",
+                                                                           "event overwritten"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -116,6 +117,13 @@ std::string of_event(const FoundThing& found, const PlantNames& names, const His
     text += led(unit, names, history);
   }
   return text + "; check for a state that takes no time";
+}
+
+std::string of_overwritten(const FoundThing& found, const PlantNames& names) {
+  return fmt::format(
+      "event overwritten: {}, the PLC holds another value than the one that was written to it; check whether its I/O "
+      "refresh or its program writes this address, and choose a strategy for events that it leaves alone",
+      symbol_words(found.of.front(), names));
 }
 
 /// What led a unit to its state: the operation that came on last, and those that are still on.
@@ -231,6 +239,7 @@ std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames
   if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
   if (is_of_link(found.kind)) return {of_link(found, names)};
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
+  if (found.kind == FindingKind::event_overwritten) return {of_overwritten(found, names)};
   if (found.kind == FindingKind::instantaneous_loop) {
     return {fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "

@@ -9,6 +9,7 @@
 namespace symplant::fuzz {
 namespace {
 
+using namespace link::image;
 using namespace link::modbus;
 using Bytes = std::vector<std::uint8_t>;
 

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "symplant/link/modbus/socket.hpp"
+#include "symplant/link/net/socket.hpp"
 
 namespace symplant::test {
 
@@ -101,7 +101,7 @@ class RawClient {
   }
 
  private:
-  link::modbus::Descriptor socket_;
+  link::net::Descriptor socket_;
   bool connected_ = false;
   int patience_ = 30'000;
   int transaction_ = 0;

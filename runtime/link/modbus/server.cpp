@@ -9,11 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <system_error>
 
-#include "symplant/link/modbus/descriptors.hpp"
-#include "symplant/link/modbus/peer.hpp"
+#include "symplant/link/net/descriptors.hpp"
+#include "symplant/link/net/no_signals.hpp"
+#include "symplant/link/net/peer.hpp"
 
 namespace symplant::link::modbus {
 
@@ -49,7 +49,7 @@ class SocketSink final : public Sink {
   int fd_;
 };
 
-Descriptor or_throw(Descriptor descriptor, const char* what) {
+net::Descriptor or_throw(net::Descriptor descriptor, const char* what) {
   if (!descriptor) throw std::system_error(errno, std::generic_category(), what);
   return descriptor;
 }
@@ -63,27 +63,10 @@ void watch(int epoll, int operation, int fd, std::uint32_t events) {
   }
 }
 
-/// Runs `start` with every signal blocked; the thread that it starts inherits this, so that the host gets all signals.
-template <class Start>
-std::thread without_signals(Start start) {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  try {
-    std::thread thread = start();
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    return thread;
-  } catch (...) {
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    throw;
-  }
-}
-
 }  // namespace
 
 struct Server::Client {
-  Descriptor socket;
+  net::Descriptor socket;
   Connection connection;
   std::uint64_t last_use = 0;
   tables::Time last_request = 0;  ///< or the time when it was accepted
@@ -93,17 +76,18 @@ struct Server::Client {
   bool ended = false;  ///< sends no more, but still gets its answers
 };
 
-Server::Server(Descriptor listener, Responder& responder, ServerOptions options)
+Server::Server(net::Descriptor listener, Responder& responder, ServerOptions options)
     : listener_(std::move(listener)),
       responder_(responder),
       options_(std::move(options)),
-      epoll_(or_throw(Descriptor(::epoll_create1(EPOLL_CLOEXEC)), "epoll_create1")),
-      wake_(or_throw(Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), "eventfd")) {
+      epoll_(or_throw(net::Descriptor(::epoll_create1(EPOLL_CLOEXEC)), "epoll_create1")),
+      wake_(or_throw(net::Descriptor(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), "eventfd")) {
   options_.connections = std::max<std::size_t>(options_.connections, 1);
-  make_room_for(options_.connections);
+  net::make_room_for(options_.connections);
   watch(epoll_.get(), EPOLL_CTL_ADD, wake_.get(), EPOLLIN);
   watch(epoll_.get(), EPOLL_CTL_ADD, listener_.get(), EPOLLIN);
-  thread_ = without_signals([this] { return std::thread([this] { serve(); }); });
+  const net::NoSignals blocked;
+  thread_ = std::thread([this] { serve(); });
 }
 
 Server::~Server() {
@@ -144,25 +128,25 @@ int Server::milliseconds_to_wait() const noexcept {
 
 void Server::accept_clients() {
   for (int i = 0; i < kAcceptsATurn; ++i) {
-    Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+    net::Descriptor socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket) {
       gave_way_ = false;
       add_client(std::move(socket));
       continue;
     }
-    switch (after_accept(errno)) {
-      case AfterAccept::again:
+    switch (net::after_accept(errno)) {
+      case net::AfterAccept::again:
         continue;
-      case AfterAccept::serve:
+      case net::AfterAccept::serve:
         return;
-      case AfterAccept::give_way:
+      case net::AfterAccept::give_way:
         // Only once until an accept succeeds: closing a client may not free what is short.
         if (!gave_way_ && make_room(kQuiet)) {
           gave_way_ = true;
           continue;
         }
         break;
-      case AfterAccept::pause:
+      case net::AfterAccept::pause:
         break;
     }
     listen(false);  // the listener stays readable
@@ -170,12 +154,12 @@ void Server::accept_clients() {
   }
 }
 
-void Server::add_client(Descriptor socket) {
+void Server::add_client(net::Descriptor socket) {
   if (clients_.size() >= options_.connections && !make_room(0)) {
     crowded_out_.fetch_add(1, std::memory_order_relaxed);
     return;
   }
-  prepare_peer(socket.get());
+  net::prepare_peer(socket.get());
   const int fd = socket.get();
   epoll_event event{};
   event.events = EPOLLIN;
@@ -186,7 +170,7 @@ void Server::add_client(Descriptor socket) {
   client->last_use = ++uses_;
   client->last_request = now_;
   client->kept = !options_.keep.empty() &&
-                 std::find(options_.keep.begin(), options_.keep.end(), peer_address(fd)) != options_.keep.end();
+                 std::find(options_.keep.begin(), options_.keep.end(), net::peer_address(fd)) != options_.keep.end();
   if (clients_.empty()) next_sweep_ = now_;
   clients_.emplace(fd, std::move(client));
   open_.store(static_cast<std::uint32_t>(clients_.size()), std::memory_order_relaxed);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "symplant/link/modbus/connection.hpp"
-#include "symplant/link/modbus/socket.hpp"
+#include "symplant/link/net/socket.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::link::modbus {
@@ -36,7 +36,7 @@ class Server {
   /// `listener` is non-blocking; `responder` is called by the server's thread only and must outlive it.
   /// Raises the process's soft limit of descriptors by the number of connections, at most to the hard limit. Throws
   /// std::system_error if the system has no descriptor or thread left, or if the hard limit is too small.
-  Server(Descriptor listener, Responder& responder, ServerOptions options = {});
+  Server(net::Descriptor listener, Responder& responder, ServerOptions options = {});
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
   ~Server();
@@ -52,7 +52,7 @@ class Server {
   void serve();
   int milliseconds_to_wait() const noexcept;
   void accept_clients();
-  void add_client(Descriptor socket);
+  void add_client(net::Descriptor socket);
   void serve_client(Client& client, std::uint32_t events);
   bool read_from(Client& client);
   void note_progress(Client& client, std::uint64_t requests_before) noexcept;
@@ -63,11 +63,11 @@ class Server {
   void close_overdue();
   void listen(bool on);
 
-  Descriptor listener_;
+  net::Descriptor listener_;
   Responder& responder_;
   ServerOptions options_;
-  Descriptor epoll_;
-  Descriptor wake_;                                 ///< an eventfd, written once to end the thread
+  net::Descriptor epoll_;
+  net::Descriptor wake_;                            ///< an eventfd, written once to end the thread
   std::map<int, std::unique_ptr<Client>> clients_;  ///< by descriptor
   std::uint64_t uses_ = 0;                          ///< counts accepts and requests, to find the client used last
   tables::Time now_ = 0;                            ///< steady clock at the latest events

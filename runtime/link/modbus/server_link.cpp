@@ -5,10 +5,9 @@
 #include <system_error>
 #include <utility>
 
-#include "symplant/link/health.hpp"
-#include "symplant/link/modbus/images.hpp"
-#include "symplant/link/modbus/listener.hpp"
+#include "symplant/link/image/cycle_side.hpp"
 #include "symplant/link/modbus/server.hpp"
+#include "symplant/link/net/listener.hpp"
 #include "symplant/tables/version.hpp"
 
 namespace symplant::link::modbus {
@@ -21,20 +20,20 @@ constexpr std::string_view kScheme = "modbus-tcp-server";
 class ImageResponder final : public Responder {
  public:
   /// If the map has a watchdog, only a change of its register is a sign of life.
-  ImageResponder(Images& images, const Identity& identity, const IoMap& map) noexcept
+  ImageResponder(image::Images& images, const Identity& identity, const IoMap& map) noexcept
       : images_(images),
         identity_(identity),
         watched_(map.watchdog.has_value()),
-        state_register_(map.status_block ? *map.status_block + kStateField : kNowhere) {}
+        state_register_(map.status_block ? *map.status_block + image::kStateField : kNowhere) {}
 
   Answer respond(std::span<const std::uint8_t> request, std::span<std::uint8_t, kMaxPdu> reply) noexcept override {
     const bool left =
         left_.load(std::memory_order_acquire);  // read before the image, which then has the stopping state
     images_.begin_request(losses_.load(std::memory_order_relaxed));
     const Answer answer = answer_request(request, images_.tables(), identity_, reply);
-    const std::uint32_t gaps = images_.written(answer);
+    const std::uint32_t gaps = images_.written(answer.written, answer.first, answer.count);
     // After written(), so that a cycle that sees the count also sees the data.
-    if (watched_ ? images_.changed_watchdog(answer) : touches_map(answer)) {
+    if (watched_ ? images_.changed_watchdog(answer.written, answer.first, answer.count) : touches_map(answer)) {
       heard_.fetch_add(1, std::memory_order_release);
     }
     if (reads_state(answer)) (left ? end_read_ : state_read_).store(true, std::memory_order_relaxed);
@@ -82,7 +81,7 @@ class ImageResponder final : public Responder {
            state_register_ - answer.read_first < answer.read_count;
   }
 
-  Images& images_;
+  image::Images& images_;
   Identity identity_;
   bool watched_;
   std::uint32_t state_register_;
@@ -98,50 +97,30 @@ class ImageResponder final : public Responder {
 
 class ServerLink final : public Link {
  public:
-  ServerLink(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings, Listener listener,
+  ServerLink(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings, net::Listener listener,
              const plant::Plant* plant)
       : bound_(std::move(listener.bound)),
-        freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
-        health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
-        images_(tables, map, settings.word_order),
-        responder_(filled(images_, plant, status_.map_hash = map_hash(tables, map)),
-                   {"symplant", tables.name, tables::version()}, map),
+        cycle_(tables, map, settings, plant),
+        responder_(cycle_.images(), {"symplant", tables.name, tables::version()}, map),
         server_(std::move(listener.socket), responder_, options_of(settings)) {}
 
-  std::string url() const override { return std::string(kScheme) + "://" + format_host_port(bound_); }
+  std::string url() const override { return std::string(kScheme) + "://" + net::format_host_port(bound_); }
 
   void read_operations(plant::Plant& plant, tables::Time now) noexcept override {
-    const bool heard = is_heard();
-    switch (health_.look(now, heard, images_.is_complete(health_.losses()))) {
-      case Verdict::apply:
-        images_.apply_operations(plant);
-        break;
-      case Verdict::lose:
-        responder_.lost(health_.losses());
-        images_.zero_operations(plant);
-        break;
-      case Verdict::hold:
-        break;
-    }
-    if (health_.state() == exec::LinkState::lost) ++status_.lost_exchanges;
+    if (cycle_.read_operations(plant, now, responder_.heard())) responder_.lost(cycle_.losses());
   }
 
   void write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept override {
-    status_.cycles = status.cycles + 1;  // this one included
-    status_.overruns = status.overruns;
-    status_.live = status.live;
-    status_.state = plant_state(health_.state(), status.frozen, false);
-    images_.write_events(plant, status_);
+    cycle_.write_events(plant, status);
   }
 
   void leave() noexcept override {
-    status_.state = PlantState::stopping;
-    images_.write_status(status_);
+    cycle_.leave();
     responder_.left();
   }
 
-  exec::LinkState state() const noexcept override { return health_.state(); }
-  bool freezes_plant() const noexcept override { return freezes_ && health_.state() == exec::LinkState::lost; }
+  exec::LinkState state() const noexcept override { return cycle_.state(); }
+  bool freezes_plant() const noexcept override { return cycle_.freezes_plant(); }
 
   LinkStatus status() const noexcept override {
     LinkStatus status = responder_.status();
@@ -157,32 +136,15 @@ class ServerLink final : public Link {
             .keep = {settings.keep.begin(), settings.keep.end()}};
   }
 
-  /// Fills the images with the plant's events before the server's thread answers from them.
-  static Images& filled(Images& images, const plant::Plant* plant, std::uint64_t map_hash) {
-    if (plant != nullptr) images.write_events(*plant, {.map_hash = map_hash});
-    return images;
-  }
-
-  /// Takes the written image. Returns whether there was a sign of life since the last call.
-  bool is_heard() noexcept {
-    const std::uint64_t now = responder_.heard();
-    images_.take_operations();
-    return std::exchange(heard_, now) != now;
-  }
-
-  HostPort bound_;
-  bool freezes_;
-  LinkHealth health_;
-  std::uint64_t heard_ = 0;  ///< signs of life at the last call of is_heard()
-  StatusBlock status_;
-  Images images_;
+  net::HostPort bound_;
+  image::CycleSide cycle_;
   ImageResponder responder_;
   Server server_;  // last member: its thread ends before what it uses is destroyed
 };
 
 /// Parses `//HOST:PORT`.
-std::variant<HostPort, LinkError> address_of(std::string_view rest) {
-  if (rest.substr(0, 2) == "//") return parse_host_port(rest.substr(2));
+std::variant<net::HostPort, LinkError> address_of(std::string_view rest) {
+  if (rest.substr(0, 2) == "//") return net::parse_host_port(rest.substr(2));
   return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` after `" + std::string(kScheme) +
                                                ":` is not an address: give //HOST:PORT"};
 }
@@ -201,10 +163,11 @@ LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
   const IoMap map = make_io_map(tables, link.controller, link.settings);
   if (!map.faults.empty()) return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};
-  auto listener = listen_on(std::get<HostPort>(address));
+  auto listener = net::listen_on(std::get<net::HostPort>(address));
   if (auto* error = std::get_if<LinkError>(&listener)) return std::move(*error);
   try {
-    return std::make_unique<ServerLink>(tables, map, link.settings, std::move(std::get<Listener>(listener)), plant);
+    return std::make_unique<ServerLink>(tables, map, link.settings, std::move(std::get<net::Listener>(listener)),
+                                        plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the Modbus server: ") + error.what()};
   }

@@ -11,6 +11,7 @@
 
 namespace symplant::test {
 
+using namespace symplant::link::image;
 using namespace symplant::link::modbus;
 using Bytes = std::vector<std::uint8_t>;
 

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 #include "support/raw_client.hpp"
 
+using namespace symplant::link::image;
 using namespace symplant::link::modbus;
 using symplant::test::Bytes;
 using State = Connection::State;

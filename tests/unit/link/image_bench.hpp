@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "symplant/link/modbus/images.hpp"
+#include "symplant/link/image/images.hpp"
 #include "unit/exec/cell.hpp"
 
 namespace symplant::test {
@@ -15,7 +15,7 @@ using Bytes = std::vector<std::uint8_t>;
 struct ImageBench {
   tables::PlantTables tables;
   OwnedPlant plant;
-  link::modbus::Images images;
+  link::image::Images images;
   std::uint32_t gaps = 0;
   tables::Time time = 0;
 
@@ -28,7 +28,7 @@ struct ImageBench {
   Bytes ask(const Bytes& request) {
     std::array<std::uint8_t, link::modbus::kMaxPdu> reply{};
     const link::modbus::Answer answer = link::modbus::answer_request(request, images.tables(), {}, reply);
-    gaps += images.written(answer);
+    gaps += images.written(answer.written, answer.first, answer.count);
     return {reply.begin(), reply.begin() + static_cast<std::ptrdiff_t>(answer.size)};
   }
   void write() {

@@ -1,5 +1,5 @@
 // The images between a Modbus server and a plant, without a socket.
-#include "symplant/link/modbus/images.hpp"
+#include "symplant/link/image/images.hpp"
 
 #include "support/catch.hpp"
 #include "unit/exec/cell.hpp"
@@ -7,6 +7,7 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
+using namespace symplant::link::image;
 using namespace symplant::link::modbus;
 using tables::DataType;
 using test::Bytes;

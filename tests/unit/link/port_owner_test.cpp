@@ -1,14 +1,14 @@
 // Finds the owner of a port.
-#include "symplant/link/modbus/port_owner.hpp"
+#include "symplant/link/net/port_owner.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <unistd.h>
 
 #include "support/catch.hpp"
-#include "symplant/link/modbus/listener.hpp"
+#include "symplant/link/net/listener.hpp"
 
-using namespace symplant::link::modbus;
+using namespace symplant::link::net;
 
 namespace {
 

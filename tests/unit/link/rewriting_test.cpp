@@ -1,12 +1,12 @@
 // What a PLC has written, and whether it has written all of it again.
-#include "symplant/link/modbus/rewriting.hpp"
+#include "symplant/link/image/rewriting.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <set>
 
-using symplant::link::modbus::AddressSet;
-using symplant::link::modbus::Rewriting;
+using symplant::link::image::AddressSet;
+using symplant::link::image::Rewriting;
 
 TEST_CASE("A set of addresses contains the added ranges, wherever they begin and end") {
   std::mt19937 dice(7);

@@ -4,12 +4,13 @@
 
 #include "support/catch.hpp"
 #include "support/raw_client.hpp"
-#include "symplant/link/modbus/descriptors.hpp"
-#include "symplant/link/modbus/listener.hpp"
 #include "symplant/link/modbus/server.hpp"
+#include "symplant/link/net/descriptors.hpp"
+#include "symplant/link/net/listener.hpp"
 
 using namespace symplant;
 using namespace symplant::link::modbus;
+using namespace symplant::link::net;
 using test::Bytes;
 using test::open_descriptors;
 using test::RawClient;

@@ -202,7 +202,7 @@ TEST_CASE("The server works on descriptors above 1024") {
   limit.rlim_cur = limit.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &limit);
   if (limit.rlim_cur < 3000) return;
-  std::vector<link::modbus::Descriptor> fill;
+  std::vector<link::net::Descriptor> fill;
   for (int i = 0; i < 2000; ++i) fill.emplace_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
   {
     CellServer server;

@@ -1,10 +1,11 @@
 // The registers of the status block.
-#include "symplant/link/modbus/status_block.hpp"
+#include "symplant/link/image/status_block.hpp"
 
 #include <catch2/catch.hpp>
 
 using symplant::exec::LinkState;
 using symplant::link::WordOrder;
+using namespace symplant::link::image;
 using namespace symplant::link::modbus;
 using symplant::link::kStatusRegisters;
 

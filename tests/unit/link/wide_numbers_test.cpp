@@ -9,6 +9,7 @@
 #include "unit/link/symbol_list.hpp"
 
 using namespace symplant;
+using namespace symplant::link::image;
 using namespace symplant::link::modbus;
 using link::WordOrder;
 using tables::DataType;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 /// What a server does after accept() failed.
 enum class AfterAccept {
@@ -27,4 +27,4 @@ std::optional<rlim_t> limit_for(rlimit limit, std::size_t clients) noexcept;
 /// text says what to do.
 void make_room_for(std::size_t clients);
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

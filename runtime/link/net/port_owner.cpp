@@ -1,5 +1,5 @@
 // The process that listens on a port of this machine.
-#include "symplant/link/modbus/port_owner.hpp"
+#include "symplant/link/net/port_owner.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::optional<PortOwner> owner_of_port(const sockaddr& address) {
   return std::nullopt;
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

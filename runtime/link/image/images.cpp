@@ -1,11 +1,11 @@
 // The plant's images as a Modbus server's tables.
-#include "symplant/link/modbus/images.hpp"
+#include "symplant/link/image/images.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <utility>
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 namespace {
 
@@ -285,24 +285,31 @@ void Images::hand_over() noexcept {
   operations_.publish();
 }
 
-std::uint32_t Images::written(const Answer& answer) noexcept {
-  if (answer.count == 0) return 0;
-  const bool coils = answer.written == Table::coil;
+std::uint32_t Images::written(Table table, std::uint32_t first, std::uint32_t count) noexcept {
+  if (count == 0) return 0;
+  const bool coils = table == Table::coil;
   const std::size_t base = coils ? 0 : coil_words_;
   const std::uint32_t per_word = coils ? kBitsPerWord : kRegistersPerWord;
-  const std::uint32_t last = std::uint32_t{answer.first} + answer.count - 1;
-  for (std::uint32_t word = answer.first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
-  rewriting_.wrote(coils, answer.first, answer.count);
+  const std::uint32_t last = first + count - 1;
+  for (std::uint32_t word = first / per_word; word <= last / per_word; ++word) operations_.touch(base + word);
+  rewriting_.wrote(coils, first, count);
   hand_over();
-  return answer.count - mapped_[static_cast<std::size_t>(answer.written)].count(answer.first, answer.count);
+  return count - mapped_[static_cast<std::size_t>(table)].count(first, count);
 }
 
-bool Images::changed_watchdog(const Answer& answer) noexcept {
-  const bool written = watchdog_ && answer.written == Table::holding_register && answer.first <= *watchdog_ &&
-                       *watchdog_ < std::uint32_t{answer.first} + answer.count;
+void Images::written_all() noexcept {
+  for (std::size_t word = 0; word < applied_.size(); ++word) operations_.touch(word);
+  rewriting_.wrote(true, 0, sizes_[static_cast<std::size_t>(Table::coil)]);
+  rewriting_.wrote(false, 0, sizes_[static_cast<std::size_t>(Table::holding_register)]);
+  hand_over();
+}
+
+bool Images::changed_watchdog(Table table, std::uint32_t first, std::uint32_t count) noexcept {
+  const bool written =
+      watchdog_ && table == Table::holding_register && first <= *watchdog_ && *watchdog_ < first + count;
   if (!written) return false;
   const std::uint16_t value = get_register(operations_.words().subspan(coil_words_), *watchdog_);
   return std::exchange(watchdog_value_, value) != value;
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 /// A set of addresses below a size. Only the constructor allocates; a range costs one step for each 64 addresses.
 class AddressSet {
@@ -64,4 +64,4 @@ class AddressSet {
   std::vector<std::uint64_t> words_;
 };
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -7,7 +7,7 @@
 #include "symplant/exec/exchange.hpp"
 #include "symplant/link/io_map.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 inline constexpr std::uint16_t kStatusLayout = 1;  ///< register 0: changes with the layout
 
@@ -30,4 +30,4 @@ PlantState plant_state(exec::LinkState link, bool frozen, bool stopping) noexcep
 /// The registers in order. Counters are cut to the bits of their registers, so that they wrap around.
 std::array<std::uint16_t, kStatusRegisters> registers_of(const StatusBlock& block, WordOrder order) noexcept;
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

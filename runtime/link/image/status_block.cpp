@@ -1,9 +1,9 @@
 // The registers of the status block.
-#include "symplant/link/modbus/status_block.hpp"
+#include "symplant/link/image/status_block.hpp"
 
 #include <span>
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 namespace {
 
 /// Writes a number that takes several registers.
@@ -37,4 +37,4 @@ std::array<std::uint16_t, kStatusRegisters> registers_of(const StatusBlock& bloc
   return registers;
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -1,12 +1,12 @@
 // Limits of the system on sockets: what to do after a failed accept(), how many clients are possible.
-#include "symplant/link/modbus/descriptors.hpp"
+#include "symplant/link/net/descriptors.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 namespace {
 
@@ -58,4 +58,4 @@ void make_room_for(std::size_t clients) {
   if (::setrlimit(RLIMIT_NOFILE, &limit) != 0) throw std::system_error(errno, std::generic_category(), "setrlimit");
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

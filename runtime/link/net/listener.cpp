@@ -1,47 +1,23 @@
 // Opens a listening TCP socket from HOST:PORT.
-#include "symplant/link/modbus/listener.hpp"
+#include "symplant/link/net/listener.hpp"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <memory>
 #include <system_error>
-#include <vector>
 
-#include "symplant/link/modbus/port_owner.hpp"
+#include "symplant/link/net/port_owner.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 namespace {
 
-constexpr std::string_view kLoopback = "127.0.0.1";
 constexpr int kFirstFreePort = 1024;  ///< ports below it need a privilege
 
 LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
 LinkError environment(std::string message) { return {LinkError::Kind::environment, std::move(message)}; }
-
-struct FreeAddresses {
-  void operator()(addrinfo* list) const noexcept { ::freeaddrinfo(list); }
-};
-using Addresses = std::unique_ptr<addrinfo, FreeAddresses>;
-
-std::variant<Addresses, LinkError> resolve(const HostPort& address) {
-  addrinfo hints{};
-  hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-  addrinfo* list = nullptr;
-  const int fault = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &list);
-  if (fault == 0) return Addresses(list);
-  const std::string why = "host `" + address.host + "` has no address (" + ::gai_strerror(fault) + ")";
-  const bool host_is_wrong = fault == EAI_NONAME || fault == EAI_FAIL;
-  return host_is_wrong ? usage(why + ": give a name or an address of this machine, 127.0.0.1 for clients on it only")
-                       : environment(why + ": try again, or give a numeric address");
-}
 
 /// Why a socket cannot be bound to `at`, an address of the host, and what to do.
 LinkError bind_error(const HostPort& address, const sockaddr& at, int error) {
@@ -91,49 +67,14 @@ Descriptor listen_at(const addrinfo& address) {
   return socket;
 }
 
-/// IPv4 first: most masters know only IPv4, and `localhost` resolves to IPv6 first on many systems.
-std::vector<const addrinfo*> ipv4_first(const addrinfo* list) {
-  std::vector<const addrinfo*> all;
-  for (const addrinfo* one = list; one != nullptr; one = one->ai_next) all.push_back(one);
-  std::stable_partition(all.begin(), all.end(), [](const addrinfo* one) { return one->ai_family == AF_INET; });
-  return all;
-}
-
 /// Whether the machine does not have the address. Only then the next one is tried: if a port is in use at one address
 /// and free at another, masters would reach the program at the first.
 bool is_absent(int error) { return error == EADDRNOTAVAIL || error == EAFNOSUPPORT; }
 
 }  // namespace
 
-std::variant<HostPort, LinkError> parse_host_port(std::string_view text) {
-  const std::string shown = "`" + std::string(text) + "`";
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string_view::npos) return usage(shown + " has no port: give HOST:PORT, such as 127.0.0.1:5020");
-  std::string_view host = text.substr(0, colon);
-  const std::string_view digits = text.substr(colon + 1);
-
-  HostPort result;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, fault] = std::from_chars(digits.data(), end, result.port);
-  if (digits.empty() || fault != std::errc() || stop != end) {
-    return usage(shown + " does not end in a port: give a number from 0 to 65535, 0 for any free port");
-  }
-  const bool bracketed = host.size() > 2 && host.front() == '[' && host.back() == ']';
-  if (bracketed) host = host.substr(1, host.size() - 2);
-  if (host.find_first_of("[]/@?# ") != std::string_view::npos || (!bracketed && host.find(':') != host.npos)) {
-    return usage(shown + " is not HOST:PORT: put an IPv6 address in brackets, such as [::1]:5020");
-  }
-  result.host = host.empty() ? kLoopback : host;
-  return result;
-}
-
-std::string format_host_port(const HostPort& address) {
-  const bool brackets = address.host.find(':') != std::string::npos;
-  return (brackets ? "[" + address.host + "]" : address.host) + ":" + std::to_string(address.port);
-}
-
 std::variant<Listener, LinkError> listen_on(const HostPort& address) {
-  auto resolved = resolve(address);
+  auto resolved = resolve(address, SOCK_STREAM, true);
   if (auto* error = std::get_if<LinkError>(&resolved)) return std::move(*error);
   const addrinfo* failed = nullptr;
   int error = EADDRNOTAVAIL;
@@ -150,4 +91,4 @@ std::variant<Listener, LinkError> listen_on(const HostPort& address) {
   return bind_error(address, *failed->ai_addr, error);
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

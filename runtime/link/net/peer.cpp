@@ -1,5 +1,5 @@
 // The other end of an accepted TCP connection.
-#include "symplant/link/modbus/peer.hpp"
+#include "symplant/link/net/peer.hpp"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -9,7 +9,7 @@
 #include <array>
 #include <string_view>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string peer_address(int socket) {
   return std::string(shown.substr(0, kMapped.size()) == kMapped ? shown.substr(kMapped.size()) : shown);
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "symplant/link/modbus/address_set.hpp"
+#include "symplant/link/image/address_set.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 /// For coils and holding registers. Used by the server's thread. A write costs one step for each 64 addresses written,
 /// a loss one for each 64 addresses of the tables.
@@ -40,4 +40,4 @@ class Rewriting {
   std::uint32_t awaited_ = 0;
 };
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 struct PortOwner {
   std::string program;  ///< in printable ASCII; the system cuts it after 15 bytes
@@ -18,4 +18,4 @@ struct PortOwner {
 /// and on the same address or on all. Reads /proc; nothing if that is not readable, as for processes of other users.
 std::optional<PortOwner> owner_of_port(const sockaddr& address);
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

@@ -7,17 +7,16 @@
 #include <span>
 #include <vector>
 
+#include "symplant/link/image/address_set.hpp"
+#include "symplant/link/image/numbers.hpp"
+#include "symplant/link/image/rewriting.hpp"
+#include "symplant/link/image/status_block.hpp"
+#include "symplant/link/image/table_view.hpp"
 #include "symplant/link/io_map.hpp"
-#include "symplant/link/modbus/address_set.hpp"
-#include "symplant/link/modbus/codec.hpp"
-#include "symplant/link/modbus/numbers.hpp"
-#include "symplant/link/modbus/rewriting.hpp"
-#include "symplant/link/modbus/status_block.hpp"
-#include "symplant/link/modbus/table_view.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/share/shared_words.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 /// Coils and holding registers go from the server to the cycle, discrete inputs and input registers back; a whole image
 /// at a time in each direction. At the start operations are off and numbers have their initial values.
@@ -57,9 +56,12 @@ class Images {
   void begin_request(std::uint32_t losses) noexcept;
   /// To be called after each request was answered: publishes what it wrote. Returns the number of written addresses
   /// that neither a symbol nor the watchdog uses.
-  std::uint32_t written(const Answer& answer) noexcept;
+  std::uint32_t written(Table table, std::uint32_t first, std::uint32_t count) noexcept;
+  /// To be called instead of written() when all coils and holding registers were written: publishes them at once.
+  /// O(image).
+  void written_all() noexcept;
   /// Whether the answered request changed the watchdog's register.
-  bool changed_watchdog(const Answer& answer) noexcept;
+  bool changed_watchdog(Table table, std::uint32_t first, std::uint32_t count) noexcept;
   /// Whether a symbol or the watchdog uses one of these addresses. O(count / 64).
   bool is_mapped(Table table, std::uint32_t first, std::uint32_t count) const noexcept {
     return mapped_[static_cast<std::size_t>(table)].has_any(first, count);
@@ -112,4 +114,4 @@ class Images {
   share::SharedWords events_;      ///< cycle -> server
 };
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -7,7 +7,7 @@
 
 #include "symplant/link/io_map.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 inline constexpr std::uint32_t kBitsPerWord = 64;
 inline constexpr std::uint32_t kRegistersPerWord = 4;
@@ -75,4 +75,4 @@ inline void set_register(std::span<std::uint64_t> words, std::uint32_t address, 
   word = (word & ~(std::uint64_t{0xFFFF} << shift)) | (std::uint64_t{value} << shift);
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

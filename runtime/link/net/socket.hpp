@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace symplant::link::modbus {
+namespace symplant::link::net {
 
 /// Closes what it holds; -1 holds nothing.
 class Descriptor {
@@ -30,4 +30,4 @@ class Descriptor {
   int fd_ = -1;
 };
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::net

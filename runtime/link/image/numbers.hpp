@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
+#include "symplant/link/image/table_view.hpp"
 #include "symplant/link/link_settings.hpp"
-#include "symplant/link/modbus/table_view.hpp"
 #include "symplant/tables/tables.hpp"
 
-namespace symplant::link::modbus {
+namespace symplant::link::image {
 
 /// The registers of a number and their meaning. REAL and LREAL are IEEE 754 on the wire; SINT, USINT and BYTE use the
 /// lower half of one register.
@@ -63,4 +63,4 @@ inline void set_number(std::span<std::uint64_t> registers, const NumberLayout& l
   }
 }
 
-}  // namespace symplant::link::modbus
+}  // namespace symplant::link::image

@@ -1,0 +1,30 @@
+// A link that goes to the PLC: polls its operations and writes its events, in any protocol that has a Dialog.
+#pragma once
+
+#include <memory>
+
+#include "symplant/link/client/dialog.hpp"
+#include "symplant/link/io_map.hpp"
+#include "symplant/link/link.hpp"
+#include "symplant/tables/time.hpp"
+
+namespace symplant::link::client {
+
+/// When a client link acts. Times in ns, > 0.
+struct ClientTimes {
+  tables::Time poll = 10 * tables::kMillisecond;  ///< from one reading of the operations to the next
+  tables::Time refresh = 2 * tables::kSecond;     ///< all events are written again, rejected requests repeated
+  tables::Time read_back = 0;                     ///< what was written is read and compared; 0: never
+  tables::Time first_retry = tables::kSecond;     ///< after a failed connection; doubled up to `last_retry`
+  tables::Time last_retry = 30 * tables::kSecond;
+  bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
+};
+
+/// Starts a thread that connects to the PLC, again and again. It reads all operations; writes the events that changed;
+/// writes all of them after a connection and after each `refresh`. It writes only to a PLC whose identity is verified,
+/// or with LinkSettings::arm to one that has nothing to verify. Tables must outlive the link; an invalid map, and a
+/// system without threads, are errors.
+LinkResult open_client_link(std::unique_ptr<Dialog> dialog, const IoMap& map, const LinkSettings& settings,
+                            const ClientTimes& times, const tables::PlantTables& tables, const plant::Plant* plant);
+
+}  // namespace symplant::link::client

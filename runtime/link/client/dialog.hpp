@@ -1,0 +1,92 @@
+// A conversation with one PLC in some protocol: the interface between a client link's thread and its protocols.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/link_settings.hpp"
+
+namespace symplant::link::client {
+
+/// Why a step did not succeed.
+struct Fault {
+  enum class Kind : std::uint8_t {
+    none,
+    transport,    ///< no or no valid answer: the connection must be closed, since a late answer could follow
+    rejected,     ///< the PLC answered with an error; the connection is good
+    interrupted,  ///< by interrupt()
+  };
+  Kind kind = Kind::none;
+  std::string message = {};  ///< what happened and what to do
+
+  explicit operator bool() const noexcept { return kind != Kind::none; }
+};
+
+/// 16 addresses of a table of bits, or one register: the unit in which changes are written. Register n of a table's
+/// words holds it (image::get_register).
+struct Lane {
+  Table table = Table::discrete_input;
+  std::uint32_t number = 0;  ///< of bits: address / 16; of registers: the address
+  friend bool operator==(const Lane&, const Lane&) = default;
+};
+
+/// What is to be written of a lane: the bits of `mask`.
+struct LaneChange {
+  Lane lane;
+  std::uint16_t mask = 0;
+  std::uint16_t value = 0;
+};
+
+/// Whether the PLC is the one that the link was configured for.
+struct Identity {
+  enum class Kind : std::uint8_t {
+    verified,
+    unverifiable,  ///< the PLC or the protocol has nothing to compare: writing needs `--arm`
+    wrong,         ///< another PLC: the link must not write
+  };
+  Kind kind = Kind::unverifiable;
+  std::string message = {};  ///< what was found: "CPU `R08CPU`"
+};
+
+/// One connection at a time to one PLC. Used by the thread of a client link; interrupt() may be called by any thread.
+class Dialog {
+ public:
+  Dialog() = default;
+  Dialog(const Dialog&) = delete;
+  Dialog& operator=(const Dialog&) = delete;
+  virtual ~Dialog() = default;
+
+  virtual std::string url() const = 0;
+
+  /// Connects. After a fault the dialog is closed.
+  virtual Fault open() = 0;
+  virtual void close() noexcept = 0;
+  /// Asks the PLC what it is. `fault` is set if there was no valid answer.
+  virtual Identity identify(Fault& fault) = 0;
+
+  /// Reads all mapped operations into the coils and holding registers. A fault of the transport leaves some unread. If
+  /// the PLC rejects a request, the others follow; it is not sent again until retry_rejected(). If it rejects all, so
+  /// is the result.
+  virtual Fault read(image::Tables& tables) = 0;
+  /// Writes the changes, which are in ascending order of lanes and within the map. Rejected ones count as written.
+  virtual Fault write(std::span<const LaneChange> changes) = 0;
+  /// Reads what the PLC holds where events are written, into words laid out as the images.
+  virtual Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) = 0;
+
+  /// Sends rejected requests again from now on.
+  virtual void retry_rejected() noexcept = 0;
+  /// A message for each rejected request since the last call.
+  virtual std::vector<std::string> take_rejections() = 0;
+
+  /// Ends the current call and all later ones. Any thread.
+  virtual void interrupt() noexcept = 0;
+  /// Number of answered requests, rejected ones included. Any thread.
+  virtual std::uint64_t requests() const noexcept = 0;
+  /// Number of rejected requests. Any thread.
+  virtual std::uint64_t rejected() const noexcept = 0;
+};
+
+}  // namespace symplant::link::client

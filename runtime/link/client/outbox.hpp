@@ -1,0 +1,48 @@
+// What a PLC has confirmed of the events, and what has changed since.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "symplant/link/client/dialog.hpp"
+#include "symplant/link/image/table_view.hpp"
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::link::client {
+
+/// For discrete inputs and input registers. Only mapped bits and registers are ever changes. A call costs one step for
+/// each 64 bits of the tables.
+class Outbox {
+ public:
+  explicit Outbox(const IoMap& map);
+
+  /// From now on everything mapped is a change, until it is confirmed.
+  void forget() noexcept;
+  /// These lanes' bits are changes again.
+  void forget(std::span<const LaneChange> lanes) noexcept;
+  /// All lanes whose mapped bits differ from what was confirmed last, in ascending order. Valid until the next call.
+  std::span<const LaneChange> changes(const image::Tables& events);
+  /// The PLC has accepted the changes.
+  void confirm(std::span<const LaneChange> changes) noexcept;
+  /// The lanes in which the PLC now holds something else than it confirmed, given what was read back.
+  std::vector<LaneChange> differences(std::span<const std::uint64_t> discrete_inputs,
+                                      std::span<const std::uint64_t> input_registers) const;
+
+ private:
+  /// A table: its mapped bits, what was confirmed of them, and which of them were.
+  struct Side {
+    Table table;
+    std::vector<std::uint64_t> mapped;
+    std::vector<std::uint64_t> confirmed;
+    std::vector<std::uint64_t> known;
+  };
+
+  Side& side_of(const Lane& lane) noexcept;
+
+  std::array<Side, 2> sides_;
+  std::vector<LaneChange> changes_;
+};
+
+}  // namespace symplant::link::client

@@ -1,0 +1,40 @@
+// The cycle's side of a link that keeps images.
+#include "symplant/link/image/cycle_side.hpp"
+
+#include <utility>
+
+namespace symplant::link::image {
+
+CycleSide::CycleSide(const tables::PlantTables& tables, const IoMap& map, const LinkSettings& settings,
+                     const plant::Plant* plant)
+    : freezes_(settings.plant_on_loss == PlantOnLoss::freeze),
+      health_(map.watchdog ? settings.watchdog_within : settings.loss_after, settings.resync),
+      images_(tables, map, settings.word_order) {
+  status_.map_hash = map_hash(tables, map);
+  if (plant != nullptr) images_.write_events(*plant, {.map_hash = status_.map_hash});
+}
+
+bool CycleSide::read_operations(plant::Plant& plant, tables::Time now, std::uint64_t signs) noexcept {
+  images_.take_operations();
+  const bool heard = std::exchange(signs_, signs) != signs;
+  const Verdict verdict = health_.look(now, heard, images_.is_complete(health_.losses()));
+  if (verdict == Verdict::apply) images_.apply_operations(plant);
+  if (verdict == Verdict::lose) images_.zero_operations(plant);
+  if (health_.state() == exec::LinkState::lost) ++status_.lost_exchanges;
+  return verdict == Verdict::lose;
+}
+
+void CycleSide::write_events(const plant::Plant& plant, const exec::CycleStatus& status) noexcept {
+  status_.cycles = status.cycles + 1;  // this one included
+  status_.overruns = status.overruns;
+  status_.live = status.live;
+  status_.state = plant_state(health_.state(), status.frozen, false);
+  images_.write_events(plant, status_);
+}
+
+void CycleSide::leave() noexcept {
+  status_.state = PlantState::stopping;
+  images_.write_status(status_);
+}
+
+}  // namespace symplant::link::image
