@@ -70,12 +70,12 @@ std::string address_text(const link::IoPoint& point) {
 }
 
 std::string modicon_text(const link::IoPoint& point) {
-  const auto one = [&](std::uint16_t number) {
-    constexpr std::uint16_t kLastOfFiveDigits = 9998;  // coil 010000 and discrete input 10000 differ by the 0
+  const auto one = [&](std::uint32_t number) {
+    constexpr std::uint32_t kLastOfFiveDigits = 9998;  // coil 010000 and discrete input 10000 differ by the 0
     return fmt::format("{:0{}}", link::modicon_number(point.table, number), number > kLastOfFiveDigits ? 6 : 5);
   };
   if (point.width == 1) return one(point.number);
-  return one(point.number) + "-" + one(static_cast<std::uint16_t>(point.last()));
+  return one(point.number) + "-" + one(point.last());
 }
 
 std::string word_order_text(link::WordOrder order) {

@@ -106,8 +106,8 @@ class MapMaker {
     } else if (number >= kAddresses || number + width > kAddresses) {
       fault(MapFault::Kind::beyond_end, carried.symbol);
     } else {
-      occupy(map_.points.emplace_back(IoPoint{carried.symbol, table, static_cast<std::uint16_t>(number), width,
-                                              carried.word_order, carried.on_loss}));
+      occupy(
+          map_.points.emplace_back(IoPoint{carried.symbol, table, number, width, carried.word_order, carried.on_loss}));
     }
   }
 
@@ -260,10 +260,10 @@ std::uint8_t width_of(tables::DataType type) noexcept {
   }
 }
 
-std::uint32_t modicon_number(Table table, std::uint16_t number) {
+std::uint32_t modicon_number(Table table, std::uint32_t number) {
   constexpr std::array<std::uint32_t, kTables> kDigit = {0, 1, 4, 3};
   constexpr std::uint32_t kFiveDigits = 10'000;
-  const std::uint32_t counted = number + 1U;
+  const std::uint32_t counted = number + 1;
   const std::uint32_t digit = kDigit[static_cast<std::size_t>(table)];
   return digit * (counted < kFiveDigits ? kFiveDigits : 10 * kFiveDigits) + counted;
 }

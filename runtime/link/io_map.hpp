@@ -16,12 +16,12 @@ namespace symplant::link {
 struct IoPoint {
   std::uint32_t symbol;
   Table table;
-  std::uint16_t number;  ///< protocol address, counted from 0; the first of several registers
+  std::uint32_t number;  ///< protocol address, counted from 0; the first of several registers
   std::uint8_t width;    ///< coils or registers: 1; a number of 32 bits takes 2 registers, one of 64 bits 4
   WordOrder word_order;  ///< which of several registers comes first
   OnLoss on_loss;        ///< of operations
 
-  std::uint32_t last() const noexcept { return std::uint32_t{number} + width - 1; }
+  std::uint32_t last() const noexcept { return number + width - 1; }
 };
 
 /// Why a map is invalid: an overlap, or something beyond the end of a table.
@@ -79,7 +79,7 @@ std::uint8_t width_of(tables::DataType type) noexcept;
 
 /// The Modicon number of a protocol address, counted from 1 and written with its table's digit: coil 0 is 1, discrete
 /// input 1 is 10002; six digits from number 10,000 on (110001).
-std::uint32_t modicon_number(Table table, std::uint16_t number);
+std::uint32_t modicon_number(Table table, std::uint32_t number);
 
 const char* table_name(Table table);
 

@@ -6,6 +6,7 @@
 #include "symplant/link/link.hpp"
 #include "symplant/link/loop_link.hpp"
 #include "symplant/link/modbus/server_link.hpp"
+#include "symplant/link/slmp/slmp_link.hpp"
 
 namespace symplant::link {
 
@@ -32,6 +33,7 @@ struct Scheme {
 constexpr std::array kSchemes = {
     Scheme{"loop", "`loop:`", loop_fault, open_loop},
     Scheme{"modbus-tcp-server", "`modbus-tcp-server://HOST:PORT`", modbus::address_fault, modbus::open_server_link},
+    Scheme{"slmp", "`slmp://HOST:PORT?family=q|l|iqr|fx5`", slmp::slmp_fault, slmp::open_slmp_link},
 };
 
 std::string known_forms() {

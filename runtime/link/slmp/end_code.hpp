@@ -1,0 +1,29 @@
+// End codes of SLMP in plain words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace symplant::link::slmp {
+
+/// What an end code asks for.
+enum class Remedy : std::uint8_t {
+  configure,  ///< the request can never succeed: map, family or parameters must change
+  permit,     ///< the PLC does not allow it now
+  try_again,  ///< busy, or a relay failed
+};
+
+struct EndCode {
+  std::uint16_t code;
+  Remedy remedy;
+  const char* meaning;  ///< "the number of points is out of range"
+  const char* action;   ///< "..." what to do
+};
+
+/// The row of a code; of an unknown one a row with its range in general words. O(log rows).
+const EndCode& end_code_of(std::uint16_t code) noexcept;
+
+/// "end code C056 (the last device is beyond the configured range): give ...".
+std::string end_code_text(std::uint16_t code);
+
+}  // namespace symplant::link::slmp

@@ -1,0 +1,107 @@
+// One request and its reply at a time over a connection to a PLC.
+#include "symplant/link/slmp/exchange.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace symplant::link::slmp {
+
+using client::Fault;
+using net::Ended;
+
+namespace {
+
+Fault lost(std::string message) { return {Fault::Kind::transport, std::move(message)}; }
+
+}  // namespace
+
+Exchange::Exchange(net::HostPort address, net::Transport transport, const Framing& framing, tables::Time timeout)
+    : address_(std::move(address)),
+      transport_(transport),
+      framing_(framing),
+      timeout_(timeout),
+      writer_(framing),
+      received_(2 * kLongestReply) {}
+
+net::Deadline Exchange::deadline() const {
+  return std::chrono::steady_clock::now() + std::chrono::nanoseconds(timeout_);
+}
+
+Fault Exchange::open() {
+  answered_ = false;
+  size_ = 0;
+  used_ = 0;
+  switch (socket_.connect(address_, transport_, deadline())) {
+    case Ended::done:
+      return {};
+    case Ended::interrupted:
+      return {Fault::Kind::interrupted};
+    case Ended::timeout:
+      return lost("no connection to " + net::format_host_port(address_) +
+                  ": no answer; check the address, the cable and the port settings of the PLC");
+    case Ended::closed:
+      break;
+  }
+  return lost("no connection to " + net::format_host_port(address_) + ": " + socket_.fault() +
+              "; check that the PLC's port is set up for SLMP (MC protocol) and that no other program uses it; after a "
+              "lost connection a PLC may refuse new ones for up to 45 s");
+}
+
+void Exchange::close() noexcept { socket_.close(); }
+
+RequestWriter& Exchange::begin(Command command, bool bits) {
+  writer_.begin(command, bits, ++serial_);
+  return writer_;
+}
+
+Fault Exchange::failed(Ended ended, const char* doing) {
+  if (ended == Ended::interrupted) return {Fault::Kind::interrupted};
+  if (ended == Ended::closed) return lost(std::string("connection lost ") + doing + ": " + socket_.fault());
+  if (answered_) return lost("the PLC does not answer any more; connecting again");
+  return lost(
+      "connected, but the PLC does not answer: its port probably expects other frames; set `code=ascii` or `binary` as "
+      "its communication data code, or `frame=3e`");
+}
+
+Fault Exchange::transact(Reply& reply) {
+  std::copy(received_.begin() + static_cast<std::ptrdiff_t>(used_),
+            received_.begin() + static_cast<std::ptrdiff_t>(size_), received_.begin());
+  size_ -= std::exchange(used_, 0);
+  if (size_ != 0 && framing_.frame == FrameType::e3) {
+    return lost("the PLC sent more than one reply to a request; connecting again");
+  }
+  const net::Deadline end = deadline();
+  const Ended sent = socket_.send(writer_.finish(), end);
+  Fault fault = sent == Ended::done ? receive(reply, end) : failed(sent, "while sending");
+  if (!fault) answered_ = true;
+  return fault;
+}
+
+Fault Exchange::receive(Reply& reply, net::Deadline end) {
+  const bool datagrams = transport_ == net::Transport::udp;
+  for (;;) {
+    if (!datagrams || size_ != 0) {
+      reply = parse_reply(std::span(received_).first(size_), framing_, serial_, datagrams);
+      if (reply.kind == Reply::Kind::broken) {
+        return lost(std::string("the PLC's answer is invalid: ") + reply.reason + "; connecting again");
+      }
+      if (reply.kind == Reply::Kind::complete) {
+        used_ = reply.consumed;
+        return {};
+      }
+      if (reply.kind == Reply::Kind::late) {
+        std::copy(received_.begin() + static_cast<std::ptrdiff_t>(reply.consumed),
+                  received_.begin() + static_cast<std::ptrdiff_t>(size_), received_.begin());
+        size_ -= reply.consumed;
+        continue;
+      }
+    }
+    std::size_t count = 0;
+    const Ended ended = socket_.receive(std::span(received_).subspan(size_), count, end);
+    if (ended != Ended::done) return failed(ended, "while waiting for an answer");
+    size_ += count;
+  }
+}
+
+}  // namespace symplant::link::slmp

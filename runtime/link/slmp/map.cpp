@@ -1,0 +1,262 @@
+// Where each symbol lies in a PLC's memory, and in the images of its link.
+#include "symplant/link/slmp/map.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "symplant/tables/ascii.hpp"
+#include "symplant/tables/lists.hpp"
+#include "symplant/tables/names.hpp"
+
+namespace symplant::link::slmp {
+
+namespace {
+
+constexpr std::uint32_t kCellBits = 16;
+constexpr std::uint32_t kBitsPerDigit = 4;
+
+LinkError error_of(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
+
+std::string ticked(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+bool is_output(Kind kind) { return info_of(kind).name == "Y" || info_of(kind).name == "DY"; }
+bool is_input(Kind kind) { return info_of(kind).name == "X" || info_of(kind).name == "DX"; }
+
+/// The device that `move` gives to `device`; nothing if it is out of the range.
+std::optional<Device> moved(const Device& device, const Move& move) {
+  if (device.kind != move.first.kind || device.number < move.first.number || device.number > move.last) return {};
+  const std::uint32_t offset = device.number - move.first.number;
+  Device to = move.to;
+  if (device.is_bit() && device.bit == Device::kNoBit && !info_of(to.kind).bit) {
+    const std::uint32_t bit = offset + (to.bit == Device::kNoBit ? 0 : to.bit);
+    to.number += bit / kCellBits;
+    to.bit = static_cast<std::uint8_t>(bit % kCellBits);
+    return to;
+  }
+  to.number += offset;
+  to.digits = device.digits;
+  if (device.bit != Device::kNoBit) to.bit = device.bit;
+  return to;
+}
+
+/// One location of the PLC's memory and the symbol that has it.
+struct Use {
+  Cell cell;
+  std::uint16_t mask;
+  std::uint32_t symbol;
+  bool operation;
+  Device device;
+};
+
+class Maker {
+ public:
+  Maker(const tables::PlantTables& tables, std::uint32_t controller, const LinkSettings& link, const Settings& settings)
+      : tables_(tables),
+        controller_(controller),
+        link_(link),
+        settings_(settings),
+        texts_(tables::split_names(tables.symbol_names)) {}
+
+  std::variant<DeviceMap, LinkError> make() {
+    for (const SymbolMove& move : settings_.symbol_moves) {
+      if (!knows(move.symbol)) return error_of("`map` moves " + ticked(move.symbol) + ", which is not a symbol");
+    }
+    for (std::uint32_t symbol = 0; symbol < tables_.symbols.size(); ++symbol) {
+      if (tables::controller_of(tables_, symbol) != controller_) continue;
+      if (auto error = add(symbol)) return std::move(*error);
+    }
+    if (auto error = conflict()) return std::move(*error);
+    number_all();
+    return std::move(map_);
+  }
+
+ private:
+  std::string_view name(std::uint32_t symbol) const { return texts_[std::size_t{2} * symbol]; }
+  std::string_view address(std::uint32_t symbol) const { return texts_[std::size_t{2} * symbol + 1]; }
+
+  bool knows(std::string_view wanted) const {
+    for (std::uint32_t symbol = 0; symbol < tables_.symbols.size(); ++symbol) {
+      if (tables::equal_ignoring_case(name(symbol), wanted)) return true;
+    }
+    return false;
+  }
+
+  void skip(std::uint32_t symbol, std::string reason) { map_.unreachable.push_back({symbol, std::move(reason)}); }
+
+  /// Finds the device of a symbol and notes it.
+  std::optional<LinkError> add(std::uint32_t symbol) {
+    const tables::SymbolRow& row = tables_.symbols[symbol];
+    for (const SymbolMove& move : settings_.symbol_moves) {
+      if (tables::equal_ignoring_case(name(symbol), move.symbol)) return use(symbol, move.to);
+    }
+    if (address(symbol).empty()) return skip(symbol, "has no address"), std::nullopt;
+    const auto device = parse_device(address(symbol), settings_.framing.family);
+    if (!device)
+      return skip(symbol, "has the address " + ticked(address(symbol)) + ", which is not a device of this family"),
+             std::nullopt;
+    if (auto error = counted_otherwise(symbol, *device)) return error;
+    for (const Move& move : settings_.moves) {
+      if (const auto to = moved(*device, move)) return use(symbol, *to);
+    }
+    if (row.direction() == tables::Direction::event && is_input(device->kind)) return use_input(symbol, *device);
+    return use(symbol, *device);
+  }
+
+  /// The list counts X and Y in another base than the family, so that its addresses would be others in the PLC.
+  std::optional<LinkError> counted_otherwise(std::uint32_t symbol, const Device& device) const {
+    const tables::SymbolRow& row = tables_.symbols[symbol];
+    const bool counted = row.form() == tables::AddressForm::number && (is_input(device.kind) || is_output(device.kind));
+    if (!counted || device.digits != 0 || device.number == row.number) return std::nullopt;
+    const bool fx = settings_.framing.family == Family::fx5;
+    return error_of(ticked(name(symbol)) + " at " + std::string(address(symbol)) + ": the list was read with " +
+                    (fx ? "hexadecimal" : "octal") + " X and Y, the family of the link counts them in " +
+                    (fx ? "octal" : "hexadecimal") + "; give `--xy " + (fx ? "octal" : "hex") +
+                    "` or another `family`");
+  }
+
+  std::optional<LinkError> use_input(std::uint32_t symbol, Device device) {
+    if (settings_.events == EventAccess::unset) {
+      return error_of(
+          ticked(name(symbol)) + " is at " + std::string(address(symbol)) +
+          ", and a PLC overwrites X in every scan where it has an input module: choose how events reach it. "
+          "`events=direct` writes X, for a simulator, a vacant slot or a CPU without modules; `map=X0-X3F:X800` writes "
+          "to other X without a module; `map=X0-X7F:M1000` (or B, L, D, W) writes to devices that the program uses "
+          "instead of its inputs; `events=dx` writes DX. docs/mitsubishi.md compares them");
+    }
+    if (settings_.events == EventAccess::dx) device.kind = *kind_of("DX");
+    return use(symbol, device);
+  }
+
+  std::optional<LinkError> use(std::uint32_t symbol, const Device& device) {
+    const tables::SymbolRow& row = tables_.symbols[symbol];
+    const bool operation = row.direction() == tables::Direction::operation;
+    const bool bit = row.type() == tables::DataType::boolean;
+    const std::string where = device_text(device, settings_.framing.family);
+    if (!operation && is_output(device.kind)) {
+      return error_of(ticked(name(symbol)) + " is an event at " + where +
+                      ": outputs are never written; move it by `map`, or check its direction");
+    }
+    if (bit != device.is_bit()) {
+      skip(symbol, bit ? "is BOOL at " + where + ", which has 16 bits: give the bit, as in D100.0"
+                       : "is a number at " + where + ", which is a bit: give a word, or K4X0");
+      return std::nullopt;
+    }
+    if (bit) {
+      const bool of_word = device.bit != Device::kNoBit;
+      const Cell cell{device.kind, of_word ? device.number : device.number / kCellBits};
+      const std::uint32_t shift = of_word ? device.bit : device.number % kCellBits;
+      uses_.push_back({cell, static_cast<std::uint16_t>(1U << shift), symbol, operation, device});
+      return std::nullopt;
+    }
+    add_number(symbol, device, operation, where);
+    return std::nullopt;
+  }
+
+  void add_number(std::uint32_t symbol, const Device& device, bool operation, const std::string& where) {
+    const std::uint8_t width = width_of(tables_.symbols[symbol].type());
+    std::uint32_t first = device.number;
+    if (info_of(device.kind).bit) {
+      if (device.digits * kBitsPerDigit != width * kCellBits) {
+        return skip(symbol, "is a number of " + std::to_string(width * kCellBits) + " bits at " + where);
+      }
+      if (device.number % kCellBits != 0) return skip(symbol, "is at " + where + ", not at a multiple of 16");
+      first /= kCellBits;
+    }
+    for (std::uint32_t k = 0; k < width; ++k) {
+      uses_.push_back({{device.kind, first + k}, 0xFFFF, symbol, operation, device});
+    }
+  }
+
+  /// Whether two symbols may have one location: they are equal in the PLC's program, too.
+  bool may_share(const Use& a, const Use& b) const {
+    if (a.operation != b.operation || a.device != b.device) return false;
+    return width_of(tables_.symbols[a.symbol].type()) == width_of(tables_.symbols[b.symbol].type());
+  }
+
+  /// Two symbols on one bit; or an event, whose whole word is written, in a word with anything else.
+  std::optional<LinkError> conflict() {
+    std::sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
+      return std::tuple(a.cell, a.mask, a.symbol) < std::tuple(b.cell, b.mask, b.symbol);
+    });
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+      const Use& use = uses_[i];
+      for (std::size_t j = i + 1; j < uses_.size() && uses_[j].cell == use.cell; ++j) {
+        const Use& other = uses_[j];
+        const bool meets = (use.mask & other.mask) != 0 && !may_share(use, other);
+        const bool whole = !info_of(use.cell.kind).bit && use.operation != other.operation;
+        const bool mixed = (use.mask == 0xFFFF) != (other.mask == 0xFFFF) && !(use.operation && other.operation);
+        if (!meets && !whole && !mixed) continue;
+        return error_of(ticked(name(use.symbol)) + " on " + device_text(use.device, settings_.framing.family) +
+                        " and " + ticked(name(other.symbol)) + " on " +
+                        device_text(other.device, settings_.framing.family) +
+                        (meets ? " overlap" : " share a word, which is written whole") + ": move one of them by `map`");
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Gives each cell its position in the images, and each symbol its point.
+  void number_all() {
+    for (const Use& use : uses_) {
+      Cells& cells = use.operation ? map_.operations : map_.events;
+      std::vector<Cell>& list = is_bit(use) ? cells.bits : cells.numbers;
+      if (list.empty() || list.back() != use.cell) list.push_back(use.cell);
+    }
+    std::stable_sort(uses_.begin(), uses_.end(), [](const Use& a, const Use& b) {
+      return std::tuple(a.symbol, a.cell) < std::tuple(b.symbol, b.cell);
+    });
+    const MapRow* next = link_.rows.data();
+    const MapRow* const end = next + link_.rows.size();
+    for (const Use& use : uses_) {
+      if (!map_.io.points.empty() && map_.io.points.back().symbol == use.symbol) continue;
+      while (next != end && next->symbol < use.symbol) ++next;
+      const bool is_set = next != end && next->symbol == use.symbol;
+      add_point(use, is_set ? *next : MapRow{use.symbol, MapRow::kDefault, link_.word_order});
+    }
+    set_size(Table::coil, kCellBits * map_.operations.bits.size());
+    set_size(Table::holding_register, map_.operations.numbers.size());
+    set_size(Table::discrete_input, kCellBits * map_.events.bits.size());
+    set_size(Table::input_register, map_.events.numbers.size());
+  }
+
+  bool is_bit(const Use& use) const { return tables_.symbols[use.symbol].type() == tables::DataType::boolean; }
+
+  void add_point(const Use& use, const MapRow& row) {
+    const Cells& cells = use.operation ? map_.operations : map_.events;
+    const std::vector<Cell>& list = is_bit(use) ? cells.bits : cells.numbers;
+    const auto position =
+        static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), use.cell) - list.begin());
+    std::uint32_t shift = 0;
+    while (is_bit(use) && (use.mask >> shift & 1) == 0) ++shift;
+    const Table table = is_bit(use) ? (use.operation ? Table::coil : Table::discrete_input)
+                                    : (use.operation ? Table::holding_register : Table::input_register);
+    map_.io.points.push_back({use.symbol, table, is_bit(use) ? kCellBits * position + shift : position,
+                              width_of(tables_.symbols[use.symbol].type()), row.word_order,
+                              row.on_loss == OnLoss::as_link ? link_.on_loss : row.on_loss});
+    map_.devices.push_back(use.device);
+  }
+
+  void set_size(Table table, std::size_t size) {
+    map_.io.sizes[static_cast<std::size_t>(table)] = static_cast<std::uint32_t>(size);
+  }
+
+  const tables::PlantTables& tables_;
+  const std::uint32_t controller_;
+  const LinkSettings& link_;
+  const Settings& settings_;
+  std::vector<std::string_view> texts_;  ///< two for each symbol: name, address
+  std::vector<Use> uses_;
+  DeviceMap map_;
+};
+
+}  // namespace
+
+std::variant<DeviceMap, LinkError> make_device_map(const tables::PlantTables& tables, std::uint32_t controller,
+                                                   const LinkSettings& link, const Settings& settings) {
+  return Maker(tables, controller, link, settings).make();
+}
+
+}  // namespace symplant::link::slmp

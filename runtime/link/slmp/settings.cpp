@@ -1,0 +1,241 @@
+// The settings of an SLMP link: the parameters of its URL.
+#include "symplant/link/slmp/settings.hpp"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "symplant/link/url.hpp"
+#include "symplant/tables/duration.hpp"
+#include "symplant/tables/nearest.hpp"
+
+namespace symplant::link::slmp {
+
+namespace {
+
+using Problem = std::string;  ///< of a value: what it is and what to write; empty if there is none
+
+constexpr tables::Time kTimerUnit = 250 * tables::kMillisecond;
+constexpr tables::Time kLongestTime = 3600 * tables::kSecond;
+
+std::string ticked_text(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+/// Sets `out` to the value whose name is `text`; otherwise lists the names.
+template <class Value, std::size_t Count>
+Problem choose(const std::array<std::pair<std::string_view, Value>, Count>& names, std::string_view text, Value& out) {
+  std::string known;
+  for (const auto& [name, value] : names) {
+    if (name == text) {
+      out = value;
+      return {};
+    }
+    known.append(known.empty() ? "" : ", ").append(name);
+  }
+  return "write one of " + known;
+}
+
+Problem read_number(std::string_view text, std::uint32_t most, std::uint32_t& out) {
+  const bool hexadecimal = text.starts_with("0x");
+  const std::string_view digits = hexadecimal ? text.substr(2) : text;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, out, hexadecimal ? 16 : 10);
+  if (!digits.empty() && error == std::errc() && stop == end && out <= most) return {};
+  return "write a number from 0 to " + std::to_string(most);
+}
+
+Problem read_time(std::string_view text, tables::Time& out, bool zero_allowed) {
+  const auto time = tables::parse_duration(std::string(text));
+  if (!time || (*time == 0 && !zero_allowed) || *time > kLongestTime) {
+    return "write a time such as 500ms or 2s, at most 1h";
+  }
+  out = *time;
+  return {};
+}
+
+Problem read_events(std::string_view text, EventAccess& out) {
+  constexpr std::array kNames = {std::pair{std::string_view("direct"), EventAccess::direct},
+                                 std::pair{std::string_view("dx"), EventAccess::dx}};
+  return choose(kNames, text, out);
+}
+
+constexpr const char* kMapForm =
+    "write what is moved and where to: map=X0-X3F:X800, map=X0-X7F:M1000, map=X0-X3F:D100 or map=SYMBOL:M5";
+
+class Reader {
+ public:
+  explicit Reader(std::vector<UrlParameter> parameters) : parameters_(std::move(parameters)) {}
+
+  std::variant<Settings, LinkError> read(net::HostPort address) {
+    settings_.address = std::move(address);
+    if (Problem problem = read_family(); !problem.empty()) return usage(std::move(problem));
+    for (const UrlParameter& parameter : parameters_) {
+      Problem problem = read_one(parameter);
+      if (!problem.empty()) return usage(std::move(problem));
+    }
+    if (Problem problem = contradiction(); !problem.empty()) return usage(std::move(problem));
+    return std::move(settings_);
+  }
+
+ private:
+  using Read = Problem (*)(std::string_view text, Settings& settings);
+  struct Key {
+    std::string_view name;
+    Read read;
+  };
+
+  static LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
+
+  /// First, since texts of devices depend on it.
+  Problem read_family() {
+    constexpr std::array kFamilies = {
+        std::pair{std::string_view("q"), Family::q}, std::pair{std::string_view("l"), Family::l},
+        std::pair{std::string_view("iqr"), Family::iqr}, std::pair{std::string_view("fx5"), Family::fx5}};
+    for (const UrlParameter& parameter : parameters_) {
+      if (parameter.key != "family") continue;
+      Problem problem = choose(kFamilies, parameter.value, settings_.framing.family);
+      return problem.empty() ? problem : ticked_text(parameter.value) + " is not a family: " + problem;
+    }
+    return "the link has no `family`: write `slmp://HOST:PORT?family=q`, or l, iqr, fx5; it decides whether X and Y "
+           "are "
+           "counted in hexadecimal or octal";
+  }
+
+  Problem read_one(const UrlParameter& parameter);
+  Problem read_map(std::string_view text);
+  Problem contradiction() const;
+
+  std::vector<UrlParameter> parameters_;
+  Settings settings_;
+};
+
+Problem read_frame(std::string_view text, Settings& settings) {
+  constexpr std::array kFrames = {std::pair{std::string_view("3e"), FrameType::e3},
+                                  std::pair{std::string_view("4e"), FrameType::e4}};
+  return choose(kFrames, text, settings.framing.frame);
+}
+
+Problem read_code(std::string_view text, Settings& settings) {
+  constexpr std::array kCodes = {std::pair{std::string_view("binary"), Code::binary},
+                                 std::pair{std::string_view("ascii"), Code::ascii}};
+  return choose(kCodes, text, settings.framing.code);
+}
+
+Problem read_commands(std::string_view text, Settings& settings) {
+  constexpr std::array kCommands = {std::pair{std::string_view("ql"), Commands::ql},
+                                    std::pair{std::string_view("iqr"), Commands::iqr}};
+  return choose(kCommands, text, settings.framing.commands);
+}
+
+Problem read_transport(std::string_view text, Settings& settings) {
+  constexpr std::array kTransports = {std::pair{std::string_view("tcp"), net::Transport::tcp},
+                                      std::pair{std::string_view("udp"), net::Transport::udp}};
+  return choose(kTransports, text, settings.transport);
+}
+
+Problem read_at_end(std::string_view text, Settings& settings) {
+  constexpr std::array kNames = {std::pair{std::string_view("keep"), false}, std::pair{std::string_view("zero"), true}};
+  return choose(kNames, text, settings.times.zero_at_end);
+}
+
+template <class Field>
+Problem read_field(std::string_view text, std::uint32_t most, Field& field) {
+  std::uint32_t number = 0;
+  Problem problem = read_number(text, most, number);
+  if (problem.empty()) field = static_cast<Field>(number);
+  return problem;
+}
+
+Problem read_timer(std::string_view text, Settings& settings) {
+  tables::Time time = 0;
+  Problem problem = read_time(text, time, false);
+  if (!problem.empty()) return problem;
+  if (time % kTimerUnit != 0) return "write a multiple of 250ms";
+  settings.framing.timer = static_cast<std::uint16_t>(time / kTimerUnit);
+  return {};
+}
+
+Problem Reader::read_map(std::string_view text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string_view::npos) return kMapForm;
+  const Family family = settings_.framing.family;
+  const auto to = parse_device(text.substr(colon + 1), family);
+  if (!to) return ticked_text(text.substr(colon + 1)) + " is not a device of this family: " + kMapForm;
+  const std::string_view from = text.substr(0, colon);
+  const std::size_t dash = from.find('-');
+  const auto first = parse_device(from.substr(0, dash), family);
+  if (!first) {
+    settings_.symbol_moves.push_back({std::string(from), *to});
+    return from.empty() ? kMapForm : Problem();
+  }
+  const auto last = dash == std::string_view::npos ? first : parse_device(from.substr(dash + 1), family);
+  const bool is_range = last && last->kind == first->kind && last->number >= first->number &&
+                        first->bit == Device::kNoBit && last->bit == Device::kNoBit;
+  if (!is_range) return ticked_text(from) + " is not a range of devices: " + kMapForm;
+  if (!info_of(first->kind).bit && (info_of(to->kind).bit || to->bit != Device::kNoBit)) {
+    return "words cannot be moved to bits: " + Problem(kMapForm);
+  }
+  settings_.moves.push_back({*first, last->number, *to});
+  return {};
+}
+
+Problem Reader::read_one(const UrlParameter& parameter) {
+  constexpr std::array kKeys = {
+      Key{"family", [](std::string_view, Settings&) { return Problem(); }},
+      Key{"frame", read_frame},
+      Key{"code", read_code},
+      Key{"commands", read_commands},
+      Key{"transport", read_transport},
+      Key{"events", [](std::string_view text, Settings& s) { return read_events(text, s.events); }},
+      Key{"poll", [](std::string_view text, Settings& s) { return read_time(text, s.times.poll, false); }},
+      Key{"refresh", [](std::string_view text, Settings& s) { return read_time(text, s.times.refresh, false); }},
+      Key{"read-back", [](std::string_view text, Settings& s) { return read_time(text, s.times.read_back, true); }},
+      Key{"timeout", [](std::string_view text, Settings& s) { return read_time(text, s.timeout, false); }},
+      Key{"timer", read_timer},
+      Key{"network", [](std::string_view text, Settings& s) { return read_field(text, 239, s.framing.route.network); }},
+      Key{"station", [](std::string_view text, Settings& s) { return read_field(text, 255, s.framing.route.station); }},
+      Key{"module",
+          [](std::string_view text, Settings& s) { return read_field(text, 65'535, s.framing.route.module); }},
+      Key{"multidrop",
+          [](std::string_view text, Settings& s) { return read_field(text, 31, s.framing.route.multidrop); }},
+      Key{"at-end", read_at_end},
+  };
+  if (parameter.key == "map") return read_map(parameter.value);
+  tables::NearestName nearest(parameter.key);
+  nearest.offer("map");
+  for (const Key& key : kKeys) {
+    nearest.offer(key.name);
+    if (key.name != parameter.key) continue;
+    Problem problem = key.read(parameter.value, settings_);
+    return problem.empty() ? problem : "`" + parameter.key + "=" + parameter.value + "`: " + problem;
+  }
+  const std::string known = nearest.name().empty() ? "docs/mitsubishi.md lists the settings of an SLMP link"
+                                                   : "did you mean " + ticked_text(nearest.name()) + "?";
+  return ticked_text(parameter.key) + " is not a setting of an SLMP link; " + known;
+}
+
+Problem Reader::contradiction() const {
+  const Framing& framing = settings_.framing;
+  if (framing.commands == Commands::iqr && framing.family != Family::iqr) {
+    return "only the family iqr has `commands=iqr`: leave it out";
+  }
+  if (framing.family == Family::fx5 && settings_.events == EventAccess::dx) {
+    return "an FX5 has no DX: use `events=direct` or `map`";
+  }
+  if (settings_.timeout <= framing.timer * kTimerUnit) {
+    return "`timeout` must be longer than `timer`, which is the time that the PLC may take for an answer";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::variant<Settings, LinkError> read_settings(std::string_view rest) {
+  auto url = parse_url(rest, "slmp");
+  if (auto* error = std::get_if<LinkError>(&url)) return std::move(*error);
+  auto& parsed = std::get<ParsedUrl>(url);
+  return Reader(std::move(parsed.parameters)).read(std::move(parsed.address));
+}
+
+}  // namespace symplant::link::slmp
