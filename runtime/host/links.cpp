@@ -45,6 +45,7 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
     for (link::LinkChoice& choice : *choices) {
       if (choice.controller < program.link_settings.size()) choice.settings = program.link_settings[choice.controller];
       choice.settings.on_loss = options.on_loss.value_or(choice.settings.on_loss);
+      choice.settings.arm = options.arm;
     }
   }
   return chosen;

@@ -79,6 +79,8 @@ void add_real_time(CLI::App& app, RunOptions& options) {
          "what operations do while their link is lost, except symbols with their own policy (default: the plant's "
          "`links`, else hold)")
       ->type_name("hold|zero");
+  app.add_flag("--arm", options.arm,
+               "with a link that goes to the PLC: write events also to a PLC that cannot be identified");
   app.add_option_function<std::string>(
          "--late",
          [&options](const std::string& text) {
@@ -163,7 +165,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
       ->type_name("T");
   add_real_time(app, options);
   app.add_option("--link", options.links,
-                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT or loop:; with several controllers name one: "
+                 "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT (the PLC comes to the plant), "
+                 "slmp://HOST:PORT?family=q (the plant goes to the PLC), or loop:; with several controllers name one: "
                  "PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);

@@ -58,7 +58,11 @@ class Maker {
         controller_(controller),
         link_(link),
         settings_(settings),
-        texts_(tables::split_names(tables.symbol_names)) {}
+        texts_(tables::split_names(tables.symbol_names)),
+        leader_(tables.symbols.size()) {
+    for (std::uint32_t symbol = 0; symbol < leader_.size(); ++symbol) leader_[symbol] = symbol;
+    for (const tables::SharedAddress& shared : tables.shared_addresses) leader_[shared.symbol] = shared.leader;
+  }
 
   std::variant<DeviceMap, LinkError> make() {
     for (const SymbolMove& move : settings_.symbol_moves) {
@@ -173,7 +177,9 @@ class Maker {
   /// Whether two symbols may have one location: they are equal in the PLC's program, too.
   bool may_share(const Use& a, const Use& b) const {
     if (a.operation != b.operation || a.device != b.device) return false;
-    return width_of(tables_.symbols[a.symbol].type()) == width_of(tables_.symbols[b.symbol].type());
+    const bool same =
+        leader_[a.symbol] == leader_[b.symbol] || tables::equal_ignoring_case(address(a.symbol), address(b.symbol));
+    return same && width_of(tables_.symbols[a.symbol].type()) == width_of(tables_.symbols[b.symbol].type());
   }
 
   /// Two symbols on one bit; or an event, whose whole word is written, in a word with anything else.
@@ -248,6 +254,7 @@ class Maker {
   const LinkSettings& link_;
   const Settings& settings_;
   std::vector<std::string_view> texts_;  ///< two for each symbol: name, address
+  std::vector<std::uint32_t> leader_;    ///< by symbol: the first one with its address
   std::vector<Use> uses_;
   DeviceMap map_;
 };

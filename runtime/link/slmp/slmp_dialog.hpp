@@ -18,7 +18,8 @@ namespace symplant::link::slmp {
 
 class SlmpDialog final : public client::Dialog {
  public:
-  SlmpDialog(const Settings& settings, DeviceMap map);
+  /// `notes`: the first messages to the user.
+  SlmpDialog(const Settings& settings, DeviceMap map, std::vector<std::string> notes);
 
   std::string url() const override;
   client::Fault open() override;

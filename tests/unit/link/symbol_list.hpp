@@ -34,7 +34,25 @@ class SymbolList {
                      .kind = tables::symbol_kind(type, direction, form, false)});
     names_ += name;
     names_ += '\0';
+    names_ += address_;
     names_ += '\0';
+    return row;
+  }
+
+  /// A symbol whose address has no plain number, as in a list of devices.
+  std::uint32_t add_device(std::string_view name, tables::Direction direction, std::string_view address,
+                           tables::DataType type = tables::DataType::boolean) {
+    address_ = address;
+    const std::uint32_t row = add(name, direction, tables::AddressForm::other, 0, type);
+    address_.clear();
+    return row;
+  }
+  /// A symbol with an address text that was read as this number.
+  std::uint32_t add_device(std::string_view name, tables::Direction direction, std::string_view address,
+                           std::uint32_t number) {
+    address_ = address;
+    const std::uint32_t row = add(name, direction, number);
+    address_.clear();
     return row;
   }
 
@@ -75,6 +93,7 @@ class SymbolList {
   std::vector<tables::InitialValue> initial_;
   std::vector<tables::SharedAddress> shared_;
   std::string names_;
+  std::string address_;  ///< of the symbol to add
   std::uint32_t bits_in_ = 0;
   std::uint32_t bits_out_ = 0;
   std::uint32_t slots_in_ = 0;

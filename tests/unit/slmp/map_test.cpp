@@ -1,0 +1,138 @@
+// Where symbols lie in the memory of a PLC.
+#include "symplant/link/slmp/map.hpp"
+
+#include "support/catch.hpp"
+#include "unit/link/symbol_list.hpp"
+
+using namespace symplant;
+using namespace symplant::link::slmp;
+using Catch::Matchers::Contains;
+using test::SymbolList;
+
+namespace {
+
+using Made = std::variant<DeviceMap, link::LinkError>;
+
+Made make(const SymbolList& list, const std::string& parameters) {
+  const auto read = read_settings("//10.0.0.5:5000?" + parameters);
+  if (const auto* error = std::get_if<link::LinkError>(&read)) FAIL(error->message);
+  return make_device_map(list.tables(), 0, {}, std::get<Settings>(read));
+}
+
+DeviceMap map_of(const SymbolList& list, const std::string& parameters) {
+  Made made = make(list, parameters);
+  if (const auto* error = std::get_if<link::LinkError>(&made)) FAIL(error->message);
+  return std::get<DeviceMap>(std::move(made));
+}
+
+std::string fault(const SymbolList& list, const std::string& parameters) {
+  const Made made = make(list, parameters);
+  const auto* const error = std::get_if<link::LinkError>(&made);
+  return error == nullptr ? "" : error->message;
+}
+
+/// "X10 Y20 D5": the devices in the order of the symbols.
+std::string devices(const DeviceMap& map, Family family = Family::q) {
+  std::string text;
+  for (const Device& device : map.devices) text += (text.empty() ? "" : " ") + device_text(device, family);
+  return text;
+}
+
+constexpr auto kIn = SymbolList::kIn;
+constexpr auto kOut = SymbolList::kOut;
+
+}  // namespace
+
+TEST_CASE("Without a choice for events at X there is no map") {
+  SymbolList list;
+  list.add_device("A", kIn, "X10", 16);
+  CHECK_THAT(fault(list, "family=q"), Contains("`A` is at X10") && Contains("events=direct") && Contains("map="));
+  CHECK(devices(map_of(list, "family=q&events=direct")) == "X10");
+  CHECK(devices(map_of(list, "family=q&events=dx")) == "DX10");
+  CHECK(devices(map_of(list, "family=q&map=X0-X1F:X800")) == "X810");
+  CHECK(devices(map_of(list, "family=q&map=X0-X1F:M100")) == "M116");
+  CHECK(devices(map_of(list, "family=q&map=X0-X1F:D100")) == "D101.0");
+  CHECK(devices(map_of(list, "family=q&map=X8-X1F:D100.C")) == "D101.4");
+  CHECK(devices(map_of(list, "family=q&map=A:B5")) == "B5");
+  CHECK_THAT(fault(list, "family=q&map=X0-XF:M0"), Contains("events=direct"));
+  CHECK_THAT(fault(list, "family=q&events=direct&map=B:M0"), Contains("`B`, which is not a symbol"));
+}
+
+TEST_CASE("Operations need no choice, and events never go to outputs") {
+  SymbolList list;
+  list.add_device("A", kOut, "Y20", 32);
+  list.add_device("B", kOut, "D100.F");
+  list.add_device("C", kOut, "D7", tables::DataType::dint);
+  CHECK(devices(map_of(list, "family=q")) == "Y20 D100.F D7");
+  SymbolList wrong;
+  wrong.add_device("W", kIn, "Y5", 5);
+  CHECK_THAT(fault(wrong, "family=q&events=direct"), Contains("`W` is an event at Y5") && Contains("never written"));
+}
+
+TEST_CASE("Images hold 16 bits of a word together, and numbers in the order of their devices") {
+  SymbolList list;
+  list.add_device("A", kOut, "Y2F", 0x2F);
+  list.add_device("B", kOut, "Y1", 1);
+  list.add_device("C", kOut, "D8", tables::DataType::dint);
+  list.add_device("D", kOut, "D5", tables::DataType::word);
+  list.add_device("E", kIn, "M100.0");
+  list.add_device("F", kIn, "M100");
+  const DeviceMap map = map_of(list, "family=q");
+  CHECK(map.operations.bits == std::vector<Cell>{{*kind_of("Y"), 0}, {*kind_of("Y"), 2}});
+  CHECK(map.operations.numbers == std::vector<Cell>{{*kind_of("D"), 5}, {*kind_of("D"), 8}, {*kind_of("D"), 9}});
+  REQUIRE(map.io.points.size() == 5);
+  CHECK(map.io.points[0].number == 16 + 15);
+  CHECK(map.io.points[1].number == 1);
+  CHECK(map.io.points[2].number == 1);
+  CHECK(map.io.points[3].number == 0);
+  CHECK(map.io.points[4].number == 100 % 16);
+  REQUIRE(map.unreachable.size() == 1);
+  CHECK_THAT(map.unreachable[0].reason, Contains("not a device"));
+}
+
+TEST_CASE("A symbol whose type does not fit its device is not linked") {
+  SymbolList list;
+  list.add_device("A", kOut, "D100");
+  list.add_device("B", kOut, "M5", tables::DataType::int_);
+  list.add_device("C", kOut, "K4Y10", tables::DataType::int_);
+  list.add_device("D", kOut, "K4Y10", tables::DataType::dint);
+  list.add_device("E", kOut, "K4Y8", tables::DataType::int_);
+  list.add_device("F", kOut, "");
+  const DeviceMap map = map_of(list, "family=q");
+  CHECK(devices(map) == "K4Y10");
+  REQUIRE(map.unreachable.size() == 5);
+  CHECK_THAT(map.unreachable[0].reason, Contains("D100, which has 16 bits"));
+  CHECK_THAT(map.unreachable[1].reason, Contains("M5, which is a bit"));
+  CHECK_THAT(map.unreachable[2].reason, Contains("32 bits at K4Y10"));
+  CHECK_THAT(map.unreachable[3].reason, Contains("multiple of 16"));
+  CHECK_THAT(map.unreachable[4].reason, Contains("no address"));
+}
+
+TEST_CASE("Two symbols of different addresses or directions cannot have one location") {
+  SymbolList bits;
+  bits.add_device("A", kIn, "X0", 0);
+  bits.add_device("B", kIn, "X10", 16);
+  CHECK_THAT(fault(bits, "family=q&map=X0:M5&map=X10:M5"), Contains("`A` on M5 and `B` on M5") || Contains("overlap"));
+  SymbolList word;
+  word.add_device("A", kIn, "D5.0");
+  word.add_device("B", kOut, "D5.1");
+  CHECK_THAT(fault(word, "family=q"), Contains("share a word"));
+  SymbolList number;
+  number.add_device("A", kIn, "D5", tables::DataType::dint);
+  number.add_device("B", kIn, "D6", tables::DataType::int_);
+  CHECK_THAT(fault(number, "family=q"), Contains("`A` on D5 and `B` on D6 overlap"));
+  SymbolList same;
+  same.add_device("A", kOut, "Y5", 5);
+  same.add_device("B", kOut, "Y5", 5);
+  CHECK(devices(map_of(same, "family=q")) == "Y5 Y5");
+}
+
+TEST_CASE("A list with X counted otherwise than the family is refused") {
+  SymbolList list;
+  list.add_device("A", kOut, "Y10", 16);
+  CHECK_THAT(fault(list, "family=fx5"), Contains("read with hexadecimal") && Contains("--xy octal"));
+  CHECK(devices(map_of(list, "family=iqr"), Family::iqr) == "Y10");
+  SymbolList octal;
+  octal.add_device("A", kOut, "Y10", 8);
+  CHECK(devices(map_of(octal, "family=fx5"), Family::fx5) == "Y10");
+}
