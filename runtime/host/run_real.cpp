@@ -29,7 +29,9 @@ std::string policy_words(const OpenLink& open, const tables::PlantTables& tables
   const bool watchdog = settings.watchdog != link::kNowhere;
   return fmt::format("; after {} {}: operations {}, the plant {}",
                      seconds(watchdog ? settings.watchdog_within : settings.loss_after),
-                     watchdog ? "without a change of the watchdog" : "without a request",
+                     watchdog                        ? "without a change of the watchdog"
+                     : open.link->status().is_client ? "without an answer"
+                                                     : "without a request",
                      link::loss_words(link::make_io_map(tables, open.carries, settings)),
                      settings.plant_on_loss == link::PlantOnLoss::freeze ? "freezes" : "runs on");
 }
@@ -70,6 +72,19 @@ std::string text_of(const char* what, const exec::Durations& durations) {
                      us(durations.p99), us(durations.p999), us(durations.max));
 }
 
+std::string end_words(const link::LinkStatus& status) {
+  if (status.is_client) {
+    return fmt::format("{} requests, {} rejected, {}, lost {}", status.requests, status.exceptions,
+                       status.armed ? "armed" : "not armed: wrote nothing", plural(status.losses, "time"));
+  }
+  return fmt::format("{} requests, {} exceptions, {} writes to gaps, lost {}{}", status.requests, status.exceptions,
+                     status.writes_to_gaps, plural(status.losses, "time"),
+                     status.crowded_out == 0
+                         ? ""
+                         : fmt::format(", {} closed for lack of room: set more `connections`, or `keep`, in plant.json",
+                                       plural(status.crowded_out, "client")));
+}
+
 void report_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
   const exec::CycleStatistics& cycles = run.cycles;
   out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} slipped{}\n", seconds(stage.plant.now()),
@@ -83,14 +98,7 @@ void report_end(const Stage& stage, const RealRun& run, const Links& links, std:
                        run.faults.major, run.faults.preempted);
   }
   for (const OpenLink& open : links) {
-    const link::LinkStatus status = open.link->status();
-    out << fmt::format(
-        "link {}: {} requests, {} exceptions, {} writes to gaps, lost {}{}\n", open.text(), status.requests,
-        status.exceptions, status.writes_to_gaps, plural(status.losses, "time"),
-        status.crowded_out == 0
-            ? ""
-            : fmt::format(", {} closed for lack of room: set more `connections`, or `keep`, in plant.json",
-                          plural(status.crowded_out, "client")));
+    out << fmt::format("link {}: {}\n", open.text(), end_words(open.link->status()));
   }
 }
 

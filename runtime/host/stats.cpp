@@ -34,10 +34,13 @@ std::string links_text(const Links& links) {
   for (const OpenLink& open : links) {
     const link::LinkStatus status = open.link->status();
     text += fmt::format(
-        R"({}{{"link":{},"state":"{}","losses":{},"requests":{},"exceptions":{},"writes_to_gaps":{},"connections":{},"crowded_out":{}}})",
+        R"({}{{"link":{},"state":"{}","losses":{},"requests":{},"exceptions":{},"writes_to_gaps":{},"connections":{},"crowded_out":{}{}}})",
         &open == links.data() ? "" : ",", trace::json_string(open.text()), state_name(open.link->state()),
         status.losses, status.requests, status.exceptions, status.writes_to_gaps, status.connections,
-        status.crowded_out);
+        status.crowded_out,
+        !status.is_client ? ""
+        : status.armed    ? R"(,"armed":true)"
+                          : R"(,"armed":false)");
   }
   return text + "]";
 }

@@ -1,21 +1,38 @@
 // A link that goes to the PLC.
 #include "symplant/link/client/client_link.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
 #include "symplant/link/client/poller.hpp"
 #include "symplant/link/image/cycle_side.hpp"
+#include "symplant/tables/names.hpp"
 
 namespace symplant::link::client {
 
 namespace {
 
+/// "3 symbols are not linked: `A` has no address, ...": at most three by name; empty if all are.
+std::string unreachable_text(const std::vector<Unreachable>& unreachable, const tables::PlantTables& tables) {
+  constexpr std::size_t kNamed = 3;
+  const std::size_t count = unreachable.size();
+  if (count == 0) return {};
+  const auto texts = tables::split_names(tables.symbol_names);
+  std::string text = std::to_string(count) + (count == 1 ? " symbol is" : " symbols are") + " not linked: ";
+  for (std::size_t i = 0; i < std::min(count, kNamed); ++i) {
+    const Unreachable& one = unreachable[i];
+    text.append(i == 0 ? "`" : ", `").append(texts[std::size_t{2} * one.symbol]).append("` ").append(one.reason);
+  }
+  return text + (count > kNamed ? ", ..." : "") + "; `symplant map` lists all symbols";
+}
+
 class ClientLink final : public Link {
  public:
-  ClientLink(std::unique_ptr<Dialog> dialog, const IoMap& map, const LinkSettings& settings, const ClientTimes& times,
-             const tables::PlantTables& tables, const plant::Plant* plant)
-      : cycle_(tables, map, settings, plant), poller_(std::move(dialog), cycle_.images(), map, times, settings.arm) {}
+  ClientLink(ClientParts parts, std::string note, const LinkSettings& settings, const tables::PlantTables& tables,
+             const plant::Plant* plant)
+      : cycle_(tables, parts.map, settings, plant),
+        poller_(std::move(parts), cycle_.images(), settings.arm, std::move(note)) {}
 
   std::string url() const override { return poller_.url(); }
 
@@ -43,11 +60,14 @@ class ClientLink final : public Link {
 
 }  // namespace
 
-LinkResult open_client_link(std::unique_ptr<Dialog> dialog, const IoMap& map, const LinkSettings& settings,
-                            const ClientTimes& times, const tables::PlantTables& tables, const plant::Plant* plant) {
-  if (!map.faults.empty()) return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};
+LinkResult open_client_link(ClientParts parts, const LinkSettings& settings, const tables::PlantTables& tables,
+                            const plant::Plant* plant) {
+  if (!parts.map.faults.empty()) {
+    return LinkError{LinkError::Kind::usage, fault_text(tables, parts.map, parts.map.faults.front())};
+  }
   try {
-    return std::make_unique<ClientLink>(std::move(dialog), map, settings, times, tables, plant);
+    std::string note = unreachable_text(parts.unreachable, tables);
+    return std::make_unique<ClientLink>(std::move(parts), std::move(note), settings, tables, plant);
   } catch (const std::system_error& error) {
     return LinkError{LinkError::Kind::environment, std::string("cannot start the link's thread: ") + error.what()};
   }

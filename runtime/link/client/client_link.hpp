@@ -1,7 +1,11 @@
 // A link that goes to the PLC: polls its operations and writes its events, in any protocol that has a Dialog.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "symplant/link/client/dialog.hpp"
 #include "symplant/link/io_map.hpp"
@@ -20,11 +24,28 @@ struct ClientTimes {
   bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
 };
 
+/// A symbol that the link does not carry.
+struct Unreachable {
+  std::uint32_t symbol;
+  std::string reason;  ///< "has no address", "is BOOL at D100, which has 16 bits"
+};
+
+/// What a protocol makes of a URL: the conversation, and where each symbol lies.
+struct ClientParts {
+  std::unique_ptr<Dialog> dialog;
+  IoMap map;                           ///< numbers are those of the images
+  std::vector<std::string> addresses;  ///< in the PLC, of the map's points in their order
+  std::vector<Unreachable> unreachable;
+  ClientTimes times;
+};
+
+using PartsResult = std::variant<ClientParts, LinkError>;
+
 /// Starts a thread that connects to the PLC, again and again. It reads all operations; writes the events that changed;
 /// writes all of them after a connection and after each `refresh`. It writes only to a PLC whose identity is verified,
 /// or with LinkSettings::arm to one that has nothing to verify. Tables must outlive the link; an invalid map, and a
 /// system without threads, are errors.
-LinkResult open_client_link(std::unique_ptr<Dialog> dialog, const IoMap& map, const LinkSettings& settings,
-                            const ClientTimes& times, const tables::PlantTables& tables, const plant::Plant* plant);
+LinkResult open_client_link(ClientParts parts, const LinkSettings& settings, const tables::PlantTables& tables,
+                            const plant::Plant* plant);
 
 }  // namespace symplant::link::client

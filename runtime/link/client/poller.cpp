@@ -32,17 +32,17 @@ bool covers(const LaneChange& change, const IoPoint& point) {
 
 }  // namespace
 
-Poller::Poller(std::unique_ptr<Dialog> dialog, image::Images& images, const IoMap& map, const ClientTimes& times,
-               bool arm)
-    : dialog_(std::move(dialog)),
+Poller::Poller(ClientParts parts, image::Images& images, bool arm, std::string note)
+    : dialog_(std::move(parts.dialog)),
       images_(images),
-      points_(map.points),
-      times_(times),
+      points_(parts.map.points),
+      times_(parts.times),
       arm_(arm),
-      outbox_(map),
-      discrete_inputs_(image::bit_words(map.sizes[static_cast<std::size_t>(Table::discrete_input)])),
-      input_registers_(image::register_words(map.sizes[static_cast<std::size_t>(Table::input_register)])),
+      outbox_(parts.map),
+      discrete_inputs_(image::bit_words(parts.map.sizes[static_cast<std::size_t>(Table::discrete_input)])),
+      input_registers_(image::register_words(parts.map.sizes[static_cast<std::size_t>(Table::input_register)])),
       reported_(points_.size()) {
+  if (!note.empty()) messages_.add(std::move(note));
   zeros_.resize(std::max(discrete_inputs_.size(), input_registers_.size()));
   const net::NoSignals blocked;
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });

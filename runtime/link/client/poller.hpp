@@ -21,7 +21,8 @@ namespace symplant::link::client {
 class Poller {
  public:
   /// `arm`: write also to a PLC that has nothing to verify. Throws std::system_error if there is no thread left.
-  Poller(std::unique_ptr<Dialog> dialog, image::Images& images, const IoMap& map, const ClientTimes& times, bool arm);
+  /// `note`: the first message to the user, if not empty.
+  Poller(ClientParts parts, image::Images& images, bool arm, std::string note);
   Poller(const Poller&) = delete;
   Poller& operator=(const Poller&) = delete;
   ~Poller();

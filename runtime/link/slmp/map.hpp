@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "symplant/link/client/client_link.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/slmp/plan.hpp"
@@ -21,18 +22,12 @@ struct Cells {
   std::vector<Cell> numbers;
 };
 
-/// A symbol that the link does not carry.
-struct Unreachable {
-  std::uint32_t symbol;
-  std::string reason;  ///< "has no address", "is BOOL at D100, which has 16 bits"
-};
-
 struct DeviceMap {
   IoMap io;  ///< numbers are positions in the images, not devices
   Cells operations;
   Cells events;
   std::vector<Device> devices;  ///< of the points of `io`, in their order
-  std::vector<Unreachable> unreachable;
+  std::vector<client::Unreachable> unreachable;
 };
 
 /// The map of a controller's symbols. A symbol's device is its address, as `settings` move it. Errors, of kind usage:

@@ -36,7 +36,7 @@ std::vector<std::uint16_t> owned_bits(const DeviceMap& map) {
 
 }  // namespace
 
-SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map, std::vector<std::string> notes)
+SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map)
     : settings_(settings),
       map_(std::move(map)),
       limits_(limits_of(settings.framing)),
@@ -44,8 +44,7 @@ SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map, std::vector<std:
       events_(plan_of(map_.events)),
       owned_(owned_bits(map_)),
       exchange_(settings.address, settings.transport, settings.framing, settings.timeout),
-      words_(std::max(limits_.words, limits_.block_points)),
-      rejections_(std::move(notes)) {}
+      words_(std::max(limits_.words, limits_.block_points)) {}
 
 std::string SlmpDialog::url() const { return "slmp://" + net::format_host_port(settings_.address); }
 

@@ -18,8 +18,7 @@ namespace symplant::link::slmp {
 
 class SlmpDialog final : public client::Dialog {
  public:
-  /// `notes`: the first messages to the user.
-  SlmpDialog(const Settings& settings, DeviceMap map, std::vector<std::string> notes);
+  SlmpDialog(const Settings& settings, DeviceMap map);
 
   std::string url() const override;
   client::Fault open() override;

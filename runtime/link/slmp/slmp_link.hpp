@@ -4,15 +4,14 @@
 #include <string>
 #include <string_view>
 
-#include "symplant/link/link.hpp"
+#include "symplant/link/client/client_link.hpp"
 
 namespace symplant::link::slmp {
 
 /// Why `rest`, the URL after `slmp:`, is invalid; empty if it is valid.
 std::string slmp_fault(std::string_view rest);
 
-/// Starts the client. Tables must outlive it. An invalid map is a usage error.
-LinkResult open_slmp_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
-                          const plant::Plant* plant);
+/// Opens nothing yet. An invalid map is a usage error.
+client::PartsResult slmp_parts(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables);
 
 }  // namespace symplant::link::slmp
