@@ -86,10 +86,12 @@ std::optional<LoadedText> load_text(const std::string& path, std::string bytes, 
     return LoadedText{std::make_shared<text::SourceFile>(path, std::move(decoded->text)), "", {decision}};
   }
   const text::DecodeError& fault = decoded.error();
+  // NOLINTBEGIN(bugprone-use-after-move): decode() leaves the bytes as they are after an error
   if (!options.encoding) {
     if (auto loaded = in_code_page(path, bytes, fault, options, diagnostics)) return loaded;
   }
   if (const auto known = fault.guesses.empty() ? recognize_bytes(path, bytes) : std::nullopt) {
+    // NOLINTEND(bugprone-use-after-move)
     add_recognized(path, *known, diagnostics);
   } else {
     diagnostics.add(kUndecodableText, fault.what + "; " + remedy_of(fault, options.described),

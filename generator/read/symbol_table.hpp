@@ -25,7 +25,7 @@ struct ListRow {
   std::string_view type;
   std::string_view initial;
   std::string_view comment;
-  std::uint32_t line;              ///< the line at which it begins, counted from 1
+  std::uint32_t line = 0;          ///< the line at which it begins, counted from 1
   std::uint32_t extra = kNoExtra;  ///< index in the table's `extras`
   /// Whether the list has no name for it, and its address is its name.
   bool is_named_by_address() const {

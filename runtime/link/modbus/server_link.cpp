@@ -142,24 +142,23 @@ class ServerLink final : public Link {
   Server server_;  // last member: its thread ends before what it uses is destroyed
 };
 
-/// Parses `//HOST:PORT`.
-std::variant<net::HostPort, LinkError> address_of(std::string_view rest) {
+}  // namespace
+
+std::variant<net::HostPort, LinkError> server_address(std::string_view rest) {
   if (rest.substr(0, 2) == "//") return net::parse_host_port(rest.substr(2));
   return LinkError{LinkError::Kind::usage, "`" + std::string(rest) + "` after `" + std::string(kScheme) +
                                                ":` is not an address: give //HOST:PORT"};
 }
 
-}  // namespace
-
 std::string address_fault(std::string_view rest) {
-  const auto address = address_of(rest);
+  const auto address = server_address(rest);
   const auto* const error = std::get_if<LinkError>(&address);
   return error == nullptr ? std::string() : error->message;
 }
 
 LinkResult open_server_link(std::string_view rest, const LinkChoice& link, const tables::PlantTables& tables,
                             const plant::Plant* plant) {
-  auto address = address_of(rest);
+  auto address = server_address(rest);
   if (auto* error = std::get_if<LinkError>(&address)) return std::move(*error);
   const IoMap map = make_io_map(tables, link.controller, link.settings);
   if (!map.faults.empty()) return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};

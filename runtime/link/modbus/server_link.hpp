@@ -3,10 +3,15 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "symplant/link/link.hpp"
+#include "symplant/link/net/host_port.hpp"
 
 namespace symplant::link::modbus {
+
+/// Parses `//HOST:PORT`, the link's URL after its scheme.
+std::variant<net::HostPort, LinkError> server_address(std::string_view rest);
 
 /// Why `rest`, the link's URL after its scheme, is not `//HOST:PORT`; empty if it is.
 std::string address_fault(std::string_view rest);

@@ -1,0 +1,330 @@
+// Examines a link that goes to the PLC.
+#include "symplant/link/doctor/client_doctor.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "symplant/link/image/numbers.hpp"
+#include "symplant/link/image/table_view.hpp"
+
+namespace symplant::link::doctor {
+
+namespace {
+
+using client::Fault;
+using client::Identity;
+using client::LaneChange;
+using std::chrono::steady_clock;
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(100);
+constexpr std::uint32_t kLaneBits = 16;
+
+/// The words of the tables of one direction: bits, then registers.
+struct Image {
+  std::vector<std::uint64_t> bits;
+  std::vector<std::uint64_t> registers;
+
+  Image(const IoMap& map, Table bit_table, Table register_table, std::uint64_t fill)
+      : bits(image::bit_words(map.sizes[static_cast<std::size_t>(bit_table)]), fill),
+        registers(image::register_words(map.sizes[static_cast<std::size_t>(register_table)]), fill) {}
+};
+
+bool is_bit(const IoPoint& point) { return point.table == Table::coil || point.table == Table::discrete_input; }
+bool is_event(const IoPoint& point) {
+  return point.table == Table::discrete_input || point.table == Table::input_register;
+}
+
+std::string count_text(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string milliseconds(steady_clock::duration time) {
+  const auto tenths = std::chrono::duration_cast<std::chrono::microseconds>(time).count() / 100;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " ms";
+}
+
+class ClientDoctor {
+ public:
+  ClientDoctor(client::ClientParts parts, const tables::PlantTables& tables, const Options& options)
+      : parts_(std::move(parts)), tables_(tables), options_(options), unread_(parts_.map.points.size(), true) {}
+
+  Report examine() {
+    report_.url = parts_.dialog->url();
+    list_points();
+    report_map();
+    if (connect() && identify() && read_twice()) {
+      watch();
+      test_writing();
+    }
+    parts_.dialog->close();
+    for (const char* name : {"connection", "identity", "reading", "watching", "write test"}) skip(name);
+    std::sort(report_.points.begin(), report_.points.end(),
+              [](const Point& a, const Point& b) { return a.symbol < b.symbol; });
+    return std::move(report_);
+  }
+
+ private:
+  void step(std::string name, Result result, std::string text) {
+    report_.steps.push_back({std::move(name), result, std::move(text)});
+  }
+  /// Adds a step that was not reached.
+  void skip(const char* name) {
+    const bool there =
+        std::any_of(report_.steps.begin(), report_.steps.end(), [&](const Step& step) { return step.name == name; });
+    if (!there) step(name, Result::skipped, "not reached");
+  }
+  void say(Point& point, Result result, const std::string& text) {
+    point.result = std::max(point.result == Result::skipped ? Result::good : point.result, result);
+    point.text += (point.text.empty() ? "" : "; ") + text;
+  }
+
+  void list_points() {
+    for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {
+      report_.points.push_back({parts_.map.points[i].symbol, parts_.addresses[i], Result::skipped, {}, ""});
+    }
+    for (const client::Unreachable& one : parts_.unreachable) {
+      report_.points.push_back({one.symbol, "", Result::warning, {}, "not linked: " + one.reason});
+    }
+  }
+
+  void report_map() {
+    const auto events = static_cast<std::size_t>(std::count_if(parts_.map.points.begin(), parts_.map.points.end(),
+                                                               [](const IoPoint& p) { return is_event(p); }));
+    std::string text = count_text(parts_.map.points.size() - events, "operation") + ", " + count_text(events, "event");
+    const std::size_t lost = parts_.unreachable.size();
+    if (lost != 0) text += ", " + count_text(lost, "symbol") + " without a usable address";
+    const bool none = parts_.map.points.empty();
+    if (none) text += ": nothing to exchange; check the addresses of the list";
+    step("map", none ? Result::bad : lost != 0 ? Result::warning : Result::good, text);
+  }
+
+  bool connect() {
+    const auto begin = steady_clock::now();
+    const Fault fault = parts_.dialog->open();
+    if (fault) {
+      step("connection", Result::bad, fault.message);
+      return false;
+    }
+    step("connection", Result::good, "established in " + milliseconds(steady_clock::now() - begin));
+    return true;
+  }
+
+  bool identify() {
+    Fault fault;
+    const Identity identity = parts_.dialog->identify(fault);
+    if (fault) {
+      step("identity", Result::bad, fault.message);
+      return false;
+    }
+    report_.reached = true;
+    switch (identity.kind) {
+      case Identity::Kind::verified:
+        step("identity", Result::good, identity.message);
+        break;
+      case Identity::Kind::unverifiable:
+        step("identity", Result::warning, identity.message + "; a run writes only with `--arm`");
+        break;
+      case Identity::Kind::wrong:
+        step("identity", Result::bad, identity.message);
+        break;
+    }
+    return true;
+  }
+
+  Fault read(Image& operations, Image& events) {
+    image::Tables tables;
+    tables.coils.words = operations.bits;
+    tables.holding_registers.words = operations.registers;
+    parts_.dialog->retry_rejected();
+    Fault fault = parts_.dialog->read(tables);
+    if (fault && fault.kind != Fault::Kind::rejected) return fault;
+    fault = parts_.dialog->read_back(events.bits, events.registers);
+    return fault.kind == Fault::Kind::rejected ? Fault() : fault;
+  }
+
+  std::uint64_t value_of(std::size_t i, const Image& operations, const Image& events) const {
+    const IoPoint& point = parts_.map.points[i];
+    const Image& image = is_event(point) ? events : operations;
+    if (is_bit(point)) return image::get_bit(image.bits, point.number) ? 1 : 0;
+    return image::number_at(image.registers,
+                            {point.number, point.width, point.word_order, tables_.symbols[point.symbol].type()});
+  }
+
+  /// The bits of a point as read, to compare with what was there before reading.
+  bool keeps(std::size_t i, const Image& operations, const Image& events, bool fill) const {
+    const IoPoint& point = parts_.map.points[i];
+    const Image& image = is_event(point) ? events : operations;
+    if (is_bit(point)) return image::get_bit(image.bits, point.number) == fill;
+    for (std::uint32_t k = point.number; k <= point.last(); ++k) {
+      if (image::get_register(image.registers, k) != (fill ? 0xFFFF : 0)) return false;
+    }
+    return true;
+  }
+
+  /// Reads into images of ones and of zeros in turn: a point that keeps them is not read, since the PLC rejected it.
+  bool read_twice() {
+    constexpr int kTimes = 4;
+    const auto begin = steady_clock::now();
+    const std::uint64_t before = parts_.dialog->requests();
+    std::vector<std::string> rejections;
+    for (int time = 0; time < kTimes; ++time) {
+      const bool ones = time % 2 == 0;
+      Image operations(parts_.map, Table::coil, Table::holding_register, ones ? ~std::uint64_t{0} : 0);
+      Image events(parts_.map, Table::discrete_input, Table::input_register, ones ? ~std::uint64_t{0} : 0);
+      const Fault fault = read(operations, events);
+      if (fault) {
+        step("reading", Result::bad, fault.message);
+        return false;
+      }
+      for (std::size_t i = 0; i < unread_.size(); ++i) {
+        unread_[i] = unread_[i] && keeps(i, operations, events, ones);
+        report_.points[i].value = value_of(i, operations, events);
+      }
+      for (std::string& message : parts_.dialog->take_rejections()) {
+        if (std::find(rejections.begin(), rejections.end(), message) == rejections.end()) {
+          rejections.push_back(std::move(message));
+        }
+      }
+    }
+    report_reading(rejections, (parts_.dialog->requests() - before) / kTimes, (steady_clock::now() - begin) / kTimes);
+    return true;
+  }
+
+  void report_reading(const std::vector<std::string>& rejections, std::uint64_t requests, steady_clock::duration time) {
+    std::size_t unread = 0;
+    for (std::size_t i = 0; i < unread_.size(); ++i) {
+      if (unread_[i]) {
+        ++unread;
+        report_.points[i].value.reset();
+        say(report_.points[i], Result::bad, "not readable");
+      } else {
+        report_.points[i].result = Result::good;
+      }
+    }
+    std::string text = count_text(unread_.size() - unread, "point") + " in " + count_text(requests, "request") + ", " +
+                       milliseconds(time);
+    for (const std::string& message : rejections) text += "; " + message;
+    step("reading", rejections.empty() && unread == 0 ? Result::good : Result::bad, text);
+  }
+
+  bool ends(steady_clock::time_point end) const {
+    return steady_clock::now() >= end || (options_.stop != nullptr && options_.stop->load());
+  }
+
+  /// Looks which points change although the plant writes nothing.
+  void watch() {
+    const auto end = steady_clock::now() + std::chrono::nanoseconds(options_.duration);
+    std::vector<bool> changed(unread_.size());
+    do {
+      std::this_thread::sleep_for(kBetweenLooks);
+      Image operations(parts_.map, Table::coil, Table::holding_register, 0);
+      Image events(parts_.map, Table::discrete_input, Table::input_register, 0);
+      if (const Fault fault = read(operations, events)) return step("watching", Result::bad, fault.message);
+      parts_.dialog->take_rejections();
+      for (std::size_t i = 0; i < unread_.size(); ++i) {
+        if (unread_[i]) continue;
+        const std::uint64_t value = value_of(i, operations, events);
+        changed[i] = changed[i] || value != report_.points[i].value;
+        report_.points[i].value = value;
+      }
+    } while (!ends(end));
+    report_changes(changed);
+  }
+
+  void report_changes(const std::vector<bool>& changed) {
+    std::size_t operations = 0;
+    std::size_t events = 0;
+    for (std::size_t i = 0; i < changed.size(); ++i) {
+      if (!changed[i]) continue;
+      if (!is_event(parts_.map.points[i])) {
+        ++operations;
+        continue;
+      }
+      ++events;
+      say(report_.points[i], Result::warning,
+          "the PLC changes it by itself: an input module, the program or another client writes it, or it is an output");
+    }
+    step("watching", events == 0 ? Result::good : Result::warning,
+         count_text(operations, "operation") + " changed" +
+             (events == 0 ? "" : ", and " + count_text(events, "event") + " that only the plant should write"));
+  }
+
+  /// All mapped bits of the events, as changes from `from`; `flip` inverts them.
+  std::vector<LaneChange> changes_from(const Image& from, bool flip) const {
+    std::vector<LaneChange> changes;
+    const auto lane = [&](Table table, std::uint32_t number, std::uint16_t mask) {
+      const auto& words = table == Table::discrete_input ? from.bits : from.registers;
+      const std::uint32_t value = image::get_register(words, number);
+      if (changes.empty() || changes.back().lane != client::Lane{table, number}) {
+        changes.push_back({{table, number}, 0, static_cast<std::uint16_t>(value)});
+      }
+      LaneChange& change = changes.back();
+      if (flip && (change.mask & mask) == 0) change.value = static_cast<std::uint16_t>(change.value ^ mask);
+      change.mask = static_cast<std::uint16_t>(change.mask | mask);
+    };
+    std::vector<IoPoint> points;
+    for (std::size_t i = 0; i < unread_.size(); ++i) {
+      if (is_event(parts_.map.points[i]) && !unread_[i]) points.push_back(parts_.map.points[i]);
+    }
+    std::sort(points.begin(), points.end(), [](const IoPoint& a, const IoPoint& b) {
+      return std::pair(a.table, a.number) < std::pair(b.table, b.number);
+    });
+    for (const IoPoint& point : points) {
+      if (is_bit(point)) {
+        lane(point.table, point.number / kLaneBits, static_cast<std::uint16_t>(1U << (point.number % kLaneBits)));
+      }
+      for (std::uint32_t k = point.number; !is_bit(point) && k <= point.last(); ++k) lane(point.table, k, 0xFFFF);
+    }
+    return changes;
+  }
+
+  /// Inverts every event, looks whether it stays, and restores it.
+  void test_writing() {
+    if (!options_.write_test) return step("write test", Result::skipped, "not asked for; `--write-test` runs it");
+    Image before(parts_.map, Table::discrete_input, Table::input_register, 0);
+    Image after(parts_.map, Table::discrete_input, Table::input_register, 0);
+    Fault fault = parts_.dialog->read_back(before.bits, before.registers);
+    if (!fault) fault = parts_.dialog->write(changes_from(before, true));
+    std::this_thread::sleep_for(kBetweenLooks);  // the PLC refreshes its inputs meanwhile
+    if (!fault) fault = parts_.dialog->read_back(after.bits, after.registers);
+    const Fault restored = parts_.dialog->write(changes_from(before, false));
+    if (fault || restored) {
+      return step("write test", Result::bad,
+                  (fault ? fault : restored).message + "; some events may not have their former values");
+    }
+    report_writing(before, after);
+  }
+
+  void report_writing(const Image& before, const Image& after) {
+    std::size_t lost = 0;
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < unread_.size(); ++i) {
+      if (!is_event(parts_.map.points[i]) || unread_[i]) continue;
+      ++all;
+      if (value_of(i, before, before) != value_of(i, after, after)) continue;
+      ++lost;
+      say(report_.points[i], Result::bad,
+          "written, but the PLC keeps its own value: choose another strategy for events");
+    }
+    std::string text = count_text(all - lost, "event") + " of " + std::to_string(all) + " written and restored";
+    for (const std::string& message : parts_.dialog->take_rejections()) text += "; " + message;
+    step("write test", lost == 0 ? Result::good : Result::bad, text);
+  }
+
+  client::ClientParts parts_;
+  const tables::PlantTables& tables_;
+  const Options& options_;
+  std::vector<bool> unread_;  ///< by point
+  Report report_;
+};
+
+}  // namespace
+
+Report examine_client(client::ClientParts parts, const tables::PlantTables& tables, const Options& options) {
+  return ClientDoctor(std::move(parts), tables, options).examine();
+}
+
+}  // namespace symplant::link::doctor

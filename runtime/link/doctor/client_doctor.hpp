@@ -1,0 +1,13 @@
+// Examines a link that goes to the PLC.
+#pragma once
+
+#include <vector>
+
+#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/doctor/doctor.hpp"
+
+namespace symplant::link::doctor {
+
+Report examine_client(client::ClientParts parts, const tables::PlantTables& tables, const Options& options);
+
+}  // namespace symplant::link::doctor
