@@ -18,6 +18,7 @@ void add_naming(CLI::App& app, Context& context);
 void add_init(CLI::App& app, Context& context);
 void add_model(CLI::App& app, Context& context);
 void add_map(CLI::App& app, Context& context);
+void add_doctor(CLI::App& app, Context& context);
 void add_convert(CLI::App& app, Context& context);
 void add_run(CLI::App& app, Context& context);
 void add_schema(CLI::App& app, Context& context);
