@@ -19,7 +19,7 @@ struct ClientTimes {
   tables::Time poll = 10 * tables::kMillisecond;  ///< from one reading of the operations to the next
   tables::Time refresh = 2 * tables::kSecond;     ///< all events are written again, rejected requests repeated
   tables::Time read_back = 0;                     ///< what was written is read and compared; 0: never
-  tables::Time first_retry = tables::kSecond;     ///< after a failed connection; doubled up to `last_retry`
+  tables::Time first_retry = tables::kSecond;     ///< after a failed connection; each further one doubles it
   tables::Time last_retry = 30 * tables::kSecond;
   bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
 };

@@ -78,21 +78,20 @@ void Poller::run(const std::stop_token& stop) {
   tables::Time retry = times_.first_retry;
   while (!stop.stop_requested()) {
     Fault fault = dialog_->open();
-    if (!fault) {
+    const bool opened = !fault;
+    if (opened) {
       passed_ = false;
       connections_.store(1, std::memory_order_relaxed);
       fault = talk(stop);
       connections_.store(0, std::memory_order_relaxed);
       dialog_->close();
+      retry = times_.first_retry;
     }
     if (stop.stop_requested()) return;
     messages_.add(std::move(fault.message));
-    if (std::exchange(passed_, false)) {
-      retry = times_.first_retry;
-      continue;
-    }
+    if (opened && passed_) continue;
     if (!sleep(stop, retry)) return;
-    retry = std::min(2 * retry, times_.last_retry);
+    if (!opened) retry = std::min(2 * retry, times_.last_retry);
   }
 }
 

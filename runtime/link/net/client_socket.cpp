@@ -94,6 +94,16 @@ Ended ClientSocket::send(std::span<const std::uint8_t> bytes, Deadline deadline)
   return Ended::done;
 }
 
+std::size_t ClientSocket::discard() noexcept {
+  std::array<std::uint8_t, 4096> room{};
+  std::size_t all = 0;
+  for (;;) {
+    const ssize_t count = ::recv(socket_.get(), room.data(), room.size(), MSG_DONTWAIT);
+    if (count <= 0) return all;
+    all += static_cast<std::size_t>(count);
+  }
+}
+
 Ended ClientSocket::receive(std::span<std::uint8_t> room, std::size_t& received, Deadline deadline) {
   for (;;) {
     const ssize_t count = ::recv(socket_.get(), room.data(), room.size(), 0);

@@ -68,8 +68,13 @@ Fault Exchange::transact(Reply& reply) {
   std::copy(received_.begin() + static_cast<std::ptrdiff_t>(used_),
             received_.begin() + static_cast<std::ptrdiff_t>(size_), received_.begin());
   size_ -= std::exchange(used_, 0);
-  if (size_ != 0 && framing_.frame == FrameType::e3) {
-    return lost("the PLC sent more than one reply to a request; connecting again");
+  if (framing_.frame == FrameType::e3) {
+    // Nothing in a reply says which request it answers: anything that is there already would be taken for it.
+    const bool more = size_ != 0 || socket_.discard() != 0;
+    if (more && transport_ == net::Transport::tcp) {
+      return lost("the PLC sent more than one reply to a request; connecting again");
+    }
+    size_ = 0;
   }
   const net::Deadline end = deadline();
   const Ended sent = socket_.send(writer_.finish(), end);

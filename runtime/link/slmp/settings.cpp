@@ -149,9 +149,9 @@ Problem read_field(std::string_view text, std::uint32_t most, Field& field) {
 
 Problem read_timer(std::string_view text, Settings& settings) {
   tables::Time time = 0;
-  Problem problem = read_time(text, time, false);
+  Problem problem = read_time(text, time, true);
   if (!problem.empty()) return problem;
-  if (time % kTimerUnit != 0) return "write a multiple of 250ms";
+  if (time % kTimerUnit != 0) return "write a multiple of 250ms, or 0s for no limit";
   settings.framing.timer = static_cast<std::uint16_t>(time / kTimerUnit);
   return {};
 }
@@ -191,6 +191,7 @@ Problem Reader::read_one(const UrlParameter& parameter) {
       Key{"poll", [](std::string_view text, Settings& s) { return read_time(text, s.times.poll, false); }},
       Key{"refresh", [](std::string_view text, Settings& s) { return read_time(text, s.times.refresh, false); }},
       Key{"read-back", [](std::string_view text, Settings& s) { return read_time(text, s.times.read_back, true); }},
+      Key{"retry", [](std::string_view text, Settings& s) { return read_time(text, s.times.first_retry, false); }},
       Key{"timeout", [](std::string_view text, Settings& s) { return read_time(text, s.timeout, false); }},
       Key{"timer", read_timer},
       Key{"network", [](std::string_view text, Settings& s) { return read_field(text, 239, s.framing.route.network); }},

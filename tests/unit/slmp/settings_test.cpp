@@ -81,7 +81,7 @@ TEST_CASE("A wrong URL is a usage error in words") {
   CHECK_THAT(parameter_fault("family=s7"), Contains("`s7` is not a family: write one of q, l, iqr, fx5"));
   CHECK_THAT(parameter_fault("family=q&frame=5e"), Contains("`frame=5e`: write one of 3e, 4e"));
   CHECK_THAT(parameter_fault("family=q&famly=q"), Contains("did you mean `family`?"));
-  CHECK_THAT(parameter_fault("family=q&timer=300ms"), Contains("multiple of 250ms"));
+  CHECK_THAT(parameter_fault("family=q&timer=300ms"), Contains("multiple of 250ms, or 0s"));
   CHECK_THAT(parameter_fault("family=q&timer=4s"), Contains("`timeout` must be longer"));
   CHECK_THAT(parameter_fault("family=q&commands=iqr"), Contains("only the family iqr"));
   CHECK_THAT(parameter_fault("family=fx5&events=dx"), Contains("no DX"));
