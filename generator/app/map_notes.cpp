@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "diag/visible_text.hpp"
 #include "symplant/link/status_fields.hpp"
 #include "view/words.hpp"
 
@@ -80,6 +81,16 @@ std::string modicon_text(const link::IoPoint& point) {
 
 std::string word_order_text(link::WordOrder order) {
   return order == link::WordOrder::low_first ? "low word first" : "high word first";
+}
+
+std::string client_map_notes(const model::PlantModel& plant, const link::client::ClientParts& parts) {
+  std::string text;
+  for (const std::string& note : parts.notes) text += note + "\n";
+  for (const link::client::Unreachable& one : parts.unreachable) {
+    text +=
+        fmt::format("not linked: {} {}\n", diag::visible(plant.symbols[one.symbol].name()), diag::visible(one.reason));
+  }
+  return text;
 }
 
 std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings) {

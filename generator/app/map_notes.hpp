@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "model/plant_model.hpp"
+#include "symplant/link/client/client_link.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/tables.hpp"
 
@@ -14,6 +16,9 @@ std::string address_text(const link::IoPoint& point);
 std::string modicon_text(const link::IoPoint& point);
 /// "low word first".
 std::string word_order_text(link::WordOrder order);
+
+/// The lines about the map of a link that goes to the PLC.
+std::string client_map_notes(const model::PlantModel& plant, const link::client::ClientParts& parts);
 
 /// The lines about a map.
 std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings);

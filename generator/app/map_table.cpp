@@ -15,8 +15,9 @@ namespace symplant::app {
 namespace {
 
 constexpr std::size_t kColumns = 9;
-constexpr std::size_t kWords = 6;   ///< the column of word orders, shown if a number takes several registers
-constexpr std::size_t kOnLoss = 7;  ///< shown if symbols differ in it
+constexpr std::size_t kModicon = 5;  ///< shown if the link has Modbus numbers
+constexpr std::size_t kWords = 6;    ///< the column of word orders, shown if a number takes several registers
+constexpr std::size_t kOnLoss = 7;   ///< shown if symbols differ in it
 
 using Cells = std::array<std::string, kColumns>;
 
@@ -36,10 +37,12 @@ bool is_operation(const link::IoPoint& point) {
 }
 
 /// Which columns are not empty in this map.
-std::array<bool, kColumns> columns_of(const link::IoMap& map, const link::LinkSettings& settings) {
+std::array<bool, kColumns> columns_of(const ShownMap& of, const link::LinkSettings& settings) {
+  const link::IoMap& map = of.map;
   std::array<bool, kColumns> shown{};
   shown.fill(true);
   const auto any = [&](auto has) { return std::any_of(map.points.begin(), map.points.end(), has); };
+  shown[kModicon] = of.addresses == nullptr;
   shown[kWords] = any([](const link::IoPoint& point) { return point.width > 1; });
   shown[kOnLoss] =
       any([&](const link::IoPoint& point) { return is_operation(point) && point.on_loss != settings.on_loss; });
@@ -49,13 +52,14 @@ std::array<bool, kColumns> columns_of(const link::IoMap& map, const link::LinkSe
 class MapTable {
  public:
   MapTable(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
-           const link::IoMap& map)
+           const ShownMap& shown)
       : plant_(plant),
         tables_(tables),
         controller_(controller),
-        shown_(columns_of(map, plant.links[controller].settings())),
+        map_(shown),
+        shown_(columns_of(shown, plant.links[controller].settings())),
         points_(tables.symbols.size()) {
-    for (const link::IoPoint& point : map.points) points_[point.symbol] = &point;
+    for (const link::IoPoint& point : shown.map.points) points_[point.symbol] = &point;
   }
 
   void write(base::TextSink& sink) {
@@ -68,7 +72,8 @@ class MapTable {
  private:
   template <typename Use>
   void for_each_row(Use use) const {
-    use({"row", "symbol", "address", "IEC", "Modbus", "Modicon", "words", "on loss", "driven by"});
+    use({"row", "symbol", "address", "IEC", map_.addresses == nullptr ? "Modbus" : "in the PLC", "Modicon", "words",
+         "on loss", "driven by"});
     for (std::uint32_t i = 0; i < tables_.symbols.size(); ++i) {
       if (plant_.controller_of(plant_.symbols[i]) == controller_) use(cells_of(i));
     }
@@ -84,13 +89,18 @@ class MapTable {
             diag::visible(symbol.name()),
             diag::visible(symbol.row->vendor_address),
             diag::visible(symbol.row->iec_address),
-            point == nullptr ? "-" : address_text(*point),
+            point == nullptr ? "-" : location_of(*point),
             point == nullptr ? "-" : modicon_text(*point),
             wide ? word_order_text(point->word_order) : "",
             !operation                             ? ""
             : point->on_loss == link::OnLoss::hold ? "holds"
                                                    : "off",
             driver(index)};
+  }
+
+  std::string location_of(const link::IoPoint& point) const {
+    if (map_.addresses == nullptr) return address_text(point);
+    return (*map_.addresses)[static_cast<std::size_t>(&point - map_.map.points.data())];
   }
 
   /// What drives a symbol; `-` for an event that no device drives.
@@ -126,6 +136,7 @@ class MapTable {
   const model::PlantModel& plant_;
   const tables::PlantTables& tables_;
   const std::uint32_t controller_;
+  const ShownMap map_;
   const std::array<bool, kColumns> shown_;
   std::vector<const link::IoPoint*> points_;  ///< by symbol; null: on no link
   std::array<std::size_t, kColumns> widths_{};
@@ -134,8 +145,8 @@ class MapTable {
 }  // namespace
 
 void write_map_table(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
-                     const link::IoMap& map, base::TextSink& sink) {
-  MapTable(plant, tables, controller, map).write(sink);
+                     const ShownMap& shown, base::TextSink& sink) {
+  MapTable(plant, tables, controller, shown).write(sink);
 }
 
 }  // namespace symplant::app

@@ -6,10 +6,11 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <ostream>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/map_notes.hpp"
@@ -19,40 +20,35 @@
 #include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/choice.hpp"
+#include "symplant/link/client_parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/names.hpp"
 
 namespace symplant::app {
 namespace {
 
-/// The controllers whose maps to show: all, or those that the links name. Nothing, and an error, if a link has no map.
-std::optional<std::vector<std::uint32_t>> wanted(const tables::PlantTables& tables,
-                                                 const std::vector<std::string>& links, Context& context) {
-  std::vector<std::uint32_t> controllers;
+using Choices = std::vector<link::LinkChoice>;
+
+/// The links whose maps to show: those of the command line, else one without a URL for each controller.
+std::variant<Choices, link::LinkError> wanted(const tables::PlantTables& tables,
+                                              const std::vector<std::string>& links) {
+  Choices choices;
+  if (links.empty()) {
+    const std::size_t controllers = std::max<std::size_t>(1, tables::split_names(tables.controller_names).size());
+    for (std::uint32_t controller = 0; controller < controllers; ++controller) choices.push_back({"", controller});
+    return choices;
+  }
   std::vector<link::LinkRequest> requests;
   requests.reserve(links.size());
   for (const std::string& text : links) requests.push_back(link::parse_request(text));
-  const auto fail = [&](const std::string& message) {
-    context.err << "error: " << message << "\n";
-    context.exit_code = host::kBadInput;
-    return std::nullopt;
-  };
   for (const link::LinkRequest& request : requests) {
-    if (link::is_loop(request.url)) return fail("`loop:` carries symbols by name, it has no map of addresses");
-    if (!request.url.starts_with("modbus-tcp-server:")) {
-      return fail("`" + request.url + "` is not a link with a map: give `modbus-tcp-server://HOST:PORT`");
-    }
+    const auto usage = [](std::string message) {
+      return link::LinkError{link::LinkError::Kind::usage, std::move(message)};
+    };
+    if (link::is_loop(request.url)) return usage("`loop:` carries symbols by name, it has no map of addresses");
+    if (std::string fault = link::url_fault(request.url); !fault.empty()) return usage(std::move(fault));
   }
-  const auto chosen = link::choose_links(tables, requests);
-  if (const auto* error = std::get_if<link::LinkError>(&chosen)) return fail(error->message);
-  for (const link::LinkChoice& choice : std::get<std::vector<link::LinkChoice>>(chosen)) {
-    controllers.push_back(choice.controller);
-  }
-  if (links.empty()) {
-    controllers.resize(std::max<std::size_t>(1, tables::split_names(tables.controller_names).size()));
-    std::iota(controllers.begin(), controllers.end(), 0U);
-  }
-  return controllers;
+  return link::choose_links(tables, requests);
 }
 
 struct MapOptions {
@@ -61,6 +57,26 @@ struct MapOptions {
   std::vector<std::string> links;
 };
 
+/// Writes the map of one link; an error if its URL does not fit the plant.
+std::optional<link::LinkError> show_one(const model::PlantModel& plant, const tables::PlantTables& tables,
+                                        link::LinkChoice choice, std::ostream& stream) {
+  choice.settings = plant.links[choice.controller].settings();
+  if (link::is_client(choice.url)) {
+    auto made = link::client_parts(choice, tables);
+    if (auto* error = std::get_if<link::LinkError>(&made)) return std::move(*error);
+    const auto& parts = std::get<link::client::ClientParts>(made);
+    StreamSink out(stream);
+    write_map_table(plant, tables, choice.controller, {parts.map, &parts.addresses}, out);
+    stream << client_map_notes(plant, parts);
+    return std::nullopt;
+  }
+  const link::IoMap map = link::make_io_map(tables, choice.controller, choice.settings);
+  StreamSink out(stream);
+  write_map_table(plant, tables, choice.controller, {map}, out);
+  stream << map_notes(tables, map, choice.settings);
+  return std::nullopt;
+}
+
 void show(const MapOptions& options, Context& context) {
   auto made = compile_for(context, options.plant, options.plant_options);
   if (!made) return;
@@ -68,19 +84,19 @@ void show(const MapOptions& options, Context& context) {
   context.kept = compiled;
   const model::PlantModel& plant = compiled->plant;
   const tables::PlantTables tables = compiled->tables.tables();
-  const auto controllers = wanted(tables, options.links, context);
-  if (!controllers) return;
-  for (const std::uint32_t controller : *controllers) {
+  const auto fail = [&](const link::LinkError& error) {
+    context.err << "error: " << error.message << "\n";
+    context.exit_code = host::kBadInput;
+  };
+  const auto choices = wanted(tables, options.links);
+  if (const auto* error = std::get_if<link::LinkError>(&choices)) return fail(*error);
+  for (const link::LinkChoice& choice : std::get<Choices>(choices)) {
     if (plant.controllers.size() > 1) {
-      const std::string& called = plant.controllers[controller];
-      context.out << (controller == controllers->front() ? "" : "\n")
+      const std::string& called = plant.controllers[choice.controller];
+      context.out << (&choice == std::get<Choices>(choices).data() ? "" : "\n")
                   << (called.empty() ? "the controller without a name" : "controller " + diag::visible(called)) << "\n";
     }
-    const link::LinkSettings settings = plant.links[controller].settings();
-    const link::IoMap map = link::make_io_map(tables, controller, settings);
-    StreamSink out(context.out);
-    write_map_table(plant, tables, controller, map, out);
-    context.out << map_notes(tables, map, settings);
+    if (const auto error = show_one(plant, tables, choice, context.out)) return fail(*error);
   }
 }
 
@@ -90,11 +106,13 @@ void add_map(CLI::App& app, Context& context) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Show the address of each I/O symbol on a link, and what drives it");
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
-  command->add_option("--link", options->links, "[CONTROLLER=]URL: only the map of this link's controller");
+  command->add_option("--link", options->links,
+                      "[CONTROLLER=]URL: the map of this link only; of a link that goes to a PLC the devices there");
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv\n"
-      "  symplant map plant.json --link PLC1=modbus-tcp-server://127.0.0.1:1502");
+      "  symplant map plant.json --link PLC1=modbus-tcp-server://127.0.0.1:1502\n"
+      "  symplant map symbols.csv --link \"slmp://192.168.3.39:5000?family=q&map=X0-X7F:M1000\"");
   command->callback([options, &context] { show(*options, context); });
 }
 

@@ -37,6 +37,7 @@ struct ClientParts {
   std::vector<std::string> addresses;  ///< in the PLC, of the map's points in their order
   std::vector<Unreachable> unreachable;
   ClientTimes times;
+  std::vector<std::string> notes;  ///< on the map, for the user: "operations: 2 requests read all"
 };
 
 using PartsResult = std::variant<ClientParts, LinkError>;

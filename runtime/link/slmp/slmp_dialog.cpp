@@ -221,6 +221,29 @@ SlmpDialog::Writes SlmpDialog::writes_of(std::span<const LaneChange> changes, bo
   return writes;
 }
 
+/// For all events.
+std::size_t SlmpDialog::requests_to_write() const {
+  std::vector<LaneChange> all;
+  for (std::uint32_t i = 0; i < owned_.size(); ++i) all.push_back({{Table::discrete_input, i}, owned_[i], 0});
+  for (std::uint32_t i = 0; i < map_.events.numbers.size(); ++i) {
+    all.push_back({{Table::input_register, i}, kWholeCell, 0});
+  }
+  const auto count = [&](bool whole) {
+    const Writes writes = writes_of(all, whole);
+    return writes.words_transfers.size() + writes.bit_transfers.size();
+  };
+  return std::min(count(false), count(true));
+}
+
+std::vector<std::string> SlmpDialog::notes() const {
+  const auto requests = [](std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " request" : " requests");
+  };
+  return {"operations: " + requests(operations_.transfers.size()) + " to read all",
+          "events: " + requests(requests_to_write()) + " to write all, " + requests(events_.transfers.size()) +
+              " to read them back"};
+}
+
 Fault SlmpDialog::write(std::span<const LaneChange> changes) {
   const auto size = [](const Writes& writes) { return writes.words_transfers.size() + writes.bit_transfers.size(); };
   Writes writes = writes_of(changes, false);

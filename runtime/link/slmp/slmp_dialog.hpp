@@ -20,6 +20,9 @@ class SlmpDialog final : public client::Dialog {
  public:
   SlmpDialog(const Settings& settings, DeviceMap map);
 
+  /// The requests that the map needs.
+  std::vector<std::string> notes() const;
+
   std::string url() const override;
   client::Fault open() override;
   void close() noexcept override { exchange_.close(); }
@@ -68,6 +71,7 @@ class SlmpDialog final : public client::Dialog {
     std::vector<Transfer> bit_transfers;
   };
   Writes writes_of(std::span<const client::LaneChange> changes, bool whole) const;
+  std::size_t requests_to_write() const;
   client::Fault write_words(const Transfer& transfer, const Writes& writes);
   client::Fault write_bits(const Transfer& transfer, const Writes& writes);
 

@@ -23,10 +23,16 @@ client::PartsResult slmp_parts(std::string_view rest, const LinkChoice& link, co
   auto made = make_device_map(tables, link.controller, link.settings, settings);
   if (auto* error = std::get_if<LinkError>(&made)) return std::move(*error);
   DeviceMap& map = std::get<DeviceMap>(made);
-  client::ClientParts parts{
-      .dialog = nullptr, .map = map.io, .addresses = {}, .unreachable = map.unreachable, .times = settings.times};
+  client::ClientParts parts{.dialog = nullptr,
+                            .map = map.io,
+                            .addresses = {},
+                            .unreachable = map.unreachable,
+                            .times = settings.times,
+                            .notes = {}};
   for (const Device& device : map.devices) parts.addresses.push_back(device_text(device, settings.framing.family));
-  parts.dialog = std::make_unique<SlmpDialog>(settings, std::move(map));
+  auto dialog = std::make_unique<SlmpDialog>(settings, std::move(map));
+  parts.notes = dialog->notes();
+  parts.dialog = std::move(dialog);
   return parts;
 }
 
