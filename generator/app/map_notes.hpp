@@ -4,7 +4,7 @@
 #include <string>
 
 #include "model/plant_model.hpp"
-#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/tables.hpp"
 

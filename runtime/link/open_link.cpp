@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "symplant/link/client/client_link.hpp"
 #include "symplant/link/client_parts.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/loop_link.hpp"

@@ -10,9 +10,9 @@
 #include <thread>
 #include <vector>
 
-#include "symplant/link/client/client_link.hpp"
 #include "symplant/link/client/messages.hpp"
 #include "symplant/link/client/outbox.hpp"
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/images.hpp"
 
 namespace symplant::link::client {

@@ -3,8 +3,9 @@
 
 #include <vector>
 
-#include "symplant/link/client/client_link.hpp"
-#include "symplant/link/doctor/doctor.hpp"
+#include "symplant/link/client/parts.hpp"
+#include "symplant/link/doctor/options.hpp"
+#include "symplant/link/doctor/report.hpp"
 
 namespace symplant::link::doctor {
 

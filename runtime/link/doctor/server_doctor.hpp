@@ -3,7 +3,8 @@
 
 #include <variant>
 
-#include "symplant/link/doctor/doctor.hpp"
+#include "symplant/link/doctor/options.hpp"
+#include "symplant/link/doctor/report.hpp"
 #include "symplant/link/net/host_port.hpp"
 
 namespace symplant::link::doctor {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/net/client_socket.hpp"
 #include "symplant/link/net/host_port.hpp"

@@ -10,7 +10,7 @@ namespace symplant::test::slmp {
 
 /// The CPU as its commands see it.
 struct Cpu {
-  PlcProfile profile;
+  PlcProfile profile{};
   Code code = Code::binary;
   bool has_octal_input_output = false;  ///< X and Y are octal in ASCII
   bool accepts_writes = true;
@@ -21,9 +21,9 @@ struct Cpu {
 
 struct Outcome {
   std::uint16_t end_code = kOk;
-  Bytes data;          ///< of the reply, as on the wire
-  LoggedRequest log;   ///< transport not filled in
-  bool has_duplicate;  ///< a random or block write names a point twice
+  Bytes data;                  ///< of the reply, as on the wire
+  LoggedRequest log;           ///< transport not filled in
+  bool has_duplicate = false;  ///< a random or block write names a point twice
 };
 
 /// A random or block write that fails has applied the items before the one that failed, as some CPUs do.

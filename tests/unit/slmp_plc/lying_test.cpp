@@ -17,7 +17,7 @@ Bytes truth(std::uint32_t word, std::uint16_t serial = 7) {
 }
 
 /// The bytes that come for one distorted reply, up to the honest reply after it or the end of the connection.
-Bytes lie_of(Distortion distortion, LieOptions options = {}) {
+Bytes lie_of(Distortion distortion, const LieOptions& options = {}) {
   LyingPlc plc({}, options);
   plc.lie_always(Distortion::honest);
   plc.plc().memory().set_word("D", 0, 0x1234);

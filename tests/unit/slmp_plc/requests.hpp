@@ -140,9 +140,4 @@ class WireClient {
   bool connected_ = false;
 };
 
-/// The reply to a request that the PLC executes.
-inline Bytes reply_to(const Request& request, Code code, std::uint16_t end_code, const FieldWriter& data) {
-  return encode_reply(request.frame(), code, end_code, data.bytes());
-}
-
 }  // namespace symplant::test::slmp

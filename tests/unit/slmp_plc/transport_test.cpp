@@ -7,8 +7,6 @@ using namespace symplant::test::slmp;
 
 namespace {
 
-const Bytes kNothing = {};
-
 Request one_word(Code code = Code::binary) { return Request(kRead, 0, code).device("D", 0).number(1, 2); }
 
 Bytes reply_with(std::uint32_t word, const Request& request, Code code = Code::binary) {

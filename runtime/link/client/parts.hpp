@@ -1,0 +1,45 @@
+// What a protocol makes of a URL of a link that goes to the PLC.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "symplant/link/client/dialog.hpp"
+#include "symplant/link/io_map.hpp"
+#include "symplant/link/link.hpp"
+#include "symplant/tables/time.hpp"
+
+namespace symplant::link::client {
+
+/// When a client link acts. Times in ns, > 0.
+struct ClientTimes {
+  tables::Time poll = 10 * tables::kMillisecond;  ///< from one reading of the operations to the next
+  tables::Time refresh = 2 * tables::kSecond;     ///< all events are written again, rejected requests repeated
+  tables::Time read_back = 0;                     ///< what was written is read and compared; 0: never
+  tables::Time first_retry = tables::kSecond;     ///< after a failed connection; each further one doubles it
+  tables::Time last_retry = 30 * tables::kSecond;
+  bool zero_at_end = false;  ///< at the end of the run all events are written as 0; otherwise they keep their values
+};
+
+/// A symbol that the link does not carry.
+struct Unreachable {
+  std::uint32_t symbol;
+  std::string reason;  ///< "has no address", "is BOOL at D100, which has 16 bits"
+};
+
+/// What a protocol makes of a URL: the conversation, and where each symbol lies.
+struct ClientParts {
+  std::unique_ptr<Dialog> dialog;
+  IoMap map;                           ///< numbers are those of the images
+  std::vector<std::string> addresses;  ///< in the PLC, of the map's points in their order
+  std::vector<Unreachable> unreachable;
+  ClientTimes times;
+  std::vector<std::string> notes;  ///< on the map, for the user: "operations: 2 requests read all"
+};
+
+using PartsResult = std::variant<ClientParts, LinkError>;
+
+}  // namespace symplant::link::client
