@@ -42,7 +42,7 @@ constexpr std::array kRuntimeUse = {
     RuntimeUse{"check", " tables condition "},
     RuntimeUse{"emit", " tables plant "},
     RuntimeUse{"view", " tables "},
-    RuntimeUse{"app", " tables json link scenario host "},
+    RuntimeUse{"app", " tables json link trace scenario host "},
 };
 
 /// The layers that may include the headers of a third party.
