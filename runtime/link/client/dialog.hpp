@@ -76,7 +76,7 @@ class Dialog {
   /// Reads what the PLC holds where events are written, into words laid out as the images.
   virtual Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) = 0;
 
-  /// Sends rejected requests again from now on.
+  /// Sends rejected requests again from now on, if the PLC may accept them without a new connection.
   virtual void retry_rejected() noexcept = 0;
   /// A message for each rejected request since the last call.
   virtual std::vector<std::string> take_rejections() = 0;

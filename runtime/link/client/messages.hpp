@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,12 +12,16 @@ namespace symplant::link::client {
 /// Holds messages until they are taken. Any thread; not for the cycle's thread, since it locks.
 class Messages {
  public:
-  /// Ignored if it is equal to the one before it, taken or not.
+  /// Ignored if it was added before and not forgotten since, so that a lasting problem is reported once.
   void add(std::string text) {
     const std::scoped_lock lock(mutex_);
-    if (text == last_) return;
-    last_ = text;
+    if (text.empty() || !added_.insert(text).second) return;
     waiting_.push_back(std::move(text));
+  }
+  /// Messages may come again.
+  void forget() {
+    const std::scoped_lock lock(mutex_);
+    added_.clear();
   }
   std::vector<std::string> take() {
     const std::scoped_lock lock(mutex_);
@@ -25,7 +30,7 @@ class Messages {
 
  private:
   std::mutex mutex_;
-  std::string last_;
+  std::set<std::string> added_;
   std::vector<std::string> waiting_;
 };
 

@@ -42,7 +42,7 @@ Poller::Poller(ClientParts parts, image::Images& images, bool arm, std::string n
       discrete_inputs_(image::bit_words(parts.map.sizes[static_cast<std::size_t>(Table::discrete_input)])),
       input_registers_(image::register_words(parts.map.sizes[static_cast<std::size_t>(Table::input_register)])),
       reported_(points_.size()) {
-  if (!note.empty()) messages_.add(std::move(note));
+  messages_.add(std::move(note));
   zeros_.resize(std::max(discrete_inputs_.size(), input_registers_.size()));
   const net::NoSignals blocked;
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -89,7 +89,10 @@ void Poller::run(const std::stop_token& stop) {
     }
     if (stop.stop_requested()) return;
     messages_.add(std::move(fault.message));
-    if (opened && passed_) continue;
+    if (opened && passed_) {
+      messages_.forget();  // this was a working connection: what comes next is news
+      continue;
+    }
     if (!sleep(stop, retry)) return;
     if (!opened) retry = std::min(2 * retry, times_.last_retry);
   }

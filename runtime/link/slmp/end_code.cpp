@@ -80,6 +80,8 @@ static_assert(std::is_sorted(kRows.begin(), kRows.end(),
 
 }  // namespace
 
+std::span<const EndCode> end_codes() noexcept { return kRows; }
+
 const EndCode& end_code_of(std::uint16_t code) noexcept {
   const auto* const found = std::lower_bound(kRows.begin(), kRows.end(), code,
                                              [](const EndCode& row, std::uint16_t c) { return row.code < c; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace symplant::link::slmp {
@@ -19,6 +20,9 @@ struct EndCode {
   const char* meaning;  ///< "the number of points is out of range"
   const char* action;   ///< "..." what to do
 };
+
+/// All rows, ascending.
+std::span<const EndCode> end_codes() noexcept;
 
 /// The row of a code; of an unknown one a row with its range in general words. O(log rows).
 const EndCode& end_code_of(std::uint16_t code) noexcept;

@@ -8,7 +8,6 @@
 
 #include "symplant/link/image/table_view.hpp"
 #include "symplant/link/slmp/cpu_model.hpp"
-#include "symplant/link/slmp/end_code.hpp"
 
 namespace symplant::link::slmp {
 
@@ -48,7 +47,15 @@ SlmpDialog::SlmpDialog(const Settings& settings, DeviceMap map)
 
 std::string SlmpDialog::url() const { return "slmp://" + net::format_host_port(settings_.address); }
 
-Fault SlmpDialog::open() { return exchange_.open(); }
+Fault SlmpDialog::open() {
+  skipped_.clear();
+  return exchange_.open();
+}
+
+/// Not those that cannot succeed before the map or the PLC's parameters change: then there is a new connection.
+void SlmpDialog::retry_rejected() noexcept {
+  std::erase_if(skipped_, [](const auto& entry) { return entry.second != Remedy::configure; });
+}
 
 SlmpDialog::ReadPlan SlmpDialog::plan_of(const Cells& cells) const {
   ReadPlan plan;
@@ -164,6 +171,7 @@ Fault SlmpDialog::read_one(const Transfer& transfer, const ReadPlan& plan, const
   if (Fault fault = transact(reply)) return fault;
   if (reply.end_code != 0) {
     note_rejection("reading", transfer, false, reply.end_code);
+    skipped_[&transfer] = end_code_of(reply.end_code).remedy;
     return {Fault::Kind::rejected};
   }
   if (!take_words(transfer, reply)) {
@@ -178,10 +186,7 @@ Fault SlmpDialog::read_all(const ReadPlan& plan, const Words& out) {
   for (const Transfer& transfer : plan.transfers) {
     if (skipped_.contains(&transfer)) continue;
     Fault fault = read_one(transfer, plan, out);
-    if (fault.kind == Fault::Kind::rejected) {
-      skipped_.insert(&transfer);
-      continue;
-    }
+    if (fault.kind == Fault::Kind::rejected) continue;
     if (fault) return fault;
     any = true;
   }

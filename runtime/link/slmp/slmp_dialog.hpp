@@ -3,13 +3,14 @@
 
 #include <atomic>
 #include <cstdint>
-#include <set>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "symplant/link/client/dialog.hpp"
+#include "symplant/link/slmp/end_code.hpp"
 #include "symplant/link/slmp/exchange.hpp"
 #include "symplant/link/slmp/map.hpp"
 #include "symplant/link/slmp/plan.hpp"
@@ -30,7 +31,7 @@ class SlmpDialog final : public client::Dialog {
   client::Fault read(image::Tables& tables) override;
   client::Fault write(std::span<const client::LaneChange> changes) override;
   client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) override;
-  void retry_rejected() noexcept override { skipped_.clear(); }
+  void retry_rejected() noexcept override;
   std::vector<std::string> take_rejections() override { return std::exchange(rejections_, {}); }
   void interrupt() noexcept override { exchange_.interrupt(); }
   std::uint64_t requests() const noexcept override { return requests_.load(std::memory_order_relaxed); }
@@ -85,8 +86,8 @@ class SlmpDialog final : public client::Dialog {
   ReadPlan events_;
   std::vector<std::uint16_t> owned_;  ///< by bit cell of the events: its mapped bits
   Exchange exchange_;
-  std::vector<std::uint16_t> words_;   ///< of the latest reply, in the order of its spans
-  std::set<const Transfer*> skipped_;  ///< requests to read that the PLC rejects
+  std::vector<std::uint16_t> words_;           ///< of the latest reply, in the order of its spans
+  std::map<const Transfer*, Remedy> skipped_;  ///< requests to read that the PLC rejects
   std::vector<std::string> rejections_;
   std::atomic<std::uint64_t> requests_{0};
   std::atomic<std::uint64_t> rejected_{0};
