@@ -53,6 +53,7 @@ class Engine {
   std::span<const std::uint64_t> events() const noexcept { return {events_.bits, tables_.event_bits / 64}; }
   std::span<const std::uint64_t> disarmed() const noexcept { return {disarmed_, tables_.operation_bits / 64}; }
   std::uint64_t operation_value(std::uint32_t slot) const noexcept { return operation_values_.values[slot]; }
+  std::uint64_t written_operation_value(std::uint32_t slot) const noexcept { return written_values_[slot]; }
   std::uint64_t event_value(std::uint32_t slot) const noexcept { return event_values_.values[slot]; }
   bool is_forced(std::uint32_t symbol) const noexcept;
   bool is_pending(std::uint32_t requirement) const noexcept { return monitors_[requirement].running != 0; }

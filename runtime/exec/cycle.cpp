@@ -28,21 +28,23 @@ class Run {
         stop_(parts.stop),
         observer_(parts.observer),
         stepper_(parts.stepper),
+        plc_time_(parts.plc_time),
         cycle_(std::max(options.cycle, tables::Time{1})),
         spin_(std::clamp(options.spin, tables::Time{0}, cycle_)),
-        most_(std::max(options.max_catch_up, std::int64_t{0})),
+        most_(plc_time_ != nullptr ? 0 : std::max(options.max_catch_up, std::int64_t{0})),
         time_(plant.now()) {}
 
   void all() noexcept {
     const Guard guard;
     advance_to(time_);
     write_events(status());
-    offset_ = clock_.now() - time_;
+    deadline_ = clock_.now();
     while (time_ < options_.until && !over()) {
-      const tables::Time next = options_.until - time_ > cycle_ ? time_ + cycle_ : options_.until;
-      const tables::Time woken = wait_until(next + offset_);
+      const tables::Time length = plc_time_ != nullptr ? cycle_ : std::min(cycle_, options_.until - time_);
+      deadline_ += length;
+      const tables::Time woken = wait_until(deadline_);
       if (woken == kStopped) return;
-      one(next, woken);
+      one(length, woken);
     }
   }
 
@@ -58,34 +60,32 @@ class Run {
     }
   }
 
-  void one(tables::Time next, tables::Time woken) noexcept {
-    const tables::Time lateness = woken - (next + offset_);
+  void one(tables::Time length, tables::Time woken) noexcept {
+    const tables::Time lateness = woken - deadline_;
     meter_.lateness.add(lateness);
-    if (last_start_ != tables::kNever) meter_.jitter.add(std::abs(woken - last_start_ - (next - time_)));
+    if (last_start_ != tables::kNever) meter_.jitter.add(std::abs(woken - last_start_ - length));
     link_time_ += last_start_ == tables::kNever ? cycle_ : std::min(woken - last_start_, kStandstill * cycle_);
     last_start_ = woken;
-    const std::int64_t excess = lateness / cycle_ - most_;
-    if (excess > 0) {
-      offset_ += excess * cycle_;
-      meter_.slipped.add(static_cast<std::uint64_t>(excess * cycle_));
-    }
+    const std::int64_t excess = std::max(lateness / cycle_ - most_, std::int64_t{0});
+    deadline_ += excess * cycle_;
+    if (plc_time_ == nullptr) meter_.slipped.add(static_cast<std::uint64_t>(excess * cycle_));
 
-    const tables::Time deadline = next + offset_;
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus reported = status();
     meter_.note_standstill(reported.frozen);
     if (reported.frozen) {
-      offset_ += next - time_;
-      meter_.frozen.add(static_cast<std::uint64_t>(next - time_));
+      meter_.frozen.add(static_cast<std::uint64_t>(length));
+      if (plc_time_ != nullptr) plc_time_->hold(plant_);
     } else {
-      advance_to(next);
-      time_ = next;
+      time_ = plc_time_ == nullptr ? time_ + length : std::min(plc_time_->next(plant_, excess + 1), options_.until);
+      advance_to(time_);
     }
+    if (plc_time_ != nullptr) meter_.note(plc_time_->reading());
     write_events(reported);
     meter_.cycles.add(1);
     const tables::Time end = clock_.now();
     meter_.work.add(end - woken);
-    if (end >= deadline + cycle_) meter_.overruns.add(1);
+    if (end >= deadline_ + cycle_) meter_.overruns.add(1);
   }
 
   void advance_to(tables::Time to) noexcept {
@@ -118,11 +118,12 @@ class Run {
   const std::atomic<bool>& stop_;
   engine::Observer* observer_;
   Stepper* stepper_;
+  PlcTime* plc_time_;
   tables::Time cycle_;
   tables::Time spin_;
   std::int64_t most_;
   tables::Time time_;                         ///< plant time of the last cycle
-  tables::Time offset_ = 0;                   ///< real time minus plant time; grows when plant time slips
+  tables::Time deadline_ = 0;                 ///< of the last cycle that was due
   tables::Time link_time_ = 0;                ///< the time by which links measure the silence of their PLC
   tables::Time last_start_ = tables::kNever;  ///< start of the last cycle
 };

@@ -8,6 +8,7 @@
 #include "symplant/exec/clock.hpp"
 #include "symplant/exec/cycle_meter.hpp"
 #include "symplant/exec/exchange.hpp"
+#include "symplant/exec/plc_time.hpp"
 #include "symplant/exec/stepper.hpp"
 #include "symplant/plant/plant.hpp"
 #include "symplant/tables/time.hpp"
@@ -27,7 +28,8 @@ struct CycleParts {
   CycleMeter& meter;              ///< gets the results; any thread may read it meanwhile
   const std::atomic<bool>& stop;  ///< ends the run within 0.1 s; any thread or a signal handler may set it
   engine::Observer* observer = nullptr;
-  Stepper* stepper = nullptr;  ///< advances the plant instead of run_cycles()
+  Stepper* stepper = nullptr;   ///< advances the plant instead of run_cycles()
+  PlcTime* plc_time = nullptr;  ///< decides plant time instead of the clock
 };
 
 /// Runs the plant in real time from its current time until `parts.stop` or `options.until`.
@@ -39,6 +41,9 @@ struct CycleParts {
 /// time of the others slips.
 ///
 /// While a link freezes the plant, cycles continue with the links only; plant time does not run and is not caught up.
+///
+/// With `plc_time` the clock only decides when cycles run. Plant time is that of `plc_time`, which `options.until`
+/// limits. Deadlines that have passed are skipped: nothing is caught up, and nothing slips.
 ///
 /// With a stepper and without `options.until` the run ends with the cycle in which stepper->over() becomes true. No
 /// heap and no locks; the only system calls are those of the clock. Everything except the links' leave() is guarded

@@ -12,6 +12,7 @@ CycleStatistics CycleMeter::statistics() const noexcept {
   all.lateness = lateness.durations();
   all.work = work.durations();
   all.jitter = jitter.durations();
+  all.plc_clock = plc_clock();
   return all;
 }
 
@@ -25,6 +26,19 @@ void CycleMeter::note(std::size_t link, LinkState state) noexcept {
 
 void CycleMeter::note_standstill(bool is_stopped) noexcept {
   if (is_stopped != this->is_stopped()) is_stopped_.set(is_stopped ? 1 : 0);
+}
+
+void CycleMeter::note(const PlcClockReading& plc_clock) noexcept {
+  plc_values_.set(plc_clock.values);
+  phase_error_.set(static_cast<std::uint64_t>(plc_clock.phase_error));
+  largest_phase_error_.set(static_cast<std::uint64_t>(plc_clock.largest_phase_error));
+  waits_.set(plc_clock.waits);
+  restarts_.set(plc_clock.restarts);
+}
+
+PlcClockReading CycleMeter::plc_clock() const noexcept {
+  return {plc_values_.value(), static_cast<tables::Time>(phase_error_.value()),
+          static_cast<tables::Time>(largest_phase_error_.value()), waits_.value(), restarts_.value()};
 }
 
 LinkState CycleMeter::state(std::size_t link) const noexcept {

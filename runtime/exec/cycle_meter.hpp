@@ -6,6 +6,7 @@
 
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/histogram.hpp"
+#include "symplant/exec/plc_clock.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::exec {
@@ -19,6 +20,7 @@ struct CycleStatistics {
   Durations lateness;          ///< from a cycle's deadline to its start
   Durations work;              ///< from a cycle's start to its end: links and plant
   Durations jitter;            ///< absolute difference of the time between two starts from the cycle
+  PlcClockReading plc_clock;   ///< only if plant time follows a PLC's clock
 };
 
 /// Fixed memory (90 kB) and a fixed cost per cycle.
@@ -41,12 +43,19 @@ class CycleMeter {
   /// Whether the plant was frozen in the last cycle, by the policy of a lost link.
   void note_standstill(bool is_stopped) noexcept;
   bool is_stopped() const noexcept { return is_stopped_.value() != 0; }
+  void note(const PlcClockReading& plc_clock) noexcept;
+  PlcClockReading plc_clock() const noexcept;
   /// The state of a link in the last cycle; `link` must be below kMostLinks.
   LinkState state(std::size_t link) const noexcept;
 
  private:
   Counter states_;      ///< two bits per link
   Counter is_stopped_;  ///< 0 or 1
+  Counter plc_values_;
+  Counter phase_error_;  ///< two's complement
+  Counter largest_phase_error_;
+  Counter waits_;
+  Counter restarts_;
 };
 
 }  // namespace symplant::exec

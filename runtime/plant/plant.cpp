@@ -73,6 +73,9 @@ bool Plant::operation(std::uint32_t bit) const noexcept {
 bool Plant::event(std::uint32_t bit) const noexcept { return (engine_->events()[bit / 64] >> (bit % 64) & 1) != 0; }
 
 std::uint64_t Plant::operation_value(std::uint32_t slot) const noexcept { return engine_->operation_value(slot); }
+std::uint64_t Plant::written_operation_value(std::uint32_t slot) const noexcept {
+  return engine_->written_operation_value(slot);
+}
 
 std::uint64_t Plant::event_value(std::uint32_t slot) const noexcept { return engine_->event_value(slot); }
 

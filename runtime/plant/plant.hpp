@@ -69,6 +69,8 @@ class Plant {
   void set_operations(std::uint32_t word, std::uint64_t mask, std::uint64_t bits) noexcept;
   /// Writes a numeric operation by its slot; the value is a two's complement integer or the bits of a double. O(1).
   void set_operation_value(std::uint32_t slot, std::uint64_t value) noexcept;
+  /// The numeric operation as written last, before forces, also if no instant has read it yet. O(1).
+  std::uint64_t written_operation_value(std::uint32_t slot) const noexcept;
 
   /// Sets an event that no unit drives, as a sensor would: by symbol, BOOL as 0 or 1. Returns false and does nothing if
   /// the symbol is an operation, or if a unit drives it or an event on its address. O(symbols on the address).
