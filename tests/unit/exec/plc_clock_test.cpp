@@ -131,6 +131,18 @@ TEST_CASE("The first value only sets the base: plant time waits for the second o
   CHECK(clock.reading().phase_error == -20 * kMillisecond);
 }
 
+TEST_CASE("A repeated value changes nothing") {
+  PlcClock clock({16}, 0);
+  clock.arrive(0);
+  steps(clock, 4);
+  clock.arrive(40);
+  steps(clock, 2);
+  CHECK_FALSE(clock.arrive(40));
+  CHECK_FALSE(clock.arrive(0x1'0000 + 40));
+  CHECK(clock.reading().values == 2);
+  CHECK(steps(clock, 2).back() == 80 * kMillisecond);
+}
+
 TEST_CASE("Steps that do not divide evenly reach the target exactly") {
   PlcClock clock({32}, 0);
   clock.arrive(0);
