@@ -53,6 +53,7 @@ class LinkReader {
     settings.connections = number_member(entry_, "connections").value_or(settings.connections);
     read_sizes();
     read_status_and_watchdog();
+    read_clock();
     read_keep();
     read_map();
     return std::move(link_);
@@ -95,6 +96,21 @@ class LinkReader {
     if (watchdog == nullptr) return;
     settings.watchdog = number_member(*watchdog, "register").value_or(link::kNowhere);
     settings.watchdog_within = time_above_zero(*watchdog, "within", here_ / "watchdog", settings.watchdog_within);
+  }
+
+  void read_clock() {
+    const Json* clock = member(entry_, "clock");
+    if (clock == nullptr) return;
+    const Pointer here = here_ / "clock";
+    link::ClockSettings& settings = link_.settings.clock;
+    link_.clock_of = text_or_empty(*clock, "of");
+    settings.unit = time_above_zero(*clock, "unit", here, settings.unit);
+    settings.limit = time_above_zero(*clock, "limit", here, settings.limit);
+    if (settings.unit > tables::kSecond) {
+      faults_.add(here / "unit", "the time is longer than 1 s; write a shorter one, such as `1ms`");
+    } else if (settings.limit != 0 && settings.limit < settings.unit) {
+      faults_.add(here / "limit", "the time is shorter than one count of the clock; write a longer one, such as `10s`");
+    }
   }
 
   void read_keep() {

@@ -71,6 +71,9 @@ void settings_row(RowWriter& rows, std::size_t controller, const model::Controll
   members.number("watchdog_within", set.watchdog_within, none.watchdog_within);
   members.number("connections", set.connections, none.connections);
   members.number("idle", set.idle, none.idle);
+  if (set.clock.symbol != none.clock.symbol) {
+    members.next("clock").text("{").numbers(set.clock.symbol, set.clock.unit, set.clock.limit).text("}");
+  }
   if (!link.keep.empty()) members.next("keep").text("links::kKeep").number(controller);
   rows.text("},\n");
 }

@@ -6,6 +6,7 @@
 #include "address/address.hpp"
 #include "description/faults.hpp"
 #include "model/classify.hpp"
+#include "model/link_symbol.hpp"
 #include "model/links.hpp"
 #include "model/plant_model.hpp"
 #include "text/ascii.hpp"
@@ -115,16 +116,6 @@ class LinkResolver {
     }
   }
 
-  /// A row of this name; null if there is none. O(rows).
-  const read::ListRow* row_of_list(std::string_view name) const {
-    for (const PlantList& list : plant_.lists) {
-      for (const read::ListRow& row : list.table->rows) {
-        if (text::equal_ignoring_case(row.name, name)) return &row;
-      }
-    }
-    return nullptr;
-  }
-
   address::Dialect dialect() const {
     for (const PlantList& list : plant_.lists) {
       if (list.controller == controller_) return list.dialect();
@@ -189,19 +180,7 @@ class LinkResolver {
     }
     meant.rank = kExact;
     if (by_name_.count(text) != 0) return true;
-    if (const read::ListRow* row = row_of_list(text); row != nullptr) {
-      const std::string_view address = row->vendor_address.empty() ? row->iec_address : row->vendor_address;
-      faults_.add(meant.pointer / "symbol",
-                  description::ticked(text) + " is in the list, but is not an input or output of this controller" +
-                      (address.empty() ? "" : ", its address is " + description::ticked(address)) +
-                      "; remove this entry",
-                  description::FaultKind::unknown_name);
-      return false;
-    }
-    const auto nearest =
-        faults_.nearest(text, symbols_.size(), [&](std::size_t i) { return plant_.symbols[symbols_[i]].name(); });
-    faults_.add(meant.pointer / "symbol", description::missing("symbol " + description::ticked(text), nearest),
-                description::FaultKind::unknown_name);
+    report_no_symbol(plant_, controller_, text, "remove this entry", meant.pointer / "symbol", faults_);
     return false;
   }
 
@@ -332,6 +311,7 @@ void resolve_links(PlantModel& plant, const std::vector<const description::LinkD
     result.link.word_order = low ? link::WordOrder::low_first : link::WordOrder::high_first;
     if (links[c] == nullptr) continue;
     result.link.word_order = links[c]->word_order.value_or(result.link.word_order);
+    result.link.clock.symbol = resolve_clock(plant, c, *links[c], faults);
     result.keep.assign(links[c]->keep.begin(), links[c]->keep.end());
     if (!links[c]->map.empty()) LinkResolver(plant, c, *links[c], faults).run(result);
   }

@@ -38,6 +38,7 @@ class Run {
     const Guard guard;
     advance_to(time_);
     write_events(status());
+    note_plc_clock();
     deadline_ = clock_.now();
     while (time_ < options_.until && !over()) {
       const tables::Time length = plc_time_ != nullptr ? cycle_ : std::min(cycle_, options_.until - time_);
@@ -80,7 +81,7 @@ class Run {
       time_ = plc_time_ == nullptr ? time_ + length : std::min(plc_time_->next(plant_, excess + 1), options_.until);
       advance_to(time_);
     }
-    if (plc_time_ != nullptr) meter_.note(plc_time_->reading());
+    note_plc_clock();
     write_events(reported);
     meter_.cycles.add(1);
     const tables::Time end = clock_.now();
@@ -96,6 +97,10 @@ class Run {
   void write_events(const CycleStatus& reported) noexcept {
     for (Exchange* link : links_) link->write_events(plant_, reported);
     plant_.forget_changed_events();
+  }
+
+  void note_plc_clock() noexcept {
+    if (plc_time_ != nullptr) meter_.note(plc_time_->reading());
   }
 
   /// The status for the links, from their states after reading.

@@ -29,6 +29,7 @@ void CycleMeter::note_standstill(bool is_stopped) noexcept {
 }
 
 void CycleMeter::note(const PlcClockReading& plc_clock) noexcept {
+  has_plc_clock_.set(1);
   plc_values_.set(plc_clock.values);
   phase_error_.set(static_cast<std::uint64_t>(plc_clock.phase_error));
   largest_phase_error_.set(static_cast<std::uint64_t>(plc_clock.largest_phase_error));
@@ -36,9 +37,10 @@ void CycleMeter::note(const PlcClockReading& plc_clock) noexcept {
   restarts_.set(plc_clock.restarts);
 }
 
-PlcClockReading CycleMeter::plc_clock() const noexcept {
-  return {plc_values_.value(), static_cast<tables::Time>(phase_error_.value()),
-          static_cast<tables::Time>(largest_phase_error_.value()), waits_.value(), restarts_.value()};
+std::optional<PlcClockReading> CycleMeter::plc_clock() const noexcept {
+  if (has_plc_clock_.value() == 0) return std::nullopt;
+  return PlcClockReading{plc_values_.value(), static_cast<tables::Time>(phase_error_.value()),
+                         static_cast<tables::Time>(largest_phase_error_.value()), waits_.value(), restarts_.value()};
 }
 
 LinkState CycleMeter::state(std::size_t link) const noexcept {

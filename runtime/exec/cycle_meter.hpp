@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "symplant/exec/exchange.hpp"
 #include "symplant/exec/histogram.hpp"
@@ -14,13 +15,13 @@ namespace symplant::exec {
 /// The statistics of a run, so far or at its end. Times in nanoseconds.
 struct CycleStatistics {
   std::uint64_t cycles = 0;
-  std::uint64_t overruns = 0;  ///< cycles that were not finished when the next was due
-  tables::Time slipped = 0;    ///< how much plant time fell behind the clock
-  tables::Time frozen = 0;     ///< time during which plant time did not run, by the policy of a lost link
-  Durations lateness;          ///< from a cycle's deadline to its start
-  Durations work;              ///< from a cycle's start to its end: links and plant
-  Durations jitter;            ///< absolute difference of the time between two starts from the cycle
-  PlcClockReading plc_clock;   ///< only if plant time follows a PLC's clock
+  std::uint64_t overruns = 0;                ///< cycles that were not finished when the next was due
+  tables::Time slipped = 0;                  ///< how much plant time fell behind the clock
+  tables::Time frozen = 0;                   ///< time during which plant time did not run, by the policy of a lost link
+  Durations lateness;                        ///< from a cycle's deadline to its start
+  Durations work;                            ///< from a cycle's start to its end: links and plant
+  Durations jitter;                          ///< absolute difference of the time between two starts from the cycle
+  std::optional<PlcClockReading> plc_clock;  ///< only if plant time follows a PLC's clock
 };
 
 /// Fixed memory (90 kB) and a fixed cost per cycle.
@@ -44,13 +45,15 @@ class CycleMeter {
   void note_standstill(bool is_stopped) noexcept;
   bool is_stopped() const noexcept { return is_stopped_.value() != 0; }
   void note(const PlcClockReading& plc_clock) noexcept;
-  PlcClockReading plc_clock() const noexcept;
+  /// Nothing if plant time follows the wall clock.
+  std::optional<PlcClockReading> plc_clock() const noexcept;
   /// The state of a link in the last cycle; `link` must be below kMostLinks.
   LinkState state(std::size_t link) const noexcept;
 
  private:
-  Counter states_;      ///< two bits per link
-  Counter is_stopped_;  ///< 0 or 1
+  Counter states_;         ///< two bits per link
+  Counter is_stopped_;     ///< 0 or 1
+  Counter has_plc_clock_;  ///< 0 or 1
   Counter plc_values_;
   Counter phase_error_;  ///< two's complement
   Counter largest_phase_error_;

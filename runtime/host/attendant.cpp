@@ -31,6 +31,13 @@ std::size_t terminal_width() {
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col - std::size_t{1} : kUsualWidth;
 }
 
+std::string phase_text(const exec::PlcClockReading& clock) {
+  if (clock.values == 0) return "; plant time waits for the PLC's clock";
+  return fmt::format(
+      "; plant time {:.1f} ms {} the PLC, {}, {}", std::abs(static_cast<double>(clock.phase_error)) / 1e6,
+      clock.phase_error < 0 ? "behind" : "ahead of", plural(clock.waits, "wait"), plural(clock.restarts, "restart"));
+}
+
 }  // namespace
 
 bool can_draw(const RunOptions& options, const std::ostream& out) {
@@ -46,6 +53,7 @@ std::string status_text(const exec::CycleMeter& meter, const std::vector<std::st
   for (std::size_t i = 0; i < std::min(links.size(), exec::CycleMeter::kMostLinks); ++i) {
     text += (i == 0 ? "; " : ", ") + links[i] + " " + state_name(meter.state(i));
   }
+  if (const auto clock = meter.plc_clock()) text += phase_text(*clock);
   if (meter.is_stopped()) text += "; the plant is frozen";
   return text;
 }

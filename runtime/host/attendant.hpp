@@ -17,7 +17,8 @@
 namespace symplant::host {
 
 /// "1230 cycles, late by 85.2 us (p99), 0 overruns; PLC1 live, PLC2 waiting", with ", real time degraded" if `degraded`
-/// (the system refused a requested real-time setting), and "; the plant is frozen" at the end if it is.
+/// (the system refused a requested real-time setting), "; plant time 3.2 ms behind the PLC, 12 waits, 0 restarts" if it
+/// follows a PLC's clock, and "; the plant is frozen" at the end if it is.
 std::string status_text(const exec::CycleMeter& meter, const std::vector<std::string>& links, bool degraded);
 
 /// Whether a status line can be drawn on `out`: it is a terminal, and no output file is written to it.

@@ -15,7 +15,7 @@
 
 namespace symplant::host {
 
-/// Whether the plant's own links stay closed: with `--clock virtual`, and with a scenario unless `--clock real` is
+/// Whether the plant's own links stay closed: with `--clock virtual`, and with a scenario unless another clock is
 /// given.
 bool keeps_plants_links_closed(const RunOptions& options);
 

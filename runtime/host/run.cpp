@@ -14,6 +14,7 @@
 #include "symplant/host/last_resort.hpp"
 #include "symplant/host/links.hpp"
 #include "symplant/host/load_scenario.hpp"
+#include "symplant/host/plc_clock.hpp"
 #include "symplant/host/rt_check.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/host/run_virtual.hpp"
@@ -82,7 +83,7 @@ int exit_code(const RunOptions& options, const Report& report, const std::option
 }
 
 /// Warns of given options without effect in this run.
-void report_without_effect(const RunOptions& options, bool real, bool linked, std::ostream& err) {
+void report_without_effect(const RunOptions& options, bool real, bool linked, bool by_plc, std::ostream& err) {
   const std::pair<const char*, bool> of_real_time[] = {{"--cycle", options.cycle_given && !options.rt_check},
                                                        {"--on-loss", options.on_loss.has_value()},
                                                        {"--late", options.late_given},
@@ -101,6 +102,10 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, st
     err << "warning: " << names << (count == 1 ? " has" : " have")
         << " no effect in virtual time; to run in real time, add `--clock real`\n";
   }
+  if (by_plc && options.late_given) {
+    err << "warning: `--late` has no effect, since plant time follows the PLC's clock; to follow the wall clock, add "
+           "`--clock real`\n";
+  }
   if (real && !linked && options.on_loss) {
     err << "warning: `--on-loss` has no effect without a link that can be lost; add one with `--link`\n";
   }
@@ -109,8 +114,13 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, st
   }
 }
 
-/// False, with a message on `err`, if the options of time contradict each other.
-bool times_fit(const RunOptions& options, std::ostream& err) {
+/// False, with a message on `err`, if the options of time contradict each other. `clock` may be null.
+bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostream& err) {
+  if (options.rt_check && clock != nullptr) {
+    err << "error: `--rt-check` counts cycles of the wall clock, but plant time is that of `" << clock->name
+        << "`: add `--clock real`\n";
+    return false;
+  }
   if (options.rt_check && options.until) {
     err << "error: `--rt-check` already sets the length of the run, in cycles: remove `--until`\n";
     return false;
@@ -130,7 +140,8 @@ struct Played {
   trace::PlantNames& names;
   const scenario::Scenario* scenario;  ///< null: none
   const LinkChoices& links;
-  bool real;  ///< in real time
+  bool real;                    ///< in real time
+  const PlcClockChoice* clock;  ///< null: the wall clock
 };
 
 /// Runs the plant from time 0 to the end. Returns the exit code.
@@ -159,7 +170,7 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
   std::optional<RealRun> real_run;
   bool clean = true;
   if (played.real) {
-    real_run = run_real(stage, options, links, streams.console, streams.report, streams.err);
+    real_run = run_real(stage, options, links, played.clock, streams);
     clean = !report_missing_cycles(real_run->cycles.cycles, options, streams.report) && real_run->clean;
   } else if (options.rt_check) {
     clean = run_rt_check(stage, options, links, streams.report);
@@ -178,8 +189,8 @@ int play(Stage& stage, const Played& played, LastResort& resort, const RunStream
     return junit_text(stage.plant, played.names, played.scenario, outcomes, stage.report, options.fail_on_findings);
   });
   last.stats([&] {
-    return stats_text(
-        {stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, links, tables::Time{wall.count()}});
+    return stats_text({stage.plant, options.seed, stage.outputs, stage.report, verdict, real_run, played.clock, links,
+                       tables::Time{wall.count()}});
   });
   if (!last.are_well(streams.err)) return kEnvironment;
   return clean ? exit_code(options, stage.report, verdict) : kFindings;
@@ -199,6 +210,13 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
     err << "error: a link to a PLC needs real time: remove `--clock virtual`\n";
     return kBadInput;
   }
+  const ChosenPlcClock chosen_clock = choose_plc_clock(program, options, chosen);
+  if (!chosen_clock.error.empty()) {
+    err << "error: " << chosen_clock.error << "\n";
+    return kBadInput;
+  }
+  if (!chosen_clock.warning.empty()) err << "warning: " << chosen_clock.warning << "\n";
+  const PlcClockChoice* const clock = chosen_clock.clock ? &*chosen_clock.clock : nullptr;
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
   std::optional<scenario::Scenario> scenario;
@@ -210,8 +228,8 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   LastResort resort;
   const scenario::Scenario* const played = scenario ? &*scenario : nullptr;
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
-  if (!times_fit(options, err)) return kBadInput;
-  report_without_effect(options, real, linked, err);
+  if (!times_fit(options, clock, err)) return kBadInput;
+  report_without_effect(options, real, linked, clock != nullptr, err);
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
@@ -219,7 +237,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   Console console(report, err);
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
-  const int code = play(stage, {program, options, names, played, chosen, real}, resort, streams);
+  const int code = play(stage, {program, options, names, played, chosen, real, clock}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;
 }

@@ -39,6 +39,28 @@ std::uint64_t whole_number(const std::string& text, std::uint64_t least, const c
       option, "`" + text + "` is not a whole number from " + std::to_string(least) + " to 18446744073709551615");
 }
 
+void read_clock(const std::string& text, RunOptions& options) {
+  using enum RunOptions::Clock;
+  constexpr std::string_view kPlc = "plc:";
+  if (text.starts_with(kPlc) && text.size() > kPlc.size()) {
+    const std::size_t at = text.rfind('@');
+    if (at != std::string::npos) {
+      options.plc_unit = duration(text.substr(at + 1), "--clock");
+      if (*options.plc_unit == 0 || *options.plc_unit > tables::kSecond) {
+        throw CLI::ValidationError(
+            "--clock", "`" + text.substr(at + 1) + "` is not the unit of a clock: write a time above 0 and at most 1s");
+      }
+    }
+    options.plc_clock = text.substr(kPlc.size(), at == std::string::npos ? at : at - kPlc.size());
+    options.clock = plc;
+    return;
+  }
+  if (text != "virtual" && text != "real") {
+    throw CLI::ValidationError("--clock", "`" + text + "` is not a clock: write virtual, real or plc:SYMBOL");
+  }
+  options.clock = text == "real" ? real_time : virtual_time;
+}
+
 void add_files(CLI::App& app, RunOptions& options) {
   app.add_option("--scenario", options.scenario, "play this scenario and check its expectations")->type_name("FILE");
   app.add_option("--trace", options.trace, "write every change of every I/O symbol to this file, as JSON lines")
@@ -132,15 +154,11 @@ void add_real_time(CLI::App& app, RunOptions& options) {
 
 void add_run_options(CLI::App& app, RunOptions& options) {
   app.add_option_function<std::string>(
-         "--clock",
-         [&options](const std::string& text) {
-           if (text != "virtual" && text != "real") {
-             throw CLI::ValidationError("--clock", "`" + text + "` is not a clock: write virtual or real");
-           }
-           options.clock = text == "real" ? RunOptions::Clock::real_time : RunOptions::Clock::virtual_time;
-         },
-         "virtual: as fast as possible; real: in step with the wall clock (default: real with a link other than loop:)")
-      ->type_name("virtual|real");
+         "--clock", [&options](const std::string& text) { read_clock(text, options); },
+         "virtual: as fast as possible; real: in step with the wall clock; plc:SYMBOL: in step with a counter of the "
+         "PLC, in ms or, with plc:SYMBOL@100us, in another unit (default: as in the plant's `links`, else real with a "
+         "link other than loop:)")
+      ->type_name("virtual|real|plc:SYMBOL");
   app.add_option_function<std::string>(
          "--until",
          [&options](const std::string& text) {

@@ -19,9 +19,11 @@ namespace symplant::host {
 
 /// Files are paths; empty: no file. For output files `-` is standard output.
 struct RunOptions {
-  enum class Clock { automatic, virtual_time, real_time };
+  enum class Clock { automatic, virtual_time, real_time, plc };
 
-  Clock clock = Clock::automatic;  ///< real time with a link to a PLC, else virtual time
+  Clock clock = Clock::automatic;        ///< real time with a link to a PLC, else virtual time
+  std::string plc_clock;                 ///< with Clock::plc: the name of the operation that is the PLC's clock
+  std::optional<tables::Time> plc_unit;  ///< with Clock::plc: of its lowest bit; nothing: as in the plant's links
   std::optional<tables::Time> until;
   tables::Time cycle = 10 * tables::kMillisecond;
   bool cycle_given = false;        ///< whether the user gave it

@@ -50,7 +50,8 @@ void warn_of_times(const RunOptions& options, const Links& links, std::ostream& 
   }
 }
 
-void report_begin(const Stage& stage, const RunOptions& options, const Links& links, std::ostream& out) {
+void report_begin(const Stage& stage, const RunOptions& options, const Links& links, const PlcClockChoice* clock,
+                  std::ostream& out) {
   for (const OpenLink& open : links) {
     out << fmt::format("link {}{}\n", open.text(), policy_words(open, stage.plant.tables()));
   }
@@ -58,7 +59,8 @@ void report_begin(const Stage& stage, const RunOptions& options, const Links& li
   if (options.rt_check) {
     out << fmt::format("rt-check: {} cycles in real time under the guard, {}\n", *options.rt_check, cycle);
   } else {
-    out << fmt::format("running in real time, {}{}\n", cycle,
+    out << fmt::format("running in real time, {}{}{}\n", cycle,
+                       clock != nullptr ? ", plant time from " + clock->text() : "",
                        options.until  ? fmt::format(", until {}", seconds(*options.until))
                        : stage.player ? ", until the scenario is over"
                                       : "; Ctrl-C ends it");
@@ -85,6 +87,13 @@ std::string end_words(const link::LinkStatus& status) {
                                        plural(status.crowded_out, "client")));
 }
 
+std::string text_of(const exec::PlcClockReading& clock) {
+  const auto ms = [](tables::Time time) { return static_cast<double>(time) / 1e6; };
+  return fmt::format("the PLC's clock: {}, phase error {:.1f} ms, at most {:.1f} ms, {}, {}\n",
+                     plural(clock.values, "value"), ms(clock.phase_error), ms(clock.largest_phase_error),
+                     plural(clock.waits, "wait"), plural(clock.restarts, "restart"));
+}
+
 void report_end(const Stage& stage, const RealRun& run, const Links& links, std::ostream& out) {
   const exec::CycleStatistics& cycles = run.cycles;
   out << fmt::format("ended at {}{}: {} cycles, {} overruns, {} slipped{}\n", seconds(stage.plant.now()),
@@ -97,6 +106,7 @@ void report_end(const Stage& stage, const RealRun& run, const Links& links, std:
         << fmt::format("the cycle's thread: {} page faults ({} from disk), preempted {} times\n", run.faults.pages(),
                        run.faults.major, run.faults.preempted);
   }
+  if (cycles.plc_clock) out << text_of(*cycles.plc_clock);
   for (const OpenLink& open : links) {
     out << fmt::format("link {}: {}\n", open.text(), end_words(open.link->status()));
   }
@@ -113,8 +123,10 @@ void let_end_be_read(const Links& links) {
 
 }  // namespace
 
-RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Console& console, std::ostream& out,
-                 std::ostream& err) {
+RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, const PlcClockChoice* clock,
+                 const RunStreams& streams) {
+  std::ostream& out = streams.report;
+  std::ostream& err = streams.err;
   const WatchedLinks watched(links, stage.plant, stage.recorder);
   exec::CycleOptions cycle{.cycle = options.cycle,
                            .until = options.until.value_or(tables::kNever),
@@ -122,17 +134,21 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
                            .spin = options.spin};
   if (options.rt_check) cycle.until = end_of_rt_check(stage.plant.now(), options);
 
-  report_begin(stage, options, links, out);
+  std::optional<ReportedPlcTime> plc_time;
+  if (clock != nullptr) plc_time.emplace(*clock, stage.plant, links, stage.recorder);
+
+  report_begin(stage, options, links, clock, out);
   warn_of_times(options, links, err);
-  exec::MonotonicClock clock;
+  exec::MonotonicClock wall;
   exec::CycleMeter meter;
   const auto cycles = [&] {
     exec::run_cycles(stage.plant, watched.exchanges(), cycle,
-                     {.clock = clock,
+                     {.clock = wall,
                       .meter = meter,
                       .stop = stop_requested(),
                       .observer = &stage.recorder,
-                      .stepper = stage.player ? &*stage.player : nullptr});
+                      .stepper = stage.player ? &*stage.player : nullptr,
+                      .plc_time = plc_time ? &*plc_time : nullptr});
   };
   CycleThread thread(options.real_time, cycles, options.rt_check.has_value());
   RealRun run;
@@ -144,7 +160,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Co
     const Untied untied(err);
     stage.outputs.start_thread();
     {
-      const Attendant attendant(meter, links, !run.refused.empty(), can_draw(options, out), console);
+      const Attendant attendant(meter, links, !run.refused.empty(), can_draw(options, out), streams.console);
       thread.go();
       thread.join();
       let_end_be_read(links);

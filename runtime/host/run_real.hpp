@@ -1,14 +1,13 @@
 // Runs a plant in real time, against a PLC.
 #pragma once
 
-#include <ostream>
 #include <vector>
 
 #include "symplant/exec/cycle_meter.hpp"
 #include "symplant/exec/real_time.hpp"
 #include "symplant/exec/thread_faults.hpp"
-#include "symplant/host/console.hpp"
 #include "symplant/host/links.hpp"
+#include "symplant/host/plc_clock.hpp"
 #include "symplant/host/run_options.hpp"
 #include "symplant/host/stage.hpp"
 
@@ -23,11 +22,11 @@ struct RealRun {
   bool clean = true;                   ///< with --rt-check: the guard found nothing
 };
 
-/// Runs from the current plant time, in step with the wall clock, to `--until`, else to the last step of the scenario,
-/// or to a signal; with `--rt-check` for that many cycles under the guard (the plant must be made of
-/// exec::WatchedBehaviours). Reports on `out` the links, the end, and statistics of the cycle and the links; on `err`
-/// the settings that the system refused; during the run on `console`, which must use `out` and `err`.
-RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, Console& console, std::ostream& out,
-                 std::ostream& err);
+/// Runs from the current plant time to `--until`, else to the last step of the scenario, or to a signal; with
+/// `--rt-check` for that many cycles under the guard (the plant must be made of exec::WatchedBehaviours). Plant time
+/// follows `clock`, or the wall clock if it is null. Reports on `streams.report` the links, the end, and statistics of
+/// the cycle and the links; on `streams.err` the settings that the system refused.
+RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, const PlcClockChoice* clock,
+                 const RunStreams& streams);
 
 }  // namespace symplant::host

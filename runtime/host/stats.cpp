@@ -29,6 +29,13 @@ std::string real_time_text(const RealRun& run) {
   return text + "]";
 }
 
+std::string clock_text(const PlcClockChoice& clock, const exec::PlcClockReading& reading) {
+  return fmt::format(
+      R"(,"plc_clock":{{"of":{},"bits":{},"unit":{},"values":{},"phase_error":{{"last":{},"max":{}}},"waits":{},"restarts":{}}})",
+      trace::json_string(clock.name), clock.clock.bits, clock.clock.unit, reading.values, reading.phase_error,
+      reading.largest_phase_error, reading.waits, reading.restarts);
+}
+
 std::string links_text(const Links& links) {
   std::string text = ",\"links\":[";
   for (const OpenLink& open : links) {
@@ -67,6 +74,9 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
   if (input.real_time) text += real_time_text(*input.real_time);
+  if (input.real_time && input.clock != nullptr && input.real_time->cycles.plc_clock) {
+    text += clock_text(*input.clock, *input.real_time->cycles.plc_clock);
+  }
   if (!input.links.empty()) text += links_text(input.links);
   return text + "}\n";
 }

@@ -6,6 +6,7 @@
 
 #include "symplant/host/links.hpp"
 #include "symplant/host/outputs.hpp"
+#include "symplant/host/plc_clock.hpp"
 #include "symplant/host/report.hpp"
 #include "symplant/host/run_real.hpp"
 #include "symplant/plant/plant.hpp"
@@ -19,6 +20,7 @@ struct StatsInput {
   const Report& report;
   std::optional<scenario::Verdict> verdict;  ///< only with a scenario
   const std::optional<RealRun>& real_time;   ///< only in real time
+  const PlcClockChoice* clock;               ///< null: plant time does not follow a PLC's clock
   const Links& links;
   tables::Time wall = 0;  ///< duration of the run, in ns
 };

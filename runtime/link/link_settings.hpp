@@ -47,6 +47,15 @@ struct MapRow {
 inline constexpr std::uint32_t kAbove = 0xFFFF'FFFE;    ///< the first multiple of 100 above the map
 inline constexpr std::uint32_t kNowhere = 0xFFFF'FFFF;  ///< off
 
+/// A counter of the PLC that plant time follows.
+struct ClockSettings {
+  static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
+
+  std::uint32_t symbol = kNone;               ///< in PlantTables::symbols; kNone: the link has no clock
+  tables::Time unit = tables::kMillisecond;   ///< of its lowest bit
+  tables::Time limit = 10 * tables::kSecond;  ///< a longer step is a restart
+};
+
 /// All settings of a link. The rows must outlive it.
 struct LinkSettings {
   std::span<const MapRow> rows = {};  ///< symbols whose settings differ from the link's, in ascending order
@@ -62,6 +71,7 @@ struct LinkSettings {
   std::uint32_t connections = 32;                  ///< server: clients at once, 1 to 10,000
   tables::Time idle = 300 * tables::kSecond;       ///< server: closes a client without requests for this long; 0: never
   bool arm = false;                                ///< client: write events also to a PLC that cannot be identified
+  ClockSettings clock = {};
   /// Server: numeric addresses of clients that are never closed to make room for others.
   std::span<const std::string_view> keep = {};
 };

@@ -21,9 +21,10 @@ enum class FindingKind : std::uint8_t {
   link_lost,                      ///< of a link; the host reports this kind and the next ones, the model the others
   link_back,                      ///< of a link; a note
   event_overwritten,              ///< of an event
+  clock_restarted,                ///< of the operation that is the PLC's clock
 };
 inline constexpr int kFindingKinds = 9;      ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 12;  ///< with the kinds that the host reports
+inline constexpr int kAllFindingKinds = 13;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;

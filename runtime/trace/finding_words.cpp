@@ -24,7 +24,8 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "requirement violated",
                                                                            "link lost",
                                                                            "link back",
-                                                                           "event overwritten"};
+                                                                           "event overwritten",
+                                                                           "clock restarted"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -123,6 +124,13 @@ std::string of_overwritten(const FoundThing& found, const PlantNames& names) {
   return fmt::format(
       "event overwritten: {}, the PLC holds another value than the one that was written to it; check whether its I/O "
       "refresh or its program writes this address, and choose a strategy for events that it leaves alone",
+      symbol_words(found.of.front(), names));
+}
+
+std::string of_clock(const FoundThing& found, const PlantNames& names) {
+  return fmt::format(
+      "clock restarted: {}, its value jumped or its link was lost, so plant time goes on from where it is; check "
+      "whether the PLC was restarted, or whether something else writes this value",
       symbol_words(found.of.front(), names));
 }
 
@@ -240,6 +248,7 @@ std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames
   if (is_of_link(found.kind)) return {of_link(found, names)};
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
   if (found.kind == FindingKind::event_overwritten) return {of_overwritten(found, names)};
+  if (found.kind == FindingKind::clock_restarted) return {of_clock(found, names)};
   if (found.kind == FindingKind::instantaneous_loop) {
     return {fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "

@@ -50,6 +50,10 @@ TEST_CASE("Generated links have the maps and policies of the links made at run t
     CHECK(own.status_block == made.status_block);
     CHECK(own.watchdog == made.watchdog);
     CHECK(own.watchdog_within == made.watchdog_within);
+    CHECK(own.clock.symbol == made.clock.symbol);
+    CHECK((own.clock.symbol == link::ClockSettings::kNone) == (controller != 0));
+    CHECK(own.clock.unit == made.clock.unit);
+    CHECK(own.clock.limit == made.clock.limit);
     CHECK(own.connections == made.connections);
     CHECK(own.idle == made.idle);
     CHECK(std::equal(own.keep.begin(), own.keep.end(), made.keep.begin(), made.keep.end()));

@@ -75,9 +75,9 @@ TEST_CASE("With a PLC's clock the wall clock paces the cycles, and the PLC plant
     CHECK(static_cast<double>(statistics.cycles) == Approx(real * 100));
     CHECK(statistics.lateness.max == 0);
     CHECK(statistics.jitter.max == 0);
-    CHECK(statistics.plc_clock.values == static_cast<std::uint64_t>(bench.reads / 10));
-    CHECK(static_cast<double>(statistics.plc_clock.largest_phase_error) <= (100.0 * rate + 1) * 1e6);
-    CHECK(statistics.plc_clock.restarts == 0);
+    CHECK(statistics.plc_clock->values == static_cast<std::uint64_t>(bench.reads / 10));
+    CHECK(static_cast<double>(statistics.plc_clock->largest_phase_error) <= (100.0 * rate + 1) * 1e6);
+    CHECK(statistics.plc_clock->restarts == 0);
   }
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("A PLC that stops for a minute stops the plant, at most one interval a
   };
   const auto statistics = bench.run({.until = 2 * kSecond});
   CHECK(bench.plc_time.restarted_at.empty());
-  CHECK(statistics.plc_clock.waits > 5900);
+  CHECK(statistics.plc_clock->waits > 5900);
   CHECK(statistics.cycles < 6230);
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("A late plant runs one cycle, and plant time stays with the PLC") {
   const auto statistics = bench.run({.until = 3 * kSecond});
   CHECK(statistics.slipped == 0);
   CHECK(statistics.lateness.max == 490 * kMillisecond);
-  CHECK(statistics.plc_clock.largest_phase_error <= 560 * kMillisecond);
+  CHECK(statistics.plc_clock->largest_phase_error <= 560 * kMillisecond);
   CHECK(ahead <= 50 * kMillisecond);  // the cycles that were skipped count as cycles
   const Time real = bench.clock.now() - begin;
   CHECK(real > 2900 * kMillisecond);
@@ -154,7 +154,7 @@ TEST_CASE("While its link is lost plant time waits, and the return is a restart"
   const auto statistics = bench.run({.until = 2 * kSecond});
   REQUIRE(bench.plc_time.restarted_at.size() == 1);
   CHECK(bench.plc_time.restarted_at[0] == bench.link.written()[150]);
-  CHECK(statistics.plc_clock.restarts == 1);
+  CHECK(statistics.plc_clock->restarts == 1);
   CHECK(never_goes_back(bench.link.written()));
   CHECK(bench.link.written()[320] > bench.link.written()[150]);
 }

@@ -252,6 +252,45 @@ TEST_CASE("Invalid values are reported in the words of the schema") {
   CHECK(settings(R"("idle": "0s")").idle == 0);
 }
 
+TEST_CASE("The clock of a link is a whole number that the PLC writes") {
+  CHECK(settings(R"("resync": "1s")").clock.symbol == link::ClockSettings::kNone);
+  const link::ClockSettings mode = settings(R"("clock": {"of": "mode"})").clock;
+  CHECK(mode.symbol == 3);
+  CHECK(mode.unit == tables::kMillisecond);
+  CHECK(mode.limit == 10 * tables::kSecond);
+  const link::ClockSettings speed = settings(R"("clock": {"of": "SPEED", "unit": "100us", "limit": "1min"})").clock;
+  CHECK(speed.symbol == 2);
+  CHECK(speed.unit == 100 * tables::kMicrosecond);
+  CHECK(speed.limit == 60 * tables::kSecond);
+}
+
+TEST_CASE("A symbol that cannot be a clock is reported with the reason") {
+  CHECK(reported(R"("clock": {"of": "MODEL"})") == "symbol `MODEL` not found; did you mean `MODE`?");
+  CHECK(reported(R"("clock": {"of": "LEVEL"})") ==
+        "`LEVEL` is an event, which the plant writes; a clock is an operation, which the PLC counts up");
+  CHECK(reported(R"("clock": {"of": "L_P_D_O_A"})") ==
+        "`L_P_D_O_A` has the type BOOL; a clock is a whole number of 16, 32 or 64 bits, such as a WORD or a UDINT");
+  const auto of_row = [](const std::string& row) {
+    return reported(linked(R"("clock": {"of": "T"})", kList + "VAR_GLOBAL,T," + row + "\n"));
+  };
+  CHECK(of_row(",%QD9,REAL,0").starts_with("`T` has the type REAL;"));
+  CHECK(of_row(",%QB90,BYTE,0").starts_with("`T` has the type BYTE;"));
+  CHECK(of_row("D100,,INT,0") ==
+        "`T` is in the list, but is not an input or output of this controller, its address is `D100`; give the counter "
+        "an output address");
+}
+
+TEST_CASE("Faults of shape in a clock are reported") {
+  CHECK(reported(R"("clock": {"unit": "1ms"})") ==
+        "the key `of` is missing here; it holds the name of a numeric operation");
+  CHECK(reported(R"("clock": {"of": "MODE", "unit": "0s"})") == "the time is 0; write a longer one, such as `500ms`");
+  CHECK(reported(R"("clock": {"of": "MODE", "unit": "2s"})") ==
+        "the time is longer than 1 s; write a shorter one, such as `1ms`");
+  CHECK(reported(R"("clock": {"of": "MODE", "unit": "1ms", "limit": "1us"})") ==
+        "the time is shorter than one count of the clock; write a longer one, such as `10s`");
+  CHECK(reported(R"("clock": {"of": "MODE", "limit": "0s"})") == "the time is 0; write a longer one, such as `500ms`");
+}
+
 TEST_CASE("check reports symbols that overlap, and settings that do not fit the map") {
   CHECK(reported(R"("map": [{"symbol": "MODE", "number": 11}])") ==
         "`SPEED` on holding registers 10 to 11 and `MODE` on holding register 11 overlap: give one of them "
@@ -293,6 +332,9 @@ TEST_CASE("Settings belong to the controller of one link, and of `loop:` only if
         "add it to its list in `symbols`");
   CHECK(reported(of_two(R"({"url": "loop:", "resync": "2s"})")) ==
         "this `loop:` is for all controllers, but settings are for one; give it a `controller`");
+  CHECK(reported(of_two(R"({"url": "modbus-tcp-server://:1502", "controller": "PLC1", "clock": {"of": "MODE"}},
+                           {"url": "modbus-tcp-server://:1503", "controller": "PLC2", "clock": {"of": "A_B_C_I_D"}})")) ==
+        "another link also has a `clock`, and plant time can follow only one; remove one");
   CHECK(reported(of_two(R"({"url": "loop:", "controller": "PLC1", "resync": "2s"},
                        {"url": "modbus-tcp-server://:1502", "controller": "PLC1", "on-loss": "zero"})")) ==
         "another link of this controller also has settings; give all of them in one link");
@@ -303,7 +345,7 @@ TEST_CASE("Values of every wrong type are rejected in every key of a link withou
                                         "\"\"", "[]",   "[[]]", "{}",  R"({"x": {}})"};
   for (const std::string& value : values) {
     for (const char* key : {"map", "word-order", "size", "on-loss", "plant-on-loss", "loss-after", "resync", "status",
-                            "watchdog", "connections", "idle", "keep"}) {
+                            "watchdog", "clock", "connections", "idle", "keep"}) {
       CHECK(description::read_plant_file(
                 std::string(R"({"symplant": 1, "symbols": ["a"], "links": [{"url": "loop:", ")") + key +
                     "\": " + value + "}]}",
