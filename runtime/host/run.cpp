@@ -118,7 +118,7 @@ void report_without_effect(const RunOptions& options, bool real, bool linked, bo
 bool times_fit(const RunOptions& options, const PlcClockChoice* clock, std::ostream& err) {
   if (options.rt_check && clock != nullptr) {
     err << "error: `--rt-check` counts cycles of the wall clock, but plant time is that of `" << clock->name
-        << "`: add `--clock real`\n";
+        << "`: use `--clock real`\n";
     return false;
   }
   if (options.rt_check && options.until) {

@@ -173,5 +173,20 @@ TEST_CASE("The status line shows cycles, lateness, overruns and the state of eac
   CHECK(host::status_text(meter, {}, true) == "7 cycles, late by 1.5 us (p99), 2 overruns, real time degraded");
 }
 
+TEST_CASE("The status line shows how far plant time is from the PLC's clock") {
+  exec::CycleMeter meter;
+  const auto shown = [&] {
+    const std::string text = host::status_text(meter, {}, false);
+    return text.substr(text.find("overruns") + 8);
+  };
+  CHECK(shown().empty());
+  meter.note(exec::PlcClockReading{});
+  CHECK(shown() == "; plant time waits for the PLC's clock");
+  meter.note(exec::PlcClockReading{5, -3'200'000, 4'000'000, 1, 2});
+  CHECK(shown() == "; plant time 3.2 ms behind the PLC, 1 wait, 2 restarts");
+  meter.note(exec::PlcClockReading{6, 400'000, 4'000'000, 12, 1});
+  CHECK(shown() == "; plant time 0.4 ms ahead of the PLC, 12 waits, 1 restart");
+}
+
 }  // namespace
 }  // namespace symplant::test
