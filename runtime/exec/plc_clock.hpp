@@ -8,7 +8,7 @@
 namespace symplant::exec {
 
 struct PlcClockOptions {
-  int bits;                                   ///< width of the counter: 16, 32 or 64; it wraps there
+  int bits = 16;                              ///< width of the counter: 16, 32 or 64; it wraps there
   tables::Time unit = tables::kMillisecond;   ///< of its lowest bit, > 0
   tables::Time limit = 10 * tables::kSecond;  ///< a longer step of the counter is a restart; at most half its range
 };

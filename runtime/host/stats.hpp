@@ -20,7 +20,7 @@ struct StatsInput {
   const Report& report;
   std::optional<scenario::Verdict> verdict;  ///< only with a scenario
   const std::optional<RealRun>& real_time;   ///< only in real time
-  const PlcClockChoice* clock;               ///< null: plant time does not follow a PLC's clock
+  const PlcClockChoice* clock = nullptr;     ///< null: plant time does not follow a PLC's clock
   const Links& links;
   tables::Time wall = 0;  ///< duration of the run, in ns
 };

@@ -26,8 +26,8 @@ const std::string kServer = "modbus-tcp-server://127.0.0.1:0";
 MemoryFileSystem counted(const std::string& clock = "") {
   MemoryFileSystem files;
   files.files["l.csv"] = kCounted;
-  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"loss-after": "60s", "url": ")" + kServer + "\"" +
-                              (clock.empty() ? "" : R"(, "clock": )" + clock) + "}]}";
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["l.csv"], "links": [{"loss-after": "60s", "url": ")" +
+                              kServer + "\"" + (clock.empty() ? "" : R"(, "clock": )" + clock) + "}]}";
   return files;
 }
 
