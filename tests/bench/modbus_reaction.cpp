@@ -37,7 +37,7 @@ constexpr const char* kPlant =
     R"({ "symplant": 1, "name": "reaction", "symbols": ["list.csv"], "defaults": { "travel": "0s" } })";
 
 std::uint16_t free_port() {
-  const symplant::link::modbus::Descriptor probe(::socket(AF_INET, SOCK_STREAM, 0));
+  const symplant::link::net::Descriptor probe(::socket(AF_INET, SOCK_STREAM, 0));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);

@@ -62,7 +62,7 @@ TEST_CASE("map --link: The map of that link's controller is shown, or the reason
   CHECK(contains(loop.err, "`loop:` carries symbols by name, it has no map of addresses"));
   const ToolRun other = run_tool({"map", "plant.json", "--link", "modbus:"}, files);
   CHECK(other.code == 2);
-  CHECK(contains(other.err, "`modbus:` is not a link with a map: give `modbus-tcp-server://HOST:PORT`"));
+  CHECK(contains(other.err, "`modbus:` is not a link: give one of `loop:`, `modbus-tcp-server://HOST:PORT`"));
   const ToolRun unknown = run_tool({"map", "plant.json", "--link", "PLC9=modbus-tcp-server://:1502"}, files);
   CHECK(unknown.code == 2);
   CHECK(contains(unknown.err, "controller `PLC9` not found; "));
