@@ -70,6 +70,8 @@ constexpr std::array kClientKeys = {
               [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.refresh, false); }},
     ClientKey{"read-back",
               [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.read_back, true); }},
+    ClientKey{"retry",
+              [](std::string_view text, ClientSettings& s) { return read_time(text, s.times.first_retry, false); }},
     ClientKey{"timeout", [](std::string_view text, ClientSettings& s) { return read_time(text, s.timeout, false); }},
     ClientKey{"at-end",
               [](std::string_view text, ClientSettings& s) { return read_at_end(text, s.times.zero_at_end); }},

@@ -23,7 +23,7 @@ constexpr auto kInput = static_cast<std::size_t>(Table::input_register);
 
 std::vector<int> numbers(const link::IoMap& map) {
   std::vector<int> result;
-  for (const link::IoPoint& point : map.points) result.push_back(point.number);
+  for (const link::IoPoint& point : map.points) result.push_back(static_cast<int>(point.number));
   return result;
 }
 
