@@ -1,5 +1,7 @@
 // The conversation of a Modbus client link with a PLC: what it reads, writes, and does with exceptions.
 
+#include "support/catch.hpp"
+#include "support/modbus/modbus_plc.hpp"
 #include "unit/modbus/dialog_bench.hpp"
 
 using namespace symplant;

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "support/catch.hpp"
+#include "support/modbus/modbus_plc.hpp"
 #include "unit/modbus/dialog_bench.hpp"
 
 using namespace symplant;

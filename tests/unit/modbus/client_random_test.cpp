@@ -3,6 +3,8 @@
 #include <map>
 #include <random>
 
+#include "support/catch.hpp"
+#include "support/modbus/modbus_plc.hpp"
 #include "unit/modbus/dialog_bench.hpp"
 #include "unit/modbus/draw.hpp"
 

@@ -1,14 +1,14 @@
-// The conversation of a Modbus client link with a test PLC, step by step.
+// The conversation of a Modbus client link with a server on this machine, step by step.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "support/catch.hpp"
-#include "support/modbus/modbus_plc.hpp"
 #include "symplant/link/client/outbox.hpp"
 #include "symplant/link/client_parts.hpp"
 #include "symplant/link/image/table_view.hpp"
