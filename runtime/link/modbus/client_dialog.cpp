@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/table_view.hpp"
 #include "symplant/link/modbus/client_map.hpp"
 #include "symplant/link/modbus/fields.hpp"
@@ -81,6 +82,15 @@ void ModbusDialog::plan_reads(Direction& direction) {
       direction.requests.push_back({request_of(ClientRequest::Kind::read, area, planned.range)});
     }
   }
+}
+
+std::vector<std::string> ModbusDialog::notes() const {
+  std::size_t writes = 0;
+  for (std::size_t i = 0; i < kAreas; ++i) {
+    const std::uint32_t most = has_bits(static_cast<Area>(i)) ? kMostBitsWritten : kMostRegistersWritten;
+    writes += plan_ranges(events_.items[i], most, false).size();
+  }
+  return client::request_notes(operations_.requests.size(), writes, events_.requests.size());
 }
 
 client::Fault ModbusDialog::transact(const ClientRequest& request, std::span<const std::uint16_t> values,

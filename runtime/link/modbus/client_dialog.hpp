@@ -21,6 +21,9 @@ class ModbusDialog final : public client::Dialog {
  public:
   ModbusDialog(const ClientSettings& settings, const IoMap& map);
 
+  /// The requests that the map needs.
+  std::vector<std::string> notes() const;
+
   std::string url() const override;
   client::Fault open() override { return exchange_.open(); }
   void close() noexcept override { exchange_.close(); }

@@ -27,11 +27,14 @@ client::PartsResult client_link_parts(std::string_view rest, const LinkChoice& l
   if (!map.faults.empty()) {
     return LinkError{LinkError::Kind::usage, fault_text(tables, map, map.faults.front())};
   }
-  client::ClientParts parts{.dialog = std::make_unique<ModbusDialog>(settings, map),
+  auto dialog = std::make_unique<ModbusDialog>(settings, map);
+  client::ClientParts parts{.dialog = nullptr,
                             .map = {},
                             .addresses = client_addresses(map, settings),
                             .unreachable = unreachable_symbols(map),
-                            .times = settings.times};
+                            .times = settings.times,
+                            .notes = dialog->notes()};
+  parts.dialog = std::move(dialog);
   parts.map = std::move(map);
   return parts;
 }

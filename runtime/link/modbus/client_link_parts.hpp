@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/client/parts.hpp"
 
 namespace symplant::link::modbus {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/modbus/client_settings.hpp"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-#include "symplant/link/client/client_link.hpp"
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/net/host_port.hpp"
 #include "symplant/tables/time.hpp"
