@@ -224,22 +224,23 @@ std::uint16_t ModbusDialog::in_order(std::uint16_t bits) const noexcept {
 /// The changed coils, and mapped ones between two of them if that joins their requests: a lane has all its values.
 void ModbusDialog::add_coils(std::span<const client::LaneChange> changes) {
   const std::uint32_t offset = placement(Table::discrete_input).offset;
-  const client::LaneChange* before = nullptr;
-  const client::LaneChange* change = nullptr;
+  std::uint32_t lane = 0;
+  std::uint16_t bits = 0;    // of the lane
+  std::uint16_t before = 0;  // of the change before it
   const auto add = [&](std::uint32_t number) {
-    const std::uint16_t lane = number / kBitsInRegister == change->lane.number ? change->value : before->value;
-    pieces_.push_back({{offset + number, 1}, {static_cast<std::uint16_t>(lane >> number % kBitsInRegister & 1)}});
+    const std::uint16_t values = number / kBitsInRegister == lane ? bits : before;
+    pieces_.push_back({{offset + number, 1}, {static_cast<std::uint16_t>(values >> number % kBitsInRegister & 1)}});
   };
   const auto is_owned = [&](std::uint32_t number) {
     return (owned_[number / kBitsInRegister] >> number % kBitsInRegister & 1) != 0;
   };
   std::uint32_t end = 0;  // the number after the latest piece
   for (const client::LaneChange& one : changes) {
-    before = std::exchange(change, &one);
+    lane = one.lane.number;
+    before = std::exchange(bits, one.value);
     for (std::uint32_t mask = one.mask; mask != 0; mask &= mask - 1) {
-      const std::uint32_t number =
-          kBitsInRegister * one.lane.number + static_cast<std::uint32_t>(std::countr_zero(mask));
-      const bool near = end != 0 && (end - 1) / kBitsInRegister + 1 >= one.lane.number;
+      const std::uint32_t number = kBitsInRegister * lane + static_cast<std::uint32_t>(std::countr_zero(mask));
+      const bool near = end != 0 && (end - 1) / kBitsInRegister + 1 >= lane;
       std::uint32_t joined = end;
       while (near && joined < number && is_owned(joined)) ++joined;
       for (std::uint32_t between = end; near && joined == number && between < number; ++between) add(between);

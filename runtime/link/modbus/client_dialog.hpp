@@ -58,7 +58,7 @@ class ModbusDialog final : public client::Dialog {
   /// What is written at an address: a run of registers, or one coil.
   struct Piece {
     AddressRange range;
-    std::array<std::uint16_t, kStatusRegisters> values;
+    std::array<std::uint16_t, kStatusRegisters> values = {};
   };
 
   void add_items(Direction& direction, const IoMap& map) const;

@@ -41,7 +41,7 @@ Bytes with_other_count(Bytes frame, std::mt19937& random) {
   return frame;
 }
 
-Bytes joined(std::vector<Bytes> parts) {
+Bytes joined(const std::vector<Bytes>& parts) {
   Bytes all;
   for (const Bytes& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
