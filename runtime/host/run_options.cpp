@@ -184,8 +184,8 @@ void add_run_options(CLI::App& app, RunOptions& options) {
   add_real_time(app, options);
   app.add_option("--link", options.links,
                  "exchange I/O with a PLC: modbus-tcp-server://HOST:PORT (the PLC comes to the plant), "
-                 "slmp://HOST:PORT?family=q (the plant goes to the PLC), or loop:; with several controllers name one: "
-                 "PLC1=URL. Replaces the plant's own links")
+                 "modbus-tcp://HOST:PORT?events=coils:800 or slmp://HOST:PORT?family=q (the plant goes to the PLC), or "
+                 "loop:; with several controllers name one: PLC1=URL. Replaces the plant's own links")
       ->type_name("[CONTROLLER=]URL");
   add_files(app, options);
   app.add_option_function<std::string>(

@@ -8,6 +8,7 @@
 #include "symplant/link/client_parts.hpp"
 #include "symplant/link/link.hpp"
 #include "symplant/link/loop_link.hpp"
+#include "symplant/link/modbus/client_link_parts.hpp"
 #include "symplant/link/modbus/server_link.hpp"
 #include "symplant/link/slmp/slmp_link.hpp"
 
@@ -41,6 +42,7 @@ constexpr std::array kSchemes = {
     Scheme{"loop", "`loop:`", loop_fault, open_loop, nullptr},
     Scheme{"modbus-tcp-server", "`modbus-tcp-server://HOST:PORT`", modbus::address_fault, modbus::open_server_link,
            nullptr},
+    Scheme{"modbus-tcp", "`modbus-tcp://HOST:PORT`", modbus::client_fault, nullptr, modbus::client_link_parts},
     Scheme{"slmp", "`slmp://HOST:PORT?family=q|l|iqr|fx5`", slmp::slmp_fault, nullptr, slmp::slmp_parts},
 };
 

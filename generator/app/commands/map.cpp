@@ -112,6 +112,7 @@ void add_map(CLI::App& app, Context& context) {
   command->footer(
       "Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv\n"
       "  symplant map plant.json --link PLC1=modbus-tcp-server://127.0.0.1:1502\n"
+      "  symplant map symbols.csv --link \"modbus-tcp://192.168.0.10:502?events=coils:800\"\n"
       "  symplant map symbols.csv --link \"slmp://192.168.3.39:5000?family=q&map=X0-X7F:M1000\"");
   command->callback([options, &context] { show(*options, context); });
 }

@@ -1,6 +1,7 @@
 // What a protocol makes of a URL of a link that goes to the PLC.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -39,6 +40,9 @@ struct ClientParts {
   ClientTimes times;
   std::vector<std::string> notes;  ///< on the map, for the user: "operations: 2 requests read all"
 };
+
+/// Notes on how many requests read all operations, write all events, and read those back.
+std::vector<std::string> request_notes(std::size_t reads, std::size_t writes, std::size_t reads_back);
 
 using PartsResult = std::variant<ClientParts, LinkError>;
 

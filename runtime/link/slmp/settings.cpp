@@ -2,57 +2,17 @@
 #include "symplant/link/slmp/settings.hpp"
 
 #include <array>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "symplant/link/url.hpp"
-#include "symplant/tables/duration.hpp"
-#include "symplant/tables/nearest.hpp"
+#include "symplant/link/url_values.hpp"
 
 namespace symplant::link::slmp {
 
 namespace {
 
-using Problem = std::string;  ///< of a value: what it is and what to write; empty if there is none
-
 constexpr tables::Time kTimerUnit = 250 * tables::kMillisecond;
-constexpr tables::Time kLongestTime = 3600 * tables::kSecond;
-
-std::string ticked_text(std::string_view text) { return "`" + std::string(text) + "`"; }
-
-/// Sets `out` to the value whose name is `text`; otherwise lists the names.
-template <class Value, std::size_t Count>
-Problem choose(const std::array<std::pair<std::string_view, Value>, Count>& names, std::string_view text, Value& out) {
-  std::string known;
-  for (const auto& [name, value] : names) {
-    if (name == text) {
-      out = value;
-      return {};
-    }
-    known.append(known.empty() ? "" : ", ").append(name);
-  }
-  return "write one of " + known;
-}
-
-Problem read_number(std::string_view text, std::uint32_t most, std::uint32_t& out) {
-  const bool hexadecimal = text.starts_with("0x");
-  const std::string_view digits = hexadecimal ? text.substr(2) : text;
-  const char* const end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, out, hexadecimal ? 16 : 10);
-  if (!digits.empty() && error == std::errc() && stop == end && out <= most) return {};
-  return "write a number from 0 to " + std::to_string(most);
-}
-
-Problem read_time(std::string_view text, tables::Time& out, bool zero_allowed) {
-  const auto time = tables::parse_duration(std::string(text));
-  if (!time || (*time == 0 && !zero_allowed) || *time > kLongestTime) {
-    return "write a time such as 500ms or 2s, at most 1h";
-  }
-  out = *time;
-  return {};
-}
 
 Problem read_events(std::string_view text, EventAccess& out) {
   constexpr std::array kNames = {std::pair{std::string_view("direct"), EventAccess::direct},
@@ -79,12 +39,6 @@ class Reader {
   }
 
  private:
-  using Read = Problem (*)(std::string_view text, Settings& settings);
-  struct Key {
-    std::string_view name;
-    Read read;
-  };
-
   static LinkError usage(std::string message) { return {LinkError::Kind::usage, std::move(message)}; }
 
   /// First, since texts of devices depend on it.
@@ -134,11 +88,6 @@ Problem read_transport(std::string_view text, Settings& settings) {
   return choose(kTransports, text, settings.transport);
 }
 
-Problem read_at_end(std::string_view text, Settings& settings) {
-  constexpr std::array kNames = {std::pair{std::string_view("keep"), false}, std::pair{std::string_view("zero"), true}};
-  return choose(kNames, text, settings.times.zero_at_end);
-}
-
 template <class Field>
 Problem read_field(std::string_view text, std::uint32_t most, Field& field) {
   std::uint32_t number = 0;
@@ -181,8 +130,10 @@ Problem Reader::read_map(std::string_view text) {
 }
 
 Problem Reader::read_one(const UrlParameter& parameter) {
+  using Key = UrlKey<Settings>;
   constexpr std::array kKeys = {
       Key{"family", [](std::string_view, Settings&) { return Problem(); }},
+      Key{"map", [](std::string_view, Settings&) { return Problem(); }},  // by read_map()
       Key{"frame", read_frame},
       Key{"code", read_code},
       Key{"commands", read_commands},
@@ -200,20 +151,10 @@ Problem Reader::read_one(const UrlParameter& parameter) {
           [](std::string_view text, Settings& s) { return read_field(text, 65'535, s.framing.route.module); }},
       Key{"multidrop",
           [](std::string_view text, Settings& s) { return read_field(text, 31, s.framing.route.multidrop); }},
-      Key{"at-end", read_at_end},
+      Key{"at-end", [](std::string_view text, Settings& s) { return read_at_end(text, s.times.zero_at_end); }},
   };
   if (parameter.key == "map") return read_map(parameter.value);
-  tables::NearestName nearest(parameter.key);
-  nearest.offer("map");
-  for (const Key& key : kKeys) {
-    nearest.offer(key.name);
-    if (key.name != parameter.key) continue;
-    Problem problem = key.read(parameter.value, settings_);
-    return problem.empty() ? problem : "`" + parameter.key + "=" + parameter.value + "`: " + problem;
-  }
-  const std::string known = nearest.name().empty() ? "docs/mitsubishi.md lists the settings of an SLMP link"
-                                                   : "did you mean " + ticked_text(nearest.name()) + "?";
-  return ticked_text(parameter.key) + " is not a setting of an SLMP link; " + known;
+  return read_parameter(parameter, kKeys, settings_, "an SLMP link", "docs/mitsubishi.md");
 }
 
 Problem Reader::contradiction() const {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "symplant/link/client/parts.hpp"
 #include "symplant/link/image/table_view.hpp"
 #include "symplant/link/slmp/cpu_model.hpp"
 
@@ -241,12 +242,7 @@ std::size_t SlmpDialog::requests_to_write() const {
 }
 
 std::vector<std::string> SlmpDialog::notes() const {
-  const auto requests = [](std::size_t count) {
-    return std::to_string(count) + (count == 1 ? " request" : " requests");
-  };
-  return {"operations: " + requests(operations_.transfers.size()) + " to read all",
-          "events: " + requests(requests_to_write()) + " to write all, " + requests(events_.transfers.size()) +
-              " to read them back"};
+  return client::request_notes(operations_.transfers.size(), requests_to_write(), events_.transfers.size());
 }
 
 Fault SlmpDialog::write(std::span<const LaneChange> changes) {

@@ -1,0 +1,95 @@
+// The conversation with a PLC that is a Modbus TCP server.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "symplant/link/client/dialog.hpp"
+#include "symplant/link/io_map.hpp"
+#include "symplant/link/modbus/client_exchange.hpp"
+#include "symplant/link/modbus/client_plan.hpp"
+#include "symplant/link/modbus/client_settings.hpp"
+
+namespace symplant::link::modbus {
+
+class ModbusDialog final : public client::Dialog {
+ public:
+  ModbusDialog(const ClientSettings& settings, const IoMap& map);
+
+  /// The requests that the map needs.
+  std::vector<std::string> notes() const;
+
+  std::string url() const override;
+  client::Fault open() override { return exchange_.open(); }
+  void close() noexcept override { exchange_.close(); }
+  /// Modbus has nothing to compare: always unverifiable. Reads the operations and what is to be written, once.
+  client::Identity identify(client::Fault& fault) override;
+  client::Fault read(image::Tables& tables) override;
+  client::Fault write(std::span<const client::LaneChange> changes) override;
+  client::Fault read_back(std::span<std::uint64_t> discrete_inputs, std::span<std::uint64_t> input_registers) override;
+  void retry_rejected() noexcept override;
+  std::vector<std::string> take_rejections() override { return std::exchange(rejections_, {}); }
+  void interrupt() noexcept override { exchange_.interrupt(); }
+  std::uint64_t requests() const noexcept override { return requests_.load(std::memory_order_relaxed); }
+  std::uint64_t rejected() const noexcept override { return rejected_.load(std::memory_order_relaxed); }
+
+ private:
+  using Items = std::vector<AddressRange>;
+  struct ReadRequest {
+    ClientRequest request;
+    bool skipped = false;  ///< rejected, and not yet to be sent again
+  };
+  /// The two tables of one direction: what is mapped in each area, and the requests that read it.
+  struct Direction {
+    Table bits;
+    Table numbers;
+    std::array<Items, kAreas> items = {};
+    std::vector<ReadRequest> requests = {};
+  };
+  struct Words {
+    std::span<std::uint64_t> bits;
+    std::span<std::uint64_t> numbers;
+  };
+  /// What is written at an address: a run of registers, or one coil.
+  struct Piece {
+    AddressRange range;
+    std::array<std::uint16_t, kStatusRegisters> values = {};
+  };
+
+  void add_items(Direction& direction, const IoMap& map) const;
+  static void plan_reads(Direction& direction);
+  client::Fault read_all(Direction& direction, const Words& out);
+  bool divide(Direction& direction, std::size_t index);
+  void take(const Direction& direction, const ClientReply& reply, const ClientRequest& request, const Words& out) const;
+  void take_registers(Table table, const ClientReply& reply, const ClientRequest& request,
+                      std::span<std::uint64_t> words) const;
+  void add_coils(std::span<const client::LaneChange> changes);
+  void add_registers(std::span<const client::LaneChange> changes);
+  client::Fault write_area(Area area, std::uint32_t most);
+  client::Fault transact(const ClientRequest& request, std::span<const std::uint16_t> values, ClientReply& reply);
+  void note_rejection(const ClientRequest& request, std::uint8_t code);
+  const Placement& placement(Table table) const { return *settings_.placements[static_cast<std::size_t>(table)]; }
+  std::uint16_t in_order(std::uint16_t bits) const noexcept;
+
+  ClientSettings settings_;
+  std::array<std::uint32_t, kTables> sizes_;
+  Direction operations_{.bits = Table::coil, .numbers = Table::holding_register};
+  Direction events_{.bits = Table::discrete_input, .numbers = Table::input_register};
+  std::vector<std::uint16_t> owned_;  ///< by 16 discrete inputs: the mapped ones
+  std::vector<bool> continues_;       ///< by input register: it belongs to the number that begins before it
+  std::vector<Piece> pieces_;         ///< of one write(), for one area
+  std::vector<AddressRange> ranges_;  ///< of pieces_
+  std::vector<std::uint16_t> values_;
+  ClientExchange exchange_;
+  bool mute_ = false;  ///< function 43 got no valid answer; it is not asked again
+  std::vector<std::string> rejections_;
+  std::atomic<std::uint64_t> requests_{0};
+  std::atomic<std::uint64_t> rejected_{0};
+};
+
+}  // namespace symplant::link::modbus

@@ -1,0 +1,71 @@
+// The conversation of a Modbus client link with a server on this machine, step by step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "symplant/link/client/outbox.hpp"
+#include "symplant/link/client_parts.hpp"
+#include "symplant/link/image/table_view.hpp"
+#include "unit/link/symbol_list.hpp"
+
+namespace symplant::test {
+
+/// The dialog of a link, its map, and images in plain memory.
+class DialogBench {
+ public:
+  DialogBench(const SymbolList& list, std::uint16_t port, const std::string& parameters)
+      : list_(list), tables_(list_.tables()), parts_(open(port, parameters)), outbox_(parts_.map) {
+    for (std::size_t i = 0; i < link::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 16 * 4 + 4);
+  }
+
+  link::client::Dialog& dialog() { return *parts_.dialog; }
+  link::client::Outbox& outbox() { return outbox_; }
+  const link::IoMap& map() const { return parts_.map; }
+  std::vector<std::uint64_t>& words(link::Table table) { return words_[static_cast<std::size_t>(table)]; }
+
+  link::client::Fault read() {
+    link::image::Tables tables = images();
+    return parts_.dialog->read(tables);
+  }
+  /// Writes what differs from what the PLC has confirmed.
+  link::client::Fault write() {
+    const auto changes = outbox_.changes(images());
+    link::client::Fault fault = parts_.dialog->write(changes);
+    if (!fault) outbox_.confirm(changes);
+    return fault;
+  }
+
+  bool bit(link::Table table, std::uint32_t number) { return link::image::get_bit(words(table), number); }
+  std::uint16_t number(link::Table table, std::uint32_t number) {
+    return link::image::get_register(words(table), number);
+  }
+  void set_bit(std::uint32_t number, bool on) { link::image::set_bit(words(link::Table::discrete_input), number, on); }
+  void set_number(std::uint32_t number, std::uint16_t value) {
+    link::image::set_register(words(link::Table::input_register), number, value);
+  }
+
+ private:
+  link::image::Tables images() {
+    const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
+    return {{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
+  }
+  link::client::ClientParts open(std::uint16_t port, const std::string& parameters) const {
+    auto parts = link::client_parts({"modbus-tcp://127.0.0.1:" + std::to_string(port) + "?" + parameters, 0}, tables_);
+    if (auto* error = std::get_if<link::LinkError>(&parts)) throw std::runtime_error(error->message);
+    return std::get<link::client::ClientParts>(std::move(parts));
+  }
+
+  SymbolList list_;
+  tables::PlantTables tables_;
+  link::client::ClientParts parts_;
+  link::client::Outbox outbox_;
+  std::array<std::vector<std::uint64_t>, link::kTables> words_;
+};
+
+}  // namespace symplant::test
