@@ -98,6 +98,12 @@ Lying lie_of(Lie lie, const Bytes& reply, const Bytes& before, std::mt19937& ran
       for (int i = 1; i <= 200; ++i) lying.segments.push_back(with(inverted(reply), 1, i));
       lying.segments.push_back(reply);
       break;
+    case Lie::early: {
+      Bytes next = with(inverted(reply), 1, 1);
+      if (next[1] == 0) next = with(next, 0, 1);
+      lying.segments = {joined({reply, next})};
+      break;
+    }
   }
   return lying;
 }

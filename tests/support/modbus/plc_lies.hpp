@@ -24,8 +24,9 @@ enum class Lie : std::uint8_t {
   silent,
   reset,    ///< of the connection
   flooded,  ///< many frames with other ids, then the true one
+  early,    ///< true, and after it a wrong one with the id of the next request
 };
-inline constexpr int kLies = 14;
+inline constexpr int kLies = 15;
 
 /// Sends of one reply, each a segment. All values in frames that differ from `reply` are inverted.
 struct Lying {

@@ -126,6 +126,21 @@ TEST_CASE("Each lie of a Modbus server alone is survived") {
   }
 }
 
+TEST_CASE("A frame that came before its request is not the reply, whatever its transaction id is") {
+  ModbusPlc plc;
+  SymbolList list;
+  list.add("B0", SymbolList::kOut, 0);
+  DialogBench bench(list, plc.port(), "");
+  REQUIRE_FALSE(bench.dialog().open());
+  plc.lie({.seed = 5, .per_thousand = 1000, .kinds = {Lie::early}});
+  for (int i = 0; i < 600; ++i) {
+    const Fault fault = bench.read();
+    INFO(fault.message);
+    REQUIRE_FALSE(fault);
+    REQUIRE_FALSE(bench.bit(Table::coil, 0));
+  }
+}
+
 TEST_CASE("Late and foreign replies on a good connection are dropped without a new connection") {
   ModbusPlc plc;
   DialogBench bench(versioned_list(), plc.port(), "event-values=holding-registers:500");
