@@ -99,6 +99,7 @@ Fault Exchange::receive(Reply& reply, net::Deadline end) {
         std::copy(received_.begin() + static_cast<std::ptrdiff_t>(reply.consumed),
                   received_.begin() + static_cast<std::ptrdiff_t>(size_), received_.begin());
         size_ -= reply.consumed;
+        if (std::chrono::steady_clock::now() >= end) return failed(Ended::timeout, "");  // late replies without end
         continue;
       }
     }
