@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <variant>
 
 #include "app/map_notes.hpp"
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
+#include "symplant/link/client_parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/names.hpp"
 #include "text/ascii.hpp"
@@ -19,16 +21,36 @@ namespace {
 
 using Kind = link::MapFault::Kind;
 
+bool is_link_of(const model::PlantModel& plant, std::uint32_t controller, const description::LinkDescription& link) {
+  if (!link.controller.empty()) return text::equal_ignoring_case(link.controller, plant.controllers[controller]);
+  return plant.controllers.size() == 1 || plant.controllers[controller].empty();
+}
+
 /// "/links/0": the link that has the settings of a controller.
 description::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t controller) {
   const auto& links = plant.description->links;
-  const auto is_its = [&](const description::LinkDescription& link) {
-    return link.has_settings &&
-           (link.controller.empty() ? plant.controllers.size() == 1 || plant.controllers[controller].empty()
-                                    : text::equal_ignoring_case(link.controller, plant.controllers[controller]));
-  };
-  const auto found = std::find_if(links.begin(), links.end(), is_its);
+  const auto found = std::find_if(links.begin(), links.end(), [&](const description::LinkDescription& link) {
+    return link.has_settings && is_link_of(plant, controller, link);
+  });
   return description::Pointer("/links") / static_cast<std::size_t>(found - links.begin());
+}
+
+/// Whether a link of the controller goes to the PLC: then the addresses there count, not Modbus numbers. Adds a fault
+/// if its URL does not fit the plant.
+bool check_client(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
+                  std::vector<description::DescriptionFault>& faults) {
+  const auto& links = plant.description->links;
+  const auto found = std::find_if(links.begin(), links.end(), [&](const description::LinkDescription& link) {
+    return link::is_client(link.url) && is_link_of(plant, controller, link);
+  });
+  if (found == links.end()) return false;
+  const auto parts = link::client_parts({found->url, controller, plant.links[controller].settings()}, tables);
+  if (const auto* error = std::get_if<link::LinkError>(&parts);
+      error != nullptr && link::url_fault(found->url).empty()) {
+    const auto pointer = description::Pointer("/links") / static_cast<std::size_t>(found - links.begin()) / "url";
+    faults.push_back({pointer.text(), error->message, 0, description::FaultKind::contradiction});
+  }
+  return true;
 }
 
 constexpr std::array<std::string_view, link::kTables> kSizeKeys{"coils", "discrete-inputs", "holding-registers",
@@ -80,8 +102,9 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
 }  // namespace
 
 bool symbols_can_overlap(const model::PlantModel& plant) {
-  const bool is_set = std::any_of(plant.description->links.begin(), plant.description->links.end(),
-                                  [](const description::LinkDescription& link) { return link.has_settings; });
+  const bool is_set = std::any_of(
+      plant.description->links.begin(), plant.description->links.end(),
+      [](const description::LinkDescription& link) { return link.has_settings || link::is_client(link.url); });
   return is_set || std::any_of(plant.symbols.begin(), plant.symbols.end(),
                                [](const model::Symbol& symbol) { return link::width_of(symbol.type) > 1; });
 }
@@ -91,6 +114,7 @@ void add_map_findings(const model::PlantModel& plant, const lower::EngineTables&
   const tables::PlantTables tables = lowered.tables();
   std::vector<description::DescriptionFault> faults;
   for (std::uint32_t controller = 0; controller < plant.links.size(); ++controller) {
+    if (check_client(plant, tables, controller, faults)) continue;
     const link::IoMap map = link::make_io_map(tables, controller, plant.links[controller].settings());
     add_size_faults(tables, map, link_pointer(plant, controller), faults);
     for (const link::MapFault& fault : map.faults) {

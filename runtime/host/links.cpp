@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "symplant/host/exit_codes.hpp"
+#include "symplant/link/client_parts.hpp"
 #include "symplant/link/io_map.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/trace/finding_words.hpp"
@@ -55,11 +56,27 @@ bool has_real_link(const LinkChoices& links) {
   return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return !link::is_loop(l.url); });
 }
 
+bool goes_to_plc(const LinkChoices& links) {
+  return std::any_of(links.begin(), links.end(), [](const link::LinkChoice& l) { return link::is_client(l.url); });
+}
+
+namespace {
+
+/// What the link carries; nothing if it cannot be opened, which is reported then.
+std::vector<link::IoPoint> points_of(const link::LinkChoice& choice, const tables::PlantTables& tables) {
+  if (!link::is_client(choice.url)) return link::make_io_map(tables, choice.controller, choice.settings).points;
+  auto parts = link::client_parts(choice, tables);
+  auto* const good = std::get_if<link::client::ClientParts>(&parts);
+  return good == nullptr ? std::vector<link::IoPoint>() : std::move(good->map.points);
+}
+
+}  // namespace
+
 std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
-    for (const link::IoPoint& point : link::make_io_map(tables, choice.controller, choice.settings).points) {
+    for (const link::IoPoint& point : points_of(choice, tables)) {
       if (tables.symbols[point.symbol].direction() == tables::Direction::operation) carried[point.symbol] = true;
     }
   }

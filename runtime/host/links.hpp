@@ -28,6 +28,9 @@ std::variant<LinkChoices, link::LinkError> links_of(const PlantProgram& program,
 /// Whether one of them is a link to a PLC, which needs real time.
 bool has_real_link(const LinkChoices& links);
 
+/// Whether one of them goes to a PLC, which is a server.
+bool goes_to_plc(const LinkChoices& links);
+
 /// By symbol: whether it is an operation that a PLC writes through one of the links.
 std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables);
 

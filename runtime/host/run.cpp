@@ -230,6 +230,9 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const bool real = linked || options.clock == RunOptions::Clock::real_time;
   if (!times_fit(options, clock, err)) return kBadInput;
   report_without_effect(options, real, linked, clock != nullptr, err);
+  if (options.arm && !goes_to_plc(chosen)) {
+    err << "warning: `--arm` has no effect without a link that goes to a PLC, such as `slmp:`\n";
+  }
   PlantProgram staged = program;
   std::optional<exec::WatchedBehaviours> watched;
   if (options.rt_check) staged.behaviours = watched.emplace(program.tables, program.behaviours).watched();
