@@ -9,7 +9,7 @@ namespace symplant::link::slmp {
 
 struct Limits {
   std::uint32_t words = 960;          ///< words in a row, read or written
-  std::uint32_t bits = 7168;          ///< bits in a row, written in units of bits
+  std::uint32_t bits = 7168;          ///< bits in a row, written in units of bits; 0: not possible
   std::uint32_t random_reads = 192;   ///< words and double words together
   std::uint32_t random_write = 1920;  ///< kRandomWord for each word, kRandomDouble for each double word
   std::uint32_t random_bits = 188;

@@ -189,6 +189,16 @@ std::vector<Transfer> plan_blocks(std::span<const Item> items, std::uint32_t gap
   return result;
 }
 
+/// Random requests for single items only.
+std::vector<Transfer> plan_lists(std::span<const Item> items, std::uint32_t capacity) {
+  std::vector<Transfer> result;
+  for (const Item& item : items) {
+    if (result.empty() || result.back().spans.size() == capacity) result.push_back({Access::random, {}});
+    result.back().spans.push_back({item.kind, item.number, 1, item.index});
+  }
+  return result;
+}
+
 void take_fewer(std::vector<Transfer>& best, std::vector<Transfer> other) {
   if (other.size() < best.size()) best = std::move(other);
 }
@@ -242,6 +252,7 @@ std::vector<Transfer> plan_bit_writes(std::span<const Bit> bits, const Limits& l
     const bool only = info_of(bits[i].kind).batch_only;
     (only ? items.batch_only : items.free).push_back({bits[i].kind, bits[i].number, i});
   }
+  if (limits.bits == 0) return plan_lists(items.free, limits.random_bits);
   std::vector<Transfer> best = plan_batches(items.free, limits.bits, true);
   if (best.size() > 1) take_fewer(best, Cover(items.free, {limits.bits, true, 1, 0, limits.random_bits}).plan());
   for (Transfer& transfer : plan_batches(items.batch_only, limits.bits, true)) best.push_back(std::move(transfer));

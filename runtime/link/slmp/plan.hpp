@@ -55,7 +55,8 @@ std::vector<Transfer> plan_reads(std::span<const Cell> cells, const Limits& limi
 /// Requests that write these cells and nothing else, as plan_reads().
 std::vector<Transfer> plan_writes(std::span<const Cell> cells, const Limits& limits);
 
-/// Requests that write these bits and nothing else, in units of bits. The bits ascend without duplicates.
+/// Requests that write these bits and nothing else, in units of bits. Timers are left out if there are no batches. The
+/// bits ascend without duplicates.
 std::vector<Transfer> plan_bit_writes(std::span<const Bit> bits, const Limits& limits);
 
 }  // namespace symplant::link::slmp

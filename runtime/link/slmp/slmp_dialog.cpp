@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::uint32_t kBitsInCell = 16;
 constexpr std::uint16_t kWholeCell = 0xFFFF;
+constexpr std::uint16_t kUnsupported = 0xC059;  ///< end code: the command or its subcommand
 
 /// The number of the first device of a word.
 std::uint32_t head_of(const Span& span) { return info_of(span.kind).bit ? kBitsInCell * span.first : span.first; }
@@ -84,6 +85,7 @@ Fault SlmpDialog::transact(Reply& reply) {
 
 void SlmpDialog::note_rejection(const char* doing, const Transfer& transfer, bool of_bits, std::uint16_t end_code) {
   rejected_.fetch_add(1, std::memory_order_relaxed);
+  adapt_to(transfer.access, of_bits, end_code);
   const Span& first = transfer.spans.front();
   const Span& last = transfer.spans.back();
   const auto text = [&](Kind kind, std::uint32_t number) {
@@ -194,7 +196,22 @@ Fault SlmpDialog::read_all(const ReadPlan& plan, const Words& out) {
   return {any ? Fault::Kind::none : Fault::Kind::rejected};
 }
 
+/// A PLC that rejects a kind of access gets requests of the other kinds from now on.
+void SlmpDialog::adapt_to(Access access, bool of_bits, std::uint16_t end_code) {
+  if (end_code != kUnsupported) return;
+  if (access == Access::blocks && limits_.blocks != 0) {
+    limits_.blocks = 0;
+    adapted_ = true;
+  }
+  if (access == Access::batch && of_bits) limits_.bits = 0;
+}
+
 Fault SlmpDialog::read(image::Tables& tables) {
+  if (std::exchange(adapted_, false)) {
+    skipped_.clear();
+    operations_ = plan_of(map_.operations);
+    events_ = plan_of(map_.events);
+  }
   return read_all(operations_, {tables.coils.words, tables.holding_registers.words});
 }
 

@@ -76,12 +76,15 @@ class SlmpDialog final : public client::Dialog {
   client::Fault write_words(const Transfer& transfer, const Writes& writes);
   client::Fault write_bits(const Transfer& transfer, const Writes& writes);
 
+  void adapt_to(Access access, bool of_bits, std::uint16_t end_code);
+
   client::Fault transact(Reply& reply);
   void note_rejection(const char* doing, const Transfer& transfer, bool of_bits, std::uint16_t end_code);
 
   Settings settings_;
   DeviceMap map_;
   Limits limits_;
+  bool adapted_ = false;  ///< the limits have changed since the requests to read were planned
   ReadPlan operations_;
   ReadPlan events_;
   std::vector<std::uint16_t> owned_;  ///< by bit cell of the events: its mapped bits

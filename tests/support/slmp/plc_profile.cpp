@@ -21,6 +21,7 @@ PlcProfile profile_of(Family family, Port port) {
   profile.has_iqr_subcommands = family == Family::iqr && !is_e71;
   profile.has_model = !is_plain;
   profile.has_blocks = !is_plain;
+  profile.has_bit_batches = true;
   profile.has_loopback = !is_plain;
   profile.writes_steps = is_fx5 || is_e71;
   profile.foreign_subcommand = is_e71 ? kLength : kCommand;

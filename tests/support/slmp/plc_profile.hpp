@@ -52,6 +52,7 @@ struct PlcProfile {
   bool has_iqr_subcommands;  ///< if not, 0002 and 0003 get `foreign_subcommand`
   bool has_model;            ///< 0101
   bool has_blocks;           ///< 0406, 1406
+  bool has_bit_batches;      ///< 1401 in units of bits; a report doubts it for GX Simulator3
   bool has_loopback;         ///< 0619
   bool writes_steps;         ///< writes to S; if not, 4030
   std::uint16_t foreign_subcommand;

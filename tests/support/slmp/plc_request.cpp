@@ -76,6 +76,7 @@ std::uint16_t Decoder::unsupported() const {
                         frame_.command == kWriteRandom || (profile_.has_model && frame_.command == kReadModel) ||
                         (profile_.has_loopback && frame_.command == kLoopback) ||
                         (profile_.has_blocks && (frame_.command == kReadBlocks || frame_.command == kWriteBlocks));
+  if (frame_.command == kWrite && is_bitwise_ && !profile_.has_bit_batches) return kCommand;
   if (!is_known || frame_.subcommand > most_subcommand || (most_subcommand == 2 && is_bitwise_)) return kCommand;
   return is_iqr_ && !profile_.has_iqr_subcommands ? profile_.foreign_subcommand : std::uint16_t{kOk};
 }

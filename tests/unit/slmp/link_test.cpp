@@ -180,6 +180,18 @@ TEST_CASE("A rejected reading is explained, and the rest goes on") {
   CHECK(plc.log().writes().empty());
 }
 
+TEST_CASE("A PLC without block access or batches of bits gets other requests") {
+  PlcOptions options = cell_plc();
+  options.profile.has_blocks = false;
+  options.profile.has_bit_batches = false;
+  SlmpPlc plc(options);
+  CellClient client(plc.port(), "family=iqr&events=direct&poll=1ms&refresh=10ms");
+  CHECK(finishes(plc, 2));
+  const std::size_t rejected = client.link().status().exceptions;
+  CHECK(finishes(plc, 4));
+  CHECK(client.link().status().exceptions == rejected);
+}
+
 TEST_CASE("At the end the events keep their values, or become 0") {
   for (const bool zero : {false, true}) {
     SlmpPlc plc(cell_plc());
