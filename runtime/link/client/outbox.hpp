@@ -33,7 +33,7 @@ class Outbox {
  private:
   /// A table: its mapped bits, what was confirmed of them, and which of them were.
   struct Side {
-    Table table;
+    Table table = Table::discrete_input;
     std::vector<std::uint64_t> mapped;
     std::vector<std::uint64_t> confirmed;
     std::vector<std::uint64_t> known;

@@ -20,7 +20,7 @@ class NoSignals {
   ~NoSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
  private:
-  sigset_t before_;
+  sigset_t before_{};
 };
 
 }  // namespace symplant::link::net

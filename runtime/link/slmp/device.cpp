@@ -96,8 +96,9 @@ std::optional<Device> parse_iec_form(std::string_view text) {
 std::optional<Device> parse_named(std::string_view text, Family family) {
   std::optional<Device> best;
   std::size_t longest = 0;
-  for (Kind kind = 0; kind < kKinds.size(); ++kind) {
-    const KindInfo& info = kKinds[kind];
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const auto kind = static_cast<Kind>(i);
+    const KindInfo& info = kKinds[i];
     if (info.name.size() <= longest || !text.starts_with(info.name)) continue;
     const auto [digits, bit_digit] = split_at_point(text.substr(info.name.size()));
     const auto number = number_in(digits, base_of(kind, family));

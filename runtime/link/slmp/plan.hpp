@@ -1,7 +1,6 @@
 // Packs words and bits of a PLC's memory into the fewest requests.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,14 +14,16 @@ namespace symplant::link::slmp {
 struct Cell {
   Kind kind = 0;
   std::uint32_t word = 0;
-  friend auto operator<=>(const Cell&, const Cell&) = default;
+  friend bool operator==(const Cell&, const Cell&) = default;
+  friend bool operator<(const Cell& a, const Cell& b) { return a.kind != b.kind ? a.kind < b.kind : a.word < b.word; }
 };
 
 /// A bit device.
 struct Bit {
   Kind kind = 0;
   std::uint32_t number = 0;
-  friend auto operator<=>(const Bit&, const Bit&) = default;
+  friend bool operator==(const Bit&, const Bit&) = default;
+  friend bool operator<(const Bit& a, const Bit& b) { return a.kind != b.kind ? a.kind < b.kind : a.number < b.number; }
 };
 
 /// How a request names what it transfers.
