@@ -200,7 +200,8 @@ class Play:
 def clients_on(port, packages, clients):
     """The available clients, with the weight of each."""
     found = {clients.Pymodbus(port): 55}
-    if subprocess.run([str(HERE / "modbus_serial.sh"), packages], check=False).returncode == 0 and shutil.which("node"):
+    fetch = [str(HERE.parent / "npm_package.sh"), packages, "modbus-serial@8.0.25"]  # 0.5 MB with its dependencies
+    if subprocess.run(fetch, check=False).returncode == 0 and shutil.which("node"):
         found[clients.ModbusSerial(str(HERE / "modbus_serial.js"), packages, port)] = 44
     if shutil.which("mbpoll"):
         found[clients.Mbpoll(port)] = 1
