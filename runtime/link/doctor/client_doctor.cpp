@@ -129,6 +129,7 @@ class ClientDoctor {
         break;
       case Identity::Kind::wrong:
         step("identity", Result::bad, identity.message);
+        wrong_plc_ = true;
         break;
     }
     return true;
@@ -284,18 +285,32 @@ class ClientDoctor {
   /// Inverts every event, looks whether it stays, and restores it.
   void test_writing() {
     if (!options_.write_test) return step("write test", Result::skipped, "not asked for; `--write-test` runs it");
+    if (wrong_plc_) return step("write test", Result::skipped, "not run: this is another PLC");
     Image before(parts_.map, Table::discrete_input, Table::input_register, 0);
     Image after(parts_.map, Table::discrete_input, Table::input_register, 0);
     Fault fault = parts_.dialog->read_back(before.bits, before.registers);
-    if (!fault) fault = parts_.dialog->write(changes_from(before, true));
+    if (fault || !parts_.dialog->take_rejections().empty()) {
+      return step("write test", Result::bad, "not run: the events were not readable any more");
+    }
+    fault = parts_.dialog->write(changes_from(before, true));
     std::this_thread::sleep_for(kBetweenLooks);  // the PLC refreshes its inputs meanwhile
     if (!fault) fault = parts_.dialog->read_back(after.bits, after.registers);
-    const Fault restored = parts_.dialog->write(changes_from(before, false));
+    const Fault restored = restore(before);
     if (fault || restored) {
       return step("write test", Result::bad,
-                  (fault ? fault : restored).message + "; some events may not have their former values");
+                  restored ? restored.message + "; some events do not have their former values"
+                           : fault.message + "; all events have their former values");
     }
     report_writing(before, after);
+  }
+
+  /// Writes what was there, by a new connection if the old one is lost.
+  Fault restore(const Image& before) {
+    Fault fault = parts_.dialog->write(changes_from(before, false));
+    if (!fault) return fault;
+    parts_.dialog->close();
+    fault = parts_.dialog->open();
+    return fault ? fault : parts_.dialog->write(changes_from(before, false));
   }
 
   void report_writing(const Image& before, const Image& after) {
@@ -318,6 +333,7 @@ class ClientDoctor {
   const tables::PlantTables& tables_;
   const Options& options_;
   std::vector<bool> unread_;  ///< by point
+  bool wrong_plc_ = false;
   Report report_;
 };
 

@@ -121,8 +121,9 @@ TEST_CASE("The doctor says which symbols are not readable, and why") {
 
 TEST_CASE("The doctor names a wrong family and a silent port") {
   SlmpPlc plc;
-  const auto wrong = doctor({"--link", url(plc, "family=q&events=direct"), "--for", "0s"});
+  const auto wrong = doctor({"--link", url(plc, "family=q&events=direct"), "--for", "0s", "--write-test"});
   CHECK(wrong.code == 1);
+  CHECK(plc.log().writes().empty());
   CHECK_THAT(wrong.out, Contains("bad      identity") && Contains("set family=iqr"));
   const auto silent =
       doctor({"--link", url(plc, "family=iqr&events=direct&code=ascii&timer=0s&timeout=200ms"), "--for", "0s"});
