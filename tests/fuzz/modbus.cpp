@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "fuzz/dice.hpp"
 #include "fuzz/target.hpp"
 #include "symplant/link/modbus/connection.hpp"
 
@@ -15,21 +16,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::uint32_t kBits = 100;
 constexpr std::uint32_t kRegisters = 40;
-
-/// Numbers computed from the input, so that the same input is always cut the same.
-class Dice {
- public:
-  explicit Dice(const Bytes& seed) {
-    for (const std::uint8_t byte : seed) state_ = (state_ ^ byte) * 1099511628211U;
-  }
-  std::size_t below(std::size_t end) {
-    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<std::size_t>(state_ >> 33) % end;
-  }
-
- private:
-  std::uint64_t state_ = 1469598103934665603U;
-};
 
 /// Answers from a small memory, and checks that only what the answer reports is written.
 class Memory final : public Responder {

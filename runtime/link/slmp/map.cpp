@@ -148,6 +148,11 @@ class Maker {
                        : "is a number at " + where + ", which is a bit: give a word, or K4X0");
       return std::nullopt;
     }
+    const std::uint32_t more = bit ? 0 : width_of(row.type()) * (info_of(device.kind).bit ? kCellBits : 1) - 1;
+    if (device.number + more >= kMostDevices) {
+      return error_of(ticked(name(symbol)) + " is at " + where +
+                      ", beyond the devices that a request can name: " + "correct its address or `map`");
+    }
     if (bit) {
       const bool of_word = device.bit != Device::kNoBit;
       const Cell cell{device.kind, of_word ? device.number : device.number / kCellBits};

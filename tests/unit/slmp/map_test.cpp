@@ -127,6 +127,18 @@ TEST_CASE("Two symbols of different addresses or directions cannot have one loca
   CHECK(devices(map_of(same, "family=q")) == "Y5 Y5");
 }
 
+TEST_CASE("A symbol beyond the devices that a request can name is refused") {
+  SymbolList bits;
+  bits.add_device("A", kIn, "X0", 0);
+  bits.add_device("B", kIn, "X1", 1);
+  CHECK_THAT(fault(bits, "family=q&map=X0-X1:M16777215"), Contains("`B` is at M16777216, beyond the devices"));
+  CHECK(devices(map_of(bits, "family=q&map=X0-X1:M16777214")) == "M16777214 M16777215");
+  SymbolList wide;
+  wide.add_device("A", kOut, "D16777213", tables::DataType::lreal);
+  CHECK_THAT(fault(wide, "family=q"), Contains("`A` is at D16777213, beyond"));
+  CHECK(fault(wide, "family=q&map=A:D16777212").empty());
+}
+
 TEST_CASE("A list with X counted otherwise than the family is refused") {
   SymbolList list;
   list.add_device("A", kOut, "Y10", 16);
