@@ -61,7 +61,7 @@ TEST_CASE("run exchanges I/O with the PLC of plant.json, and says what the link 
   CHECK(plc.log().writes_outside({{"X", 0x10, 2}}).empty());
 }
 
-TEST_CASE("--arm without a link that goes to a PLC is a warning") {
+TEST_CASE("run warns of --arm without a link that goes to a PLC") {
   auto files = plant_with("modbus-tcp-server://127.0.0.1:0");
   CHECK_THAT(run_tool({"run", "list.csv", "--arm", "--until", "1ms"}, files).err, Contains("`--arm` has no effect"));
 }
