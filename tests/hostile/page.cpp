@@ -33,7 +33,7 @@ There are five kinds of tests, all of them in `.ci/run`:
 | what | how to repeat it |
 |---|---|
 | the tables of this page | `ctest --test-dir build/release -R hostile` |
-| the fuzz targets: symbol lists, plant.json, conditions, names, Modbus; each also checks its results | `scripts/fuzz --seconds 120` |
+| the fuzz targets: symbol lists, plant.json, conditions, names, Modbus requests, replies to clients, URLs of links; each also checks its results | `scripts/fuzz --seconds 120` |
 | the tests with the address and the undefined-behavior sanitizer and the assertions of the library | `scripts/test --sanitize` |
 | links, cycle and the running program, all threads at once, with the thread sanitizer | `scripts/test --threads` |
 | inputs that caused a fault before, and a small list cut at every byte | `ctest --test-dir build/release -R 'fuzz:\|cut'` |

@@ -30,10 +30,11 @@ std::optional<Device> moved(const Device& device, const Move& move) {
   if (device.kind != move.first.kind || device.number < move.first.number || device.number > move.last) return {};
   const std::uint32_t offset = device.number - move.first.number;
   Device to = move.to;
-  if (device.is_bit() && device.bit == Device::kNoBit && !info_of(to.kind).bit) {
+  if (info_of(device.kind).bit && !info_of(to.kind).bit) {
     const std::uint32_t bit = offset + (to.bit == Device::kNoBit ? 0 : to.bit);
     to.number += bit / kCellBits;
-    to.bit = static_cast<std::uint8_t>(bit % kCellBits);
+    const bool whole = device.digits != 0 && bit % kCellBits == 0;  // a group of bits becomes words
+    to.bit = whole ? Device::kNoBit : static_cast<std::uint8_t>(bit % kCellBits);
     return to;
   }
   to.number += offset;
@@ -102,11 +103,24 @@ class Maker {
       return skip(symbol, "has the address " + ticked(address(symbol)) + ", which is not a device of this family"),
              std::nullopt;
     if (auto error = counted_otherwise(symbol, *device)) return error;
+    if (!fits_group(symbol, *device)) return skip_group(symbol, std::string(address(symbol))), std::nullopt;
     for (const Move& move : settings_.moves) {
       if (const auto to = moved(*device, move)) return use(symbol, *to);
     }
     if (row.direction() == tables::Direction::event && is_input(device->kind)) return use_input(symbol, *device);
     return use(symbol, *device);
+  }
+
+  /// Whether a number is as long as its group of bits: K4X0 has 16.
+  bool fits_group(std::uint32_t symbol, const Device& device) const {
+    const tables::DataType type = tables_.symbols[symbol].type();
+    if (device.digits == 0 || type == tables::DataType::boolean) return true;
+    return device.digits * kBitsPerDigit == width_of(type) * kCellBits;
+  }
+
+  void skip_group(std::uint32_t symbol, const std::string& where) {
+    const std::uint32_t bits = width_of(tables_.symbols[symbol].type()) * kCellBits;
+    skip(symbol, "is a number of " + std::to_string(bits) + " bits at " + where);
   }
 
   /// The list counts X and Y in another base than the family, so that its addresses would be others in the PLC.
@@ -168,9 +182,7 @@ class Maker {
     const std::uint8_t width = width_of(tables_.symbols[symbol].type());
     std::uint32_t first = device.number;
     if (info_of(device.kind).bit) {
-      if (device.digits * kBitsPerDigit != width * kCellBits) {
-        return skip(symbol, "is a number of " + std::to_string(width * kCellBits) + " bits at " + where);
-      }
+      if (!fits_group(symbol, device)) return skip_group(symbol, where);
       if (device.number % kCellBits != 0) return skip(symbol, "is at " + where + ", not at a multiple of 16");
       first /= kCellBits;
     }

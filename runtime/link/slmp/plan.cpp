@@ -42,6 +42,7 @@ class Cover {
       if (breaks) start = i - 1;
       while (last.number - items[start].number >= shape.batch) ++start;
       before_[i] = static_cast<std::uint32_t>(start);
+      longest_ = std::max(longest_, static_cast<std::uint32_t>(i - start));
     }
   }
 
@@ -49,7 +50,9 @@ class Cover {
     std::vector<std::uint32_t> weight = first_weights();
     std::uint32_t fewest = ceil_of(weight.back(), shape_.capacity);
     std::size_t batches = 0;
-    for (std::uint32_t k = 1; k < fewest; ++k) {
+    // A batch replaces at most the weight of the items that it covers: no more of them than could still pay off.
+    const std::uint32_t most_saved = std::max(longest_ * shape_.single, shape_.capacity);
+    for (std::uint32_t k = 1; k - 1 + ceil_of(weight.back(), most_saved) < fewest; ++k) {
       weight = next_weights(weight);
       const std::uint32_t total = k + ceil_of(weight.back(), shape_.capacity);
       if (total > fewest) continue;
@@ -134,6 +137,7 @@ class Cover {
   std::span<const Item> items_;
   Shape shape_;
   std::vector<std::uint32_t> before_;         ///< items before the batch that ends with item i, which counts from 1
+  std::uint32_t longest_ = 0;                 ///< the most items of a batch
   std::vector<std::vector<Choice>> choices_;  ///< by number of batches and item
 };
 

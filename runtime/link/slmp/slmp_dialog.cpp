@@ -226,7 +226,9 @@ SlmpDialog::Writes SlmpDialog::writes_of(std::span<const LaneChange> changes, bo
   for (const LaneChange& change : changes) {
     const bool bits = change.lane.table == Table::discrete_input;
     const Cell& cell = (bits ? map_.events.bits : map_.events.numbers)[change.lane.number];
-    const bool word = !bits || !info_of(cell.kind).bit || (whole && owned_[change.lane.number] == kWholeCell);
+    const bool all_bits = bits && owned_[change.lane.number] == kWholeCell;
+    const bool word = !bits || !info_of(cell.kind).bit || (whole && all_bits);
+    writes.splits_words = writes.splits_words || (all_bits && !word);
     if (word) words.emplace_back(cell, change.value);
     for (std::uint32_t bit = 0; !word && bit < kBitsInCell; ++bit) {
       if ((change.mask >> bit & 1) == 0) continue;
@@ -265,7 +267,7 @@ std::vector<std::string> SlmpDialog::notes() const {
 Fault SlmpDialog::write(std::span<const LaneChange> changes) {
   const auto size = [](const Writes& writes) { return writes.words_transfers.size() + writes.bit_transfers.size(); };
   Writes writes = writes_of(changes, false);
-  if (size(writes) > 1) {
+  if (size(writes) > 1 && writes.splits_words) {
     if (Writes other = writes_of(changes, true); size(other) < size(writes)) writes = std::move(other);
   }
   for (const Transfer& transfer : writes.words_transfers) {

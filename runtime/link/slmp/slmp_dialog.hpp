@@ -70,6 +70,7 @@ class SlmpDialog final : public client::Dialog {
     std::vector<std::uint8_t> bit_values;
     std::vector<Transfer> words_transfers;
     std::vector<Transfer> bit_transfers;
+    bool splits_words = false;  ///< some bits could be written as whole words
   };
   Writes writes_of(std::span<const client::LaneChange> changes, bool whole) const;
   std::size_t requests_to_write() const;

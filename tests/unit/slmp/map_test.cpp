@@ -127,6 +127,21 @@ TEST_CASE("Two symbols of different addresses or directions cannot have one loca
   CHECK(devices(map_of(same, "family=q")) == "Y5 Y5");
 }
 
+TEST_CASE("A group of bits that is moved to words is the words in which its bits are") {
+  SymbolList list;
+  list.add_device("A", kOut, "Y51", 0x51);
+  list.add_device("B", kOut, "K4Y40", tables::DataType::word);
+  list.add_device("C", kOut, "K8Y60", tables::DataType::dint);
+  CHECK(devices(map_of(list, "family=q&map=Y0-Y7F:W5")) == "WA.1 W9 WB");
+  CHECK(devices(map_of(list, "family=q&map=Y0-Y7F:M16")) == "M97 K4M80 K8M112");
+  const DeviceMap apart = map_of(list, "family=q&map=Y0-Y7F:W5.4");
+  CHECK(devices(apart) == "WA.5");
+  CHECK_THAT(apart.unreachable.front().reason, Contains("is a number at W9.4"));
+  SymbolList wide;
+  wide.add_device("A", kOut, "K4Y40", tables::DataType::dint);
+  CHECK_THAT(map_of(wide, "family=q&map=Y0-Y7F:W5").unreachable.front().reason, Contains("32 bits at K4Y40"));
+}
+
 TEST_CASE("A symbol beyond the devices that a request can name is refused") {
   SymbolList bits;
   bits.add_device("A", kIn, "X0", 0);
