@@ -39,15 +39,13 @@ description::Pointer link_pointer(const model::PlantModel& plant, std::uint32_t 
 /// if its URL does not fit the plant.
 bool check_client(const model::PlantModel& plant, const tables::PlantTables& tables, std::uint32_t controller,
                   std::vector<description::DescriptionFault>& faults) {
-  const auto& links = plant.description->links;
-  const auto found = std::find_if(links.begin(), links.end(), [&](const description::LinkDescription& link) {
-    return link::is_client(link.url) && is_link_of(plant, controller, link);
-  });
-  if (found == links.end()) return false;
+  const description::LinkDescription* const found = client_link_of(plant, controller);
+  if (found == nullptr) return false;
   const auto parts = link::client_parts({found->url, controller, plant.links[controller].settings()}, tables);
   if (const auto* error = std::get_if<link::LinkError>(&parts);
       error != nullptr && link::url_fault(found->url).empty()) {
-    const auto pointer = description::Pointer("/links") / static_cast<std::size_t>(found - links.begin()) / "url";
+    const auto index = static_cast<std::size_t>(found - plant.description->links.data());
+    const auto pointer = description::Pointer("/links") / index / "url";
     faults.push_back({pointer.text(), error->message, 0, description::FaultKind::contradiction});
   }
   return true;
@@ -100,6 +98,13 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
 }
 
 }  // namespace
+
+const description::LinkDescription* client_link_of(const model::PlantModel& plant, std::uint32_t controller) {
+  for (const description::LinkDescription& link : plant.description->links) {
+    if (link::is_client(link.url) && is_link_of(plant, controller, link)) return &link;
+  }
+  return nullptr;
+}
 
 bool symbols_can_overlap(const model::PlantModel& plant) {
   const bool is_set = std::any_of(

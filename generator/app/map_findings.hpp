@@ -7,6 +7,9 @@
 
 namespace symplant::app {
 
+/// The link of plant.json to this controller that goes to the PLC; null if there is none.
+const description::LinkDescription* client_link_of(const model::PlantModel& plant, std::uint32_t controller);
+
 /// Whether addresses of this plant can overlap at all: a symbol has more than 16 bits, or a link of the description has
 /// settings. O(symbols).
 bool symbols_can_overlap(const model::PlantModel& plant);

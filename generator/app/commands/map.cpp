@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/map_findings.hpp"
 #include "app/map_notes.hpp"
 #include "app/map_table.hpp"
 #include "app/options.hpp"
@@ -29,13 +30,17 @@ namespace {
 
 using Choices = std::vector<link::LinkChoice>;
 
-/// The links whose maps to show: those of the command line, else one without a URL for each controller.
-std::variant<Choices, link::LinkError> wanted(const tables::PlantTables& tables,
+/// The links whose maps to show: those of the command line, else one for each controller, with its URL if it goes to
+/// the PLC.
+std::variant<Choices, link::LinkError> wanted(const model::PlantModel& plant, const tables::PlantTables& tables,
                                               const std::vector<std::string>& links) {
-  Choices choices;
   if (links.empty()) {
+    Choices choices;
     const std::size_t controllers = std::max<std::size_t>(1, tables::split_names(tables.controller_names).size());
-    for (std::uint32_t controller = 0; controller < controllers; ++controller) choices.push_back({"", controller});
+    for (std::uint32_t controller = 0; controller < controllers; ++controller) {
+      const description::LinkDescription* const own = client_link_of(plant, controller);
+      choices.push_back({own == nullptr ? "" : own->url, controller});
+    }
     return choices;
   }
   std::vector<link::LinkRequest> requests;
@@ -88,7 +93,7 @@ void show(const MapOptions& options, Context& context) {
     context.err << "error: " << error.message << "\n";
     context.exit_code = host::kBadInput;
   };
-  const auto choices = wanted(tables, options.links);
+  const auto choices = wanted(plant, tables, options.links);
   if (const auto* error = std::get_if<link::LinkError>(&choices)) return fail(*error);
   for (const link::LinkChoice& choice : std::get<Choices>(choices)) {
     if (plant.controllers.size() > 1) {

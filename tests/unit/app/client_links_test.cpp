@@ -42,6 +42,12 @@ TEST_CASE("check reports a link whose URL does not fit the plant, once, at the U
   CHECK_THAT(run_tool({"check", "plant.json"}, files).out, Contains("choose where its program reads events"));
 }
 
+TEST_CASE("map shows the devices of the link in plant.json") {
+  auto files = plant_with("slmp://127.0.0.1:5000?family=q&map=X0-X1F:M100");
+  CHECK_THAT(run_tool({"map", "plant.json"}, files).out, Contains("in the PLC") && Contains("M117"));
+  CHECK_THAT(run_tool({"map", "list.csv"}, files).out, Contains("discrete input 17"));
+}
+
 TEST_CASE("run without a choice for events gives exit code 2 and explains the choice") {
   auto files = plant_with("slmp://127.0.0.1:5000?family=q&events=direct");
   const auto run = run_tool({"run", "plant.json", "--link", "slmp://127.0.0.1:5000?family=q"}, files);
