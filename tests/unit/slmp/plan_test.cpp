@@ -172,7 +172,9 @@ TEST_CASE("Without block access no plan to read has fewer requests") {
     small.words = 1 + below(random, 6);
     small.random_reads = 1 + below(random, 4);
     std::set<Cell> set;
-    for (std::uint32_t n = 1 + below(random, 9); n > 0; --n) set.insert({kind("D"), below(random, 24)});
+    for (std::uint32_t n = 1 + below(random, 6); n > 0; --n) set.insert({kind("D"), below(random, 40)});
+    const std::uint32_t run = below(random, 6);  // where a batch is better than random access
+    for (std::uint32_t n = 0; n < run; ++n) set.insert({kind("D"), 50 + n});
     const std::vector<Cell> cells(set.begin(), set.end());
     const auto plan = plan_reads(cells, small);
     covered(plan, cells, small, false);

@@ -1,0 +1,165 @@
+// Images of random maps: what is read is what the PLC has, and what is written is what it has then.
+#include <map>
+#include <random>
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/slmp/slmp_plc.hpp"
+#include "symplant/link/client_parts.hpp"
+#include "symplant/link/slmp/device.hpp"
+#include "unit/link/symbol_list.hpp"
+
+using namespace symplant;
+using link::Table;
+using test::SymbolList;
+
+namespace {
+
+struct ImageCase {
+  std::string parameters;
+  link::slmp::Family family;
+  test::slmp::PlcOptions plc;
+};
+
+/// The dialog of a random map, its images, and the PLC.
+class Images {
+ public:
+  Images(const ImageCase& one, std::uint32_t seed) : random_(seed), family_(one.family), plc_(one.plc) {
+    using tables::DataType;
+    add("M", 7'000, SymbolList::kOut, DataType::boolean);
+    add("L", 200, SymbolList::kIn, DataType::boolean);
+    add("D", 4'000, SymbolList::kOut, DataType::lreal);
+    add("W", 500, SymbolList::kOut, DataType::udint);
+    add("TN", 500, SymbolList::kOut, DataType::word);
+    add("R", 9'000, SymbolList::kIn, DataType::udint);
+    add("SW", 500, SymbolList::kIn, DataType::word);
+    const std::string url = "slmp://127.0.0.1:" + std::to_string(plc_.port()) + "?" + one.parameters;
+    auto made = link::client_parts({url, 0}, list_.tables());
+    if (auto* error = std::get_if<link::LinkError>(&made)) FAIL(error->message);
+    parts_ = std::get<link::client::ClientParts>(std::move(made));
+    for (std::size_t i = 0; i < link::kTables; ++i) words_[i].resize(parts_.map.sizes[i] / 4 + 1);
+    REQUIRE_FALSE(parts_.dialog->open());
+  }
+
+  /// Fills the operations in the PLC, reads them, and counts those that are different.
+  int wrong_after_read() {
+    each_word(true,
+              [&](const char* device, std::uint32_t number, Table, std::uint32_t) { put(device, number, draw()); });
+    const auto size = [&](std::size_t table) { return parts_.map.sizes[table]; };
+    link::image::Tables tables{{words_[0], size(0)}, {words_[1], size(1)}, {words_[2], size(2)}, {words_[3], size(3)}};
+    REQUIRE_FALSE(parts_.dialog->read(tables));
+    return wrong(true);
+  }
+
+  /// Writes random events, and counts those that the PLC has otherwise.
+  int wrong_after_write() {
+    std::map<std::pair<Table, std::uint32_t>, link::client::LaneChange> changes;
+    each_word(false, [&](const char*, std::uint32_t, Table table, std::uint32_t at) {
+      const bool bit = table == Table::discrete_input;
+      const std::uint32_t lane = bit ? at / 16 : at;
+      auto& change = changes[{table, lane}];
+      change.lane = {table, lane};
+      change.mask = static_cast<std::uint16_t>(change.mask | (bit ? 1U << at % 16 : 0xFFFFU));
+      link::image::set_register(image(table), lane, draw());
+      change.value = link::image::get_register(image(table), lane);
+    });
+    std::vector<link::client::LaneChange> list;
+    for (const auto& entry : changes) list.push_back(entry.second);
+    REQUIRE_FALSE(parts_.dialog->write(list));
+    return wrong(false);
+  }
+
+  /// Number of bits and words of events.
+  std::size_t events() {
+    std::size_t count = 0;
+    each_word(false, [&](const char*, std::uint32_t, Table, std::uint32_t) { ++count; });
+    return count;
+  }
+
+  test::slmp::SlmpPlc& plc() { return plc_; }
+
+ private:
+  static constexpr std::size_t kSymbols = 60;  ///< of each kind
+
+  std::uint16_t draw() { return static_cast<std::uint16_t>(random_() >> 8); }
+
+  void add(const char* name, std::uint32_t end, tables::Direction direction, tables::DataType type) {
+    const std::uint32_t step = type == tables::DataType::boolean ? 1 : 4;
+    std::set<std::uint32_t> drawn;
+    while (drawn.size() < kSymbols) drawn.insert(static_cast<std::uint32_t>(random_() % (end / step)) * step);
+    for (const std::uint32_t number : drawn) {
+      const std::string text = device_text({*link::slmp::kind_of(name), number}, family_);
+      list_.add_device("AT_" + text, direction, text, type);
+    }
+  }
+
+  std::span<std::uint64_t> image(Table table) { return words_[static_cast<std::size_t>(table)]; }
+
+  bool is_bit(const std::string& device) const { return device == "M" || device == "L"; }
+  void put(const std::string& device, std::uint32_t number, std::uint16_t value) {
+    if (is_bit(device)) return plc_.memory().set_bit(device, number, (value & 1) != 0);
+    plc_.memory().set_word(device, number, value);
+  }
+  std::uint16_t get(const std::string& device, std::uint32_t number) {
+    return is_bit(device) ? std::uint16_t{plc_.memory().bit(device, number)} : plc_.memory().word(device, number);
+  }
+
+  /// Calls `visit(device, number, table, number in the table)` for each bit and word of operations, or of events.
+  template <class Visit>
+  void each_word(bool operations, Visit visit) {
+    for (std::size_t i = 0; i < parts_.map.points.size(); ++i) {
+      const link::IoPoint& point = parts_.map.points[i];
+      const bool operation = point.table == Table::coil || point.table == Table::holding_register;
+      const auto device = link::slmp::parse_device(parts_.addresses[i], family_);
+      if (operation != operations || !device) continue;
+      const std::string name(link::slmp::info_of(device->kind).name);
+      for (std::uint32_t k = 0; k < point.width; ++k)
+        visit(name.c_str(), device->number + k, point.table, point.number + k);
+    }
+  }
+
+  int wrong(bool operations) {
+    int count = 0;
+    each_word(operations, [&](const char* device, std::uint32_t number, Table table, std::uint32_t at) {
+      const bool bit = table == Table::coil || table == Table::discrete_input;
+      const std::uint16_t value =
+          bit ? std::uint16_t{link::image::get_bit(image(table), at)} : link::image::get_register(image(table), at);
+      if (value != get(device, number)) ++count;
+    });
+    return count;
+  }
+
+  std::mt19937 random_;
+  link::slmp::Family family_;
+  test::slmp::SlmpPlc plc_;
+  SymbolList list_;
+  link::client::ClientParts parts_;
+  std::array<std::vector<std::uint64_t>, link::kTables> words_;
+};
+
+ImageCase case_of(const std::string& parameters, link::slmp::Family family, test::slmp::Family server) {
+  ImageCase one{parameters, family, {}};
+  one.plc.profile = test::slmp::profile_of(server);
+  if (parameters.find("ascii") != std::string::npos) one.plc.code = test::slmp::Code::ascii;
+  return one;
+}
+
+}  // namespace
+
+TEST_CASE("What a random map reads and writes is what the PLC has") {
+  for (const ImageCase& one :
+       {case_of("family=q", link::slmp::Family::q, test::slmp::Family::q),
+        case_of("family=iqr", link::slmp::Family::iqr, test::slmp::Family::iqr),
+        case_of("family=iqr&commands=iqr&frame=4e&transport=udp", link::slmp::Family::iqr, test::slmp::Family::iqr),
+        case_of("family=iqr&code=ascii", link::slmp::Family::iqr, test::slmp::Family::iqr),
+        case_of("family=fx5", link::slmp::Family::fx5, test::slmp::Family::fx5)}) {
+    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+      CAPTURE(one.parameters, seed);
+      Images images(one, seed);
+      CHECK(images.wrong_after_read() == 0);
+      CHECK(images.wrong_after_write() == 0);
+      CHECK(images.plc().log().writes().size() == images.events());
+      CHECK(images.plc().log().violations().empty());
+    }
+  }
+}
