@@ -114,8 +114,8 @@ std::optional<Compiled> compile(const CompileOptions& options, const base::FileS
   const auto reader = inputs->naming == nullptr ? nullptr : std::make_shared<name::SymbolReader>(inputs->naming);
   std::vector<model::ListInput> lists = parse_names(inputs->lists, reader.get());
   progress.stage("deriving models");
-  model::Derived named =
-      model::derive(std::exchange(lists, {}), inputs->name, reader);  // symbols have copies of the readings
+  model::Derived named = model::derive(std::exchange(lists, {}), inputs->name, reader,
+                                       inputs->description.get());  // symbols have copies of the readings
   model::Derived derived = model::describe(std::move(named), inputs->description, inputs->source);
   if (inputs->naming_parts != nullptr) derived.plant.naming_files = inputs->naming_parts->files;
   const bool sound = inputs->readable && derived.evidence.faults.empty();

@@ -22,7 +22,7 @@ std::string_view actuation_name(tables::Actuation actuation) {
 std::string_view device_key_name(DeviceKey key) {
   static constexpr std::array<std::string_view, kDeviceKeys> kNames{"states", "initial",     "rest",    "actuation",
                                                                     "only",   "transitions", "outputs", "disables",
-                                                                    "type",   "behaviour",   "inputs"};
+                                                                    "type",   "behaviour",   "inputs",  "overrun"};
   return kNames[static_cast<std::size_t>(key)];
 }
 
@@ -51,6 +51,8 @@ bool DeviceDescription::gives(DeviceKey key) const {
       return !behaviour.empty();
     case DeviceKey::inputs:
       return !inputs.empty();
+    case DeviceKey::overrun:
+      return overrun.has_value();
   }
   return false;
 }
@@ -96,6 +98,9 @@ void DeviceDescription::take(DeviceKey key, const DeviceDescription& other) {
       break;
     case DeviceKey::inputs:
       inputs = other.inputs;
+      break;
+    case DeviceKey::overrun:
+      overrun = other.overrun;
       break;
   }
 }

@@ -41,8 +41,10 @@ struct GivenTransition {
   std::string when;  ///< a condition; empty: none
   bool automatic = false;
   bool once = false;
-  std::optional<Duration> after;
-  std::optional<Duration> takes;
+  std::optional<Duration> after = {};
+  std::optional<Duration> takes = {};
+  std::string during = {};   ///< `while`: a condition; empty: none
+  std::uint32_t weight = 0;  ///< 0: none; else 1 to 1,000,000
 };
 
 /// l_enter and l_leave of a state besides its event: further events of the device, by task, in this order.
@@ -70,8 +72,9 @@ enum class DeviceKey : std::uint8_t {
   type,
   behaviour,
   inputs,
+  overrun,
 };
-inline constexpr std::size_t kDeviceKeys = 11;
+inline constexpr std::size_t kDeviceKeys = 12;
 /// The name of the key in plant.json.
 std::string_view device_key_name(DeviceKey key);
 
@@ -90,6 +93,7 @@ struct DeviceDescription {
   std::string type;                                         ///< the generated class; empty: named by the device level
   std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
+  std::optional<tables::Time> overrun;                      ///< kNever: not examined
 
   bool by_naming = false;      ///< the naming rule gives it, not plant.json
   bool covers_facets = false;  ///< it names a device with several facets, and is for all of them
@@ -125,10 +129,17 @@ struct GivenRequirement {
   tables::Time within = 0;
 };
 
+/// An input that no device drives and that follows a condition.
+struct GivenFollow {
+  std::string symbol;  ///< a name, or a pattern
+  std::string condition;
+};
+
 struct Defaults {
   tables::Time travel = tables::kSecond;
   tables::Time dwell = tables::kSecond;
   tables::Actuation actuation = tables::Actuation::latched;
+  tables::Time overrun = 2 * tables::kSecond;  ///< kNever: not examined
 };
 
 /// Settings of `symplant check`, as texts: rules by id or slug.
@@ -145,7 +156,9 @@ struct GivenCheck {
 
 struct Description {
   Defaults defaults;
+  std::vector<std::string> inverted;  ///< symbols, or patterns
   std::vector<DeviceDescription> devices;
+  std::vector<GivenFollow> follow;
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   GivenCheck check;

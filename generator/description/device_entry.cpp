@@ -35,6 +35,7 @@ class DeviceReader {
     device_.type = class_name("type");
     device_.behaviour = class_name("behaviour");
     read_inputs();
+    device_.overrun = overrun_member(entry_, here_, faults_);
     return std::move(device_);
   }
 
@@ -68,8 +69,11 @@ class DeviceReader {
     given.to = text_or_empty(value, "to");
     given.on = text_or_empty(value, "on");
     given.when = text_or_empty(value, "when");
+    given.during = text_or_empty(value, "while");
     given.automatic = flag_member(value, "automatic");
     given.once = flag_member(value, "once");
+    const Json* weight = member(value, "weight");
+    if (weight != nullptr && weight->is_number_unsigned()) given.weight = weight->get<std::uint32_t>();
     given.after = duration_member(value, "after", here, faults_);
     given.takes = duration_member(value, "takes", here, faults_);
     return given;

@@ -97,6 +97,12 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   return std::nullopt;
 }
 
+std::optional<tables::Time> overrun_member(const Json& object, const Pointer& here, ShapeFaults& faults) {
+  const std::string* text = text_member(object, "overrun");
+  if (text != nullptr && *text == "never") return tables::kNever;
+  return time_member(object, "overrun", here, faults);
+}
+
 std::optional<tables::Actuation> actuation_member(const Json& object) {
   const std::string* text = text_member(object, "actuation");
   if (text == nullptr) return std::nullopt;

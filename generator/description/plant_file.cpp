@@ -76,6 +76,8 @@ class PlantFileReader {
     read_lists();
     read_naming();
     read_defaults();
+    read_inverted();
+    read_follow();
     if (const Json* devices = member(root_, "devices"); devices != nullptr && devices->is_object()) {
       file_.description.devices.reserve(devices->size());
       for (const auto& [path, entry] : devices->items()) {
@@ -182,6 +184,24 @@ class PlantFileReader {
     own.travel = time_member(*defaults, "travel", here, faults_).value_or(own.travel);
     own.dwell = time_member(*defaults, "dwell", here, faults_).value_or(own.dwell);
     own.actuation = actuation_member(*defaults).value_or(own.actuation);
+    own.overrun = overrun_member(*defaults, here, faults_).value_or(own.overrun);
+  }
+
+  void read_inverted() {
+    const Json* inverted = member(root_, "inverted");
+    if (inverted == nullptr || !inverted->is_array()) return;
+    for (std::size_t i = 0; i < inverted->size(); ++i) {
+      const Json& symbol = (*inverted)[i];
+      if (symbol.is_string()) file_.description.inverted.push_back(symbol.get<std::string>());
+    }
+  }
+
+  void read_follow() {
+    const Json* follow = member(root_, "follow");
+    if (follow == nullptr || !follow->is_object()) return;
+    for (const auto& [symbol, condition] : follow->items()) {
+      if (condition.is_string()) file_.description.follow.push_back({symbol, condition.get<std::string>()});
+    }
   }
 
   void read_requirements() {

@@ -13,6 +13,7 @@
 #include "model/relations.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
+#include "model/symbol_settings.hpp"
 #include "text/ascii.hpp"
 
 namespace symplant::model {
@@ -27,6 +28,7 @@ void gather_units(PlantModel& plant) {
   std::uint32_t last = kNone;  // rows of one device are mostly adjacent
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
+    if (symbol.unmodelled == Unmodelled::follows) continue;
     if (symbol.type != tables::DataType::boolean) {
       symbol.unmodelled = Unmodelled::numeric;
       continue;
@@ -141,12 +143,16 @@ void derive_units(Derived& derived, description::Faults& faults) {
 }  // namespace
 
 Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
-               std::shared_ptr<const name::SymbolReader> reader) {
+               std::shared_ptr<const name::SymbolReader> reader, const description::Description* description) {
   Derived derived;
   derived.plant.name = std::move(plant_name);
   derived.plant.rule = lists.front().named.rule;
   derived.plant.reader = std::move(reader);
   const std::vector<const name::RuleReading*> readings = collect_symbols(derived, lists);
+  if (description != nullptr) {
+    description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
+    apply_symbol_settings(derived.plant, *description, faults);
+  }
   if (derived.plant.reader != nullptr) {
     pair_units(derived, readings);
   } else {

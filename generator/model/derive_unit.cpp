@@ -71,7 +71,7 @@ std::uint32_t state_by_initial_column(const Unit& unit, const std::vector<Symbol
   std::uint32_t candidate = kNone;
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
-    if (event == kNone || symbols[unit.events[event]].initial == 0) continue;
+    if (event == kNone || symbols[unit.events[event]].initial == 0 || symbols[unit.events[event]].inverted) continue;
     candidate = s;
     ++evidence.initial_candidates;
   }
@@ -111,6 +111,16 @@ void choose_initial(Unit& unit, const std::vector<Symbol>& symbols, UnitEvidence
   }
   unit.initial = initial;
   if (unit.actuation == tables::Actuation::spring && unit.rest == kNone) unit.rest = initial;
+}
+
+void choose_overrun(Unit& unit, tables::Time usual, description::Faults& faults) {
+  const bool held = unit.actuation == tables::Actuation::held;
+  const auto given = unit.described == nullptr ? std::nullopt : unit.described->overrun;
+  if (held) unit.overrun = given.value_or(usual);
+  if (held || !given || unit.described->entry_of(description::DeviceKey::overrun).is_pattern()) return;
+  faults.add(description::key_pointer(*unit.described, description::DeviceKey::overrun),
+             description::ticked(unit.path) + " is `" + std::string(description::actuation_name(unit.actuation)) +
+                 "`, but only a `held` device can overrun; remove `overrun` or set `actuation` to `held`");
 }
 
 /// Every operation O_X from every state A other than X, ordered by target in S, then by source.
@@ -181,6 +191,7 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   if (unit.states.empty()) unit.states = states_of(unit, symbols, TaskRoles());
   choose_actuation_and_rest(unit, defaults, evidence, faults);
   choose_initial(unit, symbols, evidence, faults);
+  choose_overrun(unit, defaults.overrun, faults);
 
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {

@@ -59,6 +59,7 @@ class TransitionExpander {
       return;
     }
     transition.when = location_of(given.when);
+    transition.during = location_of(given.during);
     if (!sound || lacking) return;
     if (from == to) {
       faults_.add(here,
@@ -68,6 +69,7 @@ class TransitionExpander {
     transition.after = given.after.value_or(description::Duration::fixed(0));
     transition.takes = given.takes.value_or(description::Duration::fixed(given.automatic ? 0 : unit_.travel));
     transition.once = given.once;
+    transition.weight = given.weight;
     const auto count = static_cast<std::uint32_t>(unit_.states.size());
     for (std::uint32_t s = from_all ? 0 : from; s < (from_all ? count : from + 1); ++s) {
       transition.from = s;
@@ -82,6 +84,10 @@ class TransitionExpander {
   /// operation is missing.
   bool set_cause(Transition& transition, const description::GivenTransition& given, const description::Pointer& here,
                  bool& lacking) {
+    if (given.weight != 0 && !given.automatic) {
+      faults_.add(here / "weight", "`weight` is only allowed in an automatic transition; remove it or add `automatic`");
+      return false;
+    }
     if (given.automatic) {
       if (!given.on.empty()) {
         faults_.add(here / "on", "an automatic transition has no operation; remove `on` or `automatic`");
@@ -130,7 +136,7 @@ class TransitionExpander {
     const auto refuse = [&](bool stands, std::string_view key) {
       if (!stands) return;
       faults_.add(here / key, description::ticked(key) +
-                                  " is not allowed in the return of a spring, which has only `takes`;" +
+                                  " is not allowed in the return of a spring, which has only `takes` and `while`;" +
                                   " remove it, or name with `on` the operation that commands the transition");
       sound = false;
     };
@@ -164,7 +170,7 @@ class TransitionExpander {
   const std::vector<Symbol>& symbols_;
   description::Faults& faults_;
   const description::Pointer pointer_;
-  std::unordered_map<std::string_view, std::uint32_t> indexes_;  // a text of `when` -> its index
+  std::unordered_map<std::string_view, std::uint32_t> indexes_;  // a text of `when` or `while` -> its index
   std::unordered_map<std::uint64_t, std::uint32_t> given_by_;    // from, to, on, when -> a given transition
 };
 

@@ -32,7 +32,8 @@ class GivenTransitions {
 };
 
 /// Adds the given transitions to the unit, with `*` expanded. States, actuation, rest and initial state of the unit
-/// must be known. Transition::when counts the different texts of `when` in the order of first appearance.
+/// must be known. Transition::when and Transition::during count the different texts of `when` and `while` in the order
+/// of first appearance.
 void add_given_transitions(Unit& unit, const std::vector<Symbol>& symbols, description::Faults& faults);
 
 /// Fills Unit::outputs.

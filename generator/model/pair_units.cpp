@@ -34,14 +34,17 @@ Unmodelled reason_of(pairing::Account account, const Symbol& symbol) {
   return Unmodelled::no_rule;
 }
 
-std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector<const name::RuleReading*>& readings) {
+/// `follows` is the reading of all symbols that follow a condition.
+std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector<const name::RuleReading*>& readings,
+                                      const name::RuleReading& follows) {
   std::vector<pairing::Input> inputs;
   base::reserve_large(inputs, plant.symbols.size());
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     const bool operation = symbol.direction == tables::Direction::operation;
-    inputs.push_back({readings[i], symbol.name(), operation ? name::Side::operation : name::Side::event,
-                      symbol.type == tables::DataType::boolean, plant.controller_of(symbol)});
+    inputs.push_back({symbol.unmodelled == Unmodelled::follows ? &follows : readings[i], symbol.name(),
+                      operation ? name::Side::operation : name::Side::event, symbol.type == tables::DataType::boolean,
+                      plant.controller_of(symbol)});
   }
   return inputs;
 }
@@ -70,12 +73,15 @@ void add_unit(PlantModel& plant, const pairing::Facet& facet) {
 
 void pair_units(Derived& derived, const std::vector<const name::RuleReading*>& readings) {
   PlantModel& plant = derived.plant;
-  plant.pairing =
-      std::make_shared<const pairing::Pairing>(pairing::pair(plant.reader->naming(), inputs_of(plant, readings)));
+  name::RuleReading follows;
+  follows.outcome = name::Outcome::ignored;
+  plant.pairing = std::make_shared<const pairing::Pairing>(
+      pairing::pair(plant.reader->naming(), inputs_of(plant, readings, follows)));
   base::reserve_large(plant.units, plant.pairing->facets.size());
   for (const pairing::Facet& facet : plant.pairing->facets) add_unit(plant, facet);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
+    if (symbol.unmodelled == Unmodelled::follows) continue;
     const pairing::Account account = plant.pairing->accounts[i];
     symbol.unmodelled = reason_of(account, symbol);
     if (account == pairing::Account::constant) symbol.initial = plant.pairing->constant_on[i] ? 1 : 0;

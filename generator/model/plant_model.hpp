@@ -50,8 +50,9 @@ enum class Unmodelled : std::uint8_t {
   data,            ///< a bit of a number, or one of several symbols of one text
   constant,        ///< a contact that keeps its value
   role_none,       ///< its rule has the role `none`
+  follows,         ///< it follows a condition (PlantModel::follows)
 };
-inline constexpr int kUnmodelled = 13;
+inline constexpr int kUnmodelled = 14;
 
 /// What gave a symbol its direction.
 enum class DirectionBy : std::uint8_t {
@@ -75,6 +76,7 @@ struct Symbol {
   Unmodelled unmodelled = Unmodelled::modelled;
   std::uint32_t unit = kNone;
   std::uint32_t leader = kNone;  ///< the symbol on its address whose value it follows; kNone: it leads
+  bool inverted = false;         ///< its bit is on while what it means is off
 
   std::string_view name() const { return row->name; }
   /// The address as the list writes it: the vendor's, else the IEC one; empty if there is none.
@@ -104,8 +106,10 @@ struct Transition {
   Origin origin = Origin::derived;
   bool spring_return = false;  ///< only sets the travel time of a spring return
   bool once = false;
-  std::uint32_t when = kNone;   ///< index in Unit::conditions
-  std::uint32_t given = kNone;  ///< index in DeviceDescription::transitions
+  std::uint32_t when = kNone;    ///< index in Unit::conditions
+  std::uint32_t during = kNone;  ///< `while`: index in Unit::conditions
+  std::uint32_t weight = 0;      ///< of the draw among the automatic ones that are ready; 0: none
+  std::uint32_t given = kNone;   ///< index in DeviceDescription::transitions
 };
 
 /// Events that l_enter or l_leave switches besides that of the state, by index in Unit::events, in this order.
@@ -123,6 +127,13 @@ struct Requirement {
   tables::Time within = 0;
 };
 
+/// A BOOL event that no unit drives and that follows a condition.
+struct Follow {
+  std::uint32_t symbol = kNone;
+  condition::Tree condition;
+  std::uint32_t given = 0;  ///< index in Description::follow
+};
+
 /// The rule that decided the initial state (docs/model.md, "What is inferred").
 enum class InitialFrom : std::uint8_t { description, initial_column, rest_state, sequence, row_order, naming };
 
@@ -138,11 +149,12 @@ struct Unit {
   tables::Actuation actuation = tables::Actuation::latched;
   std::uint32_t rest = kNone;  ///< given or inferred; a `spring` returns to it
   std::uint32_t initial = 0;
-  tables::Time travel = tables::kSecond;      ///< the default travel time
-  std::vector<condition::Tree> conditions;    ///< of transitions, by Transition::when, then the behavior's inputs
-  std::uint32_t first_input = 0;              ///< index of the behavior's first input in `conditions`
-  std::vector<std::string_view> input_names;  ///< of the behavior's inputs, sorted by bytes
-  std::vector<Outputs> outputs;               ///< one for each state; empty if no state has any
+  tables::Time travel = tables::kSecond;             ///< the default travel time
+  tables::Time overrun = tables::kNever;             ///< of a `held` unit; kNever: not examined
+  std::vector<condition::Tree> conditions;           ///< of transitions (when, during), then the behavior's inputs
+  std::uint32_t first_input = 0;                     ///< index of the behavior's first input in `conditions`
+  std::vector<std::string_view> input_names;         ///< of the behavior's inputs, sorted by bytes
+  std::vector<Outputs> outputs;                      ///< one for each state; empty if no state has any
   std::vector<std::vector<std::uint32_t>> disables;  ///< for each state: units, ascending; empty if no state has any
   std::vector<std::uint32_t> values;                 ///< numeric symbols of its device, if it has a behavior
   /// The description of its device, by name and by patterns; null without one. Points into PlantModel::description or
@@ -208,6 +220,7 @@ struct PlantModel {
   std::vector<Symbol> symbols;                      ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;                          ///< in the order of their first symbol
   std::vector<Requirement> requirements;
+  std::vector<Follow> follows;        ///< sorted by symbol
   std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 

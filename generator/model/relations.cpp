@@ -11,6 +11,7 @@
 #include "model/classes.hpp"
 #include "model/given.hpp"
 #include "model/plant_names.hpp"
+#include "model/symbol_settings.hpp"
 #include "text/pattern.hpp"
 
 namespace symplant::model {
@@ -36,6 +37,7 @@ class Relations {
     if (some_behaviour) add_values();
     check_classes(plant_, faults_);
     add_requirements();
+    add_follows();
   }
 
  private:
@@ -50,20 +52,24 @@ class Relations {
     return true;
   }
 
-  /// One condition for each text, in the order of first appearance, as Transition::when counts them. A faulty one also
-  /// has an index, and its fault is reported at each use.
+  /// One condition for each text, in the order of first appearance, as Transition::when and Transition::during count
+  /// them. A faulty one also has an index, and its fault is reported at each use.
   void add_conditions(Unit& unit) {
     std::unordered_map<std::string_view, bool> sound;
     const auto& given = unit.described->transitions;
     const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::transitions);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const std::string& text = given[i].when;
-      if (text.empty() || std::binary_search(unit.left_out.begin(), unit.left_out.end(), i)) continue;
+    const auto add = [&](const std::string& text, const description::Pointer& here) {
+      if (text.empty()) return;
       const auto [known, added] = sound.try_emplace(text, true);
-      if (!added && known->second) continue;
+      if (!added && known->second) return;
       condition::Tree tree;
-      known->second = resolve(text, pointer / i / "when", tree);
+      known->second = resolve(text, here, tree);
       if (added) unit.conditions.push_back(std::move(tree));
+    };
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (std::binary_search(unit.left_out.begin(), unit.left_out.end(), i)) continue;
+      add(given[i].when, pointer / i / "when");
+      add(given[i].during, pointer / i / "while");
     }
     unit.first_input = static_cast<std::uint32_t>(unit.conditions.size());
   }
@@ -199,6 +205,14 @@ class Relations {
     if (sound) plant_.requirements.push_back(std::move(requirement));
   }
 
+  void add_follows() {
+    for (Follow& follow : plant_.follows) {
+      resolve(plant_.description->follow[follow.given].condition, follow_pointer(plant_, follow.given),
+              follow.condition);
+    }
+    check_follow_cycles(plant_, faults_);
+  }
+
   PlantModel& plant_;
   description::Faults& faults_;
   PlantNames names_;
@@ -210,7 +224,7 @@ class Relations {
 
 void add_relations(PlantModel& plant, description::Faults& faults) {
   const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
-  if (!described && plant.description->requirements.empty()) return;
+  if (!described && plant.description->requirements.empty() && plant.follows.empty()) return;
   Relations(plant, faults).run();
 }
 

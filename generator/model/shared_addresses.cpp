@@ -33,6 +33,7 @@ bool has_index(const Symbol& symbol) {
 
 bool moved(const PlantModel& plant, std::uint32_t index) {
   const Symbol& symbol = plant.symbols[index];
+  if (symbol.unmodelled == Unmodelled::follows) return true;
   if (symbol.direction != tables::Direction::event || symbol.unit == kNone) return false;
   const Unit& unit = plant.units[symbol.unit];
   const auto position = std::find(unit.events.begin(), unit.events.end(), index) - unit.events.begin();
@@ -60,7 +61,7 @@ std::vector<std::array<std::uint32_t, 2>> find_shared_addresses(PlantModel& plan
     if (!moved(plant, i)) continue;
     if (!moved(plant, leader)) {
       leaders.move(hash, i, is_at(position));
-    } else if (plant.symbols[leader].unit != symbol.unit) {
+    } else if (plant.symbols[leader].unit != symbol.unit || symbol.unit == kNone) {
       driven_twice.push_back({i, leader});
     }
   }

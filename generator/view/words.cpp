@@ -110,6 +110,8 @@ std::string_view unmodelled_key(model::Unmodelled reason) {
       return "constant";
     case model::Unmodelled::role_none:
       return "none";
+    case model::Unmodelled::follows:
+      return "follows";
   }
   return "";
 }
@@ -142,6 +144,8 @@ std::string_view unmodelled_reason(model::Unmodelled reason) {
       return "constant: a contact that keeps its value";
     case model::Unmodelled::role_none:
       return "of no role, by the naming rule";
+    case model::Unmodelled::follows:
+      return "driven by a condition";
   }
   return "";
 }

@@ -59,8 +59,8 @@ model::Derived build(const PlantText& text) {
   const std::size_t first_end = text.two_lists() ? text.second_list : text.rows.size();
   add(0, first_end, "");
   if (text.two_lists()) add(first_end, text.rows.size(), text.second_controller);
-  return model::describe(model::derive(lists, text.name, reader),
-                         std::make_shared<const description::Description>(text.description));
+  const auto description = std::make_shared<const description::Description>(text.description);
+  return model::describe(model::derive(lists, text.name, reader, description.get()), description);
 }
 
 bool runnable(const model::Derived& derived) {
