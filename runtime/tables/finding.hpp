@@ -13,6 +13,7 @@ enum class FindingKind : std::uint8_t {
   stopped_under_another_command,  ///< of a unit
   command_to_a_disabled_unit,     ///< of an operation
   command_without_effect,         ///< of an operation
+  overrun,                        ///< of a unit
   lost_command,                   ///< of an operation
   started_on_enabling,            ///< of a unit; a note
   event_too_short,                ///< of an event
@@ -23,8 +24,8 @@ enum class FindingKind : std::uint8_t {
   event_overwritten,              ///< of an event
   clock_restarted,                ///< of the operation that is the PLC's clock
 };
-inline constexpr int kFindingKinds = 9;      ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 13;  ///< with the kinds that the host reports
+inline constexpr int kFindingKinds = 10;     ///< kinds that the model reports
+inline constexpr int kAllFindingKinds = 14;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;

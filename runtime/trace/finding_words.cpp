@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "stopped under another command",
                                                                            "command to a disabled unit",
                                                                            "command without effect",
+                                                                           "overrun",
                                                                            "lost command",
                                                                            "started on enabling",
                                                                            "event too short",
