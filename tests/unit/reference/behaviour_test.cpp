@@ -1,26 +1,13 @@
 // Random times and user code.
 #include "bench.hpp"
+#include "split_mix.hpp"
 
 namespace symplant::test {
 namespace {
 
 using reference::View;
 
-/// SplitMix64's first output, a second implementation: published as 0xE220A8397B1DCDAF for a start at 0.
-std::uint64_t first_output(std::uint64_t start) {
-  std::uint64_t z = start + 0x9E3779B97F4A7C15;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-  return z ^ (z >> 31);
-}
-
-std::uint64_t fnv(const std::string& text) {
-  std::uint64_t hash = 0xCBF29CE484222325;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
-  return hash;
-}
-
-TEST_CASE("SplitMix64 starts as published") { CHECK(first_output(0) == 0xE220A8397B1DCDAF); }
+TEST_CASE("SplitMix64 starts as published") { CHECK(split_mix_output(0) == 0xE220A8397B1DCDAF); }
 
 TEST_CASE("Seed, unit, transition and count determine a uniform time") {
   Said said;
@@ -34,7 +21,7 @@ TEST_CASE("Seed, unit, transition and count determine a uniform time") {
     bench.plant.advance_to(bench.plant.now() + 1);
     // At now() the operation was not on yet; the instant after it sampled it.
     __extension__ using Wide = unsigned __int128;
-    const std::uint64_t r = first_output(42 ^ fnv("L_P_A") ^ (1ULL << 32) ^ k);
+    const std::uint64_t r = split_mix_output(42 ^ fnv_of("L_P_A") ^ (1ULL << 32) ^ k);
     const auto drawn = static_cast<tables::Time>(static_cast<Wide>(r) * 1000 >> 64);
     CHECK(bench.plant.save().units[0].whole == drawn);
     bench.plant.set_operation(0, 0);
