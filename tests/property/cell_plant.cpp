@@ -1,6 +1,7 @@
 // Random plants whose names are read by a custom naming rule.
 #include "property/cell_plant.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,10 +40,13 @@ class CellWriter {
     if (dice_.percent(20)) row("KA1", true);
     if (dice_.percent(40)) row("B1", false);
     if (dice_.percent(30)) row("B2", false);
+    follow();
+    text_.description.inverted = random_inverted(dice_, text_.rows);
     if (dice_.percent(30)) dice_.shuffle(text_.rows);
     description::Defaults& defaults = text_.description.defaults;
     defaults.travel = random_time(dice_);
     defaults.dwell = random_time(dice_);
+    if (dice_.percent(50)) defaults.overrun = random_overrun(dice_);
     if (dice_.percent(30)) defaults.actuation = static_cast<tables::Actuation>(dice_.below(4));
     return std::move(text_);
   }
@@ -54,6 +58,18 @@ class CellWriter {
   }
   void maybe(const std::string& name, bool operation, unsigned percent) {
     if (dice_.percent(percent)) row(name, operation);
+  }
+
+  /// New inputs, and one that is a sensor without this.
+  void follow() {
+    for (const std::string name : {"F1", "F2", "B2"}) {
+      if (!dice_.percent(25) || text_.rows.empty()) continue;
+      const std::string& other = dice_.pick(text_.rows).name;
+      const auto same = [&](const Row& row) { return row.name == name; };
+      if (other == name || (name == "B2") != std::any_of(text_.rows.begin(), text_.rows.end(), same)) continue;
+      text_.description.follow.push_back({name, (dice_.percent(30) ? "not " : "") + other});
+      if (name != "B2") row(name, false);
+    }
   }
 
   void device(const std::string& process, const std::string& number) {

@@ -16,10 +16,15 @@ std::string reported_as(const tables::Finding& finding, const model::PlantModel&
   if (finding.more) text += "+";
   text += " of ";
   const bool unit = finding.kind == Of::conflicting_operations || finding.kind == Of::stopped_under_another_command ||
-                    finding.kind == Of::started_on_enabling || finding.kind == Of::instantaneous_loop;
+                    finding.kind == Of::overrun || finding.kind == Of::started_on_enabling ||
+                    finding.kind == Of::instantaneous_loop;
   const std::size_t most = unit                                       ? plant.units.size()
                            : finding.kind == Of::requirement_violated ? plant.requirements.size()
                                                                       : plant.symbols.size();
+  const std::size_t follow = finding.of - plant.units.size();
+  if (finding.kind == Of::instantaneous_loop && finding.of >= most && follow < plant.follows.size()) {
+    return text.append(plant.symbols[plant.follows[follow].symbol].name());
+  }
   if (finding.of >= most) return text + "nothing (" + std::to_string(finding.of) + ")";
   if (unit) return text.append(plant.units[finding.of].path);
   if (finding.kind == Of::requirement_violated) return text + plant.requirements[finding.of].name;

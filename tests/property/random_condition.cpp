@@ -26,7 +26,7 @@ class ConditionWriter {
     if (kind < 45) return cased(unit.path + "." + dice_.pick(unit.states()));
     if (kind < 55) return unit.path + ".moving";
     if (kind < 70 && !unit.operations().empty()) return cased(unit.path + "_O_" + dice_.pick(unit.operations()));
-    if (kind < 80) return spare(unit);
+    if (kind < 82) return spare(unit);
     if (kind < 90) return number(unit);
     // The list may name an event `_O_` (random_rows): states are the safe names for those.
     return unit.signals.empty() ? cased(unit.path + "." + dice_.pick(unit.states()))
@@ -34,7 +34,10 @@ class ConditionWriter {
   }
 
   std::string spare(const PlannedUnit& unit) {
-    if (!plan_.spare_bits.empty()) return quoted(dice_.pick(plan_.spare_bits));
+    const std::size_t all = plan_.spare_bits.size() + plan_.followers.size();
+    const std::size_t index = dice_.below(all);
+    if (index < plan_.spare_bits.size()) return quoted(plan_.spare_bits[index]);
+    if (index < all) return quoted(plan_.followers[index - plan_.spare_bits.size()]);
     return event(unit);
   }
 

@@ -26,10 +26,12 @@ class DeviceWriter {
     if (dice_.percent(55)) device_.actuation = static_cast<Actuation>(dice_.below(4));
     if (dice_.percent(25)) device_.initial = dice_.pick(states_);
     if (device_.actuation == Actuation::spring && dice_.percent(50)) device_.rest = dice_.pick(states_);
+    if (device_.actuation == Actuation::held && dice_.percent(40)) device_.overrun = random_overrun(dice_);
     device_.only = dice_.percent(8);
     for (const std::string& command : unit_.commands) command_transition(command);
     if (states_.size() > 1) {
       for (std::size_t i = dice_.below(dice_.percent(20) ? 7 : 4); i > 0; --i) transition();
+      if (dice_.percent(8)) chances();
     }
     outputs();
     disables();
@@ -64,7 +66,30 @@ class DeviceWriter {
     if (dice_.percent(after)) given.after = random_duration(dice_);
     if (dice_.percent(55)) given.takes = random_duration(dice_);
     if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
+    if (dice_.percent(18)) given.during = random_condition(dice_, plan_, unit_);
+    if (given.automatic && dice_.percent(25)) given.weight = random_weight();
     given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
+  }
+
+  std::uint32_t random_weight() {
+    if (dice_.percent(5)) return 1'000'000;
+    return 1 + static_cast<std::uint32_t>(dice_.below(5));
+  }
+
+  /// Automatic transitions that are ready together.
+  void chances() {
+    const GivenTransition first = route();
+    const description::Duration after = random_duration(dice_);
+    for (const std::string& to : states_) {
+      if (to == first.from || !dice_.percent(70)) continue;
+      GivenTransition given = first;
+      given.to = to;
+      given.automatic = true;
+      given.after = after;
+      if (dice_.percent(40)) given.takes = random_duration(dice_);
+      if (dice_.percent(90)) given.weight = random_weight();
+      add(std::move(given));
+    }
   }
 
   void command_transition(const std::string& command) {
@@ -85,6 +110,7 @@ class DeviceWriter {
       times_and_cause(given, 85, 50);
     } else if (springs_own && (operations.empty() || dice_.percent(70))) {
       given.takes = random_duration(dice_);
+      if (dice_.percent(35)) given.during = random_condition(dice_, plan_, unit_);
     } else {
       if (!own || dice_.percent(30)) given.on = dice_.pick(operations);
       times_and_cause(given, 20, 30);
@@ -157,13 +183,56 @@ description::GivenRequirement random_requirement(Dice& dice, const PlannedPlant&
   return given;
 }
 
+/// A pattern that matches the name, and perhaps others.
+std::string as_pattern(Dice& dice, std::string name) {
+  if (dice.percent(50)) {
+    name[dice.below(name.size())] = '?';
+  } else {
+    name.replace(dice.below(name.size()), 1 + dice.below(2), "*");
+  }
+  return name;
+}
+
+/// Conditions of followers name only earlier ones: they may not follow each other in a circle.
+std::vector<description::GivenFollow> random_follow(Dice& dice, const PlannedPlant& plan) {
+  std::vector<description::GivenFollow> follow;
+  PlannedPlant earlier = plan;
+  earlier.followers.clear();
+  for (const std::string& name : plan.followers) {
+    const PlannedUnit& own = dice.pick(plan.units);
+    std::string condition = random_condition(dice, earlier, own);
+    if (!earlier.followers.empty() && dice.percent(30)) {
+      condition = (dice.percent(30) ? "not '" : "'") + dice.pick(earlier.followers) + "'";
+    } else if (dice.percent(30)) {
+      condition = own.path + "." + dice.pick(own.states());
+    }
+    follow.push_back({dice.percent(15) ? name.substr(0, name.size() - 1) + "?" : name, std::move(condition)});
+    earlier.followers.push_back(name);
+  }
+  return follow;
+}
+
 }  // namespace
 
-description::Description random_description(Dice& dice, const PlannedPlant& plan) {
+std::vector<std::string> random_inverted(Dice& dice, const std::vector<Row>& rows) {
+  std::vector<std::string> inverted;
+  if (dice.percent(50)) return inverted;
+  const unsigned chance = dice.percent(50) ? 12 : 45;
+  for (const Row& row : rows) {
+    if (row.type != "BOOL" || !dice.percent(chance)) continue;
+    inverted.push_back(dice.percent(10) ? as_pattern(dice, row.name) : row.name);
+  }
+  return inverted;
+}
+
+description::Description random_description(Dice& dice, const PlannedPlant& plan, const std::vector<Row>& rows) {
   description::Description description;
   description.defaults.travel = dice.percent(25) ? tables::kSecond : random_time(dice);
   description.defaults.dwell = dice.percent(25) ? tables::kSecond : random_time(dice);
   if (dice.percent(30)) description.defaults.actuation = static_cast<Actuation>(dice.below(4));
+  if (dice.percent(60)) description.defaults.overrun = random_overrun(dice);
+  description.inverted = random_inverted(dice, rows);
+  description.follow = random_follow(dice, plan);
   for (const PlannedUnit& unit : plan.units) {
     const bool must = unit.behaves || !unit.added.empty() || !unit.commands.empty() || !unit.signals.empty();
     if (must || dice.percent(55)) description.devices.push_back(DeviceWriter(dice, plan, unit).write());

@@ -32,6 +32,11 @@ PlannedPlant random_plan(Dice& dice, const DrawOptions& options) {
   for (const std::string name : {"LEVEL", "RECIPE-1"}) {
     if (dice.percent(20)) plan.spare_values.push_back(random_value(dice, name, dice.percent(50)));
   }
+  if (!dice.percent(45)) return plan;
+  for (const std::string name : {"LINE_READY", "FOLLOW-1", "FOLLOW-2"}) {
+    if (dice.percent(50)) plan.followers.push_back(name);
+  }
+  if (dice.percent(40)) plan.followers.push_back(dice.pick(plan.units).path + "_I_READY");
   return plan;
 }
 
@@ -86,13 +91,15 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
   Dice dice(seed * 2 + 1);
   DrawnPlant drawn;
   for (;; ++drawn.refused) {
+    drawn.text = {};
     if (options.naming_rules && seed % 8 == 7) {
       drawn.text = cell_plant(dice);
     } else if (options.most_units > 100 && dice.one_in(50)) {
       drawn.text = ripple_plant(dice);
     } else {
       const PlannedPlant plan = random_plan(dice, options);
-      drawn.text = {"drawn", random_rows(dice, plan), random_description(dice, plan)};
+      drawn.text.rows = random_rows(dice, plan);
+      drawn.text.description = random_description(dice, plan, drawn.text.rows);
     }
     drawn.text.name = "drawn_" + std::to_string(seed);
     model::Derived derived = build_apart(drawn.text);

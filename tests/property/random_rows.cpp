@@ -82,6 +82,7 @@ std::vector<Row> random_rows(Dice& dice, const PlannedPlant& plan) {
   RowWriter writer(dice);
   for (const PlannedUnit& unit : plan.units) writer.unit(unit);
   for (const std::string& name : plan.spare_bits) writer.bit(name, dice.percent(35), true);
+  for (const std::string& name : plan.followers) writer.bit(name, false, true);
   for (const PlannedValue& value : plan.spare_values) writer.number(value.name, value, true);
   if (dice.percent(30)) dice.shuffle(writer.rows);
   if (dice.percent(35)) share_addresses(dice, writer.rows);

@@ -125,6 +125,11 @@ PlannedUnit random_unit(Dice& dice, std::size_t number) {
   return unit;
 }
 
+tables::Time random_overrun(Dice& dice) {
+  if (dice.percent(10)) return tables::kNever;
+  return dice.percent(15) ? 2 * tables::kSecond : random_time(dice);
+}
+
 tables::Time random_time(Dice& dice) {
   using tables::kMillisecond;
   static const std::vector<tables::Time> kGrid = {10 * kMillisecond, 10 * kMillisecond, 20 * kMillisecond,

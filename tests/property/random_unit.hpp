@@ -40,6 +40,7 @@ struct PlannedPlant {
   std::vector<PlannedUnit> units;
   std::vector<std::string> spare_bits;
   std::vector<PlannedValue> spare_values;
+  std::vector<std::string> followers;  ///< events that follow a condition
 };
 
 PlannedUnit random_unit(Dice& dice, std::size_t number);
@@ -48,8 +49,14 @@ PlannedValue random_value(Dice& dice, std::string name, bool operation);
 /// The rows of the plan, with addresses, some shared; in any order.
 std::vector<Row> random_rows(Dice& dice, const PlannedPlant& plan);
 
-/// The description of the plan.
-description::Description random_description(Dice& dice, const PlannedPlant& plan);
+/// The description of the plan with these rows.
+description::Description random_description(Dice& dice, const PlannedPlant& plan, const std::vector<Row>& rows);
+
+/// Names of BOOL rows, each with a chance, some as patterns.
+std::vector<std::string> random_inverted(Dice& dice, const std::vector<Row>& rows);
+
+/// A duration for `overrun`, or kNever.
+tables::Time random_overrun(Dice& dice);
 
 /// A condition over the plan, from the view of one of its units.
 std::string random_condition(Dice& dice, const PlannedPlant& plan, const PlannedUnit& own);

@@ -70,6 +70,8 @@ class Shrinker {
   void descriptions() {
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.devices; });
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.requirements; });
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.inverted; });
+    pieces([](auto& the_case) -> auto& { return the_case.plant.description.follow; });
     for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
     // One edit after the other; a kept edit makes the plant smaller, so that the next has the same index.
     for (std::size_t i = 0; i < count_simpler(best_.plant);) {
@@ -92,6 +94,7 @@ class Shrinker {
     };
     without([](description::DeviceDescription& it) { return std::exchange(it.initial, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.rest, std::nullopt).has_value(); });
+    without([](description::DeviceDescription& it) { return std::exchange(it.overrun, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.actuation, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.only, false); });
     without([](description::DeviceDescription& it) { return !std::exchange(it.type, "").empty(); });

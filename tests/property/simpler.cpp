@@ -72,6 +72,7 @@ class Edits {
       for (description::GivenDisables& given : device.disables) pairs(given.devices);
       for (auto& [name, text] : device.inputs) condition(text, false);
     }
+    for (description::GivenFollow& given : plant.description.follow) condition(given.condition, false);
     for (description::GivenRequirement& given : plant.description.requirements) {
       condition(given.never, false);
       condition(given.after, false);
@@ -93,6 +94,9 @@ class Edits {
 
   void transition(description::GivenTransition& given) {
     condition(given.when, true);
+    condition(given.during, true);
+    if (given.weight != 0) edit([&] { given.weight = 0; });
+    if (given.weight > 1) edit([&] { given.weight = 1; });
     duration(given.after);
     duration(given.takes);
     if (given.once) edit([&] { given.once = false; });
@@ -135,14 +139,18 @@ std::size_t plant_size(const PlantText& plant) {
   for (const Row& row : plant.rows) size += row.initial.size();
   for (const description::DeviceDescription& device : plant.description.devices) {
     size += 10 + device.states.size() + device.inputs.size() + (device.initial ? 1 : 0) + (device.rest ? 1 : 0) +
-            (device.actuation ? 1 : 0) + (device.only ? 1 : 0) + device.type.size() + device.behaviour.size();
+            (device.actuation ? 1 : 0) + (device.overrun ? 1 : 0) + (device.only ? 1 : 0) + device.type.size() +
+            device.behaviour.size();
     for (const description::GivenTransition& given : device.transitions) {
-      size += 5 + given.when.size() + duration_size(given.after) + duration_size(given.takes) + (given.once ? 1 : 0);
+      size += 5 + given.when.size() + given.during.size() + (given.weight > 1 ? 2 : given.weight) +
+              duration_size(given.after) + duration_size(given.takes) + (given.once ? 1 : 0);
     }
     for (const description::GivenOutputs& given : device.outputs) size += 1 + given.enter.size() + given.leave.size();
     for (const description::GivenDisables& given : device.disables) size += 1 + given.devices.size();
     for (const auto& [name, text] : device.inputs) size += text.size();
   }
+  size += plant.description.inverted.size();
+  for (const description::GivenFollow& given : plant.description.follow) size += 5 + given.condition.size();
   for (const description::GivenRequirement& given : plant.description.requirements) {
     size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1);
   }
@@ -167,10 +175,14 @@ void remove_unit(PlantText& plant, const std::string& path) {
   auto& description = plant.description;
   std::erase_if(description.devices, [&](const auto& device) { return upper(device.path) == upper(path); });
   for (description::DeviceDescription& device : description.devices) {
-    std::erase_if(device.transitions, [&](const auto& given) { return names(given.when, path); });
+    std::erase_if(device.transitions,
+                  [&](const auto& given) { return names(given.when, path) || names(given.during, path); });
     for (description::GivenDisables& given : device.disables) std::erase(given.devices, path);
     std::erase_if(device.disables, [](const auto& given) { return given.devices.empty(); });
   }
+  std::erase_if(description.inverted, of_unit);
+  std::erase_if(description.follow,
+                [&](const auto& given) { return of_unit(given.symbol) || names(given.condition, path); });
   std::erase_if(description.requirements, [&](const auto& given) {
     return names(given.never, path) || names(given.after, path) || names(given.expect, path);
   });

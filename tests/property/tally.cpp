@@ -26,7 +26,11 @@ void Tally::add_plant(const DrawnPlant& drawn) {
   for (const model::Unit& unit : drawn.model.units) {
     behaviours_ += unit.described != nullptr && !unit.described->behaviour.empty() ? 1 : 0;
   }
-  for (const model::Symbol& symbol : drawn.model.symbols) shared_ += symbol.leader != model::kNone ? 1 : 0;
+  for (const model::Symbol& symbol : drawn.model.symbols) {
+    shared_ += symbol.leader != model::kNone ? 1 : 0;
+    inverted_ += symbol.inverted ? 1 : 0;
+  }
+  following_ += std::ssize(drawn.model.follows);
 }
 
 void Tally::print(std::ostream& out, double seconds) const {
@@ -36,7 +40,8 @@ void Tally::print(std::ostream& out, double seconds) const {
   const std::size_t largest = sizes.empty() ? 0 : sizes.back();
   out << plants_ << " plants in " << std::fixed << std::setprecision(1) << seconds << " s, " << refused_
       << " plans refused; units: median " << median << ", largest " << largest << "; " << behaviours_
-      << " with a behaviour; " << shared_ << " symbols that follow others\n";
+      << " with a behaviour; " << shared_ << " symbols that follow others; " << inverted_ << " inverted; " << following_
+      << " that follow a condition\n";
   for (const std::string& refusal : refusals_) out << "  refused: " << refusal << "\n";
   out << run.advances << " advances over " << run.instants << " instants with an effect, " << run.cut_short
       << " cut short; " << run.too_many_rises << " runs ended early\n";

@@ -27,6 +27,8 @@ class Tally {
   std::vector<std::string> refusals_;  ///< the first few
   std::vector<std::size_t> sizes_;     ///< units of a plant
   long behaviours_ = 0;                ///< units with one
+  long inverted_ = 0;                  ///< symbols
+  long following_ = 0;                 ///< symbols that follow a condition
   long shared_ = 0;                    ///< symbols that follow another
 };
 

@@ -1,4 +1,4 @@
-// Writes cases. An empty cell is `-`; a condition is last on its line.
+// Writes cases. An empty cell is `-`; conditions are last on their lines.
 #include "property/text_form.hpp"
 
 #include <string_view>
@@ -20,6 +20,7 @@ class Writer {
     if (device.rest) line("  rest " + *device.rest);
     if (device.actuation) line("  actuation " + std::string(word_of(*device.actuation)));
     if (device.only) line("  only");
+    if (device.overrun) line("  overrun " + text_of_overrun(*device.overrun));
     for (const description::GivenTransition& given : device.transitions) transition(given);
     for (const description::GivenOutputs& given : device.outputs) {
       for (const auto& [task, on] : given.enter) output(given.state, "enter", task, on);
@@ -49,7 +50,9 @@ class Writer {
     if (given.once) text += " once";
     if (given.after) text += " after " + text_of(*given.after);
     if (given.takes) text += " takes " + text_of(*given.takes);
+    if (given.weight != 0) text += " weight " + std::to_string(given.weight);
     if (!given.when.empty()) text += " when " + given.when;
+    if (!given.during.empty()) text += " while " + given.during;
     line(text);
   }
   void output(const std::string& state, std::string_view when, const std::string& task, bool on) {
@@ -81,7 +84,11 @@ std::string write_case(const Case& the_case) {
   }
   const description::Defaults& defaults = plant.description.defaults;
   writer.line("defaults " + std::to_string(defaults.travel) + " " + std::to_string(defaults.dwell) + " " +
-              std::string(word_of(defaults.actuation)));
+              std::string(word_of(defaults.actuation)) + " " + text_of_overrun(defaults.overrun));
+  for (const std::string& symbol : plant.description.inverted) writer.line("inverted " + symbol);
+  for (const description::GivenFollow& given : plant.description.follow) {
+    writer.line("follow " + given.symbol + " " + given.condition);
+  }
   for (const description::DeviceDescription& device : plant.description.devices) writer.device(device);
   for (const description::GivenRequirement& given : plant.description.requirements) writer.requirement(given);
   for (const Action& action : the_case.actions) writer.line(text_of(action));

@@ -33,6 +33,17 @@ class Line {
     rest_ = {};
     return taken;
   }
+  /// Up to ` while `, which remains.
+  std::string condition() {
+    std::string taken(rest_.substr(0, std::min(rest_.find(" while "), rest_.size())));
+    rest_.remove_prefix(taken.size());
+    skip_blanks();
+    return taken;
+  }
+  tables::Time overrun() {
+    const std::string text = word();
+    return text == "never" ? tables::kNever : number_of<tables::Time>(text);
+  }
   template <class Number>
   Number number() {
     return number_of<Number>(word());
@@ -92,6 +103,13 @@ class Reader {
       defaults.travel = line.number<tables::Time>();
       defaults.dwell = line.number<tables::Time>();
       defaults.actuation = line.actuation();
+      if (!line.at_end()) defaults.overrun = line.overrun();
+    } else if (word == "inverted") {
+      result.plant.description.inverted.push_back(line.word());
+    } else if (word == "follow") {
+      description::GivenFollow& given = result.plant.description.follow.emplace_back();
+      given.symbol = line.word();
+      given.condition = line.all();
     } else if (word == "device") {
       result.plant.description.devices.emplace_back().path = line.word();
     } else if (word == "requirement") {
@@ -129,6 +147,8 @@ class Reader {
       device.actuation = line.actuation();
     } else if (word == "only") {
       device.only = true;
+    } else if (word == "overrun") {
+      device.overrun = line.overrun();
     } else if (word == "transition") {
       transition(device.transitions.emplace_back(), line);
     } else if (word == "output") {
@@ -157,7 +177,9 @@ class Reader {
       if (word == "once") given.once = true;
       if (word == "after") given.after = line.duration();
       if (word == "takes") given.takes = line.duration();
-      if (word == "when") given.when = line.all();
+      if (word == "weight") given.weight = line.number<std::uint32_t>();
+      if (word == "when") given.when = line.condition();
+      if (word == "while") given.during = line.all();
     }
   }
 

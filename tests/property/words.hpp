@@ -42,6 +42,11 @@ inline bool takes_what(Action::Kind kind) { return row_of(kind).what; }
 inline bool takes_value(Action::Kind kind) { return row_of(kind).value; }
 inline bool takes_time(Action::Kind kind) { return row_of(kind).time; }
 
+/// A time, or `never`.
+inline std::string text_of_overrun(tables::Time time) {
+  return time == tables::kNever ? "never" : std::to_string(time);
+}
+
 /// `5`, `uniform:1:2` or `normal:1:2`.
 inline std::string text_of(const description::Duration& duration) {
   const std::string a = std::to_string(duration.a);

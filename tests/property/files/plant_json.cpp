@@ -89,6 +89,7 @@ json list_of(Sayer& sayer, bool decorated, const char* name, const std::string& 
 json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   json said = json::object();
   const description::Defaults without;
+  if (defaults.overrun != without.overrun) said["overrun"] = sayer.overrun(defaults.overrun);
   if (defaults.travel != without.travel) said["travel"] = sayer.time(defaults.travel);
   if (defaults.dwell != without.dwell) said["dwell"] = sayer.time(defaults.dwell);
   if (defaults.actuation != without.actuation || sayer.dice.percent(10)) {
@@ -137,6 +138,14 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   json devices = json::object();
   for (const Entry& entry : spread(wishes_of(plant, style, counts), style, counts)) devices[entry.name] = entry.keys;
   if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
+  for (const std::string& symbol : plant.description.inverted) {
+    said["inverted"].push_back(sayer.name(symbol));
+    ++counts[Seen::inverted];
+  }
+  for (const description::GivenFollow& given : plant.description.follow) {
+    said["follow"][sayer.name(given.symbol)] = sayer.condition(given.condition);
+    ++counts[Seen::follows];
+  }
   for (const description::GivenRequirement& requirement : plant.description.requirements) {
     said["requirements"].push_back(sayer.requirement(requirement));
   }

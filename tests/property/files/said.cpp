@@ -35,18 +35,6 @@ std::uint64_t seed_of(const Style& style, std::string_view of) {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-bool fits_from(const std::string& text, std::size_t t, const std::string& pattern, std::size_t p) {
-  if (p == pattern.size()) return t == text.size();
-  if (pattern[p] == '*') {
-    for (std::size_t end = t; end <= text.size(); ++end) {
-      if (fits_from(text, end, pattern, p + 1)) return true;
-    }
-    return false;
-  }
-  if (t == text.size()) return false;
-  return (pattern[p] == '?' || lower(pattern[p]) == lower(text[t])) && fits_from(text, t + 1, pattern, p + 1);
-}
-
 }  // namespace
 
 Sayer::Sayer(const Style& style, std::string_view of, Counts& counts)
@@ -69,6 +57,11 @@ std::string Sayer::time(tables::Time time) {
     return digits + (decorated_ && dice.percent(30) ? " " : "") + unit.name;
   }
   return std::to_string(time) + "ns";
+}
+
+std::string Sayer::overrun(tables::Time overrun) {
+  ++counts_[Seen::overruns];
+  return overrun == tables::kNever ? "never" : time(overrun);
 }
 
 json Sayer::duration(const description::Duration& duration) {
@@ -97,6 +90,10 @@ json Sayer::transition(const description::GivenTransition& given) {
   if (given.from == "*") ++counts_[Seen::stars];
   if (!given.on.empty()) said["on"] = name(given.on);
   if (!given.when.empty()) said["when"] = condition(given.when);
+  if (!given.during.empty()) said["while"] = condition(given.during);
+  if (!given.during.empty()) ++counts_[Seen::whiles];
+  if (given.weight != 0) said["weight"] = given.weight;
+  if (given.weight != 0) ++counts_[Seen::weights];
   if (given.automatic || (decorated_ && dice.percent(3))) said["automatic"] = given.automatic;
   if (given.once) said["once"] = true;
   if (given.after) said["after"] = duration(*given.after);
@@ -141,6 +138,7 @@ Keys Sayer::keys(const description::DeviceDescription& device, const std::vector
   if (device.rest) keys["rest"] = name(*device.rest);
   if (device.actuation) keys["actuation"] = word_of(*device.actuation);
   if (device.only) keys["only"] = true;
+  if (device.overrun) keys["overrun"] = overrun(*device.overrun);
   for (const description::GivenTransition& given : device.transitions) keys["transitions"].push_back(transition(given));
   for (const description::GivenOutputs& given : device.outputs) {
     json said = json::object();
@@ -185,13 +183,6 @@ std::string random_pattern(Dice& dice, const std::string& path) {
     pattern = "*" + pattern;
   }
   return pattern;
-}
-
-bool fits(const std::string& text, const std::string& pattern) { return fits_from(text, 0, pattern, 0); }
-
-std::size_t literals(const std::string& pattern) {
-  return static_cast<std::size_t>(
-      std::count_if(pattern.begin(), pattern.end(), [](char c) { return c != '*' && c != '?'; }));
 }
 
 }  // namespace symplant::property::files

@@ -8,8 +8,12 @@
 #include "property/dice.hpp"
 #include "property/files/counts.hpp"
 #include "property/files/file_case.hpp"
+#include "support/reference/patterns.hpp"
 
 namespace symplant::property::files {
+
+using reference::fits;
+using reference::literals;
 
 /// By key: the values of an entry of `devices`.
 using Keys = std::map<std::string, nlohmann::json>;
@@ -20,6 +24,8 @@ class Sayer {
   Sayer(const Style& style, std::string_view of, Counts& counts);
 
   std::string time(tables::Time time);
+  /// A time, or `never` for kNever.
+  std::string overrun(tables::Time overrun);
   nlohmann::json duration(const description::Duration& duration);
   std::string name(const std::string& name);
   /// All values that differ from the default. `units`: the paths of all devices.
@@ -42,9 +48,4 @@ class Sayer {
 
 /// A pattern that matches the path.
 std::string random_pattern(Dice& dice, const std::string& path);
-/// `*` and `?`, ignoring the case of ASCII letters: a second implementation, as simple as possible.
-bool fits(const std::string& text, const std::string& pattern);
-/// The characters that are neither `*` nor `?`.
-std::size_t literals(const std::string& pattern);
-
 }  // namespace symplant::property::files
