@@ -26,7 +26,8 @@ struct TypeArrays {
 bool is_plain(const tables::TypeRow& row) noexcept {
   return row.operations < tables::kMaxOperations &&
          std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
-           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && !t.timed && !t.once;
+           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && t.during == tables::kNoCondition &&
+                  !t.timed && !t.once;
          });
 }
 
@@ -60,14 +61,15 @@ void fill_states(const tables::TypeRow& row, const TypeArrays& arrays) noexcept 
   }
 }
 
-/// The departure from a state if only `on` is on; to kNoState if the unit may have a finding.
-Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std::uint8_t state,
-                       std::uint64_t on) noexcept {
+/// The departure from a state if only `on` is on; to kNoState if the unit may have a finding. `overruns`: a unit of the
+/// type may have one while it stays.
+Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std::uint8_t state, std::uint64_t on,
+                       bool overruns) noexcept {
   constexpr Departure kGeneralPath{kNoTransition, 0, tables::kNoState};
   const StateIndex& at = arrays.at[state];
   const bool returns = on == 0 && row.actuation == tables::Actuation::spring && state != row.rest;
   if ((on & at.starts) == 0 && !returns) {
-    return (on & ~at.leads) == 0 ? Departure{kNoTransition, 0, state} : kGeneralPath;
+    return (on & ~at.leads) == 0 && !overruns ? Departure{kNoTransition, 0, state} : kGeneralPath;
   }
   Departure departure{kNoTransition, row.travel, returns ? row.rest : tables::kNoState};
   bool found = false;
@@ -86,21 +88,23 @@ Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std
   return departure;
 }
 
-void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
+void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays, bool overruns) noexcept {
   Departure* departure = arrays.departures;
   for (std::uint8_t state = 0; state < row.states; ++state) {
     arrays.at[state].departures = departure;
-    *departure++ = departure_of(row, arrays, state, 0);
+    *departure++ = departure_of(row, arrays, state, 0, overruns);
     for (std::uint8_t operation = 0; operation < row.operations; ++operation) {
-      *departure++ = departure_of(row, arrays, state, bit(operation));
+      *departure++ = departure_of(row, arrays, state, bit(operation), overruns);
     }
   }
 }
 
-TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
+TypeIndex make_type(const tables::TypeRow& row, bool overruns, Arena& arena) noexcept {
   TypeIndex type{};
   type.plain = is_plain(row);
   const TypeArrays arrays(row, type.plain, arena);
+  type.stoppable = std::any_of(row.transitions.begin(), row.transitions.end(),
+                               [](const tables::Transition& t) { return t.during != tables::kNoCondition; });
   for (std::size_t n = 0; n < row.transitions.size(); ++n) {
     const bool timed = row.transitions[n].timed;
     if (arrays.record_of != nullptr) {
@@ -111,7 +115,7 @@ TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
   if (arrays.at != nullptr) {
     fill_order(row, arrays);
     fill_states(row, arrays);
-    if (type.plain) fill_departures(row, arrays);
+    if (type.plain) fill_departures(row, arrays, overruns && row.actuation == tables::Actuation::held);
   }
   type.at = arrays.at;
   type.transitions = row.transitions.data();
@@ -196,6 +200,23 @@ void GeneralUnits::fill(const tables::PlantTables& tables, const TypeIndex* type
   }
 }
 
+void OverrunIndex::build(const tables::PlantTables& tables, Arena& arena) noexcept {
+  auto* positions = arena.take<std::uint32_t>(tables.overruns.empty() ? 0 : tables.units.size());
+  auto* first = arena.take<std::uint32_t>(tables.overruns.size());
+  operations_ = 0;
+  if (positions != nullptr && !tables.overruns.empty()) std::fill_n(positions, tables.units.size(), tables::kNone);
+  for (std::uint32_t row = 0; row < tables.overruns.size(); ++row) {
+    const std::uint32_t unit = tables.overruns[row].unit;
+    if (positions != nullptr) {
+      positions[unit] = row;
+      first[row] = operations_;
+    }
+    operations_ += tables.types[tables.units[unit].type].operations;
+  }
+  positions_ = tables.overruns.empty() ? nullptr : positions;
+  first_operations_ = first;
+}
+
 void WatchIndex::build(std::span<const tables::BitWatch> watches, std::uint32_t bits, Arena& arena) noexcept {
   if (watches.empty()) return;
   auto* marks = arena.take<std::uint64_t>(bits / 64);
@@ -248,7 +269,7 @@ std::span<const ValueReader> ValueReaders::of(tables::Direction direction, std::
 void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcept {
   auto* type_rows = arena.take<TypeIndex>(tables.types.size());
   for (std::size_t i = 0; i < tables.types.size(); ++i) {
-    const TypeIndex type = make_type(tables.types[i], arena);
+    const TypeIndex type = make_type(tables.types[i], !tables.overruns.empty(), arena);
     if (type_rows != nullptr) type_rows[i] = type;
   }
   types = type_rows;
@@ -257,9 +278,14 @@ void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcep
   operation_watches.build(tables.operation_watches, tables.operation_bits, arena);
   event_watches.build(tables.event_watches, tables.event_bits, arena);
   value_readers.build(tables, arena);
+  overruns.build(tables, arena);
   shared_operations.build(tables, tables::Direction::operation, arena);
   shared_events.build(tables, tables::Direction::event, arena);
 
+  auto* inverted_bits = arena.take<std::uint64_t>(tables.operation_bits / 64 + std::size_t{1});
+  auto* inverted_event_bits = arena.take<std::uint64_t>(tables.event_bits / 64);
+  inverted_operations = inverted_bits;
+  inverted_events = inverted_event_bits;
   auto* operations = arena.take<std::uint32_t>(tables.operation_bits);
   auto* events = arena.take<std::uint32_t>(tables.event_bits);
   symbol_of_operation = operations;
@@ -268,7 +294,11 @@ void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcep
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
     if (symbol.type() != tables::DataType::boolean) continue;
-    (symbol.direction() == tables::Direction::operation ? operations : events)[symbol.index] = i;
+    const bool operation = symbol.direction() == tables::Direction::operation;
+    (operation ? operations : events)[symbol.index] = i;
+    if (!symbol.inverted()) continue;
+    (operation ? inverted_bits : inverted_event_bits)[symbol.index / 64] |= bit(symbol.index % 64);
+    some_inverted = true;
   }
 }
 

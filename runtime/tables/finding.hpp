@@ -13,24 +13,27 @@ enum class FindingKind : std::uint8_t {
   stopped_under_another_command,  ///< of a unit
   command_to_a_disabled_unit,     ///< of an operation
   command_without_effect,         ///< of an operation
+  overrun,                        ///< of a unit
   lost_command,                   ///< of an operation
   started_on_enabling,            ///< of a unit; a note
   event_too_short,                ///< of an event
-  instantaneous_loop,             ///< of units: one finding each, `more` set on all but the loop's last
+  instantaneous_loop,             ///< of units and follows: one finding each, `more` set on all but the loop's last
   requirement_violated,           ///< of a requirement
   link_lost,                      ///< of a link; the host reports this kind and the next ones, the model the others
   link_back,                      ///< of a link; a note
   event_overwritten,              ///< of an event
   clock_restarted,                ///< of the operation that is the PLC's clock
 };
-inline constexpr int kFindingKinds = 9;      ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 13;  ///< with the kinds that the host reports
+inline constexpr int kFindingKinds = 10;     ///< kinds that the model reports
+inline constexpr int kAllFindingKinds = 14;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;
-  std::uint32_t of;  ///< index of a unit, symbol or requirement in the tables, or of a link in the run
+  /// Index of a unit, symbol or requirement in the tables, or of a link in the run. In an instantaneous loop the
+  /// number of units and an index in PlantTables::follows is a symbol that follows a condition.
+  std::uint32_t of;
   FindingKind kind;
-  bool more;  ///< the next finding names another unit of the same loop
+  bool more;  ///< the next finding names another member of the same loop
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

@@ -61,6 +61,7 @@ std::string_view finding_name(tables::FindingKind kind) {
                                                                                  "stopped under another command",
                                                                                  "command to a disabled unit",
                                                                                  "command without effect",
+                                                                                 "overrun",
                                                                                  "lost command",
                                                                                  "started on enabling",
                                                                                  "event too short",
