@@ -125,8 +125,8 @@ inline Analysed analyse_lists(const std::vector<GivenList>& given, description::
         {table, reader == nullptr ? name::read_names(*table, name::built_in_rule()) : name::read_names(*table, *reader),
          list.controller, list.xy});
   }
-  result.derived = model::describe(model::derive(lists, "symbols", std::move(reader)),
-                                   std::make_shared<const description::Description>(std::move(description)));
+  const auto shared = std::make_shared<const description::Description>(std::move(description));
+  result.derived = model::describe(model::derive(lists, "symbols", std::move(reader), shared.get()), shared);
   const model::PlantModel& plant = result.model();
   check::check_plant(plant, result.evidence(), result.diagnostics);
   result.diagnostics = findings::finish(std::move(result.diagnostics), plant.description->check, today, selection);

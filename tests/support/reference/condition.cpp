@@ -53,6 +53,10 @@ bool atom_holds(const condition::Atom& atom, const World& world) {
 
 std::uint64_t effective(const SymbolWorld& symbol) { return symbol.forced ? symbol.forced_value : symbol.value; }
 
+bool is_on(const Rules& rules, const World& world, std::uint32_t symbol) {
+  return rules.turned(symbol, effective(world.symbols[symbol])) != 0;
+}
+
 bool holds(const condition::Tree& tree, const World& world) {
   switch (tree.kind) {
     case condition::Tree::Kind::constant:

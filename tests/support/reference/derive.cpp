@@ -165,10 +165,16 @@ std::vector<std::uint32_t> Rules::together(std::uint32_t symbol) const {
   return all;
 }
 
+bool Rules::follows_condition(std::uint32_t symbol) const {
+  return std::any_of(follows.begin(), follows.end(),
+                     [&](const FollowRules& follow) { return follow.symbol == symbol; });
+}
+
 // A unit drives an event if it can move and switches the event on entering or leaving a state that it is in
 // at the start or can reach. User code may switch any event of its unit.
 bool Rules::moved(std::uint32_t symbol) const {
   const std::uint32_t first = leader(symbol);
+  if (follows_condition(first)) return true;
   const std::uint32_t owner = model->symbols[first].unit;
   if (is_operation(symbol) || owner == model::kNone) return false;
   const UnitRules& unit = units[owner];
@@ -191,6 +197,7 @@ Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> be
   Rules rules;
   rules.model = &model;
   rules.behaviours = std::move(behaviours);
+  derive_symbols(rules);
   for (std::uint32_t i = 0; i < model.units.size(); ++i) {
     UnitRules unit = gather(rules, i);
     derive_states(rules, unit);

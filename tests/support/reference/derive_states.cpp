@@ -78,12 +78,13 @@ std::uint32_t single_solenoid_rest(const UnitRules& unit) {
   return kNone;
 }
 
-/// The only state whose event has Initial TRUE; kNone without such a state or with several.
+/// The only state whose event has Initial TRUE and is not inverted; kNone without such a state or with several.
 std::uint32_t initial_by_column(const Rules& rules, const UnitRules& unit) {
   std::uint32_t found = kNone;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
     const std::uint32_t event = unit.states[i].event;
-    if (event == kNone || rules.model->symbols[unit.events[event]].initial == 0) continue;
+    if (event == kNone || rules.inverted[unit.events[event]]) continue;
+    if (rules.model->symbols[unit.events[event]].initial == 0) continue;
     if (found != kNone) return kNone;
     found = i;
   }
@@ -155,6 +156,9 @@ void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
   if (unit.states.empty()) rules.fault = unit.path + ": no state";
   unit.initial = static_cast<std::uint8_t>(initial);
   if (unit.spring()) unit.rest = rest != kNone ? rest : initial;
+  if (unit.actuation != tables::Actuation::held) return;
+  unit.overrun = rules.model->description->defaults.overrun;
+  if (unit.described != nullptr && unit.described->overrun) unit.overrun = *unit.described->overrun;
 }
 
 }  // namespace symplant::reference

@@ -1,4 +1,6 @@
 // The table of transitions: given, derived and inferred ones.
+#include <algorithm>
+
 #include "support/reference/rules.hpp"
 
 namespace symplant::reference {
@@ -6,29 +8,23 @@ namespace {
 
 using description::Duration;
 
-/// The number of a `when` among the distinct texts of the unit's given transitions, by first appearance.
-std::uint32_t condition_index(const UnitRules& unit, const std::string& text) {
+/// The distinct texts of `when` and `while` of the unit's given transitions, by first appearance.
+std::vector<std::string> condition_texts(const UnitRules& unit) {
   std::vector<std::string> texts;
+  if (unit.described == nullptr) return texts;
   for (const description::GivenTransition& given : unit.described->transitions) {
-    bool known = given.when.empty();
-    for (const std::string& other : texts) known = known || other == given.when;
-    if (!known) texts.push_back(given.when);
+    for (const std::string* text : {&given.when, &given.during}) {
+      if (!text->empty() && std::find(texts.begin(), texts.end(), *text) == texts.end()) texts.push_back(*text);
+    }
   }
-  for (std::uint32_t i = 0; i < texts.size(); ++i) {
-    if (texts[i] == text) return i;
-  }
-  return kNone;
+  return texts;
 }
 
-std::uint32_t distinct_conditions(const UnitRules& unit) {
-  std::uint32_t count = 0;
-  if (unit.described == nullptr) return 0;
-  for (const description::GivenTransition& given : unit.described->transitions) {
-    if (given.when.empty()) continue;
-    const std::uint32_t index = condition_index(unit, given.when);
-    count = index + 1 > count ? index + 1 : count;
-  }
-  return count;
+/// kNone without a text.
+std::uint32_t condition_index(const UnitRules& unit, const std::string& text) {
+  if (text.empty()) return kNone;
+  const std::vector<std::string> texts = condition_texts(unit);
+  return static_cast<std::uint32_t>(std::find(texts.begin(), texts.end(), text) - texts.begin());
 }
 
 void add_given(Rules& rules, UnitRules& unit, const description::GivenTransition& given) {
@@ -50,7 +46,9 @@ void add_given(Rules& rules, UnitRules& unit, const description::GivenTransition
   }
   transition.after = given.after.value_or(Duration::fixed(0));
   transition.takes = given.takes.value_or(Duration::fixed(given.automatic ? 0 : unit.travel));
-  if (!given.when.empty()) transition.when = condition_index(unit, given.when);
+  transition.when = condition_index(unit, given.when);
+  transition.during = condition_index(unit, given.during);
+  transition.weight = given.weight;
   for (std::uint32_t i = 0; i < unit.states.size(); ++i) {
     if (i == to || (given.from != "*" && i != from)) continue;
     transition.from = static_cast<std::uint8_t>(i);
@@ -136,7 +134,7 @@ void add_inferred(const Rules& rules, UnitRules& unit, const std::vector<Transit
 }  // namespace
 
 void derive_transitions(Rules& rules, UnitRules& unit) {
-  unit.first_input = distinct_conditions(unit);
+  unit.first_input = static_cast<std::uint32_t>(condition_texts(unit).size());
   if (unit.described != nullptr) {
     for (const description::GivenTransition& given : unit.described->transitions) add_given(rules, unit, given);
     if (unit.described->only) return;

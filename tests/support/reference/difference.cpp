@@ -24,12 +24,14 @@ std::string text(const description::Duration& duration) {
 
 std::string number(std::uint32_t index) { return index == kNone ? "-" : std::to_string(index); }
 
-std::string text(std::uint32_t from, std::uint32_t to, std::uint32_t on, std::uint32_t when, bool spring_return,
-                 bool once, const description::Duration& after, const description::Duration& takes) {
+/// Of either kind of transition.
+template <class Transition>
+std::string text(const Transition& transition, bool spring_return) {
   std::ostringstream out;
-  out << from << "->" << to << " on " << number(on) << " when " << number(when)
-      << (spring_return ? " spring's way" : "") << (once ? " once" : "") << " after " << text(after) << " takes "
-      << text(takes);
+  out << transition.from + 0U << "->" << transition.to + 0U << " on " << number(transition.on) << " when "
+      << number(transition.when) << " while " << number(transition.during) << " weight " << transition.weight
+      << (spring_return ? " spring's way" : "") << (transition.once ? " once" : "") << " after "
+      << text(transition.after) << " takes " << text(transition.takes);
   return out.str();
 }
 
@@ -74,14 +76,11 @@ std::string transitions_difference(const UnitRules& unit, const model::Unit& oth
     std::string theirs;
     if (i < unit.transitions.size()) {
       const Transition& transition = unit.transitions[i];
-      ours =
-          text(transition.from, transition.to, transition.on, transition.when,
-               !transition.automatic && !transition.commanded(), transition.once, transition.after, transition.takes);
+      ours = text(transition, !transition.automatic && !transition.commanded());
     }
     if (i < other.transitions.size()) {
       const model::Transition& transition = other.transitions[i];
-      theirs = text(transition.from, transition.to, transition.on, transition.when, transition.spring_return,
-                    transition.once, transition.after, transition.takes);
+      theirs = text(transition, transition.spring_return);
     }
     if (const auto found = unequal("transition " + std::to_string(i), ours, theirs); !found.empty()) return found;
   }
@@ -114,6 +113,7 @@ std::string unit_difference(const UnitRules& unit, const model::Unit& other) {
   if (found.empty() && unit.spring()) found = unequal("rest", number(unit.rest), number(other.rest));
   if (found.empty()) found = unequal("initial", std::to_string(unit.initial), std::to_string(other.initial));
   if (found.empty()) found = unequal("travel", std::to_string(unit.travel), std::to_string(other.travel));
+  if (found.empty()) found = unequal("overrun", std::to_string(unit.overrun), std::to_string(other.overrun));
   if (found.empty()) found = transitions_difference(unit, other);
   for (std::size_t i = 0; found.empty() && i < unit.states.size(); ++i) found = state_difference(unit, other, i);
   if (found.empty()) found = unequal("values", indexes(unit.values), indexes(other.values));
@@ -127,11 +127,25 @@ std::string unit_difference(const UnitRules& unit, const model::Unit& other) {
   return found;
 }
 
+std::string symbols_difference(const Rules& rules) {
+  const model::PlantModel& model = *rules.model;
+  for (std::size_t i = 0; i < model.symbols.size(); ++i) {
+    if (rules.inverted[i] == model.symbols[i].inverted) continue;
+    return std::string(model.symbols[i].name()) + (rules.inverted[i] ? ": inverted" : ": not inverted");
+  }
+  std::ostringstream here;
+  for (const FollowRules& follow : rules.follows) here << follow.symbol << " by " << follow.given << " ";
+  std::ostringstream there;
+  for (const model::Follow& follow : model.follows) there << follow.symbol << " by " << follow.given << " ";
+  return unequal("follow", here.str(), there.str());
+}
+
 }  // namespace
 
 std::string difference(const Rules& rules) {
   if (!rules.fault.empty()) return rules.fault;
   const model::PlantModel& model = *rules.model;
+  if (std::string found = symbols_difference(rules); !found.empty()) return found;
   for (std::size_t i = 0; i < rules.units.size(); ++i) {
     const std::string found = unit_difference(rules.units[i], model.units[i]);
     if (!found.empty()) return rules.units[i].path + ": " + found;

@@ -64,6 +64,12 @@ std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uin
   return started(seed, unit, n, k).draw();
 }
 
+std::uint64_t draw_weight(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint64_t sum) {
+  const std::uint32_t k = round.next.units[unit].transitions[transition].draws++;
+  const std::uint64_t drawn = first_output(round.next.seed, round.of(unit).path, transition, k);
+  return static_cast<std::uint64_t>(static_cast<UnsignedWide>(drawn) * sum >> 64);
+}
+
 std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to) {
   for (std::uint16_t i = 0; i < unit.transitions.size(); ++i) {
     if (unit.transitions[i].from == from && unit.transitions[i].to == to && !unit.transitions[i].automatic) return i;

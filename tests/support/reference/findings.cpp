@@ -21,6 +21,31 @@ struct Finder {
   }
 };
 
+/// Since when each operation has been on while the unit was settled in the state that the operation leads to. True if
+/// one has been for the unit's `overrun`.
+bool runs_against_its_end(Finder& finder, std::uint32_t index) {
+  const UnitRules& rules = finder.rules.units[index];
+  UnitWorld& unit = finder.world.units[index];
+  if (rules.overrun == tables::kNever) return false;
+  bool overrun = false;
+  for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
+    OperationWorld& its = unit.operations[i];
+    const bool at_end = is_on(finder.rules, finder.world, rules.operations[i]) && its.armed && !unit.disabled &&
+                        !unit.frozen && !unit.moving && rules.leads_to(i, unit.state);
+    if (!at_end) {
+      if (its.at_end_since >= 0 && unit.disabled && !unit.overrun) {
+        ++finder.counters[Counted::overrun_broken_by_disabling];
+      }
+      its.at_end_since = -1;
+      continue;
+    }
+    if (its.at_end_since < 0 || its.at_end != unit.state) its.at_end_since = finder.world.time;
+    its.at_end = unit.state;
+    overrun = overrun || finder.world.time - its.at_end_since >= rules.overrun;
+  }
+  return overrun;
+}
+
 /// Raised when they become true; a frozen unit raises none.
 void find_of_units(Finder& finder) {
   for (std::uint32_t i = 0; i < finder.world.units.size(); ++i) {
@@ -30,7 +55,7 @@ void find_of_units(Finder& finder) {
     const bool acts = !unit.disabled && !unit.frozen;
     bool some_operation = false;
     for (std::uint32_t j = 0; j < rules.operations.size(); ++j) {
-      const bool on = effective(finder.world.symbols[rules.operations[j]]) != 0;
+      const bool on = is_on(finder.rules, finder.world, rules.operations[j]);
       some_operation = some_operation || (on && unit.operations[j].armed);
     }
     const bool conflicting = acts && look.conflicting;
@@ -43,6 +68,10 @@ void find_of_units(Finder& finder) {
     }
     unit.conflicting = conflicting;
     unit.stopped = stopped;
+    const bool overrun = runs_against_its_end(finder, i);
+    if (overrun && !unit.overrun) finder.add(FindingKind::overrun, i, Counted::found_overrun);
+    if (!overrun && unit.overrun) ++finder.counters[Counted::overrun_ended];
+    unit.overrun = overrun;
     if (acts && finder.notes.enabled[i] && unit.moving && !unit.stopped_midway) {
       finder.add(FindingKind::started_on_enabling, i, Counted::found_started_on_enabling);
     }
@@ -77,8 +106,11 @@ void find_of_operation(Finder& finder, std::uint32_t index, std::uint32_t operat
   UnitWorld& unit = finder.world.units[index];
   OperationWorld& its = unit.operations[operation];
   const SymbolWorld& symbol = finder.world.symbols[rules.operations[operation]];
-  const bool on = effective(symbol) != 0;
-  const bool was_on = symbol.shown != 0;
+  const bool on = is_on(finder.rules, finder.world, rules.operations[operation]);
+  const bool was_on = finder.rules.turned(rules.operations[operation], symbol.shown) != 0;
+  if (on != was_on && finder.rules.inverted[rules.operations[operation]]) {
+    ++finder.counters[on ? Counted::inverted_operation_rose : Counted::inverted_operation_fell];
+  }
   if (!on) {
     if (was_on && !its.had_finding && !its.served && !its.reached && !unit.frozen) {
       finder.add(FindingKind::lost_command, rules.operations[operation], Counted::found_lost_command);
@@ -95,33 +127,36 @@ void find_of_operation(Finder& finder, std::uint32_t index, std::uint32_t operat
   its.reached = its.reached || rules.leads_to(operation, unit.target);
 }
 
-bool of_frozen_unit(const Finder& finder, std::uint32_t symbol) {
+bool frozen(const Finder& finder, std::uint32_t symbol) {
+  for (std::size_t i = 0; i < finder.rules.follows.size(); ++i) {
+    if (finder.rules.follows[i].symbol == symbol) return finder.world.frozen_follows[i];
+  }
   const std::uint32_t owner = finder.rules.model->symbols[symbol].unit;
   return owner != model::kNone && finder.world.units[owner].frozen;
 }
 
 void find_of_event(Finder& finder, std::uint32_t i) {
   SymbolWorld& symbol = finder.world.symbols[i];
-  const bool on = effective(symbol) != 0;
-  const bool was_on = symbol.shown != 0;
-  // A frozen unit raises no findings, nor do its events.
-  if (finder.notes.event_changed[i] && on == was_on && !of_frozen_unit(finder, i)) {
+  const bool on = is_on(finder.rules, finder.world, i);
+  const bool was_on = finder.rules.turned(i, symbol.shown) != 0;
+  // A frozen unit raises no findings, nor do its events, nor does a frozen symbol.
+  if (finder.notes.event_changed[i] && on == was_on && !frozen(finder, i)) {
     finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short);
   }
   if (on && !was_on) symbol.rose = finder.world.time;
   const bool short_on = finder.world.cycle != 0 && finder.world.time - symbol.rose < finder.world.cycle;
-  if (!on && was_on && short_on && !of_frozen_unit(finder, i)) {
+  if (!on && was_on && short_on && !frozen(finder, i)) {
     finder.add(FindingKind::event_too_short, i, Counted::found_event_too_short_real_time);
   }
 }
 
-/// Each loop's units in their order, the loops by their first units.
+/// Each loop's units in their order, then its symbols; the loops by their first units.
 void find_of_loops(Finder& finder) {
   std::vector<std::vector<std::uint32_t>> loops = finder.notes.loops;
   std::sort(loops.begin(), loops.end());
   for (const std::vector<std::uint32_t>& loop : loops) {
-    for (const std::uint32_t unit : loop) {
-      finder.add(FindingKind::instantaneous_loop, unit, Counted::found_instantaneous_loop, unit != loop.back());
+    for (const std::uint32_t stepper : loop) {
+      finder.add(FindingKind::instantaneous_loop, stepper, Counted::found_instantaneous_loop, stepper != loop.back());
     }
   }
 }

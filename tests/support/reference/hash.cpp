@@ -21,8 +21,8 @@ std::uint8_t force_of(const SymbolWorld& symbol) {
   return symbol.forced_value != 0 ? 2 : 1;
 }
 
-/// Of an operation: as last written, sampled or not.
-std::uint64_t level_of(const Rules& rules, const World& world, std::uint32_t symbol) {
+/// The bit; of an operation as last written, sampled or not.
+std::uint64_t bit_of(const Rules& rules, const World& world, std::uint32_t symbol) {
   return rules.is_operation(symbol) ? world.symbols[symbol].written : world.symbols[symbol].value;
 }
 
@@ -31,8 +31,8 @@ void add_operations(Digest& digest, const Rules& rules, const World& world, std:
   for (std::uint32_t i = 0; i < unit.operations.size(); ++i) {
     const std::uint32_t symbol = unit.operations[i];
     const OperationWorld& its = world.units[index].operations[i];
-    const bool on = effective(world.symbols[symbol]) != 0;
-    digest.flag(level_of(rules, world, symbol) != 0);
+    const bool on = is_on(rules, world, symbol);
+    digest.flag(rules.turned(symbol, bit_of(rules, world, symbol)) != 0);
     digest.flag(!on || its.armed || unit.actuation != tables::Actuation::latched);
     digest.byte(force_of(world.symbols[symbol]));
     // Both keep the command from being lost, and the digest has one flag for them.
@@ -57,7 +57,7 @@ void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint3
   }
   add_operations(digest, rules, world, index);
   for (const std::uint32_t symbol : unit.events) {
-    digest.flag(world.symbols[symbol].value != 0);
+    digest.flag(rules.turned(symbol, world.symbols[symbol].value) != 0);
     digest.byte(force_of(world.symbols[symbol]));
   }
   if (unit.behaviour == nullptr) return;
@@ -71,11 +71,11 @@ void add_unit(Digest& digest, const Rules& rules, const World& world, std::uint3
 void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std::uint32_t index) {
   const SymbolWorld& symbol = world.symbols[index];
   if (rules.is_bool(index)) {
-    digest.flag(level_of(rules, world, index) != 0);
+    digest.flag(bit_of(rules, world, index) != 0);
     digest.byte(force_of(symbol));
     return;
   }
-  digest.u64(level_of(rules, world, index));
+  digest.u64(bit_of(rules, world, index));
   digest.flag(symbol.forced);
   digest.u64(symbol.forced ? symbol.forced_value : 0);
 }
@@ -102,6 +102,11 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].stopped) continue;
     digest.byte(1);
+    digest.u32(i);
+  }
+  for (std::uint32_t i = 0; i < world.units.size(); ++i) {
+    if (!world.units[i].overrun) continue;
+    digest.byte(2);
     digest.u32(i);
   }
   return digest.value();

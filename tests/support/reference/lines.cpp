@@ -45,8 +45,11 @@ std::string name_of(const model::PlantModel& model, const tables::Finding& findi
     case FindingKind::conflicting_operations:
     case FindingKind::stopped_under_another_command:
     case FindingKind::started_on_enabling:
-    case FindingKind::instantaneous_loop:
+    case FindingKind::overrun:
       return std::string(model.units[finding.of].path);
+    case FindingKind::instantaneous_loop:
+      if (finding.of < model.units.size()) return std::string(model.units[finding.of].path);
+      return std::string(model.symbols[model.follows[finding.of - model.units.size()].symbol].name());
     case FindingKind::requirement_violated:
       return model.requirements[finding.of].name;
     default:

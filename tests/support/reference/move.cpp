@@ -60,19 +60,49 @@ bool turn_round(Round& round, std::uint32_t unit, std::uint16_t transition) {
   world.state = to;
   world.target = from;
   world.moving_now = transition;
-  world.stopped_midway = false;
+  world.stopped_midway = world.stopped_by_while = false;
+  world.returning = true;
   return true;
+}
+
+/// The `while` of the transition under way, or of the one that a move without a command takes its time from.
+bool while_holds(const Round& round, std::uint32_t unit) {
+  const UnitRules& rules = round.of(unit);
+  const UnitWorld& world = round.old.units[unit];
+  const std::uint16_t source =
+      world.moving_now != kNoTransition ? world.moving_now : first_not_automatic(rules, world.state, world.target);
+  if (source == kNoTransition || rules.transitions[source].during == kNone) return true;
+  return holds(*rules.conditions[rules.transitions[source].during], round.old);
+}
+
+bool stop_by_while(Round& round, std::uint32_t unit) {
+  const UnitRules& rules = round.of(unit);
+  UnitWorld& world = round.next.units[unit];
+  const bool begins = !world.stopped_by_while;
+  world.stopped_midway = world.stopped_by_while = true;
+  if (!begins) return false;
+  ++round.counters[Counted::while_stopped];
+  if (world.automatic) {
+    ++round.counters[Counted::while_stopped_automatic];
+  } else if (rules.actuation == tables::Actuation::latched) {
+    ++round.counters[Counted::while_stopped_latched];
+  }
+  if (world.moving_now == kNoTransition) ++round.counters[Counted::while_stopped_without_command];
+  if (world.returning) ++round.counters[Counted::while_stopped_on_return];
+  return false;
 }
 
 bool go_on(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
-  if (world.stopped_midway) ++round.counters[Counted::went_on];
-  world.stopped_midway = false;
+  if (!while_holds(round, unit)) return stop_by_while(round, unit);
+  if (world.stopped_midway) ++round.counters[world.stopped_by_while ? Counted::while_resumed : Counted::went_on];
+  world.stopped_midway = world.stopped_by_while = false;
   return false;
 }
 
 bool stop_midway(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
+  world.stopped_by_while = false;
   if (!world.stopped_midway) ++round.counters[Counted::stood_still];
   world.stopped_midway = true;
   return false;
@@ -143,13 +173,13 @@ Counted latched_cell(const Command& command) {
 bool step_moving(Round& round, std::uint32_t unit) {
   if (round.old.units[unit].automatic) {
     ++round.counters[Counted::automatic_move_goes_on];
-    return false;
+    return go_on(round, unit);
   }
   const Command command = command_of(round, unit);
   switch (round.of(unit).actuation) {
     case tables::Actuation::latched:
       ++round.counters[latched_cell(command)];
-      return false;
+      return go_on(round, unit);
     case tables::Actuation::bistable:
       return bistable(round, unit, command);
     case tables::Actuation::held:

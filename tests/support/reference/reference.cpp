@@ -14,7 +14,7 @@ namespace {
 
 InstantNotes empty_notes(const Rules& rules) {
   InstantNotes notes;
-  notes.steps.resize(rules.units.size());
+  notes.steps.resize(rules.units.size() + rules.follows.size());
   notes.enabled.resize(rules.units.size());
   notes.looks.resize(rules.units.size());
   for (const UnitRules& unit : rules.units) notes.served.emplace_back(unit.operations.size());
@@ -35,12 +35,14 @@ UnitWorld first_world(const UnitRules& rules) {
 std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
   const model::Symbol& symbol = rules.model->symbols[index];
   if (!rules.is_bool(index)) return symbol.initial;
-  if (rules.is_operation(index)) return 0;
+  if (rules.is_operation(index) || rules.follows_condition(index)) return rules.turned(index, 0);
   if (symbol.unit != model::kNone) {
     // If the event of a unit's state is at the address, the state decides.
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) return 0;
+      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) {
+        return rules.turned(unit.events[i], 0);
+      }
     }
   }
   return symbol.initial != 0 ? 1 : 0;
@@ -52,10 +54,11 @@ World first_world(const Rules& rules) {
   for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
     SymbolWorld symbol;
     symbol.value = symbol.written = first_value(rules, rules.leader(i));
-    symbol.shown = rules.is_bool(i) ? 0 : symbol.value;
+    symbol.shown = rules.is_bool(i) ? rules.turned(i, 0) : symbol.value;
     world.symbols.push_back(symbol);
   }
   world.monitors.resize(rules.model->requirements.size());
+  world.frozen_follows.resize(rules.follows.size());
   // l_enter of the initial states; user code is not called, its memory is zero after a reset.
   for (const UnitRules& unit : rules.units) {
     if (!rules.fault.empty()) break;
@@ -87,7 +90,9 @@ Time later(Time now, Time left) { return left > tables::kNever - now ? tables::k
 
 void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
                  std::vector<InstantRecord>& instants) {
+  const bool first = world.last_instant < 0;
   world.instant_pending = false;
+  world.last_instant = world.time;
   if (sample) {
     world.written_pending = false;
     for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
@@ -101,7 +106,9 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   record.findings = findings_of(rules, world, notes, counters);
   for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
     SymbolWorld& symbol = world.symbols[i];
-    if (effective(symbol) != symbol.shown) record.changes.emplace_back(i, effective(symbol));
+    // The first instant reports the bits that are on.
+    const std::uint64_t before = first && rules.is_bool(i) ? 0 : symbol.shown;
+    if (effective(symbol) != before) record.changes.emplace_back(i, effective(symbol));
     symbol.shown = effective(symbol);
   }
   for (UnitWorld& unit : world.units) {
@@ -155,6 +162,7 @@ void Plant::set_operation(std::uint32_t symbol, std::uint64_t value) {
 
 bool Plant::set_input(std::uint32_t symbol, std::uint64_t value) {
   if (rules_->is_operation(symbol) || rules_->moved(symbol)) return false;
+  if (rules_->inverted[symbol] && model_.symbols[symbol].unit == model::kNone) ++counters[Counted::inverted_input];
   for (const std::uint32_t each : rules_->together(symbol)) {
     world_.symbols[each].value = as_type(*rules_, symbol, value);
   }
@@ -163,6 +171,7 @@ bool Plant::set_input(std::uint32_t symbol, std::uint64_t value) {
 }
 
 void Plant::force(std::uint32_t symbol, std::uint64_t value) {
+  if (rules_->inverted[symbol]) ++counters[Counted::inverted_forced];
   for (const std::uint32_t each : rules_->together(symbol)) {
     world_.symbols[each].forced = true;
     world_.symbols[each].forced_value = as_type(*rules_, symbol, value);
@@ -190,7 +199,7 @@ void Plant::set_state(std::uint32_t index, std::uint8_t state) {
   end_holds(unit);
   if (!unit.moving) leave(round, index, unit.state);
   unit.state = unit.target = state;
-  unit.moving = unit.stopped_midway = unit.automatic = false;
+  unit.moving = unit.stopped_midway = unit.stopped_by_while = unit.returning = unit.automatic = false;
   unit.moving_now = kNoTransition;
   unit.remaining = unit.whole = 0;
   enter(round, index, state);
@@ -229,6 +238,13 @@ Time Plant::next_due() const {
     }
     if (unit.until_woken >= 0) due = std::min(due, later(world_.time, unit.until_woken));
   }
+  for (std::size_t i = 0; i < world_.units.size(); ++i) {
+    for (const OperationWorld& operation : world_.units[i].operations) {
+      if (operation.at_end_since < 0) continue;
+      const Time overruns = later(operation.at_end_since, rules_->units[i].overrun);
+      if (overruns > world_.last_instant) due = std::min(due, std::max(world_.time, overruns));
+    }
+  }
   for (const MonitorWorld& monitor : world_.monitors) {
     if (monitor.running) due = std::min(due, std::max(world_.time, monitor.deadline));
   }
@@ -247,7 +263,7 @@ UnitView Plant::unit(std::uint32_t index) const {
 
 bool Plant::disarmed(std::uint32_t symbol) const {
   const std::uint32_t owner = model_.symbols[symbol].unit;
-  if (owner == model::kNone || !rules_->is_operation(symbol) || value(symbol) == 0) return false;
+  if (owner == model::kNone || !rules_->is_operation(symbol) || !is_on(*rules_, world_, symbol)) return false;
   const std::vector<std::uint32_t>& operations = rules_->units[owner].operations;
   const auto index = std::find(operations.begin(), operations.end(), symbol) - operations.begin();
   return !world_.units[owner].operations[static_cast<std::size_t>(index)].armed;

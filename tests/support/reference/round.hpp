@@ -18,12 +18,14 @@ struct Look {
 
 /// What the findings of an instant need from its rounds. Not part of the world.
 struct InstantNotes {
-  std::vector<std::vector<int>> steps;    ///< a unit: the rounds, counted since the last freeze, in which it stepped
+  /// A unit, then the symbols that follow: the rounds, counted since the last freeze, in which it stepped.
+  std::vector<std::vector<int>> steps;
   std::vector<std::vector<bool>> served;  ///< a unit: its operations that fired a transition or reversed a move
   std::vector<bool> enabled;              ///< units
   std::vector<bool> event_changed;        ///< symbols: a round changed its effective level
   std::vector<Look> looks;                ///< units, in the last round
-  std::vector<std::vector<std::uint32_t>> loops;  ///< the units of each freeze
+  /// What each freeze froze: units, then symbols that follow, counted from the number of units.
+  std::vector<std::vector<std::uint32_t>> loops;
 };
 
 struct Round {
@@ -36,8 +38,10 @@ struct Round {
   const UnitRules& of(std::uint32_t unit) const { return rules.units[unit]; }
 };
 
-/// After forces.
+/// After forces, as a bit.
 std::uint64_t effective(const SymbolWorld& symbol);
+/// After forces, as a level.
+bool is_on(const Rules& rules, const World& world, std::uint32_t symbol);
 
 bool holds(const condition::Tree& tree, const World& world);
 
@@ -55,7 +59,10 @@ bool remembers(const UnitRules& unit, const Transition& transition);
 /// The first output of SplitMix64 started at draw `k` of stream `n` of a unit.
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k);
 
-/// Switches an event and all symbols at its address.
+/// A draw for the weights of automatic transitions: uniform on [0, sum - 1], counted with a transition's draws.
+std::uint64_t draw_weight(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint64_t sum);
+
+/// Brings an event to a level, and all symbols at its address to its bit.
 void write_event(const Rules& rules, World& world, std::uint32_t symbol, std::uint64_t value);
 void leave(Round& round, std::uint32_t unit, std::uint8_t state);
 void enter(Round& round, std::uint32_t unit, std::uint8_t state);
@@ -67,12 +74,15 @@ bool step(Round& round, std::uint32_t unit);
 bool step_moving(Round& round, std::uint32_t unit);
 /// The behavior's wanted state, or tables::kNoState.
 std::uint8_t wanted_by_behaviour(Round& round, std::uint32_t unit);
-/// The unit's first transition in that direction that is not automatic, or kNoTransition.
+/// The unit's first transition in that direction that is not automatic, or kNoTransition. A move without a command
+/// takes its time from it, and obeys its `while`.
 std::uint16_t first_not_automatic(const UnitRules& unit, std::uint8_t from, std::uint8_t to);
 void serve(Round& round, std::uint32_t unit, std::uint32_t operation);
 
 /// Determines which units are disabled. True if any unit became disabled or enabled.
 bool work_out_disabled(const Rules& rules, World& world, Counters& counters, InstantNotes& notes);
+/// Every symbol that follows a condition takes its truth in the snapshot. `number`: of the round. True if one changed.
+bool follow_conditions(Round& round, int number);
 /// All rounds of an instant, starting with the disables.
 void run_rounds(const Rules& rules, World& world, Counters& counters, InstantNotes& notes);
 

@@ -12,7 +12,7 @@ void arm(Round& round) {
     const UnitRules& rules = round.of(unit);
     for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
       OperationWorld& operation = round.next.units[unit].operations[i];
-      if (operation.armed || effective(round.old.symbols[rules.operations[i]]) != 0) continue;
+      if (operation.armed || is_on(round.rules, round.old, rules.operations[i])) continue;
       operation.armed = true;
       ++round.counters[Counted::rearmed];
       if (round.old.units[unit].disabled) ++round.counters[Counted::rearmed_while_disabled];
@@ -24,9 +24,9 @@ void note_events(const Rules& rules, const World& old, const World& next, Counte
   for (std::uint32_t i = 0; i < old.symbols.size(); ++i) {
     if (rules.is_operation(i) || !rules.is_bool(i)) continue;
     if (effective(old.symbols[i]) != effective(next.symbols[i])) notes.event_changed[i] = true;
-    if (old.symbols[i].value != next.symbols[i].value && next.symbols[i].forced) {
-      ++counters[Counted::forced_event_differs];
-    }
+    if (old.symbols[i].value == next.symbols[i].value) continue;
+    if (next.symbols[i].forced) ++counters[Counted::forced_event_differs];
+    if (rules.inverted[i]) ++counters[Counted::inverted_event_switched];
   }
 }
 
@@ -56,6 +56,7 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
     notes.steps[unit].push_back(number);
     again = true;
   }
+  if (follow_conditions(round, number)) again = true;
   never_comes(world);
   if (work_out_disabled(rules, world, counters, notes)) again = true;
   never_comes(world);  // for units that became enabled
@@ -63,16 +64,24 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
   return again;
 }
 
-/// Freezes the units that stepped often in the second half of the rounds. False if no unit did.
+/// Freezes the units and symbols that stepped often in the second half of the rounds. False if none did.
 bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
   std::vector<std::uint32_t> loop;
-  for (std::uint32_t unit = 0; unit < world.units.size(); ++unit) {
+  for (std::uint32_t stepper = 0; stepper < notes.steps.size(); ++stepper) {
     int steps = 0;
-    for (const int round : notes.steps[unit]) steps += round > rounds / 2 ? 1 : 0;
-    if (steps >= kStepsOfLoop) loop.push_back(unit);
+    for (const int round : notes.steps[stepper]) steps += round > rounds / 2 ? 1 : 0;
+    if (steps >= kStepsOfLoop) loop.push_back(stepper);
   }
   if (loop.empty()) return false;
-  for (const std::uint32_t unit : loop) world.units[unit].frozen = true;
+  const std::size_t units = world.units.size();
+  for (const std::uint32_t stepper : loop) {
+    if (stepper < units) {
+      world.units[stepper].frozen = true;
+    } else {
+      world.frozen_follows[stepper - units] = true;
+      ++counters[Counted::follow_frozen];
+    }
+  }
   for (std::vector<int>& steps : notes.steps) steps.clear();
   notes.loops.push_back(loop);
   ++counters[Counted::loop_frozen];

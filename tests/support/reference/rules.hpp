@@ -25,7 +25,9 @@ struct Transition {
   bool once = false;
   description::Duration after;
   description::Duration takes;
-  std::uint32_t when = kNone;  ///< index in UnitRules::conditions
+  std::uint32_t when = kNone;    ///< index in UnitRules::conditions
+  std::uint32_t during = kNone;  ///< `while`, as `when`
+  std::uint32_t weight = 0;      ///< 0: none
 
   bool commanded() const { return on != kNone; }
 };
@@ -48,15 +50,16 @@ struct UnitRules {
   std::vector<std::uint32_t> values;      ///< numeric symbols of the device
   std::vector<StateRules> states;
   std::vector<Transition> transitions;
-  std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when`, then of the inputs
+  std::vector<const condition::Tree*> conditions;  ///< of the distinct texts of `when` and `while`, then of the inputs
   std::uint32_t first_input = 0;
   tables::Actuation actuation = tables::Actuation::latched;
   std::uint32_t rest = kNone;  ///< of a spring
   std::uint8_t initial = 0;
   tables::Time travel = tables::kSecond;
-  bool sequence = true;                 ///< digits at the end of states are sequence numbers
-  bool archetype = false;               ///< the naming rule gives the model
-  std::vector<std::string> order = {};  ///< states that come first in S, by the naming rule
+  tables::Time overrun = tables::kNever;  ///< kNever: not examined
+  bool sequence = true;                   ///< digits at the end of states are sequence numbers
+  bool archetype = false;                 ///< the naming rule gives the model
+  std::vector<std::string> order = {};    ///< states that come first in S, by the naming rule
 
   /// The sequence number of a state; empty without one.
   std::string number_of(const StateRules& state) const;
@@ -66,11 +69,20 @@ struct UnitRules {
   bool event_is_a_state(std::uint32_t event) const;
 };
 
+/// An event of no unit whose level is the truth of a condition.
+struct FollowRules {
+  std::uint32_t symbol = kNone;
+  std::uint32_t given = kNone;  ///< index in Description::follow
+  const condition::Tree* condition = nullptr;
+};
+
 struct Rules {
   const model::PlantModel* model = nullptr;
   std::map<std::string, Behaviour> behaviours;
   std::vector<UnitRules> units;
-  std::string fault;  ///< names in the description that the reference does not find; empty if none
+  std::vector<bool> inverted;        ///< symbols
+  std::vector<FollowRules> follows;  ///< in list order
+  std::string fault;                 ///< names in the description that the reference does not find; empty if none
 
   std::uint32_t leader(std::uint32_t symbol) const;
   /// All symbols of one address that are kept equal, including itself.
@@ -79,11 +91,17 @@ struct Rules {
   bool is_operation(std::uint32_t symbol) const {
     return model->symbols[symbol].direction == tables::Direction::operation;
   }
-  /// An event that its unit switches, or one that follows such an event.
+  /// The bit of a symbol's level, or the level of its bit. A number is unchanged.
+  std::uint64_t turned(std::uint32_t symbol, std::uint64_t value) const { return inverted[symbol] ? value ^ 1 : value; }
+  bool follows_condition(std::uint32_t symbol) const;
+  /// An event that its unit or a condition switches, or one on the address of such an event.
   bool moved(std::uint32_t symbol) const;
 };
 
 Rules derive(const model::PlantModel& model, std::map<std::string, Behaviour> behaviours);
+
+/// Which symbols are inverted, and which follow a condition.
+void derive_symbols(Rules& rules);
 
 /// The parts of derive(), one unit per call.
 void derive_states(Rules& rules, UnitRules& unit);

@@ -41,8 +41,7 @@ std::vector<std::uint16_t> ready_transitions(Round& round, std::uint32_t unit) {
 void disarm_leading_to(Round& round, std::uint32_t unit, std::uint8_t state) {
   const UnitRules& rules = round.of(unit);
   for (std::uint32_t i = 0; i < rules.operations.size(); ++i) {
-    const bool level = effective(round.old.symbols[rules.operations[i]]) != 0;
-    if (!level || !rules.leads_to(i, state)) continue;
+    if (!is_on(round.rules, round.old, rules.operations[i]) || !rules.leads_to(i, state)) continue;
     OperationWorld& operation = round.next.units[unit].operations[i];
     if (operation.armed) ++round.counters[Counted::disarmed_automatic];
     operation.armed = false;
@@ -63,7 +62,7 @@ void depart(Round& round, std::uint32_t unit, std::uint16_t route, std::uint8_t 
     return;
   }
   world.moving = true;
-  world.stopped_midway = false;
+  world.stopped_midway = world.stopped_by_while = world.returning = false;
   world.moving_now = route;
   world.automatic = route != kNoTransition && round.of(unit).transitions[route].automatic;
   world.remaining = takes;
@@ -89,6 +88,25 @@ void fire(Round& round, std::uint32_t unit, std::uint16_t number) {
   }
   if (route.commanded()) serve(round, unit, route.on);
   depart(round, unit, number, route.to, takes);
+}
+
+/// The first ready automatic transition, or, if it has a weight, one that is drawn of those with a weight.
+std::uint16_t automatic_to_fire(Round& round, std::uint32_t unit, const std::vector<std::uint16_t>& ready) {
+  const std::vector<Transition>& transitions = round.of(unit).transitions;
+  if (transitions[ready.front()].weight == 0) return ready.front();
+  std::uint64_t sum = 0;
+  int candidates = 0;
+  for (const std::uint16_t i : ready) {
+    sum += transitions[i].weight;
+    candidates += transitions[i].weight != 0 ? 1 : 0;
+  }
+  ++round.counters[candidates == 1 ? Counted::weight_of_one : Counted::weight_of_several];
+  std::uint64_t drawn = draw_weight(round, unit, ready.front(), sum);
+  for (const std::uint16_t i : ready) {
+    if (drawn < transitions[i].weight) return i;
+    drawn -= transitions[i].weight;
+  }
+  return ready.front();
 }
 
 /// The wanted states: the targets of the ready commanded transitions, the unit's own state, a behavior's.
@@ -118,7 +136,7 @@ bool step_settled(Round& round, std::uint32_t unit) {
   for (const std::uint16_t i : ready_transitions(round, unit))
     (rules.transitions[i].automatic ? automatic : commanded).push_back(i);
   if (!automatic.empty()) {
-    fire(round, unit, automatic.front());
+    fire(round, unit, automatic_to_fire(round, unit, automatic));
     return true;
   }
   const std::set<std::uint8_t> wanted = wanted_states(round, unit, commanded);
@@ -151,7 +169,7 @@ void settle(Round& round, std::uint32_t unit) {
   UnitWorld& world = round.next.units[unit];
   world.state = world.target;
   world.moving = false;
-  world.stopped_midway = false;
+  world.stopped_midway = world.stopped_by_while = world.returning = false;
   world.automatic = false;
   world.moving_now = kNoTransition;
   world.remaining = 0;
@@ -163,7 +181,7 @@ void settle(Round& round, std::uint32_t unit) {
 
 bool operation_on(const Round& round, std::uint32_t unit, std::uint32_t operation) {
   const std::uint32_t symbol = round.of(unit).operations[operation];
-  return effective(round.old.symbols[symbol]) != 0 && round.old.units[unit].operations[operation].armed;
+  return is_on(round.rules, round.old, symbol) && round.old.units[unit].operations[operation].armed;
 }
 
 bool when_holds(const Round& round, std::uint32_t unit, const Transition& route) {
@@ -186,7 +204,8 @@ void write_event(const Rules& rules, World& world, std::uint32_t symbol, std::ui
   const std::uint32_t first = rules.leader(symbol);
   const bool own = rules.model->symbols[first].unit == rules.model->symbols[symbol].unit;
   if (first != symbol && !own && rules.moved(first)) return;
-  for (const std::uint32_t each : rules.together(symbol)) world.symbols[each].value = value;
+  const std::uint64_t bit = rules.turned(symbol, value);
+  for (const std::uint32_t each : rules.together(symbol)) world.symbols[each].value = bit;
 }
 
 void leave(Round& round, std::uint32_t unit, std::uint8_t state) {

@@ -11,11 +11,12 @@ bool View::moving() const noexcept { return round_.next.units[unit_].moving; }
 // Its own arming is current, as are all other values of the unit.
 bool View::operation(std::uint8_t operation) const noexcept {
   const std::uint32_t symbol = round_.of(unit_).operations[operation];
-  return effective(round_.old.symbols[symbol]) != 0 && round_.next.units[unit_].operations[operation].armed;
+  return is_on(round_.rules, round_.old, symbol) && round_.next.units[unit_].operations[operation].armed;
 }
 
 bool View::event(std::uint8_t event) const noexcept {
-  return round_.next.symbols[round_.of(unit_).events[event]].value != 0;
+  const std::uint32_t symbol = round_.of(unit_).events[event];
+  return round_.rules.turned(symbol, round_.next.symbols[symbol].value) != 0;
 }
 
 bool View::input(std::uint32_t input) const noexcept {

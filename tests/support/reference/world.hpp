@@ -23,6 +23,8 @@ struct OperationWorld {
   bool armed = true;
   bool served = false;       ///< since its rise
   bool had_finding = false;  ///< when it rose
+  Time at_end_since = -1;    ///< on, and its unit settled in `at_end`, since the end of this instant; -1: no
+  std::uint8_t at_end = 0xFF;
   bool reached = false;  ///< since its rise its unit was, at the end of an instant, in or moving to a state it leads to
 };
 
@@ -33,7 +35,9 @@ struct UnitWorld {
   bool stopped_midway = false;  ///< moving, but stopped
   bool disabled = false;
   bool frozen = false;
-  bool automatic = false;  ///< the current move is automatic
+  bool automatic = false;         ///< the current move is automatic
+  bool returning = false;         ///< the current move has turned round
+  bool stopped_by_while = false;  ///< the reason of `stopped_midway`
   std::uint16_t moving_now = kNoTransition;
   Time remaining = 0;
   Time whole = 0;
@@ -43,6 +47,7 @@ struct UnitWorld {
   std::vector<OperationWorld> operations;
   bool conflicting = false;  ///< the findings that were true at the end of the last instant
   bool stopped = false;
+  bool overrun = false;
   std::uint32_t own_draws = 0;
   Time until_woken = -1;              ///< -1: never
   std::vector<std::uint64_t> memory;  ///< of its behavior
@@ -67,12 +72,14 @@ struct World {
   Time time = 0;
   std::uint64_t seed = 0;
   Time cycle = 0;
+  Time last_instant = -1;        ///< of the last instant that ran; -1: none since the reset
   bool instant_pending = true;   ///< the first instant, or one with external actions, is still to run here
   bool link_well = true;         ///< the link quality that behaviors see
   bool written_pending = false;  ///< a written value has not been sampled yet
   std::vector<UnitWorld> units;
   std::vector<SymbolWorld> symbols;
   std::vector<MonitorWorld> monitors;
+  std::vector<bool> frozen_follows;  ///< as Rules::follows
 };
 
 }  // namespace symplant::reference

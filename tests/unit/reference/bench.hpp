@@ -140,13 +140,27 @@ class Bench {
   static void add(std::string& text, const std::string& more) { text += (text.empty() ? "" : " ") + more; }
 
   std::string words(const tables::Finding& finding) const {
-    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
-                                                    "started",     "short",   "loop",     "violated"};
-    const auto kind = static_cast<std::size_t>(finding.kind);
-    std::string of = std::to_string(finding.of);
-    if (kind < 2 || kind == 5 || kind == 7) of = std::string(analysed.model().units[finding.of].path.substr(4));
-    if ((kind > 1 && kind < 5) || kind == 6) of = std::string(analysed.model().symbols[finding.of].name().substr(4));
-    return kKinds[kind] + " " + of + (finding.more ? "+" : "");
+    using Kind = tables::FindingKind;
+    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "overrun",
+                                                    "lost",        "started", "short",    "loop",        "violated"};
+    const model::PlantModel& model = analysed.model();
+    const auto symbol = [&](std::uint32_t index) { return std::string(model.symbols[index].name().substr(4)); };
+    std::string of;
+    switch (finding.kind) {
+      case Kind::requirement_violated:
+        of = std::to_string(finding.of);
+        break;
+      case Kind::command_to_a_disabled_unit:
+      case Kind::command_without_effect:
+      case Kind::lost_command:
+      case Kind::event_too_short:
+        of = symbol(finding.of);
+        break;
+      default:
+        of = finding.of < model.units.size() ? std::string(model.units[finding.of].path.substr(4))
+                                             : symbol(model.follows[finding.of - model.units.size()].symbol);
+    }
+    return kKinds[static_cast<std::size_t>(finding.kind)] + " " + of + (finding.more ? "+" : "");
   }
 };
 

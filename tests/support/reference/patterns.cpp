@@ -1,0 +1,36 @@
+// Matches character by character.
+#include "support/reference/patterns.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace symplant::reference {
+namespace {
+
+char lower_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool fits_from(const std::string& text, std::size_t t, const std::string& pattern, std::size_t p) {
+  if (p == pattern.size()) return t == text.size();
+  if (pattern[p] == '*') {
+    for (std::size_t end = t; end <= text.size(); ++end) {
+      if (fits_from(text, end, pattern, p + 1)) return true;
+    }
+    return false;
+  }
+  if (t == text.size()) return false;
+  const bool same = pattern[p] == '?' || lower_letter(pattern[p]) == lower_letter(text[t]);
+  return same && fits_from(text, t + 1, pattern, p + 1);
+}
+
+}  // namespace
+
+bool is_pattern(const std::string& name) { return name.find_first_of("*?") != name.npos; }
+
+bool fits(const std::string& text, const std::string& pattern) { return fits_from(text, 0, pattern, 0); }
+
+std::size_t literals(const std::string& pattern) {
+  return static_cast<std::size_t>(
+      std::count_if(pattern.begin(), pattern.end(), [](char c) { return c != '*' && c != '?'; }));
+}
+
+}  // namespace symplant::reference
