@@ -241,7 +241,6 @@ class Engine {
   void finish_units() noexcept;
 
   // commands against the end of a held unit (engine_overruns.cpp)
-  void forget_overrun(std::uint32_t unit) noexcept;
   void close_overruns() noexcept;
   void close_overrun(std::uint32_t unit, std::uint32_t position) noexcept;
 

@@ -148,7 +148,6 @@ void Engine::set_state(std::uint32_t unit, std::uint8_t target) noexcept {
   const TypeIndex& type = index_.types[row.type];
   const std::uint8_t before = state.state;
   const bool moving = (state.flags & kMoving) != 0;
-  if (moving && !index_.overruns.empty()) forget_overrun(unit);
   clear_wheel(unit);
   state.holding = 0;
   state.target = target;

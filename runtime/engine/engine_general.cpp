@@ -206,7 +206,6 @@ SYMPLANT_ALWAYS_INLINE void Engine::step(std::uint32_t unit) noexcept {
     step_settled(unit, row, type);
   } else if ((state.flags & kMidway) == 0 && state.due <= now_) {
     clear_wheel(unit);
-    if (!index_.overruns.empty()) forget_overrun(unit);
     settle(unit, row, type);
   } else {
     step_moving(unit, row, type);

@@ -23,8 +23,9 @@ struct TypeArrays {
   std::uint16_t* record_of;
 };
 
-bool is_plain(const tables::TypeRow& row) noexcept {
-  return row.operations < tables::kMaxOperations &&
+/// `overruns`: units of the plant may overrun.
+bool is_plain(const tables::TypeRow& row, bool overruns) noexcept {
+  return !(overruns && row.actuation == tables::Actuation::held) && row.operations < tables::kMaxOperations &&
          std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
            return t.on != tables::kNoOperation && t.when == tables::kNoCondition && t.during == tables::kNoCondition &&
                   !t.timed && !t.once;
@@ -61,15 +62,14 @@ void fill_states(const tables::TypeRow& row, const TypeArrays& arrays) noexcept 
   }
 }
 
-/// The departure from a state if only `on` is on; to kNoState if the unit may have a finding. `overruns`: a unit of the
-/// type may have one while it stays.
-Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std::uint8_t state, std::uint64_t on,
-                       bool overruns) noexcept {
+/// The departure from a state if only `on` is on; to kNoState if the unit may have a finding.
+Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std::uint8_t state,
+                       std::uint64_t on) noexcept {
   constexpr Departure kGeneralPath{kNoTransition, 0, tables::kNoState};
   const StateIndex& at = arrays.at[state];
   const bool returns = on == 0 && row.actuation == tables::Actuation::spring && state != row.rest;
   if ((on & at.starts) == 0 && !returns) {
-    return (on & ~at.leads) == 0 && !overruns ? Departure{kNoTransition, 0, state} : kGeneralPath;
+    return (on & ~at.leads) == 0 ? Departure{kNoTransition, 0, state} : kGeneralPath;
   }
   Departure departure{kNoTransition, row.travel, returns ? row.rest : tables::kNoState};
   bool found = false;
@@ -88,20 +88,20 @@ Departure departure_of(const tables::TypeRow& row, const TypeArrays& arrays, std
   return departure;
 }
 
-void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays, bool overruns) noexcept {
+void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays) noexcept {
   Departure* departure = arrays.departures;
   for (std::uint8_t state = 0; state < row.states; ++state) {
     arrays.at[state].departures = departure;
-    *departure++ = departure_of(row, arrays, state, 0, overruns);
+    *departure++ = departure_of(row, arrays, state, 0);
     for (std::uint8_t operation = 0; operation < row.operations; ++operation) {
-      *departure++ = departure_of(row, arrays, state, bit(operation), overruns);
+      *departure++ = departure_of(row, arrays, state, bit(operation));
     }
   }
 }
 
 TypeIndex make_type(const tables::TypeRow& row, bool overruns, Arena& arena) noexcept {
   TypeIndex type{};
-  type.plain = is_plain(row);
+  type.plain = is_plain(row, overruns);
   const TypeArrays arrays(row, type.plain, arena);
   type.stoppable = std::any_of(row.transitions.begin(), row.transitions.end(),
                                [](const tables::Transition& t) { return t.during != tables::kNoCondition; });
@@ -115,7 +115,7 @@ TypeIndex make_type(const tables::TypeRow& row, bool overruns, Arena& arena) noe
   if (arrays.at != nullptr) {
     fill_order(row, arrays);
     fill_states(row, arrays);
-    if (type.plain) fill_departures(row, arrays, overruns && row.actuation == tables::Actuation::held);
+    if (type.plain) fill_departures(row, arrays);
   }
   type.at = arrays.at;
   type.transitions = row.transitions.data();

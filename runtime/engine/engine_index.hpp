@@ -50,8 +50,8 @@ struct TypeIndex {
   std::uint8_t rest;
   tables::Actuation actuation;
   std::uint16_t travel;  ///< TypeRow::travel
-  /// No transition is automatic or has a `when`, a `during`, a record or a `once`: a unit's step reads only its
-  /// operations. It has less than 64 of them, so that StateIndex::departure() is cheap.
+  /// No transition is automatic or has a `when`, a `during`, a record or a `once`, and no unit can overrun: a unit's
+  /// step reads only its operations. It has less than 64 of them, so that StateIndex::departure() is cheap.
   bool plain;
   bool stoppable;  ///< a transition has a `during`
 

@@ -6,12 +6,7 @@
 
 namespace symplant::engine {
 
-/// The unit was on a move at the end of an instant: what it counts as it settles begins anew.
-void Engine::forget_overrun(std::uint32_t unit) noexcept {
-  const std::uint32_t position = index_.overruns.position_of(unit);
-  if (position != tables::kNone) overrun_states_[position].commands = 0;
-}
-
+/// Units that can overrun never take the fast path: whatever changes what they are found by touches them.
 void Engine::close_overruns() noexcept {
   for (const std::uint32_t unit : touched_.view()) {
     const std::uint32_t position = index_.overruns.position_of(unit);
@@ -28,23 +23,26 @@ void Engine::close_overrun(std::uint32_t unit, std::uint32_t position) noexcept 
   const bool settled = (state.flags & (kMoving | kHalted)) == 0;
   const std::uint64_t commands = settled ? operations_on(row, type) & type.at[state.state].leads : 0;
   const std::uint64_t kept = overrun.state == state.state ? overrun.commands & commands : 0;
-  tables::Time first = tables::kNever;
+  tables::Time due = tables::kNever;  // when the next of them has lasted long enough
+  bool found = false;
   for (std::uint64_t bits = commands; bits != 0; bits &= bits - 1) {
     const auto operation = static_cast<std::uint32_t>(std::countr_zero(bits));
     if ((kept >> operation & 1) == 0) begins[operation] = head_->now;
-    first = std::min(first, begins[operation]);
+    const tables::Time end = later(begins[operation], tables_.overruns[position].after);
+    if (end <= head_->now) {
+      found = true;
+    } else {
+      due = std::min(due, end);
+    }
   }
   overrun.commands = commands;
   overrun.state = state.state;
-  const tables::Time due = commands == 0 ? tables::kNever : later(first, tables_.overruns[position].after);
-  const bool found = due <= head_->now && commands != 0;
   if (found && overrun.found == 0) {
     overrun_.add(unit);
     suspects_ |= suspect(tables::FindingKind::overrun);
   }
   overrun.found = found ? 1 : 0;
-  const std::uint32_t entry = wheel_entry_of_overrun(position);
-  set_wheel(entry, found ? tables::kNever : due);
+  set_wheel(wheel_entry_of_overrun(position), due);
 }
 
 }  // namespace symplant::engine
