@@ -10,7 +10,7 @@
 namespace symplant::emit {
 namespace {
 
-constexpr std::array<std::string_view, 3> kReaderKinds{"unit", "condition", "requirement"};
+constexpr std::array<std::string_view, 4> kReaderKinds{"unit", "condition", "requirement", "follow"};
 constexpr std::array<std::string_view, 5> kComparisons{"less", "less_equal", "equal", "greater_equal", "greater"};
 constexpr std::array<std::string_view, 3> kNumberKinds{"signed_integer", "unsigned_integer", "real"};
 
@@ -106,6 +106,23 @@ std::string requirement_rows(const lower::EngineTables& tables, const model::Pla
     rows.text(row.kind == tables::RequirementRow::Kind::never ? "never, " : "expect, ");
     rows.numbers(row.condition, row.expected, row.within).text("},  // ").comment(plant.requirements[i].name);
     rows.text("\n");
+  }
+  return rows.take();
+}
+
+std::string follow_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const tables::FollowRow& row : tables.follows) {
+    rows.text("    {").numbers(row.symbol, row.condition).text("},  // ").comment(plant.symbols[row.symbol].name());
+    rows.text("\n");
+  }
+  return rows.take();
+}
+
+std::string overrun_rows(const lower::EngineTables& tables, const model::PlantModel& plant) {
+  RowWriter rows;
+  for (const tables::OverrunRow& row : tables.overruns) {
+    rows.text("    {").numbers(row.unit, row.after).text("},  // ").comment(plant.units[row.unit].path).text("\n");
   }
   return rows.take();
 }

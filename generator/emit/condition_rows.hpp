@@ -17,6 +17,8 @@ std::string bit_watch_rows(const lower::EngineTables& tables, const model::Plant
 std::string value_watch_rows(const lower::EngineTables& tables, const model::PlantModel& plant,
                              tables::Direction direction);
 std::string requirement_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string follow_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
+std::string overrun_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_unit_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 std::string behaviour_value_rows(const lower::EngineTables& tables, const model::PlantModel& plant);
 

@@ -18,7 +18,7 @@ constexpr std::size_t kLongest = 160;  ///< bytes of a condition that a comment 
 std::string unit_reader(std::uint32_t index, const lower::Type& type, const model::Unit& unit,
                         const model::PlantModel& plant) {
   for (const tables::Transition& t : type.transitions) {
-    if (t.when == index) return transition_text(t, unit, plant);
+    if (t.when == index || t.during == index) return transition_text(t, unit, plant);
   }
   const std::size_t input = index - unit.first_input;
   if (index >= unit.first_input && input < unit.input_names.size()) {
@@ -93,6 +93,12 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
             : never               ? "never"
                                   : "after",
             short_condition_text(row.reader_input == 1 ? requirement.expected : requirement.condition, plant)));
+        break;
+      }
+      case tables::ReaderKind::follow: {
+        const model::Follow& follow = plant.follows[row.reader];
+        readers.push_back(fmt::format("{} follows: {}", plant.symbols[follow.symbol].name(),
+                                      short_condition_text(follow.condition, plant)));
         break;
       }
       case tables::ReaderKind::condition:

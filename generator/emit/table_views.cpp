@@ -80,6 +80,8 @@ void add_conditions(TableViews& views, const lower::EngineTables& tables, const 
              value_watch_rows(tables, plant, Direction::event));
   views.rows("requirements", "kRequirements", "tables::RequirementRow",
              "A requirement: kind, condition, expected condition, time limit (ns).", requirement_rows(tables, plant));
+  views.rows("follows", "kFollows", "tables::FollowRow", "A symbol that follows a condition: symbol, condition.",
+             follow_rows(tables, plant));
 }
 
 }  // namespace
@@ -113,6 +115,8 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
              "A device that another one disables: the disabling device, the disabled device, the state of the former.",
              disable_rows(tables, plant));
   add_conditions(views, tables, plant);
+  views.rows("overruns", "kOverruns", "tables::OverrunRow",
+             "A device whose commands against its end are found: device, time (ns).", overrun_rows(tables, plant));
   views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
              "A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).",
              behaviour_unit_rows(tables, plant));

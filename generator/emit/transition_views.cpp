@@ -96,7 +96,8 @@ class TransitionViews {
  private:
   const std::string& state(std::uint8_t number) const { return names_.states[number]; }
 
-  // A guard is named by the target of the first transition that has it: to_RUN2, or IDLE1_to_RUN2 if others lead there.
+  // A guard is named by the target of the first transition that has it: to_RUN2, or IDLE1_to_RUN2 if others lead there;
+  // moving_to_RUN2 if it is the `while` of that transition.
   void name_guards() {
     text::IdentifierScope scope;
     auto& guards = view_.lists["guards"];
@@ -104,14 +105,17 @@ class TransitionViews {
     std::vector<const Transition*> first(count);
     std::map<std::uint8_t, std::set<std::uint16_t>> leading;  // to a state: the guards
     for (const Transition& t : type_.transitions) {
-      if (t.when == tables::kNoCondition) continue;
-      if (t.when < count && first[t.when] == nullptr) first[t.when] = &t;
-      leading[t.to].insert(t.when);
+      for (const std::uint16_t guard : {t.when, t.during}) {
+        if (guard == tables::kNoCondition) continue;
+        if (guard < count && first[guard] == nullptr) first[guard] = &t;
+        leading[t.to].insert(guard);
+      }
     }
     for (std::uint16_t g = 0; g < count; ++g) {
       std::string name = "unused";
       if (const Transition* t = first[g]) {
         name = (leading[t->to].size() == 1 ? "" : state(t->from) + "_") + "to_" + state(t->to);
+        if (t->when != g) name = "moving_" + name;
       }
       guards_.push_back(scope.unique(name));
       std::string text = short_condition_text(unit_.conditions[g], plant_);
@@ -225,6 +229,8 @@ class TransitionViews {
     const Transition& t = type_.transitions[n];
     std::string text = fmt::format("go(State::{}, {})", state(t.to), times_.at({t.to, t.dt}));
     if (t.when != tables::kNoCondition) text += fmt::format(".when(Guard::{})", guards_[t.when]);
+    if (t.during != tables::kNoCondition) text += fmt::format(".during(Guard::{})", guards_[t.during]);
+    if (t.weight != 0) text += fmt::format(".weight({})", t.weight);
     if (t.once) text += ".once()";
     if (has_priority(n)) text += fmt::format(".priority({})", priorities_[n]);
     return text;

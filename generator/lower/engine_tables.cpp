@@ -32,6 +32,8 @@ tables::PlantTables EngineTables::tables() const {
       .operation_value_watches = operation_value_watches,
       .event_value_watches = event_value_watches,
       .requirements = requirements,
+      .follows = follows,
+      .overruns = overruns,
       .behaviour_units = behaviour_units,
       .behaviour_values = behaviour_values,
       .operation_bits = operation_bits,

@@ -45,6 +45,8 @@ struct EngineTables {
   std::vector<tables::ValueWatch> operation_value_watches;
   std::vector<tables::ValueWatch> event_value_watches;
   std::vector<tables::RequirementRow> requirements;
+  std::vector<tables::FollowRow> follows;
+  std::vector<tables::OverrunRow> overruns;
   std::vector<tables::BehaviourUnit> behaviour_units;
   std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;

@@ -58,6 +58,7 @@ class Lowering {
       for (std::uint32_t i = 0; i < unit.events.size(); ++i) symbol_bits_[unit.events[i]] = row.event_bit + i;
       tables_.units.push_back(row);
       tables_.unit_names.append(unit.path).push_back('\0');
+      if (unit.overrun != tables::kNever) tables_.overruns.push_back({u, unit.overrun});
     }
   }
 

@@ -35,6 +35,7 @@ class ConditionLowering {
   void run() {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) lower_unit(u);
     for (std::uint32_t r = 0; r < plant_.requirements.size(); ++r) lower_requirement(r);
+    for (std::uint32_t f = 0; f < plant_.follows.size(); ++f) lower_follow(f);
     add_inner_tables();
     sort_watches();
   }
@@ -57,6 +58,11 @@ class ConditionLowering {
     }
     tables_.requirements.push_back(row);
     tables_.requirement_names.append(requirement.name).push_back('\0');
+  }
+
+  void lower_follow(std::uint32_t f) {
+    tables_.follows.push_back({plant_.follows[f].symbol, next_condition()});
+    add_condition(plant_.follows[f].condition, tables::ReaderKind::follow, f, 0);
   }
 
   std::uint32_t next_condition() const { return static_cast<std::uint32_t>(tables_.conditions.size()); }

@@ -41,12 +41,12 @@ class SymbolLowering {
       const tables::AddressForm form = form_of(symbol);
       row.number = form == tables::AddressForm::number ? static_cast<std::uint32_t>(symbol.address->number) : 0;
       row.row = symbol.row->line;
-      row.kind = tables::symbol_kind(symbol.type, symbol.direction, form, moved(i));
+      row.kind = tables::symbol_kind(symbol.type, symbol.direction, form, moved(i), symbol.inverted);
       tables_.symbols.push_back(row);
       tables_.symbol_names.append(symbol.name()).push_back('\0');
       tables_.symbol_names.append(symbol.written_address()).push_back('\0');
       if (const std::uint32_t leader = leader_of(i); leader != i) tables_.shared_addresses.push_back({i, leader});
-      if (keeps_initial(i)) tables_.initial_values.push_back({i, symbol.initial});
+      if (keeps_initial(i)) tables_.initial_values.push_back({i, initial_of(symbol)});
     }
   }
 
@@ -66,9 +66,10 @@ class SymbolLowering {
     return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
   }
 
-  /// Whether a symbol acts in its unit: an operation of a unit that moves, or an event that its unit drives.
+  /// Whether a symbol acts: an operation of a unit that moves, or an event that its unit or a condition drives.
   bool moved(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
+    if (symbol.unmodelled == model::Unmodelled::follows) return true;
     if (symbol.unit == kNone) return false;
     const model::Unit& unit = plant_.units[symbol.unit];
     if (symbol.direction == tables::Direction::operation) return unit.moves();
@@ -93,10 +94,17 @@ class SymbolLowering {
     }
   }
 
-  /// Whether a symbol starts with its Initial: a numeric symbol or a BOOL event of no state that follows no other.
+  /// The Initial in the form of tables::InitialValue.
+  static std::uint64_t initial_of(const model::Symbol& symbol) {
+    if (symbol.type != tables::DataType::boolean) return symbol.initial;
+    return (symbol.initial != 0) != symbol.inverted ? 1 : 0;
+  }
+
+  /// Whether a symbol starts with its Initial: a numeric symbol or a BOOL event of no state that follows no other and
+  /// no condition.
   bool keeps_initial(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
-    if (symbol.initial == 0 || leader_of(i) != i) return false;
+    if (initial_of(symbol) == 0 || leader_of(i) != i || symbol.unmodelled == model::Unmodelled::follows) return false;
     if (symbol.type != tables::DataType::boolean) return true;
     if (symbol.direction == tables::Direction::operation) return false;
     return symbol.unit == kNone || !set_at_start(i);

@@ -7,13 +7,13 @@
 namespace symplant::lower {
 namespace {
 
-/// Whether a transition has a delay or a random travel time; a fixed time of 0 is neither.
+/// Whether times have a delay or a random travel time; a fixed time of 0 is neither.
 bool timed(const tables::TransitionTimes& times) { return times.after != 0 || times.takes < 0; }
 
 void mark_transitions(EngineTables& tables) {
   for (Type& type : tables.types) {
     for (tables::Transition& t : type.transitions) {
-      if ((t.dt & tables::kOfDevice) == 0) t.timed = timed(type.times[t.dt]);
+      t.timed = t.weight != 0 || ((t.dt & tables::kOfDevice) == 0 && timed(type.times[t.dt]));
     }
   }
   for (const tables::UnitRow& unit : tables.units) {

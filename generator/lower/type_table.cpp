@@ -12,17 +12,24 @@ using model::kNone;
 
 std::uint64_t bit(std::uint32_t position) { return std::uint64_t{1} << position; }
 
-bool driven_by_its_unit(const model::PlantModel& plant, std::uint32_t event) {
+bool is_driven(const model::PlantModel& plant, std::uint32_t event) {
   const std::uint32_t unit = plant.symbols[event].unit;
-  if (unit == kNone) return false;
+  if (unit == kNone) return plant.symbols[event].unmodelled == model::Unmodelled::follows;
   const auto& events = plant.units[unit].events;
   const auto position = std::find(events.begin(), events.end(), event) - events.begin();
   return plant.units[unit].moves_event(static_cast<std::uint32_t>(position));
 }
 
-/// The unit's events on the address of `event`, which always have one value. Empty if they follow an event of another
-/// unit, which alone decides their value.
-std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
+/// Events on one address. Their bits are equal: those that are inverted as the first one is are on with it, the others
+/// are off then.
+struct Together {
+  std::uint64_t same = 0;
+  std::uint64_t opposite = 0;
+};
+
+/// The unit's events on the address of `event`. Empty if they follow an event of another unit or one that follows a
+/// condition, which alone decides their value.
+Together events_with(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t event) {
   const auto leader_of = [&](std::uint32_t position) {
     const std::uint32_t symbol = unit.events[position];
     const std::uint32_t leader = plant.symbols[symbol].leader;
@@ -30,18 +37,22 @@ std::uint64_t events_with(const model::PlantModel& plant, const model::Unit& uni
   };
   const std::uint32_t leader = leader_of(event);
   const bool own = std::find(unit.events.begin(), unit.events.end(), leader) != unit.events.end();
-  if (!own && driven_by_its_unit(plant, leader)) return 0;
-  std::uint64_t events = 0;
+  if (!own && is_driven(plant, leader)) return {};
+  Together events;
+  const bool inverted = plant.symbols[unit.events[event]].inverted;
   for (std::uint32_t other = 0; other < unit.events.size(); ++other) {
-    if (leader_of(other) == leader) events |= bit(other);
+    if (leader_of(other) != leader) continue;
+    (plant.symbols[unit.events[other]].inverted == inverted ? events.same : events.opposite) |= bit(other);
   }
   return events;
 }
 
 /// Sets or clears events; of several assignments to one event the last counts.
-void assign(tables::EventMasks& masks, std::uint64_t events, bool on) {
-  masks.on = on ? masks.on | events : masks.on & ~events;
-  masks.off = on ? masks.off & ~events : masks.off | events;
+void assign(tables::EventMasks& masks, const Together& events, bool on) {
+  const std::uint64_t rising = on ? events.same : events.opposite;
+  const std::uint64_t falling = on ? events.opposite : events.same;
+  masks.on = (masks.on | rising) & ~falling;
+  masks.off = (masks.off | falling) & ~rising;
 }
 
 /// The events that entering (`on`) or leaving a state switches: its event, then the outputs.
@@ -61,6 +72,8 @@ tables::Transition lowered(const model::Transition& t) {
   if (t.spring_return) row.on = tables::kSpringReturn;
   row.once = t.once;
   row.when = t.when == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.when);
+  row.during = t.during == kNone ? tables::kNoCondition : static_cast<std::uint16_t>(t.during);
+  row.weight = t.weight;
   return row;
 }
 
@@ -110,8 +123,7 @@ void put_structure(const Type& type, const model::PlantModel& plant, std::string
     byte(t.to);
     byte(t.on);
     byte(t.once ? 1 : 0);
-    byte(static_cast<std::uint8_t>(t.when));
-    byte(static_cast<std::uint8_t>(t.when >> 8));
+    number(std::uint64_t{t.when} << 48 | std::uint64_t{t.during} << 32 | t.weight);
   }
   for (const auto* side : {&type.enter, &type.leave}) {
     for (const tables::EventMasks& masks : *side) {

@@ -51,6 +51,22 @@ struct MonitorState {
   std::uint32_t held;  ///< 1: its condition held at the end of the last instant
 };
 
+/// The commands to the state that a held unit has reached (docs/model.md, overrun).
+struct OverrunState {
+  std::uint64_t commands;  ///< the operations that were on, and led to `state`, at the end of the last instant
+  std::uint32_t state;     ///< in which it was settled then
+  std::uint32_t found;     ///< 1: the finding was true at the end of the last instant
+};
+
+/// FollowState::frozen
+inline constexpr std::uint8_t kFrozenBefore = 1;
+inline constexpr std::uint8_t kFrozenInThisInstant = 2;
+
+struct FollowState {
+  std::uint8_t frozen;  ///< 0: it is not
+  std::uint8_t steps;   ///< as UnitState::steps
+};
+
 struct BehaviourState {
   tables::Time wake;  ///< when woken() is due, or kNever; in a halted unit the time left
   std::uint32_t draws;

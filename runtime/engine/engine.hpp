@@ -8,6 +8,7 @@
 
 #include "symplant/engine/arena.hpp"
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/engine/bit_words.hpp"
 #include "symplant/engine/block.hpp"
 #include "symplant/engine/dirty_set.hpp"
 #include "symplant/engine/engine_index.hpp"
@@ -49,8 +50,10 @@ class Engine {
   std::uint64_t model_hash() const noexcept { return head_->model; }
   std::uint64_t state_hash() const noexcept;
   tables::Time now() const noexcept { return head_->now; }
-  std::span<const std::uint64_t> operations() const noexcept { return {operations_.bits, tables_.operation_bits / 64}; }
-  std::span<const std::uint64_t> events() const noexcept { return {events_.bits, tables_.event_bits / 64}; }
+  BitWords operations() const noexcept {
+    return {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
+  }
+  BitWords events() const noexcept { return {events_.bits, index_.inverted_events, tables_.event_bits / 64}; }
   std::span<const std::uint64_t> disarmed() const noexcept { return {disarmed_, tables_.operation_bits / 64}; }
   std::uint64_t operation_value(std::uint32_t slot) const noexcept { return operation_values_.values[slot]; }
   std::uint64_t written_operation_value(std::uint32_t slot) const noexcept { return written_values_[slot]; }
@@ -81,6 +84,7 @@ class Engine {
   void position_names(Arena& arena) noexcept;
   void place_block(Arena& arena) noexcept;
   void reset_values() noexcept;
+  void reset_levels() noexcept;
   void reset_conditions() noexcept;
 
   // actions from outside (engine_acts.cpp)
@@ -138,6 +142,7 @@ class Engine {
   void step_all(const std::uint32_t* units, std::uint32_t count, bool counting) noexcept;
   void forget_steps() noexcept;
   bool look_for_loops() noexcept;
+  void step_follows(bool counting) noexcept;
   void step(std::uint32_t unit) noexcept;
   void forget_queue() noexcept;
   bool may_leave(const tables::UnitRow& row, const TypeIndex& type, std::uint8_t here) const noexcept;
@@ -151,6 +156,7 @@ class Engine {
   struct Wishes;
   Wishes wishes_of(std::uint32_t unit, const TypeIndex& type, std::uint64_t on) noexcept;
   void step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept;
+  bool must_stop(std::uint32_t unit, const TypeIndex& type) const noexcept;
   void turn_round(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                   std::uint16_t transition) noexcept;
   void stop_midway(std::uint32_t unit) noexcept;
@@ -167,6 +173,7 @@ class Engine {
                           std::uint64_t on) noexcept;
   bool holds_long_enough(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                          std::uint16_t transition, bool held, Record& record) noexcept;
+  std::uint16_t drawn_by_weight(std::uint32_t unit, const TypeIndex& type, const Ready& ready) noexcept;
   std::uint8_t destination(std::uint32_t unit, const TypeIndex& type, std::uint64_t on, const Ready& ready) noexcept;
   tables::Time takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                      std::uint16_t transition) noexcept;
@@ -190,6 +197,9 @@ class Engine {
   }
   std::uint32_t wheel_entry_of_behaviour(std::uint32_t behaviour) const noexcept {
     return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables_.requirements.size())) + behaviour;
+  }
+  std::uint32_t wheel_entry_of_overrun(std::uint32_t position) const noexcept {
+    return wheel_entry_of_behaviour(static_cast<std::uint32_t>(tables_.behaviour_units.size())) + position;
   }
 
   // calls of custom behaviors (behaviour.cpp)
@@ -219,6 +229,7 @@ class Engine {
   // the end of an instant (engine_close.cpp)
   void close_instant() noexcept;
   std::span<const WordChange> close_events() noexcept;
+  std::span<const WordChange> include_start(std::span<const WordChange> changed_events) noexcept;
   std::uint64_t close_cycle(std::uint32_t word, std::uint64_t changed) noexcept;
   void close_event_values() noexcept;
   void close_requirements() noexcept;
@@ -229,6 +240,10 @@ class Engine {
   void serve(const UnitState& state, const tables::UnitRow& row) noexcept;
   void finish_units() noexcept;
 
+  // commands against the end of a held unit (engine_overruns.cpp)
+  void close_overruns() noexcept;
+  void close_overrun(std::uint32_t unit, std::uint32_t position) noexcept;
+
   // the findings of an instant (engine_findings.cpp)
   void report_findings() noexcept;
   void report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept;
@@ -236,9 +251,12 @@ class Engine {
   void report_units(tables::FindingKind kind) noexcept;
   void report_operations(tables::FindingKind kind) noexcept;
   bool is_operation_finding(tables::FindingKind kind, std::uint32_t unit, std::uint32_t bit) const noexcept;
+  bool is_frozen_follow(std::uint32_t symbol) const noexcept;
   void report_short_events() noexcept;
   void report_loops() noexcept;
-  void report_requirements() noexcept;
+  void report_all(List<std::uint32_t>& collected, tables::FindingKind kind) noexcept;
+  template <class Function>
+  void for_frozen_now(Function function) noexcept;
 
   const tables::PlantTables& tables_;
   std::span<const Behaviour> behaviours_;
@@ -246,7 +264,7 @@ class Engine {
 
   // --- in the flat block, from `head` on
   BlockHead* head_;
-  UnitState* units_;  ///< followed by a wheel entry for each requirement and each behavior
+  UnitState* units_;  ///< followed by a wheel entry for each requirement, each behavior and each overrun
   BitPlane operations_;
   BitPlane events_;
   ValuePlane operation_values_;
@@ -261,6 +279,9 @@ class Engine {
   std::uint8_t* condition_states_;
   MonitorState* monitors_;
   BehaviourState* behaviour_states_;
+  FollowState* follow_states_;
+  OverrunState* overrun_states_;
+  tables::Time* overrun_begins_;  ///< of each operation of these units: since when it is among OverrunState::commands
   std::byte* behaviour_memory_;
   ShortEvents recent_rises_;  ///< of events, in real time
   std::size_t block_size_;
@@ -279,6 +300,7 @@ class Engine {
   List<std::uint32_t> counted_;         ///< general units whose disabled_by changed in this round
   List<std::uint32_t> waiting_;         ///< conditions to evaluate
   DirtySet touched_requirements_;
+  DirtySet due_follows_;          ///< those whose condition changed since their last step
   DirtySet touched_slots_;        ///< event slots that changed in this instant
   std::uint64_t* values_before_;  ///< those slots as they were when the instant began
   List<WordChange> operation_changes_;
@@ -288,9 +310,11 @@ class Engine {
   std::uint32_t suspects_;         ///< one bit per kind of finding: this instant may have one
   std::uint8_t loops_;             ///< number of loops frozen in this instant
   List<std::uint32_t> violated_;   ///< requirements violated in this instant
+  List<std::uint32_t> overrun_;    ///< units that began to overrun in this instant
   List<WordChange> short_events_;  ///< events found too short in this instant
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
+  bool first_;                     ///< this is the first instant
   bool unpublished_;               ///< publish() has work to do
   bool active_;                    ///< a unit stepped, or was disabled or enabled, in this round
   tables::Time now_;               ///< the time of this instant

@@ -23,6 +23,10 @@ std::uint64_t with_bit(std::uint64_t word, std::uint32_t bit, bool on) noexcept 
   return on ? word | bit_in_word(bit) : word & ~bit_in_word(bit);
 }
 
+bool has_bit(const std::uint64_t* plane, std::uint32_t bit) noexcept {
+  return (plane[bit / 64] & bit_in_word(bit)) != 0;
+}
+
 void set_bit(std::uint64_t& word, std::uint32_t bit, bool on) noexcept { word = with_bit(word, bit, on); }
 
 }  // namespace
@@ -83,8 +87,10 @@ bool Engine::set_input(std::uint32_t symbol, std::uint64_t value) noexcept {
   if (moved) return false;
   if (is_bit(row)) {
     unpublished_ = true;
-    for_address(shared, true, row.index,
-                [&](std::uint32_t bit) { events_.make(bit / 64, with_bit(events_.made(bit / 64), bit, value != 0)); });
+    for_address(shared, true, row.index, [&](std::uint32_t bit) {
+      const bool on = (value != 0) != has_bit(index_.inverted_events, bit);
+      events_.make(bit / 64, with_bit(events_.made(bit / 64), bit, on));
+    });
   } else {
     make_event_value(row.index, value);
     for_address(shared, false, row.index, [&](std::uint32_t slot) { touch_readers(tables::Direction::event, slot); });
@@ -117,7 +123,8 @@ void Engine::force(std::uint32_t symbol, bool forced, std::uint64_t value) noexc
     for_address(shared, true, row.index, [&](std::uint32_t bit) {
       const bool was = (plane.forced[bit / 64] & bit_in_word(bit)) != 0;
       if (!operation && was != forced) forced ? ++head_->event_forces : --head_->event_forces;
-      plane.force(bit / 64, bit_in_word(bit), forced && value != 0, forced && value == 0);
+      const bool on = (value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);
+      plane.force(bit / 64, bit_in_word(bit), forced && on, forced && !on);
     });
     see_events();
     return;
@@ -187,7 +194,9 @@ void Engine::make_followers(std::uint32_t word, std::uint64_t on, std::uint64_t 
     const std::uint32_t position = word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
     for (const SharedPosition& other : index_.shared_events.with(position)) {
       const std::uint32_t other_word = other.position / 64;
-      events_.make(other_word, with_bit(events_.made(other_word), other.position, (on & bit) != 0));
+      const bool opposite =
+          has_bit(index_.inverted_events, position) != has_bit(index_.inverted_events, other.position);
+      events_.make(other_word, with_bit(events_.made(other_word), other.position, ((on & bit) != 0) != opposite));
     }
   }
 }

@@ -10,11 +10,13 @@ tables::Time Engine::next_due() const noexcept {
   return head_->started == 0 || head_->acted != 0 ? head_->now : head_->wheel.peek(units_);
 }
 
-/// Touches every unit and requirement: the first instant, at time 0, steps all of them.
+/// Touches every unit, requirement and follow: the first instant, at time 0, steps all of them.
 void Engine::start() noexcept {
   head_->started = 1;
+  first_ = true;
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) touch(unit);
   for (std::uint32_t r = 0; r < tables_.requirements.size(); ++r) touched_requirements_.mark(r);
+  for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) due_follows_.mark(f);
 }
 
 /// Whether all steps of an instant took the fast path, and its changes need no close: run_rounds() and close_instant()

@@ -28,6 +28,13 @@ SYMPLANT_ALWAYS_INLINE std::span<const WordChange> Engine::close_events() noexce
   });
 }
 
+/// The first instant reports the bits that are on: those of inverted symbols are on where they did not change.
+std::span<const WordChange> Engine::include_start(std::span<const WordChange> changed_events) noexcept {
+  const std::span<WordChange> operations(operation_changes_.items, tables_.operation_bits / 64);
+  operation_changes_.size = toggle(operations, operation_changes_.size, index_.inverted_operations);
+  return event_changes_.toggle(static_cast<std::uint32_t>(changed_events.size()), index_.inverted_events);
+}
+
 void Engine::close_event_values() noexcept {
   touched_slots_.take_all([&](std::uint32_t slot) {
     if (values_before_[slot] == event_values_.values[slot]) return;
@@ -119,9 +126,10 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
 }
 
 void Engine::close_instant() noexcept {
-  const std::span<const WordChange> changed_events = close_events();
+  std::span<const WordChange> changed_events = close_events();
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();
+  if (!index_.overruns.empty()) close_overruns();
   const bool unfinished = close_operations();
   reported_any_ = false;
   if (suspects_ != 0) report_findings();
@@ -129,6 +137,8 @@ void Engine::close_instant() noexcept {
     for (const WordChange& change : operation_changes_.view()) finish_operations(change);
   }
   finish_units();
+  if (first_ && index_.some_inverted && observer_ != nullptr) changed_events = include_start(changed_events);
+  first_ = false;
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
                                static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |
                                event_slot_changes_.size) != 0) {

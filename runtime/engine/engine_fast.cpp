@@ -115,12 +115,13 @@ void Engine::sample_operations(bool fast) noexcept {
   for (const std::uint32_t word : written_words_.take_all()) {
     OperationWord& operation = operation_words_[word];
     operation.waiting = 0;
+    const std::uint64_t level = operation.written ^ index_.inverted_operations[word];
     if (fast) [[likely]] {
-      change_operations<true>(word, operations_.sample(word, operation.written));
+      change_operations<true>(word, operations_.sample(word, level));
     } else if (!acted) {
-      change_operations<false>(word, operations_.sample(word, operation.written));
+      change_operations<false>(word, operations_.sample(word, level));
     } else {
-      operations_.make(word, operation.written);
+      operations_.make(word, level);
     }
   }
   if (written_slots_.empty()) return;
@@ -157,6 +158,10 @@ void Engine::queue_other(std::uint32_t entry) noexcept {
     return;
   }
   const std::uint32_t behaviour = entry - requirement_count;
+  if (behaviour >= tables_.behaviour_units.size()) {
+    touch(tables_.overruns[behaviour - tables_.behaviour_units.size()].unit);
+    return;
+  }
   behaviour_states_[behaviour].woken = 1;
   behaviour_states_[behaviour].wake = tables::kNever;
   touch(tables_.behaviour_units[behaviour].unit);

@@ -20,11 +20,14 @@ void Engine::report_findings() noexcept {
     report_operations(tables::FindingKind::command_to_a_disabled_unit);
     report_operations(tables::FindingKind::command_without_effect);
   }
+  if (suspected(tables::FindingKind::overrun)) report_all(overrun_, tables::FindingKind::overrun);
   if (suspected(tables::FindingKind::lost_command)) report_operations(tables::FindingKind::lost_command);
   if (suspected(tables::FindingKind::started_on_enabling)) report_units(tables::FindingKind::started_on_enabling);
   if (suspected(tables::FindingKind::event_too_short)) report_short_events();
   if (suspected(tables::FindingKind::instantaneous_loop)) report_loops();
-  if (suspected(tables::FindingKind::requirement_violated)) report_requirements();
+  if (suspected(tables::FindingKind::requirement_violated)) {
+    report_all(violated_, tables::FindingKind::requirement_violated);
+  }
 }
 
 void Engine::report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
@@ -85,43 +88,67 @@ void Engine::report_operations(tables::FindingKind kind) noexcept {
   report_marked(kind);
 }
 
+/// Whether a symbol follows a condition and is frozen. O(log follows).
+bool Engine::is_frozen_follow(std::uint32_t symbol) const noexcept {
+  const auto row = std::lower_bound(tables_.follows.begin(), tables_.follows.end(), symbol,
+                                    [](const tables::FollowRow& a, std::uint32_t b) { return a.symbol < b; });
+  if (row == tables_.follows.end() || row->symbol != symbol) return false;
+  return follow_states_[row - tables_.follows.begin()].frozen != 0;
+}
+
 void Engine::report_short_events() noexcept {
   for (const WordChange& change : short_events_.view()) {
     for (std::uint64_t bits = change.bits; bits != 0; bits &= bits - 1) {
       const std::uint32_t bit = change.word * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const std::uint32_t symbol = index_.symbol_of_event[bit];
       const std::uint32_t unit = tables_.symbols.empty() ? tables::kNone : tables_.symbols[symbol].unit;
-      if (unit == tables::kNone || (units_[unit].flags & kFrozen) == 0) marks_.mark(symbol);
+      const bool frozen = unit == tables::kNone ? is_frozen_follow(symbol) : (units_[unit].flags & kFrozen) != 0;
+      if (!frozen) marks_.mark(symbol);
     }
   }
   short_events_.size = 0;
   report_marked(tables::FindingKind::event_too_short);
 }
 
-/// Reports the loops frozen in this instant, in the order of their first units.
-void Engine::report_loops() noexcept {
-  std::array<std::uint32_t, 256> first{};  // a loop's number -> its first unit in table order
-  first.fill(tables::kNone);
+/// Calls `function(member, loop)` for each unit and each symbol that follows a condition, as Finding::of numbers them,
+/// that was frozen in this instant.
+template <class Function>
+void Engine::for_frozen_now(Function function) noexcept {
   for (const std::uint32_t unit : touched_.view()) {
-    if ((units_[unit].flags & kFrozenNow) != 0) first[units_[unit].steps] = std::min(first[units_[unit].steps], unit);
+    if ((units_[unit].flags & kFrozenNow) != 0) function(unit, units_[unit].steps);
   }
+  const auto unit_count = static_cast<std::uint32_t>(tables_.units.size());
+  for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) {
+    if (follow_states_[f].frozen == kFrozenInThisInstant) function(unit_count + f, follow_states_[f].steps);
+  }
+}
+
+/// Reports the loops frozen in this instant, in the order of their first members.
+void Engine::report_loops() noexcept {
+  std::array<std::uint32_t, 256> first{};  // a loop's number -> its first member in table order
+  first.fill(tables::kNone);
+  for_frozen_now([&](std::uint32_t member, std::uint8_t loop) { first[loop] = std::min(first[loop], member); });
   for (;;) {
     const auto next = std::min_element(first.begin(), first.end());
     if (*next == tables::kNone) break;
     *next = tables::kNone;
     const auto loop = static_cast<std::uint8_t>(next - first.begin());
-    for (const std::uint32_t unit : touched_.view()) {
-      if ((units_[unit].flags & kFrozenNow) != 0 && units_[unit].steps == loop) marks_.mark(unit);
-    }
+    for_frozen_now([&](std::uint32_t member, std::uint8_t its_loop) {
+      if (its_loop == loop) marks_.mark(member);
+    });
     report_marked(tables::FindingKind::instantaneous_loop);
   }
   loops_ = 0;
+  for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
+    if (follow_states_[f].frozen != 0) follow_states_[f].frozen = kFrozenBefore;
+  }
 }
 
-void Engine::report_requirements() noexcept {
-  for (const std::uint32_t requirement : violated_.view()) marks_.mark(requirement);
-  violated_.size = 0;
-  report_marked(tables::FindingKind::requirement_violated);
+/// Reports the collected units or requirements.
+void Engine::report_all(List<std::uint32_t>& collected, tables::FindingKind kind) noexcept {
+  for (const std::uint32_t of : collected.view()) marks_.mark(of);
+  collected.size = 0;
+  report_marked(kind);
 }
 
 }  // namespace symplant::engine

@@ -1,7 +1,9 @@
 // The general path: the step of a unit with any features, and firing and arriving.
 #include <algorithm>
 
+#include "symplant/engine/draw.hpp"
 #include "symplant/engine/engine_inline.hpp"
+#include "symplant/engine/wide.hpp"
 
 namespace symplant::engine {
 
@@ -11,6 +13,7 @@ struct Engine::Ready {
   std::uint16_t first;      ///< the first commanded one, or kNoTransition
   bool several;             ///< the commanded ones lead to different states
   std::uint64_t served;     ///< the operations that command them
+  std::uint64_t weights;    ///< of the automatic ones that have a weight, added
 };
 
 /// Whether a cause that holds has held for its transition's `after`. `held`: the unit's records are valid.
@@ -28,7 +31,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const 
 /// its random `after`.
 SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t unit, const tables::UnitRow& row,
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
-  Ready ready{kNoTransition, kNoTransition, false, 0};
+  Ready ready{kNoTransition, kNoTransition, false, 0, 0};
   tables::Time earliest = tables::kNever;
   const GeneralRow* const general = row.general != 0 ? &general_row(unit) : nullptr;
   UnitState& state = units_[unit];
@@ -55,6 +58,7 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
     if (!cause) continue;
     if (automatic) {
       if (ready.automatic == kNoTransition) ready.automatic = n;
+      ready.weights += transition.weight;
       continue;
     }
     ready.served |= operation_mask(transition.on);
@@ -67,6 +71,23 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
   state.holding = holding ? 1 : 0;
   if ((state.flags & kTimed) == 0 ? earliest != tables::kNever : earliest != state.due) set_wheel(unit, earliest);
   return ready;
+}
+
+/// One of the ready automatic transitions that have a weight. The first ready one has; each of them has a record.
+std::uint16_t Engine::drawn_by_weight(std::uint32_t unit, const TypeIndex& type, const Ready& ready) noexcept {
+  const Record* const records = records_ + general_row(unit).first_record;
+  std::uint64_t random = draw_start(head_->seed, name_hash(unit), ready.automatic,
+                                    records_[general_row(unit).first_record + type.record_of[ready.automatic]].draws++);
+  auto share = static_cast<std::uint64_t>(static_cast<Wide>(split_mix(random)) * ready.weights >> 64);
+  for (const std::uint16_t n : type.from(units_[unit].state)) {
+    const std::uint32_t weight = type.transitions[n].weight;
+    if (weight == 0) continue;
+    const Record& record = records[type.record_of[n]];
+    if (record.holds == 0 || record.ready > now_) continue;
+    if (share < weight) return n;
+    share -= weight;
+  }
+  return ready.automatic;
 }
 
 void Engine::found_conflict(std::uint32_t unit) noexcept {
@@ -128,6 +149,7 @@ void Engine::leave(std::uint32_t unit, const tables::UnitRow& row, const TypeInd
     switch_events_now(row, type.at[here].leave);
   }
   travel(unit, state, duration);
+  if (type.stoppable && must_stop(unit, type)) queue(unit);
   // A command back would have kept the unit in its state, so that only a behavior can act on the move in this instant.
   if (!automatic && type.actuation != tables::Actuation::latched && behaves(unit)) queue(unit);
 }
@@ -159,13 +181,13 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
                                                  const TypeIndex& type) noexcept {
   const StateIndex& at = type.at[units_[unit].state];
   const std::uint64_t on = operations_on(row, type);
-  Ready ready{kNoTransition, kNoTransition, false, 0};
+  Ready ready{kNoTransition, kNoTransition, false, 0, 0};
   if ((on & at.starts) != 0 || at.automatic || units_[unit].holding != 0)
     ready = ready_transitions(unit, row, type, on);
   std::uint16_t transition = ready.first;
   std::uint8_t target = tables::kNoState;
   if (ready.automatic != kNoTransition) {
-    transition = ready.automatic;
+    transition = type.transitions[ready.automatic].weight == 0 ? ready.automatic : drawn_by_weight(unit, type, ready);
     target = type.transitions[transition].to;
   } else {
     target = destination(unit, type, on, ready);

@@ -23,10 +23,12 @@ struct TypeArrays {
   std::uint16_t* record_of;
 };
 
-bool is_plain(const tables::TypeRow& row) noexcept {
-  return row.operations < tables::kMaxOperations &&
+/// `overruns`: units of the plant may overrun.
+bool is_plain(const tables::TypeRow& row, bool overruns) noexcept {
+  return !(overruns && row.actuation == tables::Actuation::held) && row.operations < tables::kMaxOperations &&
          std::all_of(row.transitions.begin(), row.transitions.end(), [](const tables::Transition& t) {
-           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && !t.timed && !t.once;
+           return t.on != tables::kNoOperation && t.when == tables::kNoCondition && t.during == tables::kNoCondition &&
+                  !t.timed && !t.once;
          });
 }
 
@@ -97,10 +99,12 @@ void fill_departures(const tables::TypeRow& row, const TypeArrays& arrays) noexc
   }
 }
 
-TypeIndex make_type(const tables::TypeRow& row, Arena& arena) noexcept {
+TypeIndex make_type(const tables::TypeRow& row, bool overruns, Arena& arena) noexcept {
   TypeIndex type{};
-  type.plain = is_plain(row);
+  type.plain = is_plain(row, overruns);
   const TypeArrays arrays(row, type.plain, arena);
+  type.stoppable = std::any_of(row.transitions.begin(), row.transitions.end(),
+                               [](const tables::Transition& t) { return t.during != tables::kNoCondition; });
   for (std::size_t n = 0; n < row.transitions.size(); ++n) {
     const bool timed = row.transitions[n].timed;
     if (arrays.record_of != nullptr) {
@@ -196,6 +200,23 @@ void GeneralUnits::fill(const tables::PlantTables& tables, const TypeIndex* type
   }
 }
 
+void OverrunIndex::build(const tables::PlantTables& tables, Arena& arena) noexcept {
+  auto* positions = arena.take<std::uint32_t>(tables.overruns.empty() ? 0 : tables.units.size());
+  auto* first = arena.take<std::uint32_t>(tables.overruns.size());
+  operations_ = 0;
+  if (positions != nullptr && !tables.overruns.empty()) std::fill_n(positions, tables.units.size(), tables::kNone);
+  for (std::uint32_t row = 0; row < tables.overruns.size(); ++row) {
+    const std::uint32_t unit = tables.overruns[row].unit;
+    if (positions != nullptr) {
+      positions[unit] = row;
+      first[row] = operations_;
+    }
+    operations_ += tables.types[tables.units[unit].type].operations;
+  }
+  positions_ = tables.overruns.empty() ? nullptr : positions;
+  first_operations_ = first;
+}
+
 void WatchIndex::build(std::span<const tables::BitWatch> watches, std::uint32_t bits, Arena& arena) noexcept {
   if (watches.empty()) return;
   auto* marks = arena.take<std::uint64_t>(bits / 64);
@@ -248,7 +269,7 @@ std::span<const ValueReader> ValueReaders::of(tables::Direction direction, std::
 void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcept {
   auto* type_rows = arena.take<TypeIndex>(tables.types.size());
   for (std::size_t i = 0; i < tables.types.size(); ++i) {
-    const TypeIndex type = make_type(tables.types[i], arena);
+    const TypeIndex type = make_type(tables.types[i], !tables.overruns.empty(), arena);
     if (type_rows != nullptr) type_rows[i] = type;
   }
   types = type_rows;
@@ -257,9 +278,14 @@ void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcep
   operation_watches.build(tables.operation_watches, tables.operation_bits, arena);
   event_watches.build(tables.event_watches, tables.event_bits, arena);
   value_readers.build(tables, arena);
+  overruns.build(tables, arena);
   shared_operations.build(tables, tables::Direction::operation, arena);
   shared_events.build(tables, tables::Direction::event, arena);
 
+  auto* inverted_bits = arena.take<std::uint64_t>(tables.operation_bits / 64 + std::size_t{1});
+  auto* inverted_event_bits = arena.take<std::uint64_t>(tables.event_bits / 64);
+  inverted_operations = inverted_bits;
+  inverted_events = inverted_event_bits;
   auto* operations = arena.take<std::uint32_t>(tables.operation_bits);
   auto* events = arena.take<std::uint32_t>(tables.event_bits);
   symbol_of_operation = operations;
@@ -268,7 +294,11 @@ void EngineIndex::build(const tables::PlantTables& tables, Arena& arena) noexcep
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
     if (symbol.type() != tables::DataType::boolean) continue;
-    (symbol.direction() == tables::Direction::operation ? operations : events)[symbol.index] = i;
+    const bool operation = symbol.direction() == tables::Direction::operation;
+    (operation ? operations : events)[symbol.index] = i;
+    if (!symbol.inverted()) continue;
+    (operation ? inverted_bits : inverted_event_bits)[symbol.index / 64] |= bit(symbol.index % 64);
+    some_inverted = true;
   }
 }
 

@@ -50,9 +50,10 @@ struct TypeIndex {
   std::uint8_t rest;
   tables::Actuation actuation;
   std::uint16_t travel;  ///< TypeRow::travel
-  /// No transition is automatic or has a `when`, a record or a `once`: a unit's step reads only its operations. It has
-  /// less than 64 of them, so that StateIndex::departure() is cheap.
+  /// No transition is automatic or has a `when`, a `during`, a record or a `once`, and no unit can overrun: a unit's
+  /// step reads only its operations. It has less than 64 of them, so that StateIndex::departure() is cheap.
   bool plain;
+  bool stoppable;  ///< a transition has a `during`
 
   std::span<const std::uint16_t> from(std::uint8_t state) const noexcept {
     return {from_order + at[state].from_begin, from_order + at[state + 1].from_begin};
@@ -138,6 +139,23 @@ class WatchIndex {
   const std::uint32_t* begins_ = nullptr;  ///< a word -> its first watch; one more at the end
 };
 
+/// The units with an OverrunRow. Needs no memory if there is none, else four bytes for every unit.
+class OverrunIndex {
+ public:
+  void build(const tables::PlantTables& tables, Arena& arena) noexcept;
+  bool empty() const noexcept { return positions_ == nullptr; }
+  std::uint32_t operations() const noexcept { return operations_; }  ///< of all these units
+  /// The index of a unit's row, or kNone. Not if empty(). O(1).
+  std::uint32_t position_of(std::uint32_t unit) const noexcept { return positions_[unit]; }
+  /// The first of the unit's operations among those of all these units.
+  std::uint32_t first_operation(std::uint32_t position) const noexcept { return first_operations_[position]; }
+
+ private:
+  const std::uint32_t* positions_ = nullptr;
+  const std::uint32_t* first_operations_ = nullptr;
+  std::uint32_t operations_ = 0;
+};
+
 /// A unit whose custom behavior reads a numeric symbol.
 struct ValueReader {
   std::uint32_t position;  ///< an operation's slot, or kSharedSlot + an event's
@@ -163,10 +181,14 @@ struct EngineIndex {
   WatchIndex operation_watches;
   WatchIndex event_watches;
   ValueReaders value_readers;
+  OverrunIndex overruns;
   SharedPositions shared_operations;
   SharedPositions shared_events;
   const std::uint32_t* symbol_of_operation = nullptr;  ///< a bit -> the symbol
   const std::uint32_t* symbol_of_event = nullptr;
+  const std::uint64_t* inverted_operations = nullptr;  ///< masks over the planes
+  const std::uint64_t* inverted_events = nullptr;
+  bool some_inverted = false;
 };
 
 }  // namespace symplant::engine

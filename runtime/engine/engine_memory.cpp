@@ -9,7 +9,15 @@
 namespace symplant::engine {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E05;  // "symplan" and the version of the block's layout
+constexpr std::uint64_t kMagic = 0x7379'6D70'6C61'6E06;  // "symplan" and the version of the block's layout
+
+bool draws(const tables::PlantTables& tables) noexcept {
+  if (tables.random_times.size() + tables.behaviour_units.size() != 0) return true;
+  return std::any_of(tables.types.begin(), tables.types.end(), [](const tables::TypeRow& type) {
+    return std::any_of(type.transitions.begin(), type.transitions.end(),
+                       [](const tables::Transition& t) { return t.weight != 0; });
+  });
+}
 
 /// fnv1a64 of a unit's name in the upper case of ASCII.
 std::uint64_t hash_of_name(std::string_view name) noexcept {
@@ -68,6 +76,8 @@ void Engine::position(Arena& arena) noexcept {
   counted_.take(arena, index_.general.size());
   waiting_.take(arena, tables_.conditions.size());
   touched_requirements_.take(arena, tables_.requirements.size());
+  due_follows_.take(arena, tables_.follows.size());
+  overrun_.take(arena, tables_.overruns.size());
   violated_.take(arena, tables_.requirements.size());
   short_events_.take(arena, event_words);
   touched_slots_.take(arena, tables_.event_slots);
@@ -75,11 +85,13 @@ void Engine::position(Arena& arena) noexcept {
   operation_changes_.take(arena, tables_.operation_bits / 64);
   operation_slot_changes_.take(arena, tables_.operation_slots);
   event_slot_changes_.take(arena, tables_.event_slots);
-  marks_.take(arena, std::max({tables_.units.size(), tables_.symbols.size(), tables_.requirements.size()}));
+  marks_.take(arena, std::max({tables_.units.size() + tables_.follows.size(), tables_.symbols.size(),
+                               tables_.requirements.size()}));
   suspects_ = 0;
   loops_ = 0;
   active_ = false;
   reported_any_ = false;
+  first_ = false;
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;
@@ -94,7 +106,7 @@ void Engine::position_names(Arena& arena) noexcept {
   if (begins != nullptr) {
     for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) begins[b + 1] = begins[b] + memory_of(b);
   }
-  if (hashes == nullptr || tables_.random_times.size() + tables_.behaviour_units.size() == 0) return;
+  if (hashes == nullptr || !draws(tables_)) return;
   std::string_view names = tables_.unit_names;
   for (std::uint32_t unit = 0; unit < tables_.units.size() && !names.empty(); ++unit) {
     const std::size_t end = names.find('\0');
@@ -111,7 +123,8 @@ std::uint32_t Engine::memory_of(std::size_t behaviour) const noexcept {
 void Engine::place_block(Arena& arena) noexcept {
   // One word more, always 0: units without operations read it.
   const std::size_t operation_word_count = tables_.operation_bits / 64 + 1;
-  const std::size_t entries = tables_.units.size() + tables_.requirements.size() + tables_.behaviour_units.size();
+  const std::size_t entries =
+      tables_.units.size() + tables_.requirements.size() + tables_.behaviour_units.size() + tables_.overruns.size();
   head_ = arena.take<BlockHead>(1);
   const std::size_t begin = arena.used() - sizeof(BlockHead);
   units_ = arena.take<UnitState>(entries);
@@ -129,6 +142,9 @@ void Engine::place_block(Arena& arena) noexcept {
   condition_states_ = arena.take<std::uint8_t>(tables_.conditions.size());
   monitors_ = arena.take<MonitorState>(tables_.requirements.size());
   behaviour_states_ = arena.take<BehaviourState>(tables_.behaviour_units.size());
+  follow_states_ = arena.take<FollowState>(tables_.follows.size());
+  overrun_states_ = arena.take<OverrunState>(tables_.overruns.size());
+  overrun_begins_ = arena.take<tables::Time>(index_.overruns.operations());
   std::size_t memory = 0;
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) memory += memory_of(b);
   behaviour_memory_ = reinterpret_cast<std::byte*>(arena.take<std::uint64_t>(memory / 8));
@@ -147,6 +163,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   head_->wheel.clear();
   touched_.size = moved_.size = 0;
   findings_.clear();
+  reset_levels();
   reset_values();
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) {
     const tables::UnitRow& row = tables_.units[unit];
@@ -165,6 +182,27 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   reset_conditions();
   event_changes_.note_all(tables_.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
+}
+
+/// Writes inverted operations as on: their units see them off. Of symbols on one address the leader decides: one that
+/// is not inverted as its leader is starts as if on.
+void Engine::reset_levels() noexcept {
+  if (!index_.some_inverted) return;
+  for (std::uint32_t word = 0; word < tables_.operation_bits / 64; ++word) {
+    operation_words_[word].written = index_.inverted_operations[word];
+  }
+  for (const tables::SharedAddress& shared : tables_.shared_addresses) {
+    const tables::SymbolRow& symbol = tables_.symbols[shared.symbol];
+    if (symbol.type() != tables::DataType::boolean) continue;
+    if (symbol.inverted() == tables_.symbols[shared.leader].inverted()) continue;
+    const std::uint32_t word = symbol.index / 64;
+    if (symbol.direction() == tables::Direction::event) {
+      events_.make(word, events_.made(word) | bit_in_word(symbol.index));
+      continue;
+    }
+    operations_.bits[word] |= bit_in_word(symbol.index);
+    operation_words_[word].written ^= bit_in_word(symbol.index);
+  }
 }
 
 /// Sets numeric symbols to their initial values; BOOL events that no unit sets switch on in the first instant.
@@ -187,7 +225,7 @@ void Engine::reset_values() noexcept {
   }
 }
 
-/// Evaluates all conditions with all bits off, no unit settled, and the initial numbers.
+/// Evaluates all conditions with all units' operations and events off, no unit settled, and the initial numbers.
 void Engine::reset_conditions() noexcept {
   const auto start = [&](std::span<const tables::ValueWatch> watches, const ValuePlane& plane) {
     for (const tables::ValueWatch& watch : watches) {
@@ -195,6 +233,18 @@ void Engine::reset_conditions() noexcept {
     }
   };
   waiting_.size = 0;
+  const auto start_bits = [&](std::span<const tables::BitWatch> watches, const BitPlane& plane,
+                              const std::uint64_t* inverted) {
+    for (const tables::BitWatch& watch : watches) {
+      if (((plane.bits[watch.bit / 64] ^ inverted[watch.bit / 64]) & bit_in_word(watch.bit)) != 0) {
+        flip(watch.condition, watch.input);
+      }
+    }
+  };
+  if (index_.some_inverted) {
+    start_bits(tables_.operation_watches, operations_, index_.inverted_operations);
+    start_bits(tables_.event_watches, events_, index_.inverted_events);
+  }
   start(tables_.operation_value_watches, operation_values_);
   start(tables_.event_value_watches, event_values_);
   for (std::uint32_t condition = 0; condition < tables_.conditions.size(); ++condition) {

@@ -49,22 +49,36 @@ Engine::Wishes Engine::wishes_of(std::uint32_t unit, const TypeIndex& type, std:
   return wishes;
 }
 
+/// Whether the `during` of a moving unit's transition does not hold. Only of a stoppable type. A move without a command
+/// obeys that of the transition whose time it takes.
+bool Engine::must_stop(std::uint32_t unit, const TypeIndex& type) const noexcept {
+  const UnitState& state = units_[unit];
+  std::uint16_t n = state.transition;
+  if (n == kNoTransition) n = transition_without_command(type, state.state, state.target);
+  if (n == kNoTransition || type.transitions[n].during == tables::kNoCondition) return false;
+  return !truth(general_row(unit).first_condition + type.transitions[n].during);
+}
+
 void Engine::step_moving(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type) noexcept {
   const UnitState& state = units_[unit];
   const bool automatic =
       state.transition != kNoTransition && type.transitions[state.transition].on == tables::kNoOperation;
-  if (automatic || type.actuation == tables::Actuation::latched) return;
+  const bool stop = type.stoppable && must_stop(unit, type);
+  if (automatic || type.actuation == tables::Actuation::latched) {
+    if (type.stoppable) stop ? stop_midway(unit) : go_on(unit);
+    return;
+  }
   const std::uint64_t on = operations_on(row, type);
   const auto [forth, back, return_transition] = wishes_of(unit, type, on);
   const bool bistable = type.actuation == tables::Actuation::bistable;
   const bool springs_on = type.actuation == tables::Actuation::spring && state.state != type.rest;
   if (forth && back) {
     found_conflict(unit);
-    if (!bistable) stop_midway(unit);
+    bistable && !stop ? go_on(unit) : stop_midway(unit);
   } else if (back) {
     turn_round(unit, row, type, return_transition);
   } else if (forth || bistable || springs_on) {
-    go_on(unit);
+    stop ? stop_midway(unit) : go_on(unit);
   } else if (type.actuation == tables::Actuation::spring) {
     turn_round(unit, row, type, kNoTransition);
   } else {

@@ -98,12 +98,13 @@ void Engine::compare_value(std::span<const tables::ValueWatch> watches, std::uin
   }
 }
 
-/// Whether a unit steps if one of its conditions changes. A unit in a move that it always completes reads its
-/// conditions when it arrives.
+/// Whether a unit steps if one of its conditions changes. A unit in a move that nothing stops reads its conditions when
+/// it arrives.
 bool Engine::looks_at_conditions(std::uint32_t unit) const noexcept {
   const std::uint16_t flags = units_[unit].flags;
   if ((flags & (kMoving | kBehaves)) != kMoving) return (flags & kHalted) == 0;
-  return index_.types[tables_.units[unit].type].actuation != tables::Actuation::latched;
+  const TypeIndex& type = index_.types[tables_.units[unit].type];
+  return type.actuation != tables::Actuation::latched || type.stoppable;
 }
 
 void Engine::settle_conditions() noexcept {
@@ -124,6 +125,9 @@ void Engine::settle_conditions() noexcept {
         break;
       case tables::ReaderKind::requirement:
         touched_requirements_.mark(row.reader);
+        break;
+      case tables::ReaderKind::follow:
+        due_follows_.mark(row.reader);
         break;
     }
   }

@@ -25,6 +25,25 @@ void Engine::forget_steps() noexcept {
   for (const std::uint32_t unit : touched_.view()) {
     if ((units_[unit].flags & kFrozen) == 0) units_[unit].steps = 0;
   }
+  for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
+    if (follow_states_[f].frozen == 0) follow_states_[f].steps = 0;
+  }
+}
+
+/// Switches the symbols that follow a condition whose truth changed before this round. It reads only the conditions as
+/// the round began, since publish() alone changes them.
+void Engine::step_follows(bool counting) noexcept {
+  due_follows_.take_all([&](std::uint32_t follow) {
+    FollowState& state = follow_states_[follow];
+    const tables::FollowRow& row = tables_.follows[follow];
+    const std::uint32_t bit = tables_.symbols[row.symbol].index;
+    const std::uint64_t mask = bit_in_word(bit);
+    const bool on = truth(row.condition);
+    if (state.frozen != 0 || on == ((events_.made(bit / 64) & mask) != 0)) return;
+    make_event_bits(bit / 64, on ? mask : 0, on ? 0 : mask);
+    active_ = true;
+    if (counting && state.steps < kLoopSteps) ++state.steps;
+  });
 }
 
 bool Engine::look_for_loops() noexcept {
@@ -39,23 +58,32 @@ bool Engine::look_for_loops() noexcept {
     state.flags |= kFrozen | kFrozenNow;
     state.steps = loops_;
   }
+  for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
+    FollowState& state = follow_states_[f];
+    if (state.frozen != 0 || state.steps < kLoopSteps) continue;
+    if (!found && loops_ != 0xFF) ++loops_;
+    found = true;
+    state = {kFrozenInThisInstant, loops_};
+  }
   if (found) suspects_ |= suspect(tables::FindingKind::instantaneous_loop);
   return found;
 }
 
 void Engine::run_rounds() noexcept {
-  if (touched_.size == 0) return;
+  if (touched_.size == 0 && due_follows_.empty()) return;
   std::uint32_t limit = kFirstLook;
   round_ = 1;
   step_all(touched_.items, touched_.size, false);
+  if (!due_follows_.empty()) step_follows(false);
   if (unpublished_) publish();
-  while (queued_ != 0 && active_) {
+  while ((queued_ != 0 || !due_follows_.empty()) && active_) {
     const std::uint32_t count = queued_;
     queued_ = 0;
     active_ = false;
     ++round_;
     if (round_ == limit / 2 + 1) forget_steps();
     step_all(queue_, count, round_ > limit / 2);
+    if (!due_follows_.empty()) step_follows(round_ > limit / 2);
     if (unpublished_) publish();
     if (round_ != limit || !active_) continue;
     const bool found = look_for_loops();

@@ -17,6 +17,7 @@ class EventChanges {
     words_ = arena.take<Word>(words);
     since_forgotten_.take(arena, words);
     of_instant_.take(arena, words);
+    words_in_all_ = words;
     instant_ = first_kept_ = 1;
     flickered_ = false;
   }
@@ -52,6 +53,10 @@ class EventChanges {
     }
     return {of_instant_.items, kept};
   }
+  /// The `kept` words that close() returned, toggled by masks for all words.
+  std::span<const WordChange> toggle(std::uint32_t kept, const std::uint64_t* masks) noexcept {
+    return {of_instant_.items, engine::toggle({of_instant_.items, words_in_all_}, kept, masks)};
+  }
   void next_instant() noexcept {
     of_instant_.size = 0;
     flickered_ = false;
@@ -84,6 +89,7 @@ class EventChanges {
   }
 
   Word* words_;
+  std::size_t words_in_all_;
   List<std::uint32_t> since_forgotten_;
   List<WordChange> of_instant_;
   std::uint64_t instant_;     ///< number of this instant

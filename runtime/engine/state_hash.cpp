@@ -13,8 +13,10 @@ std::uint8_t digit_of(std::uint64_t word, std::uint32_t bit) noexcept {
 
 std::uint8_t digit_of(const std::uint64_t* plane, std::uint32_t bit) noexcept { return digit_of(plane[bit / 64], bit); }
 
-std::uint8_t force_of(const BitPlane& plane, std::uint32_t bit) noexcept {
-  return digit_of(plane.forced, bit) == 0 ? 0 : static_cast<std::uint8_t>(1 + digit_of(plane.forced_on, bit));
+/// In bits: 1 is forced off, 2 forced on. `inverted`: masks over the plane.
+std::uint8_t force_of(const BitPlane& plane, const std::uint64_t* inverted, std::uint32_t bit) noexcept {
+  if (digit_of(plane.forced, bit) == 0) return 0;
+  return static_cast<std::uint8_t>(1 + (digit_of(plane.forced_on, bit) ^ digit_of(inverted, bit)));
 }
 
 }  // namespace
@@ -60,15 +62,15 @@ void Engine::hash_symbols(tables::Fnv1a64& hash, std::uint32_t unit) const noexc
   const tables::TypeRow& type = tables_.types[row.type];
   for (std::uint32_t bit = row.operation_bit; bit < row.operation_bit + type.operations; ++bit) {
     const OperationWord& word = operation_words_[bit / 64];
-    hash.byte(digit_of(word.written, bit));
+    hash.byte(digit_of(word.written ^ index_.inverted_operations[bit / 64], bit));
     hash.byte(static_cast<std::uint8_t>(1 - digit_of(disarmed_, bit)));
-    hash.byte(force_of(operations_, bit));
+    hash.byte(force_of(operations_, index_.inverted_operations, bit));
     hash.byte(digit_of(word.served, bit));
     hash.byte(digit_of(word.reported, bit));
   }
   for (std::uint32_t bit = row.event_bit; bit < row.event_bit + type.events; ++bit) {
     hash.byte(digit_of(events_.made(bit / 64), bit));
-    hash.byte(force_of(events_, bit));
+    hash.byte(force_of(events_, index_.inverted_events, bit));
   }
 }
 
@@ -92,8 +94,10 @@ void Engine::hash_free_symbol(tables::Fnv1a64& hash, const tables::SymbolRow& sy
   if (symbol.type() == tables::DataType::boolean) {
     const BitPlane& plane = operation ? operations_ : events_;
     const std::uint32_t word = symbol.index / 64;
-    hash.byte(digit_of(operation ? operation_words_[word].written : plane.made(word), symbol.index));
-    hash.byte(force_of(plane, symbol.index));
+    const std::uint64_t* const inverted = operation ? index_.inverted_operations : index_.inverted_events;
+    const std::uint64_t bits = operation ? operation_words_[word].written : plane.made(word) ^ inverted[word];
+    hash.byte(digit_of(bits, symbol.index));
+    hash.byte(force_of(plane, inverted, symbol.index));
     return;
   }
   const ValuePlane& plane = operation ? operation_values_ : event_values_;
@@ -126,6 +130,11 @@ std::uint64_t Engine::state_hash() const noexcept {
       hash.byte(kind);
       hash.u32(unit);
     }
+  }
+  for (std::size_t position = 0; position < tables_.overruns.size(); ++position) {
+    if (overrun_states_[position].found == 0) continue;
+    hash.byte(2);
+    hash.u32(tables_.overruns[position].unit);
   }
   return hash.value();
 }

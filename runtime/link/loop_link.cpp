@@ -11,13 +11,23 @@ namespace {
 
 constexpr std::uint32_t kWordBits = 64;
 
-/// The image of operations at the start: all off, numbers at their initial values.
+/// The image of operations at the start: without a command (inverted ones are on), numbers at their initial values.
 std::vector<std::uint64_t> initial_operations(const tables::PlantTables& tables) {
   std::vector<std::uint64_t> words(tables.operation_bits / kWordBits + tables.operation_slots, 0);
   for (const tables::InitialValue& initial : tables.initial_values) {
     const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
     if (symbol.direction() != tables::Direction::operation || symbol.type() == tables::DataType::boolean) continue;
     words[tables.operation_bits / kWordBits + symbol.index] = initial.value;
+  }
+  for (const tables::SymbolRow& symbol : tables.symbols) {
+    if (symbol.direction() != tables::Direction::operation || !symbol.inverted()) continue;
+    words[symbol.index / kWordBits] |= std::uint64_t{1} << (symbol.index % kWordBits);
+  }
+  for (const tables::SharedAddress& shared : tables.shared_addresses) {
+    const tables::SymbolRow& symbol = tables.symbols[shared.symbol];
+    if (symbol.direction() != tables::Direction::operation || symbol.type() != tables::DataType::boolean) continue;
+    if (symbol.inverted() == tables.symbols[shared.leader].inverted()) continue;  // the leader decides
+    words[symbol.index / kWordBits] ^= std::uint64_t{1} << (symbol.index % kWordBits);
   }
   return words;
 }

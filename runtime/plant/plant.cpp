@@ -79,9 +79,9 @@ std::uint64_t Plant::written_operation_value(std::uint32_t slot) const noexcept 
 
 std::uint64_t Plant::event_value(std::uint32_t slot) const noexcept { return engine_->event_value(slot); }
 
-std::span<const std::uint64_t> Plant::operations() const noexcept { return engine_->operations(); }
+engine::BitWords Plant::operations() const noexcept { return engine_->operations(); }
 
-std::span<const std::uint64_t> Plant::events() const noexcept { return engine_->events(); }
+engine::BitWords Plant::events() const noexcept { return engine_->events(); }
 
 std::span<const std::uint32_t> Plant::changed_events() const noexcept {
   return engine_->changed_events().since_forgotten();

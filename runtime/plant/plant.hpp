@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "symplant/engine/behaviour.hpp"
+#include "symplant/engine/bit_words.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/tables/finding.hpp"
 #include "symplant/tables/tables.hpp"
@@ -58,7 +59,8 @@ class Plant {
   /// Identity of the model: equal for generated and run-time tables of one description. Computed once; O(1).
   std::uint64_t model_hash() const noexcept;
 
-  /// Resets to time 0: every unit in its initial state, every operation off, every force released. The first instant,
+  /// Resets to time 0: every unit in its initial state, every operation off (an inverted one has its bit on),
+  /// every force released. The first instant,
   /// at 0, has not run yet. `seed` is that of all random times. `cycle` 0 means virtual time; otherwise it is the cycle
   /// in ns in which a PLC samples, and events that are on for less are findings. O(plant).
   void reset(std::uint64_t seed = 0, tables::Time cycle = 0) noexcept;
@@ -108,8 +110,8 @@ class Plant {
   bool event(std::uint32_t bit) const noexcept;
   std::uint64_t operation_value(std::uint32_t slot) const noexcept;
   std::uint64_t event_value(std::uint32_t slot) const noexcept;
-  std::span<const std::uint64_t> operations() const noexcept;  ///< the whole bit plane, as sampled by the last instant
-  std::span<const std::uint64_t> events() const noexcept;
+  engine::BitWords operations() const noexcept;  ///< the whole bit plane, as sampled by the last instant
+  engine::BitWords events() const noexcept;
 
   /// The words of events() that changed since forget_changed_events(), each once, in no order; also a word that changed
   /// and changed back. All words after a reset or a restore.

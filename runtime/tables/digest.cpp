@@ -19,6 +19,8 @@ void add(Fnv1a64& hash, const Transition& transition) noexcept {
   hash.u32(transition.when);
   hash.byte(transition.timed ? 1 : 0);
   hash.u32(transition.dt);
+  hash.u32(transition.during);
+  hash.u32(transition.weight);
 }
 
 void add(Fnv1a64& hash, const EventMasks& masks) noexcept {
@@ -126,6 +128,16 @@ void add(Fnv1a64& hash, const RequirementRow& requirement) noexcept {
   hash.time(requirement.within);
 }
 
+void add(Fnv1a64& hash, const FollowRow& row) noexcept {
+  hash.u32(row.symbol);
+  hash.u32(row.condition);
+}
+
+void add(Fnv1a64& hash, const OverrunRow& row) noexcept {
+  hash.u32(row.unit);
+  hash.time(row.after);
+}
+
 void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
   hash.u32(row.unit);
   hash.u32(row.name);
@@ -181,6 +193,8 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
   add_rows(hash, tables.operation_value_watches);
   add_rows(hash, tables.event_value_watches);
   add_rows(hash, tables.requirements);
+  add_rows(hash, tables.follows);
+  add_rows(hash, tables.overruns);
   add_rows(hash, tables.behaviour_units);
   add_rows(hash, tables.behaviour_values);
   for (const std::uint32_t size :

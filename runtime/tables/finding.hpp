@@ -17,7 +17,7 @@ enum class FindingKind : std::uint8_t {
   lost_command,                   ///< of an operation
   started_on_enabling,            ///< of a unit; a note
   event_too_short,                ///< of an event
-  instantaneous_loop,             ///< of units: one finding each, `more` set on all but the loop's last
+  instantaneous_loop,             ///< of units and follows: one finding each, `more` set on all but the loop's last
   requirement_violated,           ///< of a requirement
   link_lost,                      ///< of a link; the host reports this kind and the next ones, the model the others
   link_back,                      ///< of a link; a note
@@ -29,9 +29,11 @@ inline constexpr int kAllFindingKinds = 14;  ///< with the kinds that the host r
 
 struct Finding {
   Time time;
-  std::uint32_t of;  ///< index of a unit, symbol or requirement in the tables, or of a link in the run
+  /// Index of a unit, symbol or requirement in the tables, or of a link in the run. In an instantaneous loop the
+  /// number of units and an index in PlantTables::follows is a symbol that follows a condition.
+  std::uint32_t of;
   FindingKind kind;
-  bool more;  ///< the next finding names another unit of the same loop
+  bool more;  ///< the next finding names another member of the same loop
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

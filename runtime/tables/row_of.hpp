@@ -28,6 +28,8 @@ struct Caused {
   std::uint16_t guard = kNoCondition;
   std::uint16_t priority = kLast;
   Dt dt{};
+  std::uint16_t during = kNoCondition;
+  std::uint32_t weight = 0;
 
   /// The commanded moves come first, then the automatic ones, then the returns of a spring.
   constexpr std::size_t kind() const noexcept { return on == kSpringReturn ? 2 : on == kNoOperation ? 1 : 0; }
@@ -41,7 +43,9 @@ constexpr Caused caused(State from, std::uint8_t on, const Move<State>& move) no
           move.disarms,
           move.guard,
           move.order,
-          move.dt};
+          move.dt,
+          move.going,
+          move.share};
 }
 
 template <class Class>
@@ -111,8 +115,15 @@ constexpr Numbered<Count> numbered() noexcept {
       if (move.priority > priority && move.priority < next) next = move.priority;
       if (move.priority != priority) continue;
       const bool timed = move.dt.own != 0 ? move.dt.own_after : move.dt.after != 0 || move.dt.takes < 0;
-      numbered.transitions[size++] = {
-          move.from, move.to, move.on, move.once, move.guard, timed || kCustom, numbered.number(move.dt)};
+      numbered.transitions[size++] = {move.from,
+                                      move.to,
+                                      move.on,
+                                      move.once,
+                                      move.guard,
+                                      timed || kCustom || move.weight != 0,
+                                      numbered.number(move.dt),
+                                      move.during,
+                                      move.weight};
     }
     priority = next;
   }
@@ -125,6 +136,15 @@ template <std::size_t Count>
 constexpr bool once_without_operation(const std::array<Transition, Count>& transitions) noexcept {
   for (const Transition& transition : transitions) {
     if (transition.once && transition.on >= kMaxOperations) return true;
+  }
+  return false;
+}
+
+/// A weight is for automatic moves.
+template <std::size_t Count>
+constexpr bool weight_with_operation(const std::array<Transition, Count>& transitions) noexcept {
+  for (const Transition& transition : transitions) {
+    if (transition.weight != 0 && transition.on != kNoOperation) return true;
   }
   return false;
 }
@@ -183,6 +203,7 @@ struct RowOf {
 
   static_assert(!kNumbered.unknown_state, "a move leads to a value that is no state of the class");
   static_assert(!once_without_operation(kTransitions), "`.once()` is for the moves of d_ext, which have an operation");
+  static_assert(!weight_with_operation(kTransitions), "`.weight()` is for the moves of d_int, which are automatic");
   static_assert(kNumbered.unknown_state || !leads_to_itself(kTransitions),
                 "a move cannot lead from a state to itself: return kStay");
   static_assert(switches_soundly(kEnter, Class::kO.size()) && switches_soundly(kLeave, Class::kO.size()),

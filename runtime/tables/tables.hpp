@@ -46,9 +46,11 @@ struct Transition {
   bool once = false;                  ///< firing it disarms its operation (latched units only)
   std::uint16_t when = kNoCondition;  ///< index among its unit's conditions (ConditionedUnit)
   /// The engine keeps a record of it: in some unit of the type its `after` is not a fixed 0, one of its times is
-  /// random, or the unit has a custom behavior.
+  /// random, it has a weight, or the unit has a custom behavior.
   bool timed = false;
   std::uint16_t dt = 0;  ///< which of the TransitionTimes: an index in TypeRow::times, or kOfDevice and an index
+  std::uint16_t during = kNoCondition;  ///< `while`, as `when`: the move stops while it does not hold
+  std::uint32_t weight = 0;             ///< of the draw among the automatic transitions that are ready; 0: none
 };
 
 /// How long a transition's cause must hold before the unit leaves the state, and the travel time, both in nanoseconds,
@@ -111,13 +113,13 @@ struct DisableRow {
 };
 
 /// The kind of row that reads a condition's truth.
-enum class ReaderKind : std::uint8_t { unit, condition, requirement };
+enum class ReaderKind : std::uint8_t { unit, condition, requirement, follow };
 
 /// A condition of at most six inputs as a truth table: bit i of `truth` is its value if input k is bit k of i. A
 /// condition with more inputs is a network of rows, in which one condition reads another.
 struct ConditionRow {
   std::uint64_t truth;
-  std::uint32_t reader;  ///< index of a unit, a condition, or a requirement
+  std::uint32_t reader;  ///< index of a unit, a condition, a requirement, or a FollowRow
   std::uint8_t
       reader_input;  ///< the input number in a condition; in a requirement 0 is `never` or `after`, 1 is `expect`
   ReaderKind reader_kind;
@@ -170,6 +172,18 @@ struct RequirementRow {
   Time within;              ///< >= 0
 };
 
+/// A BOOL event that no unit drives and that is on while a condition holds.
+struct FollowRow {
+  std::uint32_t symbol;
+  std::uint32_t condition;
+};
+
+/// A `held` unit for which a command to the state that it has reached is a finding after this time.
+struct OverrunRow {
+  std::uint32_t unit;
+  Time after;  ///< >= 0
+};
+
 /// A unit with a custom behavior. `name` is the index of its class in PlantTables::behaviour_names.
 struct BehaviourUnit {
   std::uint32_t unit;
@@ -209,13 +223,15 @@ enum class AddressForm : std::uint8_t {
   other,   ///< an address without a number: on a link such symbols are packed in list order
 };
 
-/// Data type, direction, address form and the flag SymbolRow::moved(), packed into one number: a table of numbers
-/// compiles in two thirds of the time of a table of names (docs/decisions/0003-generated-files.md).
+/// Data type, direction, address form and the flags SymbolRow::moved() and inverted(), packed into one number: a table
+/// of numbers compiles in two thirds of the time of a table of names (docs/decisions/0003-generated-files.md).
 enum class SymbolKind : std::uint32_t {};
 
-constexpr SymbolKind symbol_kind(DataType type, Direction direction, AddressForm form, bool moved) noexcept {
+constexpr SymbolKind symbol_kind(DataType type, Direction direction, AddressForm form, bool moved,
+                                 bool inverted = false) noexcept {
   return static_cast<SymbolKind>(static_cast<std::uint32_t>(type) | static_cast<std::uint32_t>(direction) << 8 |
-                                 static_cast<std::uint32_t>(form) << 16 | (moved ? 1U : 0U) << 24);
+                                 static_cast<std::uint32_t>(form) << 16 | (moved ? 1U : 0U) << 24 |
+                                 (inverted ? 1U : 0U) << 25);
 }
 
 /// One I/O symbol, part of a unit or not. Rows are in the order of the lists, and within a list in the order of its
@@ -230,8 +246,10 @@ struct SymbolRow {
   constexpr DataType type() const noexcept { return static_cast<DataType>(part(0)); }
   constexpr Direction direction() const noexcept { return static_cast<Direction>(part(8)); }
   constexpr AddressForm form() const noexcept { return static_cast<AddressForm>(part(16)); }
-  /// An event that its unit drives, or an operation that moves its unit.
-  constexpr bool moved() const noexcept { return part(24) != 0; }
+  /// An event that its unit or a condition drives, or an operation that moves its unit.
+  constexpr bool moved() const noexcept { return (part(24) & 1) != 0; }
+  /// Its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the other way round.
+  constexpr bool inverted() const noexcept { return (part(24) & 2) != 0; }
 
  private:
   constexpr std::uint32_t part(int shift) const noexcept { return (static_cast<std::uint32_t>(kind) >> shift) & 0xFF; }
@@ -243,8 +261,9 @@ struct SymbolListRow {
   std::uint32_t controller;  ///< the controller of its addresses: index in PlantTables::controller_names
 };
 
-/// An initial value other than off or zero, of a bit or slot that no unit sets at the start. Integers are in two's
-/// complement; REAL and LREAL are the bits of a double.
+/// An initial value other than off or zero, of a bit or slot that no unit sets at the start. A BOOL symbol is on as a
+/// unit would see it: an inverted one with 1 starts with its bit off. Integers are in two's complement; REAL and LREAL
+/// are the bits of a double.
 struct InitialValue {
   std::uint32_t symbol;
   std::uint64_t value;
@@ -276,6 +295,8 @@ struct PlantTables {
   std::span<const ValueWatch> operation_value_watches;  ///< sorted by slot
   std::span<const ValueWatch> event_value_watches;      ///< sorted by slot
   std::span<const RequirementRow> requirements;
+  std::span<const FollowRow> follows;               ///< sorted by symbol
+  std::span<const OverrunRow> overruns;             ///< sorted by unit
   std::span<const BehaviourUnit> behaviour_units;   ///< sorted by unit
   std::span<const std::uint32_t> behaviour_values;  ///< indexes of symbols
   std::uint32_t operation_bits;                     ///< size of the bit planes, in bits: a multiple of 64

@@ -20,7 +20,7 @@ std::string operations_json(const FoundThing& found, const PlantNames& names, co
   for (const std::uint32_t unit : units_of(found, names.tables())) {
     for (const std::uint32_t symbol : history.last_operations(unit, kOperations)) {
       text += fmt::format(R"({}{{"symbol":{},{},"on":{},"since":{}}})", text.empty() ? "" : ",",
-                          json_string(names.symbol(symbol)), index_json(symbol, names), history.value(symbol) != 0,
+                          json_string(names.symbol(symbol)), index_json(symbol, names), history.commands(symbol),
                           history.since(symbol));
     }
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "symplant/trace/requirement_units.hpp"
 
@@ -53,7 +54,7 @@ std::string led(std::uint32_t unit, const PlantNames& names, const History& hist
   for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
     text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", index(symbol, names), names.task(symbol),
                         names.unit(unit));
-    text += history.value(symbol) != 0
+    text += history.commands(symbol)
                 ? "on since " + seconds(history.rose(symbol))
                 : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
   }
@@ -75,6 +76,11 @@ std::string of_unit(const FoundThing& found, const PlantNames& names, const Hist
       return fmt::format(
           "stopped under another command: {} ({}) has stopped, since its own command is off while another one is on{}; "
           "check why the output went off before it arrived",
+          name, state, operations);
+    case FindingKind::overrun:
+      return fmt::format(
+          "overrun: {} ({}) is still commanded to the state that it has reached, so its motor runs against the "
+          "end{}; check whether the end position switches the output off",
           name, state, operations);
     default:
       return fmt::format(
@@ -142,7 +148,7 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
   for (const std::uint32_t symbol : names.symbols_of(unit))
     has_operations = has_operations || names.is_operation(symbol);
   for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
-    const bool on = history.value(symbol) != 0;
+    const bool on = history.commands(symbol);
     if (!on && !text.empty()) continue;
     text += fmt::format(", {} (operation {}, {}) ", index(symbol, names), names.task(symbol), names.cite(symbol));
     text += on ? "has been on since " + seconds(history.rose(symbol))
@@ -182,7 +188,8 @@ std::string_view finding_name(FindingKind kind) { return kNames[static_cast<std:
 
 bool is_of_unit(FindingKind kind) {
   return kind == FindingKind::conflicting_operations || kind == FindingKind::stopped_under_another_command ||
-         kind == FindingKind::started_on_enabling || kind == FindingKind::instantaneous_loop;
+         kind == FindingKind::overrun || kind == FindingKind::started_on_enabling ||
+         kind == FindingKind::instantaneous_loop;
 }
 
 bool is_of_link(FindingKind kind) { return kind == FindingKind::link_lost || kind == FindingKind::link_back; }
@@ -195,17 +202,26 @@ std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
   if (is_of_link(found.kind)) return names.link(found.of.front()).name;
-  std::vector<std::string_view> units;
-  units.reserve(found.of.size());
-  for (const std::uint32_t unit : found.of) units.push_back(names.unit(unit));
-  std::sort(units.begin(), units.end());
+  std::vector<std::string_view> members;
+  members.reserve(found.of.size());
+  const std::size_t units = names.tables().units.size();
+  for (const std::uint32_t member : found.of) {
+    members.push_back(member < units ? names.unit(member)
+                                     : names.symbol(names.tables().follows[member - units].symbol));
+  }
+  std::sort(members.begin(), members.end());
   std::string text;
-  for (const std::string_view unit : units) text.append(text.empty() ? "" : " ").append(unit);
+  for (const std::string_view member : members) text.append(text.empty() ? "" : " ").append(member);
   return text;
 }
 
 std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::PlantTables& tables) {
-  if (is_of_unit(found.kind)) return found.of;
+  if (is_of_unit(found.kind)) {
+    std::vector<std::uint32_t> units;
+    std::copy_if(found.of.begin(), found.of.end(), std::back_inserter(units),
+                 [&](std::uint32_t member) { return member < tables.units.size(); });
+    return units;
+  }
   if (is_of_link(found.kind)) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
@@ -221,6 +237,7 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
   }
+  if (names.tables().symbols[symbol].inverted()) text += ", inverted";
   return text + " (" + names.cite(symbol) + ")";
 }
 
@@ -253,7 +270,7 @@ std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames
   if (found.kind == FindingKind::instantaneous_loop) {
     return {fmt::format(
         "instantaneous loop: {} {} through states without time passing and {} frozen until the run ends; check for "
-        "transitions whose `after` and `takes` are 0",
+        "transitions whose `after` and `takes` are 0, and for conditions that depend on themselves",
         name_of(found, names), found.of.size() == 1 ? "loops" : "loop", found.of.size() == 1 ? "is" : "are")};
   }
   return {is_of_unit(found.kind) ? of_unit(found, names, history) : of_operation(found, names, history)};

@@ -24,6 +24,10 @@ History::History(const PlantNames& names)
     std::uint64_t& number = numbers_[slot(symbol)];
     if (number == 0) number = value(shared.leader);
   }
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {  // as if commanding, until the first instant reports them
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    if (symbol.inverted() && symbol.direction() == tables::Direction::operation) rose_[risen(i)] = 1;
+  }
   units_.reserve(tables.units.size());
   for (const tables::UnitRow& unit : tables.units) {
     units_.push_back(static_cast<std::uint32_t>(unit.initial | unit.initial << 8));
@@ -44,11 +48,18 @@ std::uint64_t History::value(std::uint32_t symbol) const {
   return row.type() == tables::DataType::boolean ? bits_[symbol] : numbers_[slot(row)];
 }
 
+bool History::commands(std::uint32_t operation) const {
+  return (value(operation) != 0) != names_.tables().symbols[operation].inverted();
+}
+
 void History::apply(const Record& record) {
   if (record.kind == Record::Kind::change) {
     const tables::SymbolRow& symbol = names_.tables().symbols[record.of];
-    const bool came_on = record.value != 0 && value(record.of) == 0;
-    if (came_on && symbol.direction() == tables::Direction::operation) rose_[risen(record.of)] = record.time + 1;
+    if (symbol.direction() == tables::Direction::operation) {
+      const bool on = (record.value != 0) != symbol.inverted();
+      if (on && !commands(record.of)) rose_[risen(record.of)] = record.time + 1;
+      if (!on && symbol.inverted() && record.time == 0) rose_[risen(record.of)] = 0;  // it starts without a command
+    }
     if (symbol.type() == tables::DataType::boolean) {
       bits_[record.of] = record.value != 0;
     } else {

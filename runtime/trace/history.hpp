@@ -22,14 +22,16 @@ class History {
   void apply(const Record& record);
 
   std::uint64_t value(std::uint32_t symbol) const;
+  /// Whether an operation commands: it is on, or an inverted one is off; a number is not 0.
+  bool commands(std::uint32_t operation) const;
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
   /// Time of its latest change; 0 if it never changed.
   tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
   tables::Time unit_since(std::uint32_t unit) const { return unit_changed_[unit]; }
-  /// Time at which an operation last came on; -1: never.
+  /// Time at which an operation last began to command; -1: never.
   tables::Time rose(std::uint32_t operation) const { return rose_[risen(operation)] - 1; }
 
-  /// The operations of a unit that have been on, the latest first; at most `most`.
+  /// The operations of a unit that have commanded, the latest first; at most `most`.
   std::vector<std::uint32_t> last_operations(std::uint32_t unit, std::size_t most) const;
 
  private:

@@ -71,7 +71,7 @@ std::string EnginePlant::fault() const {
 
 void EnginePlant::add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words,
                            bool operations) {
-  const std::span<const std::uint64_t> plane = operations ? plant_->operations() : plant_->events();
+  const engine::BitWords plane = operations ? plant_->operations() : plant_->events();
   for (const engine::WordChange& change : words) {
     if (change.bits == 0) fault_ = "a word without a change was reported";
     for (std::uint64_t rest = change.bits; rest != 0; rest &= rest - 1) {

@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 #include "support/compile.hpp"
 #include "symplant/plant/owned_plant.hpp"
+#include "symplant/trace/finding_words.hpp"
 
 namespace symplant::test {
 
@@ -102,18 +103,19 @@ class BenchTables {
   std::string unit_name(std::uint32_t unit) const { return std::string(model().units[unit].path.substr(4)); }
   /// "lost AGV_O_P2"; a `+` at the end if the next finding belongs to it.
   std::string words(const tables::Finding& finding) const {
-    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "lost",
-                                                    "started",     "short",   "loop",     "violated"};
-    const auto kind = static_cast<std::size_t>(finding.kind);
+    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "overrun",
+                                                    "lost",        "started", "short",    "loop",        "violated"};
+    const std::string& kind = kKinds[static_cast<std::size_t>(finding.kind)];
+    const std::size_t units = model().units.size();
     std::string of;
-    if (kind < 2 || kind == 5 || kind == 7) {
-      of = unit_name(finding.of);
-    } else if (kind == 8) {
+    if (finding.kind == tables::FindingKind::requirement_violated) {
       of = model().requirements[finding.of].name;
-    } else {
+    } else if (trace::is_of_symbol(finding.kind)) {
       of = symbol_name(finding.of);
+    } else {
+      of = finding.of < units ? unit_name(finding.of) : symbol_name(model().follows[finding.of - units].symbol);
     }
-    return kKinds[kind] + " " + of + (finding.more ? "+" : "");
+    return kind + " " + of + (finding.more ? "+" : "");
   }
 
   tables::PlantTables rows{};

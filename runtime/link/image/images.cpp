@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace symplant::link::image {
@@ -68,6 +69,7 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
       holding_registers_(by_address(map, Table::holding_register)),
       address_of_event_(addresses_of_events(tables, map)),
       applied_(initial_operations()),
+      initial_(applied_),
       zeroed_(zero_masks()),
       scratch_(applied_.size()),
       status_block_(map.status_block),
@@ -88,6 +90,12 @@ Images::Images(const tables::PlantTables& tables, const IoMap& map, WordOrder wo
   for (std::size_t table = 0; table < kTables; ++table) mapped_[table] = AddressSet(map.sizes[table]);
   for (const IoPoint& point : points_) mapped_[static_cast<std::size_t>(point.table)].add(point.number, point.width);
   if (watchdog_) mapped_[static_cast<std::size_t>(Table::holding_register)].add(*watchdog_, 1);
+}
+
+/// A word of the image after a loss: operations whose policy is zero are without a command. Numbers go to 0.
+std::uint64_t Images::released(std::size_t word, std::uint64_t bits) const noexcept {
+  const std::uint64_t zero = word < coil_words_ ? initial_[word] & zeroed_[word] : 0;
+  return (bits & ~zeroed_[word]) | zero;
 }
 
 /// The bits of operations whose policy on loss is zero.
@@ -111,13 +119,21 @@ NumberLayout Images::number_layout(const IoPoint& point) const noexcept {
 std::vector<std::uint64_t> Images::initial_operations() const {
   std::vector<std::uint64_t> initial(tables_.symbols.size(), 0);
   for (const tables::InitialValue& value : tables_.initial_values) initial[value.symbol] = value.value;
-  for (const tables::SharedAddress& shared : tables_.shared_addresses) initial[shared.symbol] = initial[shared.leader];
+  std::vector<std::uint32_t> leaders(tables_.symbols.size());
+  std::iota(leaders.begin(), leaders.end(), 0U);
+  for (const tables::SharedAddress& shared : tables_.shared_addresses) {
+    initial[shared.symbol] = initial[shared.leader];
+    leaders[shared.symbol] = shared.leader;
+  }
   const std::uint32_t size = sizes_[static_cast<std::size_t>(Table::holding_register)];
   std::vector<bool> seen(size);
   std::vector<std::uint64_t> words(coil_words_ + register_words(size), 0);
-  // Bit operations start off whatever their list says. Numbers start at their initial value, so that a PLC that reads a
-  // register before its first write gets the value of the plant.
+  // Bit operations start without a command whatever their list says: an inverted one on, the others off. Numbers start
+  // at their initial value, so that a PLC that reads a register before its first write gets the value of the plant.
   for (const IoPoint& point : points_) {
+    if (point.table == Table::coil && tables_.symbols[leaders[point.symbol]].inverted()) {
+      set_bit(words, point.number, true);
+    }
     if (point.table != Table::holding_register || seen[point.number]) continue;
     seen[point.number] = true;
     set_number(std::span(words).subspan(coil_words_), number_layout(point), initial[point.symbol]);
@@ -195,7 +211,7 @@ void Images::apply_operations(plant::Plant& plant) noexcept {
 }
 
 void Images::zero_operations(plant::Plant& plant) noexcept {
-  for (std::size_t word = 0; word < scratch_.size(); ++word) scratch_[word] = applied_[word] & ~zeroed_[word];
+  for (std::size_t word = 0; word < scratch_.size(); ++word) scratch_[word] = released(word, applied_[word]);
   change_operations(plant, scratch_);
   behind_ = true;
 }
@@ -268,8 +284,9 @@ void Images::begin_request(std::uint32_t losses) noexcept {
                    mapped_[static_cast<std::size_t>(Table::holding_register)]);
   const auto words = operations_.words();
   for (std::size_t word = 0; word < zeroed_.size(); ++word) {
-    if ((words[word] & zeroed_[word]) == 0) continue;
-    words[word] &= ~zeroed_[word];
+    const std::uint64_t now = released(word, words[word]);
+    if (words[word] == now) continue;
+    words[word] = now;
     operations_.touch(word);
   }
   hand_over();

@@ -80,6 +80,7 @@ class Images {
   static ByAddress by_address(const IoMap& map, Table table);
   std::vector<std::uint64_t> initial_operations() const;
   NumberLayout number_layout(const IoPoint& point) const noexcept;
+  std::uint64_t released(std::size_t word, std::uint64_t bits) const noexcept;
   std::vector<std::uint64_t> zero_masks() const;
   void hand_over() noexcept;
   void change_operations(plant::Plant& plant, std::span<const std::uint64_t> image) noexcept;
@@ -97,6 +98,7 @@ class Images {
   ByAddress holding_registers_;
   std::vector<std::uint32_t> address_of_event_;  ///< by event bit: its discrete input, or tables::kNone
   std::vector<std::uint64_t> applied_;           ///< the operations of the plant, as in the image
+  std::vector<std::uint64_t> initial_;           ///< as before the first write
   std::vector<std::uint64_t> zeroed_;            ///< bits that go to zero when the link is lost
   std::vector<std::uint64_t> scratch_;           ///< memory of zero_operations()
   std::array<AddressSet, kTables> mapped_;       ///< addresses of symbols and of the watchdog

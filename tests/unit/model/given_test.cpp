@@ -143,13 +143,13 @@ TEST_CASE("A rest state's operation commands it, and other operations or automat
   CHECK_FALSE(unit_of(list).transitions[1].spring_return);
 }
 
-TEST_CASE("A spring return accepts only `takes`") {
+TEST_CASE("A spring return accepts only `takes` and `while`") {
   GivenTransition given = transition("ADV", "RET", "", "L_P_D_O_ADV");
   given.after = Duration::fixed(1);
   given.once = true;
   const std::string end =
-      "is not allowed in the return of a spring, which has only `takes`; remove it, or name with `on` the operation "
-      "that commands the transition";
+      "is not allowed in the return of a spring, which has only `takes` and `while`; remove it, or name with `on` the "
+      "operation that commands the transition";
   CHECK(faults(described(kPiston, {with({given})})) == "/devices/L_P_D/transitions/0/when: `when` " + end +
                                                            "\n/devices/L_P_D/transitions/0/after: `after` " + end +
                                                            "\n/devices/L_P_D/transitions/0/once: `once` " + end);
