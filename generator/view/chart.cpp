@@ -36,14 +36,16 @@ std::vector<std::string> packed(const std::vector<std::string>& parts) {
 std::vector<std::string> label_of(const model::Transition& t, const model::Unit& unit, const model::PlantModel& plant,
                                   Conditions conditions) {
   const TransitionText transition = transition_text(t, unit, plant);
-  std::string when;
-  if (!transition.when.empty()) {
+  const auto bracketed = [&](std::string_view before, const std::string& condition, std::uint32_t index) {
+    if (condition.empty()) return std::string();
     const bool in_words =
-        conditions == Conditions::in_words && text::count_code_points(transition.when) + 2 <= kLineColumns;
-    when = in_words ? "[" + transition.when + "]" : fmt::format("[c{}]", t.when + 1);
-  }
+        conditions == Conditions::in_words && text::count_code_points(condition) + before.size() + 2 <= kLineColumns;
+    return in_words ? fmt::format("{}[{}]", before, condition) : fmt::format("{}[c{}]", before, index + 1);
+  };
+  const std::string when = bracketed("", transition.when, t.when);
+  const std::string during = bracketed("while ", transition.during, t.during);
   const std::string origin(t.origin == model::Origin::derived ? "" : origin_text(t.origin));
-  return packed({transition.on, when, transition.after, transition.takes, origin});
+  return packed({transition.on, when, transition.after, transition.takes, during, transition.weight, origin});
 }
 
 std::string joined(const std::vector<std::pair<std::uint32_t, bool>>& events, const model::Unit& unit,
@@ -58,8 +60,8 @@ std::string joined(const std::vector<std::pair<std::uint32_t, bool>>& events, co
 std::string signal_text(const model::Symbol& symbol, const model::PlantModel& plant) {
   std::string address(symbol.row->vendor_address);
   if (!symbol.row->iec_address.empty()) address.append(address.empty() ? "" : " ").append(symbol.row->iec_address);
-  return fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address,
-                     plant.list_of(symbol).name(), symbol.row->line);
+  return fmt::format("{}  {}  {}:{}{}", symbol.name(), address.empty() ? "no address" : address,
+                     plant.list_of(symbol).name(), symbol.row->line, symbol.inverted ? "  inverted" : "");
 }
 
 void add_relations(std::vector<std::string>& facts, std::uint32_t index, const model::PlantModel& plant,

@@ -89,6 +89,7 @@ class UnitWriter {
     if (unit_.facet != nullptr && !unit_.facet->name.empty()) json_.member("facet", unit_.facet->name);
     json_.member("actuation", description::actuation_name(unit_.actuation));
     json_.member("travel", unit_.travel);
+    if (unit_.overrun != tables::kNever) json_.member("overrun", unit_.overrun);
     json_.member("initial", unit_.states[unit_.initial].name);
     json_.member("initial_from", initial_key(unit_.initial_from));
     if (unit_.rest != kNone) json_.member("rest", unit_.states[unit_.rest].name);
@@ -123,6 +124,8 @@ class UnitWriter {
       write_time(t.after, json_);
       json_.key("takes");
       write_time(t.takes, json_);
+      if (t.during != kNone) json_.member("while", model::condition_text(unit_.conditions[t.during], plant_));
+      if (t.weight != 0) json_.member("weight", t.weight);
       if (t.once) json_.member("once", true);
       if (t.spring_return) json_.member("spring_way", true);
       json_.member("origin", origin_text(t.origin));
@@ -214,6 +217,7 @@ void write_symbol(const model::Symbol& symbol, const model::PlantModel& plant, J
   }
   if (symbol.unmodelled != model::Unmodelled::modelled) json.member("unmodelled", unmodelled_key(symbol.unmodelled));
   if (symbol.leader != kNone) json.member("follows", plant.symbols[symbol.leader].name());
+  if (symbol.inverted) json.member("inverted", true);
   json.end_object();
 }
 
@@ -256,6 +260,13 @@ void write_model(const Scene& scene, JsonWriter& json) {
   json.key("requirements");
   json.array(plant.requirements,
              [&](const model::Requirement& requirement) { write_requirement(requirement, plant, json); });
+  json.key("follow");
+  json.array(plant.follows, [&](const model::Follow& follow) {
+    json.begin_object();
+    json.member("symbol", plant.symbols[follow.symbol].name());
+    json.member("condition", model::condition_text(follow.condition, plant));
+    json.end_object();
+  });
   json.key("symbols");
   json.array(plant.symbols, [&](const model::Symbol& symbol) { write_symbol(symbol, plant, json); });
   json.key("internal_rows");

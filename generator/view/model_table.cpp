@@ -30,6 +30,14 @@ class TableWriter {
       }
       text_.add("\n");
     }
+    if (!plant_.follows.empty()) {
+      line("follow");
+      for (const model::Follow& follow : plant_.follows) {
+        line(fmt::format("  {}: {}", plant_.symbols[follow.symbol].name(),
+                         model::condition_text(follow.condition, plant_)));
+      }
+      text_.add("\n");
+    }
     add_counts();
     text_.finish();
   }
@@ -57,6 +65,9 @@ class TableWriter {
     std::string head = fmt::format("{}: {}, starts in {} ({})", unit.path, description::actuation_name(unit.actuation),
                                    unit.states[unit.initial].name, initial_reason(unit.initial_from));
     if (unit.actuation == tables::Actuation::spring) head += ", returns to " + unit.states[unit.rest].name;
+    if (unit.overrun != tables::kNever) {
+      head += ", overruns after " + duration_text(description::Duration::fixed(unit.overrun));
+    }
     line(head);
     for (const std::string_view sentence : inferences(unit)) line("  inferred: " + std::string(sentence));
     add_side("I", unit.operations);
@@ -85,8 +96,8 @@ class TableWriter {
       if (!symbol.row->vendor_address.empty() && !symbol.row->iec_address.empty()) {
         address.append(" ").append(symbol.row->iec_address);
       }
-      row(fmt::format("{}  {}  {}:{}", symbol.name(), address.empty() ? "no address" : address,
-                      plant_.list_of(symbol).name(), symbol.row->line));
+      row(fmt::format("{}  {}  {}:{}{}", symbol.name(), address.empty() ? "no address" : address,
+                      plant_.list_of(symbol).name(), symbol.row->line, symbol.inverted ? "  inverted" : ""));
     }
     end();
   }
@@ -113,6 +124,8 @@ class TableWriter {
       if (!transition.when.empty()) content += ", when " + transition.when;
       if (!transition.after.empty()) content += ", " + transition.after;
       if (!transition.takes.empty()) content += ", " + transition.takes;
+      if (!transition.during.empty()) content += ", while " + transition.during;
+      if (!transition.weight.empty()) content += ", " + transition.weight;
       row(content + "  [" + std::string(origin_text(t.origin)) + "]");
     }
     end();
@@ -123,8 +136,12 @@ class TableWriter {
     if (routes.empty()) return;
     begin("spring");
     for (const model::Transition& transition : routes) {
-      row(fmt::format("({}) -> {}, takes {}", unit.states[transition.from].name, unit.states[transition.to].name,
-                      duration_text(transition.takes)));
+      std::string content = fmt::format("({}) -> {}, takes {}", unit.states[transition.from].name,
+                                        unit.states[transition.to].name, duration_text(transition.takes));
+      if (transition.during != kNone) {
+        content += ", while " + model::condition_text(unit.conditions[transition.during], plant_);
+      }
+      row(content);
     }
   }
 

@@ -171,6 +171,10 @@ class ScxmlWriter {
     }
     if (!t.after.is_zero()) text_ += attribute("symplant:after", duration_text(t.after));
     if (!t.takes.is_zero()) text_ += attribute("symplant:takes", duration_text(t.takes));
+    if (t.during != kNone) {
+      text_ += attribute("symplant:while", model::condition_text(unit.conditions[t.during], plant_));
+    }
+    if (t.weight != 0) text_ += attribute("symplant:weight", std::to_string(t.weight));
     if (t.once) text_ += attribute("symplant:once", "true");
     text_ += attribute("symplant:origin", origin_text(t.origin)) + fmt::format(" symplant:place=\"{}\"/>\n", position);
   }

@@ -211,6 +211,7 @@ std::vector<model::Transition> spring_returns(const model::Unit& unit) {
     model::Transition route;
     route.from = from;
     route.to = unit.rest;
+    route.during = taken == unit.transitions.end() ? kNone : taken->during;
     route.takes = taken == unit.transitions.end() ? description::Duration::fixed(unit.travel) : taken->takes;
     route.spring_return = true;
     routes.push_back(route);
@@ -226,6 +227,8 @@ TransitionText transition_text(const model::Transition& transition, const model:
                                      : operation_text(plant, unit, transition.on);
   if (transition.once) text.on += ", once";
   if (transition.when != kNone) text.when = model::condition_text(unit.conditions[transition.when], plant);
+  if (transition.during != kNone) text.during = model::condition_text(unit.conditions[transition.during], plant);
+  if (transition.weight != 0) text.weight = fmt::format("weight {}", transition.weight);
   if (!transition.after.is_zero()) text.after = "after " + duration_text(transition.after);
   if (transition.on != kNone || transition.spring_return || !transition.takes.is_zero()) {
     text.takes = "takes " + duration_text(transition.takes);

@@ -28,11 +28,14 @@ SYMPLANT_ALWAYS_INLINE std::span<const WordChange> Engine::close_events() noexce
   });
 }
 
-/// The first instant reports the bits that are on: those of inverted symbols are on where they did not change.
-std::span<const WordChange> Engine::include_start(std::span<const WordChange> changed_events) noexcept {
-  const std::span<WordChange> operations(operation_changes_.items, tables_.operation_bits / 64);
-  operation_changes_.size = toggle(operations, operation_changes_.size, index_.inverted_operations);
-  return event_changes_.toggle(static_cast<std::uint32_t>(changed_events.size()), index_.inverted_events);
+/// The first instant reports the bits that are on, not what changed: inverted symbols may be on from the start.
+std::span<const WordChange> Engine::report_start() noexcept {
+  operation_changes_.size = 0;
+  const BitWords bits = operations();
+  for (std::uint32_t word = 0; word < bits.size(); ++word) {
+    if (bits[word] != 0) operation_changes_.add({word, bits[word]});
+  }
+  return event_changes_.all_on(events());
 }
 
 void Engine::close_event_values() noexcept {
@@ -137,7 +140,7 @@ void Engine::close_instant() noexcept {
     for (const WordChange& change : operation_changes_.view()) finish_operations(change);
   }
   finish_units();
-  if (first_ && index_.some_inverted && observer_ != nullptr) changed_events = include_start(changed_events);
+  if (first_ && index_.some_inverted && observer_ != nullptr) changed_events = report_start();
   first_ = false;
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
                                static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |

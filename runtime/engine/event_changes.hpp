@@ -6,6 +6,7 @@
 #include <span>
 
 #include "symplant/engine/arena.hpp"
+#include "symplant/engine/bit_words.hpp"
 #include "symplant/engine/dirty_set.hpp"
 #include "symplant/engine/instant.hpp"
 
@@ -17,7 +18,6 @@ class EventChanges {
     words_ = arena.take<Word>(words);
     since_forgotten_.take(arena, words);
     of_instant_.take(arena, words);
-    words_in_all_ = words;
     instant_ = first_kept_ = 1;
     flickered_ = false;
   }
@@ -53,9 +53,13 @@ class EventChanges {
     }
     return {of_instant_.items, kept};
   }
-  /// The `kept` words that close() returned, toggled by masks for all words.
-  std::span<const WordChange> toggle(std::uint32_t kept, const std::uint64_t* masks) noexcept {
-    return {of_instant_.items, engine::toggle({of_instant_.items, words_in_all_}, kept, masks)};
+  /// After close(), instead of what it returned: all events that are on.
+  std::span<const WordChange> all_on(const BitWords& bits) noexcept {
+    of_instant_.size = 0;
+    for (std::uint32_t word = 0; word < bits.size(); ++word) {
+      if (bits[word] != 0) of_instant_.add({word, bits[word]});
+    }
+    return of_instant_.view();
   }
   void next_instant() noexcept {
     of_instant_.size = 0;
@@ -89,7 +93,6 @@ class EventChanges {
   }
 
   Word* words_;
-  std::size_t words_in_all_;
   List<std::uint32_t> since_forgotten_;
   List<WordChange> of_instant_;
   std::uint64_t instant_;     ///< number of this instant

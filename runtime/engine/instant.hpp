@@ -15,10 +15,6 @@ struct WordChange {
   std::uint64_t bits;
 };
 
-/// Toggles bits of all words of a plane by `masks`, in a list of changed words: `all` has room for every word, and its
-/// first `size` items are the list. Returns the new size. O(words * log words).
-std::uint32_t toggle(std::span<WordChange> all, std::uint32_t size, const std::uint64_t* masks) noexcept;
-
 /// The net changes of one instant, after forces. Valid only during the call of the observer.
 struct Instant {
   tables::Time time;

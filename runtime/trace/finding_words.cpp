@@ -37,6 +37,11 @@ std::string index(std::uint32_t symbol, const PlantNames& names) {
   return std::string(address.empty() ? names.symbol(symbol) : address);
 }
 
+/// Added to the name of an inverted symbol: "on" means that it commands.
+std::string_view inverted(std::uint32_t symbol, const PlantNames& names) {
+  return names.tables().symbols[symbol].inverted() ? ", inverted" : "";
+}
+
 /// The units that disable a unit now: `EXLINE_MB_DOOR in OPEN1`.
 std::string disablers(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
@@ -52,8 +57,8 @@ std::string disablers(std::uint32_t unit, const PlantNames& names, const History
 std::string led(std::uint32_t unit, const PlantNames& names, const History& history) {
   std::string text;
   for (const std::uint32_t symbol : history.last_operations(unit, kOperationsShown)) {
-    text += fmt::format("{}{} ({} of {}) ", text.empty() ? "" : ", ", index(symbol, names), names.task(symbol),
-                        names.unit(unit));
+    text += fmt::format("{}{} ({} of {}{}) ", text.empty() ? "" : ", ", index(symbol, names), names.task(symbol),
+                        names.unit(unit), inverted(symbol, names));
     text += history.commands(symbol)
                 ? "on since " + seconds(history.rose(symbol))
                 : fmt::format("on at {}, off since {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
@@ -150,7 +155,8 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
   for (const std::uint32_t symbol : history.last_operations(unit, names.symbols_of(unit).size())) {
     const bool on = history.commands(symbol);
     if (!on && !text.empty()) continue;
-    text += fmt::format(", {} (operation {}, {}) ", index(symbol, names), names.task(symbol), names.cite(symbol));
+    text += fmt::format(", {} (operation {}{}, {}) ", index(symbol, names), names.task(symbol), inverted(symbol, names),
+                        names.cite(symbol));
     text += on ? "has been on since " + seconds(history.rose(symbol))
                : fmt::format("was on from {} to {}", seconds(history.rose(symbol)), seconds(history.since(symbol)));
   }
@@ -237,7 +243,7 @@ std::string symbol_words(std::uint32_t symbol, const PlantNames& names) {
   } else {
     text += fmt::format("{} {} of {}", operation ? "operation" : "event", names.task(symbol), names.unit(unit));
   }
-  if (names.tables().symbols[symbol].inverted()) text += ", inverted";
+  text += inverted(symbol, names);
   return text + " (" + names.cite(symbol) + ")";
 }
 
