@@ -196,12 +196,9 @@ void Engine::reset_levels() noexcept {
     if (symbol.type() != tables::DataType::boolean) continue;
     if (symbol.inverted() == tables_.symbols[shared.leader].inverted()) continue;
     const std::uint32_t word = symbol.index / 64;
-    if (symbol.direction() == tables::Direction::event) {
-      events_.make(word, events_.made(word) | bit_in_word(symbol.index));
-      continue;
-    }
-    operations_.bits[word] |= bit_in_word(symbol.index);
-    operation_words_[word].written ^= bit_in_word(symbol.index);
+    const bool operation = symbol.direction() == tables::Direction::operation;
+    (operation ? operations_ : events_).bits[word] |= bit_in_word(symbol.index);
+    if (operation) operation_words_[word].written ^= bit_in_word(symbol.index);
   }
 }
 

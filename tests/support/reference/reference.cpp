@@ -41,7 +41,7 @@ std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
       if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) {
-        return rules.turned(unit.events[i], 0);
+        return rules.turned(index, 0);
       }
     }
   }
@@ -54,7 +54,9 @@ World first_world(const Rules& rules) {
   for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
     SymbolWorld symbol;
     symbol.value = symbol.written = first_value(rules, rules.leader(i));
-    symbol.shown = rules.is_bool(i) ? rules.turned(i, 0) : symbol.value;
+    // Off; an event on the address of another one as if that were off.
+    symbol.shown = rules.is_bool(i) ? rules.turned(rules.is_operation(i) ? i : rules.leader(i), 0) : symbol.value;
+    if (rules.is_bool(i) && rules.turned(i, symbol.shown) != 0) symbol.rose = -tables::kNever / 2;  // never
     world.symbols.push_back(symbol);
   }
   world.monitors.resize(rules.model->requirements.size());
