@@ -185,7 +185,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
 }
 
 /// Writes inverted operations as on: their units see them off. Of symbols on one address the leader decides: one that
-/// is not inverted as its leader is starts as if on.
+/// is not inverted as its leader is switches on in the first instant.
 void Engine::reset_levels() noexcept {
   if (!index_.some_inverted) return;
   for (std::uint32_t word = 0; word < tables_.operation_bits / 64; ++word) {
@@ -200,8 +200,9 @@ void Engine::reset_levels() noexcept {
       events_.make(word, events_.made(word) | bit_in_word(symbol.index));
       continue;
     }
-    operations_.bits[word] |= bit_in_word(symbol.index);
+    operations_.make(word, operations_.made(word) | bit_in_word(symbol.index));
     operation_words_[word].written ^= bit_in_word(symbol.index);
+    head_->acted = 1;
   }
 }
 
