@@ -66,7 +66,7 @@ class DeviceWriter {
     if (dice_.percent(after)) given.after = random_duration(dice_);
     if (dice_.percent(55)) given.takes = random_duration(dice_);
     if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
-    if (dice_.percent(18)) given.during = random_condition(dice_, plan_, unit_);
+    if (dice_.percent(20)) given.during = random_condition(dice_, plan_, unit_);
     if (given.automatic && dice_.percent(25)) given.weight = random_weight();
     given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
   }

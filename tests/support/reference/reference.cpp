@@ -31,7 +31,8 @@ UnitWorld first_world(const UnitRules& rules) {
   return unit;
 }
 
-/// The value of a symbol before any unit has entered its initial state.
+/// The value of a symbol that leads its address, before any unit has entered its initial state. Off is that of the
+/// leader: others on the address can be inverted where it is not.
 std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
   const model::Symbol& symbol = rules.model->symbols[index];
   if (!rules.is_bool(index)) return symbol.initial;
@@ -40,9 +41,7 @@ std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
     // If the event of a unit's state is at the address, the state decides.
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) {
-        return rules.turned(unit.events[i], 0);
-      }
+      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) return rules.turned(index, 0);
     }
   }
   return symbol.initial != 0 ? 1 : 0;
