@@ -1,7 +1,6 @@
 // Random plants whose names are read by a custom naming rule.
 #include "property/cell_plant.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,15 +59,11 @@ class CellWriter {
     if (dice_.percent(percent)) row(name, operation);
   }
 
-  /// New inputs, and one that is a sensor without this.
   void follow() {
-    for (const std::string name : {"F1", "F2", "B2"}) {
-      if (!dice_.percent(25) || text_.rows.empty()) continue;
-      const std::string& other = dice_.pick(text_.rows).name;
-      const auto same = [&](const Row& row) { return row.name == name; };
-      if (other == name || (name == "B2") != std::any_of(text_.rows.begin(), text_.rows.end(), same)) continue;
-      text_.description.follow.push_back({name, (dice_.percent(30) ? "not " : "") + other});
-      if (name != "B2") row(name, false);
+    for (const std::string name : {"F1", "F2"}) {
+      if (!dice_.percent(30) || text_.rows.empty()) continue;
+      text_.description.follow.push_back({name, (dice_.percent(30) ? "not " : "") + dice_.pick(text_.rows).name});
+      row(name, false);
     }
   }
 

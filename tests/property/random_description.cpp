@@ -16,8 +16,9 @@ using tables::Actuation;
 
 class DeviceWriter {
  public:
-  DeviceWriter(Dice& dice, const PlannedPlant& plan, const PlannedUnit& unit)
-      : dice_(dice), plan_(plan), unit_(unit), states_(unit.states()) {
+  DeviceWriter(Dice& dice, const PlannedPlant& plan, const PlannedUnit& unit,
+               const std::vector<description::GivenFollow>& follow)
+      : dice_(dice), plan_(plan), unit_(unit), follow_(follow), states_(unit.states()) {
     device_.path = unit.path;
     device_.states = unit.added;
   }
@@ -32,6 +33,7 @@ class DeviceWriter {
     if (states_.size() > 1) {
       for (std::size_t i = dice_.below(dice_.percent(20) ? 7 : 4); i > 0; --i) transition();
       if (dice_.percent(8)) chances();
+      for (const description::GivenFollow& given : follow_) loop_with(given);
     }
     outputs();
     disables();
@@ -66,7 +68,8 @@ class DeviceWriter {
     if (dice_.percent(after)) given.after = random_duration(dice_);
     if (dice_.percent(55)) given.takes = random_duration(dice_);
     if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
-    if (dice_.percent(18)) given.during = random_condition(dice_, plan_, unit_);
+    const bool turns = device_.actuation && device_.actuation != Actuation::latched;
+    if (dice_.percent(turns ? 35 : 18)) given.during = random_condition(dice_, plan_, unit_);
     if (given.automatic && dice_.percent(25)) given.weight = random_weight();
     given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
   }
@@ -89,6 +92,17 @@ class DeviceWriter {
       if (dice_.percent(40)) given.takes = random_duration(dice_);
       if (dice_.percent(90)) given.weight = random_weight();
       add(std::move(given));
+    }
+  }
+
+  /// Makes an instantaneous loop of the unit and a symbol that follows one of its states.
+  void loop_with(const description::GivenFollow& follow) {
+    if (follow.symbol.ends_with('?')) return;
+    for (const std::string& state : states_) {
+      if (follow.condition != unit_.path + "." + state || !dice_.percent(30)) continue;
+      const std::string& other = dice_.pick(states_);
+      add({state, other, "", "'" + follow.symbol + "'", true});
+      add({other, state, "", "not '" + follow.symbol + "'", true});
     }
   }
 
@@ -164,6 +178,7 @@ class DeviceWriter {
   Dice& dice_;
   const PlannedPlant& plan_;
   const PlannedUnit& unit_;
+  const std::vector<description::GivenFollow>& follow_;
   std::vector<std::string> states_;
   DeviceDescription device_;
   std::set<std::tuple<std::string, std::string, std::string, std::string>> taken_;  ///< from, to, on, when
@@ -235,7 +250,8 @@ description::Description random_description(Dice& dice, const PlannedPlant& plan
   description.follow = random_follow(dice, plan);
   for (const PlannedUnit& unit : plan.units) {
     const bool must = unit.behaves || !unit.added.empty() || !unit.commands.empty() || !unit.signals.empty();
-    if (must || dice.percent(55)) description.devices.push_back(DeviceWriter(dice, plan, unit).write());
+    if (must || dice.percent(55))
+      description.devices.push_back(DeviceWriter(dice, plan, unit, description.follow).write());
   }
   if (dice.percent(45)) {
     for (std::size_t i = 1 + dice.below(3); i > 0; --i) {

@@ -133,6 +133,9 @@ std::string symbols_difference(const Rules& rules) {
     if (rules.inverted[i] == model.symbols[i].inverted) continue;
     return std::string(model.symbols[i].name()) + (rules.inverted[i] ? ": inverted" : ": not inverted");
   }
+  for (const FollowRules& follow : rules.follows) {
+    if (model.symbols[follow.symbol].unit != model::kNone) return "a symbol that follows is in a unit";
+  }
   std::ostringstream here;
   for (const FollowRules& follow : rules.follows) here << follow.symbol << " by " << follow.given << " ";
   std::ostringstream there;
