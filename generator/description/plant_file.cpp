@@ -212,9 +212,9 @@ class PlantFileReader {
       const Pointer here = Pointer("/requirements") / i;
       const auto within = time_member(value, "within", here, faults_);
       check_text(text_or_empty(value, "name"), here / "name", faults_);
-      file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
-                                                text_or_empty(value, "after"), text_or_empty(value, "expect"),
-                                                within.value_or(0)});
+      file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "for"),
+                                                text_or_empty(value, "never"), text_or_empty(value, "after"),
+                                                text_or_empty(value, "expect"), within.value_or(0)});
     }
   }
 

@@ -179,8 +179,8 @@ void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwel
 
 }  // namespace
 
-UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
-                         description::Faults& faults) {
+UnitEvidence derive_states(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                           description::Faults& faults) {
   UnitEvidence evidence;
   const description::DeviceDescription* described = unit.described;
   unit.travel = defaults.travel;
@@ -192,7 +192,12 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   choose_actuation_and_rest(unit, defaults, evidence, faults);
   choose_initial(unit, symbols, evidence, faults);
   choose_overrun(unit, defaults.overrun, faults);
+  return evidence;
+}
 
+void derive_transitions(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                        UnitEvidence& evidence, description::Faults& faults) {
+  const description::DeviceDescription* described = unit.described;
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {
     const GivenTransitions given(unit);
@@ -210,7 +215,6 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   for (std::uint32_t s = 0; evidence.two_words && s < 2; ++s) {
     if (unit.states[s].operation == kNone && unit.reaches(s)) evidence.two_words = false;
   }
-  return evidence;
 }
 
 }  // namespace symplant::model
