@@ -42,7 +42,8 @@ std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     const bool operation = symbol.direction == tables::Direction::operation;
-    inputs.push_back({symbol.unmodelled == Unmodelled::follows ? &follows : readings[i], symbol.name(),
+    const bool ignored = symbol.unmodelled == Unmodelled::follows;
+    inputs.push_back({ignored ? &follows : readings[i], ignored ? std::string_view() : symbol.name(),
                       operation ? name::Side::operation : name::Side::event, symbol.type == tables::DataType::boolean,
                       plant.controller_of(symbol)});
   }

@@ -229,6 +229,7 @@ class Engine {
   // the end of an instant (engine_close.cpp)
   void close_instant() noexcept;
   std::span<const WordChange> close_events() noexcept;
+  void find_start() noexcept;
   std::span<const WordChange> report_start() noexcept;
   std::uint64_t close_cycle(std::uint32_t word, std::uint64_t changed) noexcept;
   void close_event_values() noexcept;

@@ -28,6 +28,15 @@ SYMPLANT_ALWAYS_INLINE std::span<const WordChange> Engine::close_events() noexce
   });
 }
 
+/// In the first instant operations that are on have risen: those that are inverted unlike others on their address may
+/// be on from the start.
+void Engine::find_start() noexcept {
+  operation_changes_.size = 0;
+  for (std::uint32_t word = 0; word < tables_.operation_bits / 64; ++word) {
+    if (operations_.bits[word] != 0) operation_changes_.add({word, operations_.bits[word]});
+  }
+}
+
 /// The first instant reports the bits that are on, not what changed: inverted symbols may be on from the start.
 std::span<const WordChange> Engine::report_start() noexcept {
   operation_changes_.size = 0;
@@ -129,6 +138,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
 }
 
 void Engine::close_instant() noexcept {
+  if (first_ && index_.some_inverted) find_start();
   std::span<const WordChange> changed_events = close_events();
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();

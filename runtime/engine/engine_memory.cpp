@@ -185,7 +185,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
 }
 
 /// Writes inverted operations as on: their units see them off. Of symbols on one address the leader decides: one that
-/// is not inverted as its leader is switches on in the first instant.
+/// is not inverted as its leader is starts as if on.
 void Engine::reset_levels() noexcept {
   if (!index_.some_inverted) return;
   for (std::uint32_t word = 0; word < tables_.operation_bits / 64; ++word) {
@@ -196,13 +196,9 @@ void Engine::reset_levels() noexcept {
     if (symbol.type() != tables::DataType::boolean) continue;
     if (symbol.inverted() == tables_.symbols[shared.leader].inverted()) continue;
     const std::uint32_t word = symbol.index / 64;
-    if (symbol.direction() == tables::Direction::event) {
-      events_.make(word, events_.made(word) | bit_in_word(symbol.index));
-      continue;
-    }
-    operations_.make(word, operations_.made(word) | bit_in_word(symbol.index));
-    operation_words_[word].written ^= bit_in_word(symbol.index);
-    head_->acted = 1;
+    const bool operation = symbol.direction() == tables::Direction::operation;
+    (operation ? operations_ : events_).bits[word] |= bit_in_word(symbol.index);
+    if (operation) operation_words_[word].written ^= bit_in_word(symbol.index);
   }
 }
 

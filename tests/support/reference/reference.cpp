@@ -31,8 +31,7 @@ UnitWorld first_world(const UnitRules& rules) {
   return unit;
 }
 
-/// The value of a symbol that leads its address, before any unit has entered its initial state. Off is that of the
-/// leader: others on the address can be inverted where it is not.
+/// The value of a symbol before any unit has entered its initial state.
 std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
   const model::Symbol& symbol = rules.model->symbols[index];
   if (!rules.is_bool(index)) return symbol.initial;
@@ -41,7 +40,9 @@ std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
     // If the event of a unit's state is at the address, the state decides.
     const UnitRules& unit = rules.units[symbol.unit];
     for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) return rules.turned(index, 0);
+      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) {
+        return rules.turned(index, 0);
+      }
     }
   }
   return symbol.initial != 0 ? 1 : 0;
@@ -53,7 +54,9 @@ World first_world(const Rules& rules) {
   for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
     SymbolWorld symbol;
     symbol.value = symbol.written = first_value(rules, rules.leader(i));
-    symbol.shown = rules.is_bool(i) ? rules.turned(i, 0) : symbol.value;
+    // Off; an event on the address of another one as if that were off.
+    symbol.shown = rules.is_bool(i) ? rules.turned(rules.is_operation(i) ? i : rules.leader(i), 0) : symbol.value;
+    if (rules.is_bool(i) && rules.turned(i, symbol.shown) != 0) symbol.rose = -tables::kNever / 2;  // never
     world.symbols.push_back(symbol);
   }
   world.monitors.resize(rules.model->requirements.size());
