@@ -32,7 +32,7 @@ class DeviceWriter {
     for (const std::string& command : unit_.commands) command_transition(command);
     if (states_.size() > 1) {
       for (std::size_t i = dice_.below(dice_.percent(20) ? 7 : 4); i > 0; --i) transition();
-      if (dice_.percent(8)) chances();
+      if (!plan_.plain && dice_.percent(14)) chances();
       for (const description::GivenFollow& given : follow_) loop_with(given);
     }
     outputs();
@@ -68,10 +68,14 @@ class DeviceWriter {
     if (dice_.percent(after)) given.after = random_duration(dice_);
     if (dice_.percent(55)) given.takes = random_duration(dice_);
     if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
-    const bool turns = device_.actuation && device_.actuation != Actuation::latched;
-    if (dice_.percent(turns ? 35 : 18)) given.during = random_condition(dice_, plan_, unit_);
-    if (given.automatic && dice_.percent(25)) given.weight = random_weight();
+    if (!plan_.plain) while_and_weight(given);
     given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
+  }
+
+  void while_and_weight(GivenTransition& given) {
+    const bool turns = device_.actuation && device_.actuation != Actuation::latched;
+    if (dice_.percent(turns ? 45 : 25)) given.during = random_condition(dice_, plan_, unit_);
+    if (given.automatic && dice_.percent(35)) given.weight = random_weight();
   }
 
   std::uint32_t random_weight() {
@@ -124,7 +128,7 @@ class DeviceWriter {
       times_and_cause(given, 85, 50);
     } else if (springs_own && (operations.empty() || dice_.percent(70))) {
       given.takes = random_duration(dice_);
-      if (dice_.percent(35)) given.during = random_condition(dice_, plan_, unit_);
+      if (!plan_.plain && dice_.percent(45)) given.during = random_condition(dice_, plan_, unit_);
     } else {
       if (!own || dice_.percent(30)) given.on = dice_.pick(operations);
       times_and_cause(given, 20, 30);

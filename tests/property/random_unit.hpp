@@ -41,6 +41,7 @@ struct PlannedPlant {
   std::vector<std::string> spare_bits;
   std::vector<PlannedValue> spare_values;
   std::vector<std::string> followers;  ///< events that follow a condition
+  bool plain = false;                  ///< no `while`, no weights: more units take the fast path
 };
 
 PlannedUnit random_unit(Dice& dice, std::size_t number);
