@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "app/map_notes.hpp"
+#include "app/map/notes.hpp"
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
 #include "symplant/link/client_parts.hpp"
@@ -98,6 +98,14 @@ void add_size_faults(const tables::PlantTables& tables, const link::IoMap& map, 
 }
 
 }  // namespace
+
+const description::LinkDescription* link_of(const model::PlantModel& plant, std::uint32_t controller) {
+  if (const auto* const client = client_link_of(plant, controller)) return client;
+  for (const description::LinkDescription& link : plant.description->links) {
+    if (is_link_of(plant, controller, link)) return &link;
+  }
+  return nullptr;
+}
 
 const description::LinkDescription* client_link_of(const model::PlantModel& plant, std::uint32_t controller) {
   for (const description::LinkDescription& link : plant.description->links) {

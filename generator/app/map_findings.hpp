@@ -7,6 +7,9 @@
 
 namespace symplant::app {
 
+/// The link of plant.json of this controller, first one that goes to the PLC; null if there is none.
+const description::LinkDescription* link_of(const model::PlantModel& plant, std::uint32_t controller);
+
 /// The link of plant.json to this controller that goes to the PLC; null if there is none.
 const description::LinkDescription* client_link_of(const model::PlantModel& plant, std::uint32_t controller);
 

@@ -28,7 +28,7 @@ constexpr std::string_view kSysmacAdvice =
     "project as text (.cxt)";
 constexpr std::string_view kSchneiderAdvice =
     "export the variables: in Control Expert, select `Variables & FB instances`, then File > Export (.xsy)";
-constexpr std::string_view kSheetAdvice = "save it as a workbook (.xlsx) or as CSV";
+constexpr std::string_view kSheetAdvice = "open it and save it as .xlsx or as CSV";
 constexpr std::string_view kListAdvice = "export the symbols of the PLC program as text or as a workbook";
 
 struct Signature {
@@ -37,6 +37,8 @@ struct Signature {
   std::string_view extension;  ///< of its path, without the dot, in lower case; empty: any
   RecognizedFile file;
 };
+
+constexpr RecognizedFile kOldWorkbook{"a workbook in the old Excel format (.xls)", kSheetAdvice};
 
 constexpr std::string_view kOleMagic = "\xD0\xCF\x11\xE0";
 constexpr std::string_view kZipMagic = "PK\x03\x04";
@@ -61,10 +63,13 @@ constexpr std::array kBinaries{
     Signature{"Rar!", true, "", {"an archive (RAR)", "unpack it and give the list in it"}},
     Signature{"\x89PNG", true, "", {"a picture (PNG)", kListAdvice}},
     Signature{"\xFF\xD8\xFF", true, "", {"a picture (JPEG)", kListAdvice}},
-    Signature{kOleMagic, true, "xls", {"a workbook of the old kind (.xls)", kSheetAdvice}},
+    Signature{kOleMagic, true, "xls", kOldWorkbook},
     Signature{kOleMagic, true, "gxw", {"a GX Works2 project", kGxAdvice}},
     Signature{kOleMagic, true, "project", {"a CODESYS project", kCodesysAdvice}},
-    Signature{kOleMagic, true, "", {"a compound document of Windows (an old workbook, or a project)", kSheetAdvice}},
+    Signature{kOleMagic,
+              true,
+              "",
+              {"a compound document of Windows (a workbook in the old Excel format, or a project)", kSheetAdvice}},
     Signature{"", true, "gx3", {"a GX Works3 project", kGxAdvice}},
     Signature{"", true, "gxw", {"a GX Works2 project", kGxAdvice}},
     Signature{"", true, "cxp", {"a CX-Programmer project (binary)", kSysmacAdvice}},
@@ -85,6 +90,7 @@ constexpr std::array kBinaries{
     Signature{kZipMagic, true, "library", {"a CODESYS library", kCodesysAdvice}},
     Signature{"TIA Portal", false, "", {"a TIA Portal project or archive", kTiaAdvice}},
     Signature{kZipMagic, true, "", {"a zip archive", "unpack it and give the list in it"}},
+    Signature{"", true, "xls", kOldWorkbook},
 };
 
 /// Texts, by what their first part holds; the first that fits counts.

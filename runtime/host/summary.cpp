@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "symplant/host/symbol_use.hpp"
 #include "symplant/host/words.hpp"
 #include "symplant/tables/names.hpp"
 #include "symplant/tables/row_of.hpp"
@@ -30,6 +31,18 @@ std::string functions_text(std::uint8_t replaced) {
   return text;
 }
 
+/// Whether an event is driven, or an operation moves a device or is read. `has_code`: of the behavior of each unit.
+bool has_effect(const SymbolUse& use, std::uint32_t symbol, const std::vector<bool>& has_code) {
+  const SymbolDriver driver = use.driver(symbol);
+  if (driver.kind == SymbolDriver::Kind::behavior ? has_code[driver.unit] : driver.kind != SymbolDriver::Kind::none) {
+    return true;
+  }
+  const auto readers = use.readers(symbol);
+  return std::any_of(readers.begin(), readers.end(), [&](const SymbolReader& reader) {
+    return reader.kind != SymbolReader::Kind::behavior || has_code[reader.index];
+  });
+}
+
 }  // namespace
 
 std::string lists_text(const tables::PlantTables& tables) {
@@ -42,23 +55,19 @@ std::string lists_text(const tables::PlantTables& tables) {
 
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash, std::span<const std::string_view> more,
                     std::span<const engine::Behaviour> behaviours) {
+  const SymbolUse use(tables);
+  std::vector<bool> has_code(tables.units.size());
+  for (const tables::BehaviourUnit& unit : tables.behaviour_units) has_code[unit.unit] = unit.name < behaviours.size();
   std::size_t operations = 0;
-  std::size_t moving_operations = 0;
-  std::vector<bool> by_code(tables.symbols.size());
-  for (const tables::BehaviourUnit& unit : tables.behaviour_units) {
-    if (unit.name >= behaviours.size()) continue;
-    for (const std::uint32_t symbol : tables.behaviour_values.subspan(unit.first_value, unit.value_count)) {
-      by_code[symbol] = true;
-    }
-  }
+  std::size_t used_operations = 0;
   std::size_t undriven = 0;
   std::vector<std::size_t> undriven_shown;
-  for (std::size_t i = 0; i < tables.symbols.size(); ++i) {
-    const tables::SymbolRow& symbol = tables.symbols[i];
-    if (symbol.direction() == tables::Direction::operation) {
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const bool acts = has_effect(use, i, has_code);
+    if (tables.symbols[i].direction() == tables::Direction::operation) {
       ++operations;
-      if (symbol.moved()) ++moving_operations;
-    } else if (!symbol.moved() && !by_code[i]) {
+      if (acts) ++used_operations;
+    } else if (!acts) {
       ++undriven;
       if (undriven_shown.size() < kNamesShown) undriven_shown.push_back(i);
     }
@@ -74,7 +83,7 @@ std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
                                  plural(operations, "operation"), plural(events, "event"), model_hash);
   for (const std::string_view line : more) text.append(line).append("\n");
   text += fmt::format("can move: {} of {}, using {} of {}\n", std::count(moves.begin(), moves.end(), true),
-                      plural(tables.units.size(), "device"), moving_operations, plural(operations, "operation"));
+                      plural(tables.units.size(), "device"), used_operations, plural(operations, "operation"));
   text += fmt::format("not driven: {} of {}", undriven, plural(events, "event"));
   const trace::NameIndex names(tables.symbol_names);
   for (std::size_t i = 0; i < undriven_shown.size(); ++i) {

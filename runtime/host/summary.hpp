@@ -14,8 +14,9 @@ namespace symplant::host {
 /// The file names of the plant's symbol lists, separated by commas; only the first ones if there are many.
 std::string lists_text(const tables::PlantTables& tables);
 
-/// The plant's inputs, the devices that can move, and the events that are not driven. `more` are further lines, after
-/// the first. A behavior in `behaviours` drives the numbers of its devices.
+/// The plant's inputs, the devices that can move, the operations that move a device or are read, and the events that
+/// are not driven. `more` are further lines, after the first. A behavior in `behaviours` drives the events of its
+/// devices.
 std::string summary(const tables::PlantTables& tables, std::uint64_t model_hash,
                     std::span<const std::string_view> more = {}, std::span<const engine::Behaviour> behaviours = {});
 

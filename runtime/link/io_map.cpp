@@ -13,21 +13,10 @@ constexpr std::uint32_t kAddresses = 65'536;  ///< size of a full table: protoco
 constexpr std::uint32_t kRounding = 16;
 constexpr std::uint32_t kStatusRounding = 100;
 
-bool is_8_bits(tables::DataType type) {
-  return type == tables::DataType::sint || type == tables::DataType::usint || type == tables::DataType::byte;
-}
-
 Table table_of(const tables::SymbolRow& symbol) {
   const bool bit = symbol.type() == tables::DataType::boolean;
   if (symbol.direction() == tables::Direction::operation) return bit ? Table::coil : Table::holding_register;
   return bit ? Table::discrete_input : Table::input_register;
-}
-
-/// The number that a symbol's own address gives it, or tables::kNone.
-std::uint32_t own_number(const tables::SymbolRow& symbol) {
-  if (symbol.form() != tables::AddressForm::number) return tables::kNone;
-  const std::uint64_t number = std::uint64_t{symbol.number} * width_of(symbol.type());
-  return number + width_of(symbol.type()) <= kAddresses ? static_cast<std::uint32_t>(number) : tables::kNone;
 }
 
 class MapMaker {
@@ -241,6 +230,16 @@ class MapMaker {
 
 IoMap make_io_map(const tables::PlantTables& tables, std::uint32_t controller, const LinkSettings& settings) {
   return MapMaker(tables, controller, settings).run();
+}
+
+std::uint32_t own_number(const tables::SymbolRow& symbol) {
+  if (symbol.form() != tables::AddressForm::number) return tables::kNone;
+  const std::uint64_t number = std::uint64_t{symbol.number} * width_of(symbol.type());
+  return number + width_of(symbol.type()) <= kAddresses ? static_cast<std::uint32_t>(number) : tables::kNone;
+}
+
+bool is_8_bits(tables::DataType type) {
+  return type == tables::DataType::sint || type == tables::DataType::usint || type == tables::DataType::byte;
 }
 
 std::uint8_t width_of(tables::DataType type) noexcept {

@@ -74,8 +74,14 @@ std::string loss_words(const IoMap& map);
 /// order of the symbols in the lists does not matter. O(symbols log symbols).
 std::uint64_t map_hash(const tables::PlantTables& tables, const IoMap& map);
 
+/// Whether a number of this type fills half a register.
+bool is_8_bits(tables::DataType type);
+
 /// Number of registers that a number of this type takes; 1 for BOOL and for 8 bits.
 std::uint8_t width_of(tables::DataType type) noexcept;
+
+/// The number that a symbol's own address gives it, counted in registers; tables::kNone if it has none below 65536.
+std::uint32_t own_number(const tables::SymbolRow& symbol);
 
 /// The Modicon number of a protocol address, counted from 1 and written with its table's digit: coil 0 is 1, discrete
 /// input 1 is 10002; six digits from number 10,000 on (110001).

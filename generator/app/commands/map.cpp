@@ -13,16 +13,12 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/map/formats.hpp"
 #include "app/map_findings.hpp"
-#include "app/map_notes.hpp"
-#include "app/map_table.hpp"
 #include "app/options.hpp"
 #include "app/stream_sink.hpp"
-#include "diag/visible_text.hpp"
 #include "symplant/host/exit_codes.hpp"
 #include "symplant/link/choice.hpp"
-#include "symplant/link/client_parts.hpp"
-#include "symplant/link/io_map.hpp"
 #include "symplant/tables/names.hpp"
 
 namespace symplant::app {
@@ -30,15 +26,14 @@ namespace {
 
 using Choices = std::vector<link::LinkChoice>;
 
-/// The links whose maps to show: those of the command line, else one for each controller, with its URL if it goes to
-/// the PLC.
+/// The links whose maps to show: those of the command line, else one for each controller, as in plant.json.
 std::variant<Choices, link::LinkError> wanted(const model::PlantModel& plant, const tables::PlantTables& tables,
                                               const std::vector<std::string>& links) {
   if (links.empty()) {
     Choices choices;
     const std::size_t controllers = std::max<std::size_t>(1, tables::split_names(tables.controller_names).size());
     for (std::uint32_t controller = 0; controller < controllers; ++controller) {
-      const description::LinkDescription* const own = client_link_of(plant, controller);
+      const description::LinkDescription* const own = link_of(plant, controller);
       choices.push_back({own == nullptr ? "" : own->url, controller});
     }
     return choices;
@@ -60,27 +55,8 @@ struct MapOptions {
   std::string plant;
   PlantOptions plant_options;
   std::vector<std::string> links;
+  std::string format = "table";
 };
-
-/// Writes the map of one link; an error if its URL does not fit the plant.
-std::optional<link::LinkError> show_one(const model::PlantModel& plant, const tables::PlantTables& tables,
-                                        link::LinkChoice choice, std::ostream& stream) {
-  choice.settings = plant.links[choice.controller].settings();
-  if (link::is_client(choice.url)) {
-    auto made = link::client_parts(choice, tables);
-    if (auto* error = std::get_if<link::LinkError>(&made)) return std::move(*error);
-    const auto& parts = std::get<link::client::ClientParts>(made);
-    StreamSink out(stream);
-    write_map_table(plant, tables, choice.controller, {parts.map, &parts.addresses}, out);
-    stream << client_map_notes(plant, parts);
-    return std::nullopt;
-  }
-  const link::IoMap map = link::make_io_map(tables, choice.controller, choice.settings);
-  StreamSink out(stream);
-  write_map_table(plant, tables, choice.controller, {map}, out);
-  stream << map_notes(tables, map, choice.settings);
-  return std::nullopt;
-}
 
 void show(const MapOptions& options, Context& context) {
   auto made = compile_for(context, options.plant, options.plant_options);
@@ -95,14 +71,18 @@ void show(const MapOptions& options, Context& context) {
   };
   const auto choices = wanted(plant, tables, options.links);
   if (const auto* error = std::get_if<link::LinkError>(&choices)) return fail(*error);
+  const auto of = std::make_shared<const LinkedPlant>(plant, tables);
+  std::vector<LinkView> views;
   for (const link::LinkChoice& choice : std::get<Choices>(choices)) {
-    if (plant.controllers.size() > 1) {
-      const std::string& called = plant.controllers[choice.controller];
-      context.out << (&choice == std::get<Choices>(choices).data() ? "" : "\n")
-                  << (called.empty() ? "the controller without a name" : "controller " + diag::visible(called)) << "\n";
-    }
-    if (const auto error = show_one(plant, tables, choice, context.out)) return fail(*error);
+    auto view = view_of(of, choice);
+    if (const auto* error = std::get_if<link::LinkError>(&view)) return fail(*error);
+    views.push_back(std::get<LinkView>(std::move(view)));
   }
+  const auto formats = map_formats();
+  const auto format =
+      std::find_if(formats.begin(), formats.end(), [&](const MapFormat& one) { return one.name == options.format; });
+  StreamSink out(context.out);
+  if (const auto error = write_maps(*format, views, out)) fail(*error);
 }
 
 }  // namespace
@@ -113,10 +93,18 @@ void add_map(CLI::App& app, Context& context) {
   command->add_option("PLANT", options->plant, "a plant.json or a symbol list")->required();
   command->add_option("--link", options->links,
                       "[CONTROLLER=]URL: the map of this link only; of a link that goes to a PLC the devices there");
+  std::vector<std::string> names;
+  std::string help;
+  for (const MapFormat& format : map_formats()) {
+    names.emplace_back(format.name);
+    help.append(help.empty() ? "" : "; ").append(format.name).append(": ").append(format.what);
+  }
+  command->add_option("--format", options->format, help)->check(CLI::IsMember(names));
   add_plant_options(*command, options->plant_options);
   command->footer(
       "Modbus numbers count from 0, Modicon numbers from 1.\nExamples:\n  symplant map symbols.csv\n"
       "  symplant map plant.json --link PLC1=modbus-tcp-server://127.0.0.1:1502\n"
+      "  symplant map plant.json --format openplc > mbconfig.cfg\n"
       "  symplant map symbols.csv --link \"modbus-tcp://192.168.0.10:502?events=coils:800\"\n"
       "  symplant map symbols.csv --link \"slmp://192.168.3.39:5000?family=q&map=X0-X7F:M1000\"");
   command->callback([options, &context] { show(*options, context); });

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <ostream>
+#include <string>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
@@ -29,6 +30,15 @@ constexpr std::array kSchemas{
     Schema{"model", &view::model_schema},
 };
 
+/// "plant, scenario, naming or model".
+std::string formats_text() {
+  std::string text;
+  for (std::size_t i = 0; i < kSchemas.size(); ++i) {
+    text.append(i == 0 ? "" : i + 1 < kSchemas.size() ? ", " : " or ").append(kSchemas[i].format);
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_schema(CLI::App& app, Context& context) {
@@ -38,15 +48,15 @@ void add_schema(CLI::App& app, Context& context) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a format, for editors");
-  command->add_option("FORMAT", options->format, "plant, scenario, naming or model")->required();
+  command->add_option("FORMAT", options->format, formats_text())->required();
   command->add_option("-o,--output", options->output, "write it to this file")->type_name("FILE");
   command->footer("Examples:\n  symplant schema plant\n  symplant schema plant -o plant.schema.json");
   command->callback([options, &context] {
     const auto* const found = std::find_if(kSchemas.begin(), kSchemas.end(),
                                            [&](const Schema& schema) { return schema.format == options->format; });
     if (found == kSchemas.end()) {
-      context.err << "error: `" << options->format
-                  << "` is not a format with a schema: write plant, scenario, naming or model\n";
+      context.err << "error: `" << options->format << "` is not a format with a schema: write " << formats_text()
+                  << "\n";
       context.exit_code = host::kBadInput;
     } else {
       write_result(context, options->output, base::whole(std::string(found->text())), {});

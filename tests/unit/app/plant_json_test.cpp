@@ -161,6 +161,16 @@ TEST_CASE("schema prints the schema of plant.json, and reports an unknown name")
   CHECK(contains(run_tool({"schema", "palnt"}).err, "`palnt` is not a format"));
 }
 
+TEST_CASE("schema prints each format that its help and its message name") {
+  const std::string formats = "plant, scenario, naming or model";
+  CHECK(contains(run_tool({"schema", "--help"}).out, formats));
+  CHECK(contains(run_tool({"schema", "links"}).err, ": write " + formats + "\n"));
+  for (const char* format : {"plant", "scenario", "naming", "model"}) {
+    INFO(format);
+    CHECK(json::parse(run_tool({"schema", format}).out).contains("$schema"));
+  }
+}
+
 TEST_CASE("Hostile files end with 2 and a message") {
   const std::string deep = std::string(100'000, '[');
   const std::string name(20'000, 'N');

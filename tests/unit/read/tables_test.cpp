@@ -214,7 +214,12 @@ TEST_CASE("Files that are known and not read are named, with the export that is 
         "this is a Rockwell project (ACD, binary); export the tags: in Logix Designer, Tools > Export > Tags and Logic "
         "Comments (CSV), or save the project as L5K or L5X");
   CHECK(message("Q\0u\0i\0c\0k\0I\0n\0f\0o\0.\0X\0M\0L\0\0\0\1\2\3"s).starts_with("this is a Rockwell project"));
-  CHECK(message("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1\0\0"s, "list.XLS").starts_with("this is a workbook of the old kind"));
+  constexpr const char* kOldWorkbook =
+      "this is a workbook in the old Excel format (.xls); open it and save it as .xlsx or as CSV";
+  CHECK(message("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1\0\0"s, "list.XLS") == kOldWorkbook);
+  CHECK(message("\x09\x08\x08\0\0\x05\x05\0\x12\x0E\0\0"s, "list.xls") ==
+        kOldWorkbook);  // Excel 5, without a container
+  CHECK(test::contains(message("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1\0\0"s, "list.csv"), "old Excel format"));
   CHECK(message("%PDF-1.7\n%\xE2\xE3\n").starts_with("this is a PDF document"));
   CHECK(message("<?xml version='1.0'?><Symbolconfiguration xmlns='x'/>").starts_with("this is a symbol configuration"));
   CHECK(message("TABLE\n0,1\n\"EXCEL\"\nVECTORS\n0,4\n\"\"\n").starts_with("this is a table in data interchange"));

@@ -1,11 +1,13 @@
-// The lines below the rows of `symplant map`: sizes, status block, watchdog, policies.
-#include "app/map_notes.hpp"
+// The lines below the table of `symplant map`.
+#include "app/map/notes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
+#include "app/map/channels.hpp"
 #include "diag/visible_text.hpp"
 #include "symplant/link/status_fields.hpp"
 #include "view/words.hpp"
@@ -63,6 +65,24 @@ void add_policies(std::string& text, const link::IoMap& map, const link::LinkSet
                  time_text(settings.resync));
 }
 
+void add_channels(std::string& text, const link::IoMap& map) {
+  const std::vector<Channel> channels = channels_of(map);
+  if (!channels.empty()) text += "channels for an I/O scanner, numbers counted from 0:\n";
+  for (const Channel& channel : channels) {
+    fmt::format_to(std::back_inserter(text), "  {:<30}  function {:<2}  start {:<5}  count {}{}\n", channel.access(),
+                   channel.function(), channel.first, channel.count,
+                   channel.part == Channel::Part::symbols ? "" : fmt::format("  {}", channel.part_name()));
+  }
+}
+
+void add_client(std::string& text, const LinkView& view) {
+  for (const std::string& note : view.client->notes) text += note + "\n";
+  for (const link::client::Unreachable& one : view.client->unreachable) {
+    text += fmt::format("not linked: {} {}\n", diag::visible(view.of->plant.symbols[one.symbol].name()),
+                        diag::visible(one.reason));
+  }
+}
+
 }  // namespace
 
 std::string address_text(const link::IoPoint& point) {
@@ -83,23 +103,18 @@ std::string word_order_text(link::WordOrder order) {
   return order == link::WordOrder::low_first ? "low word first" : "high word first";
 }
 
-std::string client_map_notes(const model::PlantModel& plant, const link::client::ClientParts& parts) {
+std::string map_notes(const LinkView& view) {
   std::string text;
-  for (const std::string& note : parts.notes) text += note + "\n";
-  for (const link::client::Unreachable& one : parts.unreachable) {
-    text +=
-        fmt::format("not linked: {} {}\n", diag::visible(plant.symbols[one.symbol].name()), diag::visible(one.reason));
+  if (view.client) {
+    add_client(text, view);
+    return text;
   }
-  return text;
-}
-
-std::string map_notes(const tables::PlantTables& tables, const link::IoMap& map, const link::LinkSettings& settings) {
-  std::string text;
-  add_sizes(text, map);
-  fmt::format_to(std::back_inserter(text), "word order: {}\n", word_order_text(settings.word_order));
-  add_status_block(text, map);
-  add_policies(text, map, settings);
-  fmt::format_to(std::back_inserter(text), "map hash: {:016x}\n", link::map_hash(tables, map));
+  add_sizes(text, view.map);
+  fmt::format_to(std::back_inserter(text), "word order: {}\n", word_order_text(view.choice.settings.word_order));
+  add_status_block(text, view.map);
+  add_channels(text, view.map);
+  add_policies(text, view.map, view.choice.settings);
+  fmt::format_to(std::back_inserter(text), "map hash: {:016x}\n", link::map_hash(view.of->tables, view.map));
   return text;
 }
 

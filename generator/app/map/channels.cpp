@@ -1,0 +1,83 @@
+// The requests by which a PLC transfers a map.
+#include "app/map/channels.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace symplant::app {
+namespace {
+
+using link::Table;
+
+constexpr std::array kOrder{Table::discrete_input, Table::coil, Table::input_register, Table::holding_register};
+
+bool has_bits(Table table) { return table == Table::coil || table == Table::discrete_input; }
+
+void add_symbols(const link::IoMap& map, Table table, std::vector<Channel>& channels) {
+  constexpr std::uint32_t kBitsOfByte = 8;
+  bool open = false;
+  for (const link::IoPoint* const point : points_of(map, table)) {
+    if (!open || point->last() + 1 > channels.back().first + channel_limit(table)) {
+      const std::uint32_t first = has_bits(table) ? point->number / kBitsOfByte * kBitsOfByte : point->number;
+      channels.push_back({Channel::Part::symbols, table, first, 0});
+      open = true;
+    }
+    channels.back().count = std::max(channels.back().count, point->last() + 1 - channels.back().first);
+  }
+}
+
+/// Whether a channel transfers a register already.
+bool is_in(const std::vector<Channel>& channels, Table table, std::uint32_t number) {
+  return std::any_of(channels.begin(), channels.end(), [&](const Channel& channel) {
+    return channel.table == table && channel.first <= number && number < channel.end();
+  });
+}
+
+}  // namespace
+
+int Channel::function() const {
+  constexpr std::array<int, link::kTables> kFunctions{15, 2, 16, 4};
+  return kFunctions[static_cast<std::size_t>(table)];
+}
+
+std::string_view Channel::access() const {
+  constexpr std::array<std::string_view, link::kTables> kAccess{"write multiple coils", "read discrete inputs",
+                                                                "write multiple registers", "read input registers"};
+  return kAccess[static_cast<std::size_t>(table)];
+}
+
+std::string_view Channel::part_name() const {
+  constexpr std::array<std::string_view, 3> kNames{"symbols", "status block", "watchdog"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
+std::uint32_t channel_limit(Table table) {
+  constexpr std::array<std::uint32_t, link::kTables> kLimits{1968, 2000, 123, 125};
+  return kLimits[static_cast<std::size_t>(table)];
+}
+
+std::vector<const link::IoPoint*> points_of(const link::IoMap& map, Table table) {
+  std::vector<const link::IoPoint*> points;
+  for (const link::IoPoint& point : map.points) {
+    if (point.table == table) points.push_back(&point);
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const link::IoPoint* a, const link::IoPoint* b) { return a->number < b->number; });
+  return points;
+}
+
+std::vector<Channel> channels_of(const link::IoMap& map) {
+  std::vector<Channel> channels;
+  for (const Table table : kOrder) {
+    add_symbols(map, table, channels);
+    if (table == Table::input_register && map.status_block) {
+      channels.push_back({Channel::Part::status_block, table, *map.status_block, link::kStatusRegisters});
+    }
+    if (table == Table::holding_register && map.watchdog && !is_in(channels, table, *map.watchdog)) {
+      channels.push_back({Channel::Part::watchdog, table, *map.watchdog, 1});
+    }
+  }
+  return channels;
+}
+
+}  // namespace symplant::app

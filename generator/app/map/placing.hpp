@@ -1,0 +1,37 @@
+// Where the channels of a map are in the memory of a PLC's inputs and outputs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "app/map/channels.hpp"
+#include "app/map/link_view.hpp"
+
+namespace symplant::app {
+
+/// A channel and the bit or word of the PLC's inputs or outputs that its first number is.
+struct PlacedChannel {
+  Channel channel;
+  std::uint32_t at;
+
+  std::uint32_t at_number(std::uint32_t number) const { return at + (number - channel.first); }
+};
+
+/// How the memory of a PLC is built.
+enum class IoMemory : std::uint8_t {
+  separate,  ///< the bits %IX0.0 to %IX1.7 are not the word %IW0
+  overlaid,  ///< they are
+};
+
+/// How much the addresses that the list gives to these points, counted as numbers, are above their numbers on the link.
+/// Nothing if it gives none or if they differ. O(points).
+std::optional<std::int64_t> listed_offset(const LinkView& view, std::span<const link::IoPoint* const> points);
+
+/// A channel keeps the addresses that its symbols have in the list, if it can transfer all of them at once. Else its
+/// first number is its address; if that is taken, the channel follows the last one. No two channels overlap.
+/// O(symbols log symbols + channels^2).
+std::vector<PlacedChannel> place(const LinkView& view, IoMemory memory);
+
+}  // namespace symplant::app

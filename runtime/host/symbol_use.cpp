@@ -1,0 +1,99 @@
+// What each I/O symbol has to do with the plant.
+#include "symplant/host/symbol_use.hpp"
+
+#include <algorithm>
+
+namespace symplant::host {
+namespace {
+
+using tables::PlantTables;
+
+/// What reads a condition, through the network of conditions that it is part of.
+SymbolReader reader_of(const PlantTables& tables, std::uint32_t condition) {
+  const tables::ConditionRow* row = &tables.conditions[condition];
+  while (row->reader_kind == tables::ReaderKind::condition) {
+    condition = row->reader;
+    row = &tables.conditions[condition];
+  }
+  if (row->reader_kind == tables::ReaderKind::requirement) return {SymbolReader::Kind::requirement, row->reader};
+  if (row->reader_kind == tables::ReaderKind::follow) {
+    return {SymbolReader::Kind::event, tables.follows[row->reader].symbol};
+  }
+  return {SymbolReader::Kind::unit, row->reader};
+}
+
+/// Calls `use` with the readers of an operation's bit or slot.
+template <typename Watch, typename Of, typename Use>
+void for_each_reader(const PlantTables& tables, std::span<const Watch> watches, Of of, std::uint32_t index, Use use) {
+  auto at = std::lower_bound(watches.begin(), watches.end(), index,
+                             [&](const Watch& watch, std::uint32_t value) { return of(watch) < value; });
+  for (; at != watches.end() && of(*at) == index; ++at) use(reader_of(tables, at->condition));
+}
+
+}  // namespace
+
+SymbolUse::SymbolUse(const PlantTables& tables) : leader_(tables.symbols.size()), drivers_(tables.symbols.size()) {
+  find_leaders(tables);
+  find_drivers(tables);
+  find_readers(tables);
+}
+
+std::span<const SymbolReader> SymbolUse::readers(std::uint32_t symbol) const {
+  const std::uint32_t leader = leader_[symbol];
+  const auto begin = std::partition_point(readings_.begin(), readings_.end(),
+                                          [&](const Reading& reading) { return reading.symbol < leader; });
+  const auto end =
+      std::partition_point(begin, readings_.end(), [&](const Reading& reading) { return reading.symbol == leader; });
+  return std::span(readers_).subspan(static_cast<std::size_t>(begin - readings_.begin()),
+                                     static_cast<std::size_t>(end - begin));
+}
+
+void SymbolUse::find_leaders(const PlantTables& tables) {
+  for (std::uint32_t i = 0; i < leader_.size(); ++i) leader_[i] = i;
+  for (const tables::SharedAddress& shared : tables.shared_addresses) leader_[shared.symbol] = shared.leader;
+}
+
+void SymbolUse::find_drivers(const PlantTables& tables) {
+  std::vector<bool> has_behavior(tables.units.size());
+  for (const tables::BehaviourUnit& row : tables.behaviour_units) {
+    has_behavior[row.unit] = true;
+    for (const std::uint32_t symbol : tables.behaviour_values.subspan(row.first_value, row.value_count)) {
+      if (tables.symbols[symbol].direction() == tables::Direction::operation) {
+        readings_.push_back({leader_[symbol], {SymbolReader::Kind::behavior, row.unit}});
+      } else {
+        drivers_[leader_[symbol]] = {SymbolDriver::Kind::behavior, row.unit};
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    SymbolDriver& driver = drivers_[leader_[i]];
+    if (symbol.moved()) {
+      driver = {symbol.unit == tables::kNone ? SymbolDriver::Kind::condition : SymbolDriver::Kind::unit, symbol.unit};
+    } else if (symbol.unit != tables::kNone && has_behavior[symbol.unit] && driver.kind == SymbolDriver::Kind::none) {
+      driver = {SymbolDriver::Kind::behavior, symbol.unit};
+    }
+  }
+}
+
+void SymbolUse::find_readers(const PlantTables& tables) {
+  for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
+    const tables::SymbolRow& symbol = tables.symbols[i];
+    if (symbol.direction() != tables::Direction::operation) continue;
+    const auto add = [&](SymbolReader reader) { readings_.push_back({leader_[i], reader}); };
+    if (symbol.type() == tables::DataType::boolean) {
+      for_each_reader(
+          tables, tables.operation_watches, [](const tables::BitWatch& watch) { return watch.bit; }, symbol.index, add);
+    } else {
+      for_each_reader(
+          tables, tables.operation_value_watches, [](const tables::ValueWatch& watch) { return watch.slot; },
+          symbol.index, add);
+    }
+  }
+  std::sort(readings_.begin(), readings_.end());
+  readings_.erase(std::unique(readings_.begin(), readings_.end()), readings_.end());
+  readers_.reserve(readings_.size());
+  for (const Reading& reading : readings_) readers_.push_back(reading.reader);
+}
+
+}  // namespace symplant::host

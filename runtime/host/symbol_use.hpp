@@ -1,0 +1,68 @@
+// What each I/O symbol has to do with the plant: what reads an operation, what drives an event.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "symplant/tables/tables.hpp"
+
+namespace symplant::host {
+
+/// What reads an operation without being moved by it.
+struct SymbolReader {
+  enum class Kind : std::uint8_t {
+    unit,         ///< a condition of the unit
+    behavior,     ///< the custom behavior of the unit, if the program contains its code
+    requirement,  ///< a condition of the requirement
+    event,        ///< the condition that drives the event (`follow`)
+  };
+  Kind kind;
+  std::uint32_t index;  ///< of a unit, a requirement or a symbol
+
+  friend auto operator<=>(const SymbolReader&, const SymbolReader&) = default;
+};
+
+/// What sets an event, or what an operation moves.
+struct SymbolDriver {
+  enum class Kind : std::uint8_t {
+    none,
+    unit,       ///< a state, transition or output of the unit
+    behavior,   ///< the custom behavior of the unit, if the program contains its code
+    condition,  ///< `follow`
+  };
+  Kind kind = Kind::none;
+  std::uint32_t unit = tables::kNone;
+};
+
+/// Symbols with one address are one for this purpose: what one of them does, all do.
+class SymbolUse {
+ public:
+  /// O(symbols + watches of conditions).
+  explicit SymbolUse(const tables::PlantTables& tables);
+
+  /// For an operation the unit that it moves. O(1).
+  SymbolDriver driver(std::uint32_t symbol) const { return drivers_[leader_[symbol]]; }
+  /// In the order of their kinds and indexes, each once. O(log symbols).
+  std::span<const SymbolReader> readers(std::uint32_t symbol) const;
+
+ private:
+  struct Reading {
+    std::uint32_t symbol;  ///< the leader of its address
+    SymbolReader reader;
+
+    friend auto operator<=>(const Reading&, const Reading&) = default;
+  };
+
+  void find_leaders(const tables::PlantTables& tables);
+  void find_drivers(const tables::PlantTables& tables);
+  void find_readers(const tables::PlantTables& tables);
+
+  std::vector<std::uint32_t> leader_;  ///< of each symbol; itself if its address has no other
+  std::vector<SymbolDriver> drivers_;  ///< of leaders
+  std::vector<Reading> readings_;      ///< sorted
+  std::vector<SymbolReader> readers_;  ///< of `readings_`, so that those of a symbol are one span
+};
+
+}  // namespace symplant::host
