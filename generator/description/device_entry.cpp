@@ -36,6 +36,7 @@ class DeviceReader {
     device_.behaviour = class_name("behaviour");
     read_inputs();
     device_.overrun = overrun_member(entry_, here_, faults_);
+    device_.sequence = sequence_member(entry_);
     if (!device_.is_pattern()) refuse_braces();
     return std::move(device_);
   }

@@ -28,6 +28,10 @@ class DeviceWriter {
     if (dice_.percent(25)) device_.initial = dice_.pick(states_);
     if (device_.actuation == Actuation::spring && dice_.percent(50)) device_.rest = dice_.pick(states_);
     if (device_.actuation == Actuation::held && dice_.percent(40)) device_.overrun = random_overrun(dice_);
+    const bool numbered = std::any_of(states_.begin(), states_.end(), [](const std::string& state) {
+      return state.back() >= '0' && state.back() <= '9';
+    });
+    if (numbered && dice_.percent(25)) device_.sequence = random_sequence(dice_);
     device_.only = dice_.percent(8);
     for (const std::string& command : unit_.commands) command_transition(command);
     if (states_.size() > 1) {
@@ -250,6 +254,7 @@ description::Description random_description(Dice& dice, const PlannedPlant& plan
   description.defaults.dwell = dice.percent(25) ? tables::kSecond : random_time(dice);
   if (dice.percent(30)) description.defaults.actuation = static_cast<Actuation>(dice.below(4));
   if (dice.percent(60)) description.defaults.overrun = random_overrun(dice);
+  if (dice.percent(15)) description.defaults.sequence = random_sequence(dice);
   description.inverted = random_inverted(dice, rows);
   description.follow = random_follow(dice, plan);
   for (const PlannedUnit& unit : plan.units) {

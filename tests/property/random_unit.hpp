@@ -56,6 +56,7 @@ description::Description random_description(Dice& dice, const PlannedPlant& plan
 /// Names of BOOL rows, each with a chance, some as patterns.
 std::vector<std::string> random_inverted(Dice& dice, const std::vector<Row>& rows);
 
+description::Sequence random_sequence(Dice& dice);
 /// A duration for `overrun`, or kNever.
 tables::Time random_overrun(Dice& dice);
 
