@@ -20,6 +20,12 @@ std::string time_text(tables::Time time) {
   return text.substr(0, text.find(' '));
 }
 
+/// " (10 turns)" for a repeated step.
+std::string turns_text(const scenario::Scenario& scenario, std::size_t step) {
+  const std::uint64_t turns = scenario::executions(scenario, step);
+  return turns == 1 ? "" : fmt::format(" ({} turns)", turns);
+}
+
 std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::Scenario* scenario,
                                std::span<const scenario::Outcome> outcomes, const Report& report, bool findings,
                                tables::Time end) {
@@ -28,7 +34,7 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
     const scenario::Step& step = scenario->steps[i];
     if (!step.expect) continue;
     TestCase test{fmt::format("step {}: {} {}", i + 1, step.when == scenario::Step::When::wait ? "wait" : "expect",
-                              scenario::expectation_words(step, names)),
+                              scenario::expectation_words(step, names) + turns_text(*scenario, i)),
                   outcomes[i].time,
                   {}};
     if (outcomes[i].kind != scenario::Outcome::Kind::held) {

@@ -59,7 +59,11 @@ void Outputs::take(const trace::Record& record) {
       loop_goes_on_ = record.more;
       break;
     case trace::Record::Kind::note:
-      report_.failed(record.of, static_cast<tables::Time>(record.value));
+      if (record.of == scenario::kTurnNote) {
+        turn_ = record.value;
+      } else {
+        report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value));
+      }
       return;
   }
   if (trace_) trace_->write(record);

@@ -57,6 +57,7 @@ class Outputs {
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
   std::vector<trace::FoundThing> found_;  ///< findings of the instant that is being drained
+  std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about
   bool loop_goes_on_ = false;
   std::uint64_t changes_ = 0;
   std::uint64_t instants_ = 0;

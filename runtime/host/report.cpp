@@ -32,7 +32,8 @@ Report::Report(const trace::PlantNames& names, const trace::History& history, co
       failures_(scenario == nullptr ? 0 : scenario->steps.size()) {}
 
 std::string Report::location(std::size_t step) const {
-  return fmt::format("{}:{}", shown(file_), scenario_->steps[step].line);
+  const scenario::Step& its = scenario_->steps[step];
+  return fmt::format("{}:{}", shown(its.file == 0 ? file_ : scenario_->files[its.file]), its.line);
 }
 
 void Report::report(std::string head, std::span<const std::string> parts) {
@@ -58,8 +59,9 @@ std::string Report::found(const trace::FoundThing& found) {
   return words;
 }
 
-void Report::failed(std::uint32_t step, tables::Time time) {
-  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, time, names_, history_);
+void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time) {
+  if (!failures_[step].empty()) return;
+  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, turn, time, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
   report(location(step) + ": error: ", parts);
 }
@@ -74,8 +76,10 @@ std::size_t Report::requirements_violated() const {
 void Report::report_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
-    failures_[i] = fmt::format("{} was not reached, since the run ended at {}",
-                               scenario::expectation_words(scenario_->steps[i], names_), seconds(plant.now()));
+    const std::string turn = scenario::turn_words(*scenario_, i, outcomes[i].done);
+    failures_[i] = fmt::format("{} was not reached{}, since the run ended at {}",
+                               scenario::expectation_words(scenario_->steps[i], names_),
+                               turn.empty() ? "" : " in " + turn, seconds(plant.now()));
     console_.message(fmt::format("{}: error: {}\n", location(i), shown(failures_[i])));
   }
 }
@@ -107,7 +111,8 @@ void Report::report_disarmed(const plant::Plant& plant, std::ostream& out) const
   for (std::uint32_t symbol = 0; symbol < names_.tables().symbols.size(); ++symbol) {
     const tables::SymbolRow& row = names_.tables().symbols[symbol];
     if (row.type() != tables::DataType::boolean || !names_.is_operation(symbol) || row.unit == tables::kNone) continue;
-    if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !plant.operation(row.index)) continue;
+    const bool commands = plant.operation(row.index) != row.inverted();
+    if ((disarmed[row.index / 64] >> (row.index % 64) & 1) == 0 || !commands) continue;
     out << fmt::format("still on, without effect until it goes off and on again: {}\n",
                        shown(trace::symbol_words(symbol, names_)));
   }

@@ -34,7 +34,8 @@ class Report {
   /// Counts a finding, and reports the first of each kind and subject. Returns its text.
   std::string found(const trace::FoundThing& found);
   /// Reports that step `step` failed at `time`.
-  void failed(std::uint32_t step, tables::Time time);
+  /// The first failure of a step is reported. `turn`: how often the step was done before.
+  void failed(std::uint32_t step, std::uint64_t turn, tables::Time time);
 
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
   std::uint64_t findings() const;

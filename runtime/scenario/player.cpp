@@ -8,7 +8,17 @@
 namespace symplant::scenario {
 
 Player::Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder)
-    : scenario_(scenario), plant_(plant), recorder_(recorder), outcomes_(scenario.steps.size()) {}
+    : scenario_(scenario),
+      plant_(plant),
+      recorder_(recorder),
+      outcomes_(scenario.steps.size()),
+      turns_(scenario.repeats.size()) {
+  std::uint32_t repeat = 0;
+  for (std::uint32_t step = 0; step <= scenario.steps.size(); ++step) {
+    while (repeat < scenario.repeats.size() && scenario.repeats[repeat].end < step) ++repeat;
+    ends_.push_back(repeat);
+  }
+}
 
 tables::Time Player::time_of(const Step& step) const noexcept {
   return step.when == Step::When::at ? std::max(step.time, moment_) : moment_ + step.time;
@@ -47,11 +57,31 @@ void Player::act(const Step& step) noexcept {
 }
 
 void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {
-  outcomes_[at_] = {kind, time};
-  if (kind == Outcome::Kind::failed)
+  Outcome& outcome = outcomes_[at_];
+  if (kind == Outcome::Kind::failed) {
+    ++outcome.failed;
+    if (!scenario_.repeats.empty()) recorder_.note(plant_.now(), kTurnNote, outcome.done);
     recorder_.note(plant_.now(), static_cast<std::uint32_t>(at_), static_cast<std::uint64_t>(time));
+  }
+  ++outcome.done;
+  if (outcome.kind != Outcome::Kind::failed) {
+    outcome.kind = kind;
+    outcome.time = time;
+  }
   moment_ = time;
+  go_on();
+}
+
+/// To the next step: that after this one, or the first one of a repeat that has more turns.
+void Player::go_on() noexcept {
   ++at_;
+  for (std::uint32_t r = ends_[at_]; r < turns_.size() && scenario_.repeats[r].end == at_; ++r) {
+    if (++turns_[r] < scenario_.repeats[r].turns) {
+      at_ = scenario_.repeats[r].begin;
+      return;
+    }
+    turns_[r] = 0;
+  }
 }
 
 /// Checks the current wait after the instant at now() has run; false while it continues.
@@ -92,7 +122,13 @@ void Player::advance_to(tables::Time time) noexcept {
 }
 
 void Player::end() noexcept {
-  for (; at_ < outcomes_.size(); ++at_) outcomes_[at_] = {Outcome::Kind::unreached, plant_.now()};
+  at_ = outcomes_.size();
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    Outcome& outcome = outcomes_[i];
+    if (outcome.kind == Outcome::Kind::failed || outcome.done == executions(scenario_, i)) continue;
+    outcome.kind = Outcome::Kind::unreached;
+    outcome.time = plant_.now();
+  }
 }
 
 }  // namespace symplant::scenario

@@ -18,12 +18,16 @@ struct Outcome {
     pending,
     done,       ///< it has no expectation and acted
     held,       ///< its expectation held, or its wait was met
-    failed,     ///< its expectation did not hold, or its wait was not met in time
-    unreached,  ///< the run ended before it; a failure if it has an expectation
+    failed,     ///< its expectation did not hold, or its wait was not met in time, in at least one turn
+    unreached,  ///< the run ended before it or its last turn; a failure if it has an expectation
   };
   Kind kind = Kind::pending;
-  tables::Time time = 0;  ///< of the step; of a wait the time at which it ended
+  tables::Time time = 0;     ///< of the step; of a wait the time at which it ended; of its last or first failed turn
+  std::uint64_t done = 0;    ///< how often it was done, however it ended
+  std::uint64_t failed = 0;  ///< how often its expectation failed
 };
+/// The `of` of a note before that of a failed step: its value is how often the step was done before.
+inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
 
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
@@ -37,7 +41,8 @@ class Player final : public engine::Observer, public exec::Stepper {
   Player(const Scenario& scenario, plant::Plant& plant, trace::Recorder& recorder);
 
   /// Advances the plant to `time` and plays the steps that are due until then, including the instants at `time`. For
-  /// each failed step it adds a note to the recorder: the step's index, and its time as the value.
+  /// each failed step it adds a note to the recorder: the step's index, and its time as the value. In a repeat another
+  /// note comes before it (kTurnNote).
   void advance_to(tables::Time time) noexcept override;
   /// The time of the next step, or the deadline of the current wait; kNever if the scenario is over.
   tables::Time next() const noexcept;
@@ -57,17 +62,20 @@ class Player final : public engine::Observer, public exec::Stepper {
   void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;
+  void go_on() noexcept;
 
   const Scenario& scenario_;
   plant::Plant& plant_;
   trace::Recorder& recorder_;
   std::vector<Outcome> outcomes_;
-  std::size_t at_ = 0;         ///< index of the next step, or of the current wait
-  tables::Time moment_ = 0;    ///< time of the previous step
-  bool waiting_ = false;       ///< step at_ is a wait, and has begun
-  tables::Time deadline_ = 0;  ///< of the current wait
-  bool met_ = false;           ///< the current wait is met
-  tables::Time met_time_ = 0;  ///< the time at which it was met
+  std::vector<std::uint32_t> turns_;  ///< by repeat: turns that are over
+  std::vector<std::uint32_t> ends_;   ///< by step and one more: the first repeat that ends at or after it
+  std::size_t at_ = 0;                ///< index of the next step, or of the current wait
+  tables::Time moment_ = 0;           ///< time of the previous step
+  bool waiting_ = false;              ///< step at_ is a wait, and has begun
+  tables::Time deadline_ = 0;         ///< of the current wait
+  bool met_ = false;                  ///< the current wait is met
+  tables::Time met_time_ = 0;         ///< the time at which it was met
 };
 
 }  // namespace symplant::scenario

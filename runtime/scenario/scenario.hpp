@@ -45,11 +45,31 @@ struct Step {
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
   std::optional<Expectation> expect;
-  std::size_t line = 0;  ///< in the file, from 1
+  std::size_t line = 0;    ///< in the file, from 1
+  std::uint32_t file = 0;  ///< index in Scenario::files
+};
+
+/// Steps that are done several times: from `begin` to before `end`, which differ. Two of them are apart, or one is
+/// within the other.
+struct Repeat {
+  std::uint32_t begin;
+  std::uint32_t end;
+  std::uint32_t turns;
 };
 
 struct Scenario {
-  std::vector<Step> steps;
+  std::vector<Step> steps;         ///< each once, however often it is done
+  std::vector<Repeat> repeats;     ///< sorted by end, then the inner one first
+  std::vector<std::string> files;  ///< the scenario's own file is an empty text, then the included ones by their paths
 };
+
+/// How often a step is done in all, at most 2^63. O(repeats).
+std::uint64_t executions(const Scenario& scenario, std::size_t step);
+
+/// "turn 3 of 10", the outer turns first, for execution `number`, from 0, of a step; empty if it is not repeated.
+std::string turn_words(const Scenario& scenario, std::size_t step, std::uint64_t number);
+
+/// "line 4", or "line 4 of start-up.json" for a step of an included file.
+std::string line_words(const Scenario& scenario, const Step& step);
 
 }  // namespace symplant::scenario

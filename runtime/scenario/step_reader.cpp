@@ -1,6 +1,7 @@
 // Reads the steps of a scenario.
 #include "symplant/scenario/step_reader.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -46,6 +47,16 @@ void StepReader::add(const std::string& pointer, std::string message, bool at_ke
   faults.push_back({pointer, std::move(message), column, at_key});
 }
 
+void StepReader::begin_repeat() { repeats_.push_back(earliest_); }
+
+void StepReader::end_repeat(std::uint32_t turns) {
+  const tables::Time began = repeats_.back();
+  repeats_.pop_back();
+  const tables::Time each = earliest_ - began;
+  const tables::Time further = kLatest / turns < each ? kLatest : each * (turns - 1);
+  earliest_ = std::min(earliest_ + further, kLatest);
+}
+
 Step StepReader::read(const Json& step, const std::string& pointer) {
   Step result;
   read_when(step, pointer, result);
@@ -78,6 +89,8 @@ void StepReader::read_when(const Json& step, const std::string& pointer, Step& r
   } else if (result.when == Step::When::wait) {
     read_wait(step, pointer, result);
     return;
+  } else if (result.when == Step::When::at && !repeats_.empty()) {
+    add(json::child(pointer, given), "`at` is not allowed in a repeat; write `plus`", true);
   } else if (const auto time = read_duration(step[given], json::child(pointer, given))) {
     result.time = *time;
     check_order(result, json::child(pointer, given));

@@ -21,6 +21,10 @@ class StepReader {
   /// `pointer` is the JSON pointer of the step. Call it for the steps in their order.
   Step read(const nlohmann::json& step, const std::string& pointer);
 
+  /// Around the steps of a repeat: in it no step may have an `at`.
+  void begin_repeat();
+  void end_repeat(std::uint32_t turns);
+
   std::vector<json::Fault> faults;
 
  private:
@@ -40,9 +44,10 @@ class StepReader {
   const trace::PlantNames& names_;
   const std::vector<bool>& carried_;
   TableNames by_name_;
-  std::vector<bool> moved_;    ///< for each symbol: it, or another one on its address, is SymbolRow::moved()
-  tables::Time earliest_ = 0;  ///< the earliest time of the next step, without the duration of waits
-  std::string last_;           ///< the key that set it: `at` or `plus`
+  std::vector<bool> moved_;            ///< for each symbol: it, or another one on its address, is SymbolRow::moved()
+  tables::Time earliest_ = 0;          ///< the earliest time of the next step, without the duration of waits
+  std::string last_;                   ///< the key that set it: `at` or `plus`
+  std::vector<tables::Time> repeats_;  ///< `earliest_` where those around this step began
 };
 
 }  // namespace symplant::scenario

@@ -58,18 +58,32 @@ std::vector<SymbolValue> missing(const Expectation& expectation, const trace::Pl
 /// The step that forces a symbol.
 struct Force {
   std::uint64_t value;
-  std::size_t line;
+  std::string line;  ///< in words
 };
 using Forces = std::map<std::uint32_t, Force>;
 
-/// The symbols forced after the steps up to and including `step`.
-Forces forces_at(const Scenario& scenario, std::size_t step) {
+/// The symbols forced after the steps up to and including `step`, done `turn` times before.
+Forces forces_at(const Scenario& scenario, std::size_t step, std::uint64_t turn) {
   Forces forces;
-  for (std::size_t i = 0; i <= step; ++i) {
-    const Step& done = scenario.steps[i];
-    for (const SymbolValue& value : done.force) forces[value.symbol] = {value.value, done.line};
-    for (const std::uint32_t symbol : done.release) forces.erase(symbol);
+  const auto play = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Step& done = scenario.steps[i];
+      for (const SymbolValue& value : done.force) forces[value.symbol] = {value.value, line_words(scenario, done)};
+      for (const std::uint32_t symbol : done.release) forces.erase(symbol);
+    }
+  };
+  std::vector<Repeat> before;  // around the step, with turns that are over; the outer one last
+  for (const Repeat& repeat : scenario.repeats) {
+    if (step < repeat.begin || step >= repeat.end) continue;
+    if (turn % repeat.turns != 0) before.push_back(repeat);
+    turn /= repeat.turns;
   }
+  std::size_t from = 0;
+  for (auto repeat = before.rbegin(); repeat != before.rend(); ++repeat) {
+    play(from, repeat->end);
+    from = repeat->begin;
+  }
+  play(from, step + 1);
   return forces;
 }
 
@@ -79,8 +93,9 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes) 
   Verdict verdict;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!scenario.steps[i].expect) continue;
-    const Outcome::Kind kind = outcomes[i].kind;
-    ++(kind == Outcome::Kind::held ? verdict.held : kind == Outcome::Kind::failed ? verdict.failed : verdict.unreached);
+    verdict.held += outcomes[i].done - outcomes[i].failed;
+    verdict.failed += outcomes[i].failed;
+    verdict.unreached += executions(scenario, i) - outcomes[i].done;
   }
   return verdict;
 }
@@ -91,10 +106,10 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names) 
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, tables::Time time,
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
                                        const trace::PlantNames& names, const trace::History& history) {
   const Step& step = scenario.steps[at];
-  const Forces forces = forces_at(scenario, at);
+  const Forces forces = forces_at(scenario, at, turn);
   const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
   std::vector<std::string> parts;
   if (step.when == Step::When::wait) {
@@ -105,17 +120,17 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
                                 wrong.empty() ? expectation_words(step, names) : values_text(wrong, names),
                                 seconds(time)));
   }
+  if (const std::string words = turn_words(scenario, at, turn); !words.empty()) parts.front() += ", in " + words;
   Things things;
   for (const SymbolValue& value : wrong) things.symbols.insert(value.symbol);
   if (step.expect->condition) collect(*step.expect->condition, history, things);
   for (const std::uint32_t symbol : things.symbols) {
     const tables::SymbolRow& row = names.tables().symbols[symbol];
     const auto force = forces.find(symbol);
-    parts.push_back(fmt::format("{} has been {} {}{}, {}", names.symbol(symbol),
-                                trace::value_text(row.type(), history.value(symbol)),
-                                trace::since_words(history.since(symbol)),
-                                force == forces.end() ? "" : fmt::format(", forced in line {}", force->second.line),
-                                trace::symbol_words(symbol, names)));
+    parts.push_back(fmt::format(
+        "{} has been {} {}{}, {}", names.symbol(symbol), trace::value_text(row.type(), history.value(symbol)),
+        trace::since_words(history.since(symbol)), force == forces.end() ? "" : ", forced in " + force->second.line,
+        trace::symbol_words(symbol, names)));
     if (row.unit != tables::kNone) things.units.insert(row.unit);
   }
   for (const std::uint32_t unit : things.units) {
@@ -123,7 +138,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
     for (const std::uint32_t symbol : names.symbols_of(unit)) {
       const auto force = forces.find(symbol);
       if (force == forces.end() || things.symbols.contains(symbol)) continue;
-      parts.push_back(fmt::format("{} is forced to {} in line {}", names.symbol(symbol),
+      parts.push_back(fmt::format("{} is forced to {} in {}", names.symbol(symbol),
                                   trace::value_text(names.tables().symbols[symbol].type(), force->second.value),
                                   force->second.line));
     }

@@ -12,11 +12,11 @@
 
 namespace symplant::scenario {
 
-/// The number of steps with an expectation, by outcome.
+/// The number of expectations, by outcome: that of a repeated step counts once a turn.
 struct Verdict {
-  std::size_t held = 0;
-  std::size_t failed = 0;
-  std::size_t unreached = 0;
+  std::uint64_t held = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t unreached = 0;
 };
 Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes);
 
@@ -27,8 +27,8 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names);
 /// Why a step's expectation failed at `time`: what was expected, then one part for each of its symbols and units: its
 /// value or state, since when, the operation that led to it, and the step that forces it. Of a conjunction only the
 /// parts that do not hold are reported. `at` is the index of the step, `history` the records at that time. Never empty;
-/// join the parts with `; `. O(steps).
-std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, tables::Time time,
+/// join the parts with `; `. `turn` is how often the step was done before. O(steps * depth of repeats).
+std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
                                        const trace::PlantNames& names, const trace::History& history);
 
 }  // namespace symplant::scenario

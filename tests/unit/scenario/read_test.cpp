@@ -17,7 +17,7 @@ std::string faults_of(const std::string& text, bool carried = false) {
   by_plc[tables.symbol("AGV_O_P2")] = carried;
   const auto read = scenario::read_scenario(text, names, by_plc);
   CHECK(read.scenario.has_value() == read.faults.empty());
-  return faults_text(text, read.faults);
+  return read.faults.empty() ? "" : faults_text(text, read.faults.front().faults);
 }
 std::string step_faults(const std::string& steps, bool carried = false) {
   return faults_of("{\"symplant-scenario\":1,\"steps\":[\n" + steps + "]}", carried);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,12 @@ inline std::string faults_text(std::string_view text, const std::vector<json::Pl
 /// A scenario played in virtual time, to its end or to a time.
 class Play {
  public:
-  Play(const BenchTables& tables, const std::string& steps, tables::Time until = tables::kNever, tables::Time cycle = 0)
+  using Files = std::map<std::string, std::string>;  ///< that the scenario can include, by path
+
+  Play(const BenchTables& tables, const std::string& steps, tables::Time until = tables::kNever, tables::Time cycle = 0,
+       Files files = {})
       : tables_(tables),
+        files_(std::move(files)),
         names_(tables.rows),
         history_(names_),
         scenario_(read(steps)),
@@ -62,6 +67,7 @@ class Play {
     for (const scenario::Outcome& outcome : player_.outcomes()) text += "pdhfu"[static_cast<int>(outcome.kind)];
     return text;
   }
+  scenario::Verdict verdict() const { return scenario::verdict_of(scenario_, player_.outcomes()); }
   tables::Time time_of(std::size_t step) const { return player_.outcomes()[step].time / kMs; }
   /// Messages of failed steps, one per line.
   const std::string& failures() const { return failures_; }
@@ -69,8 +75,12 @@ class Play {
  private:
   scenario::Scenario read(const std::string& steps) const {
     const std::string text = scenario_text(steps);
-    auto result = scenario::read_scenario(text, names_, {});
-    INFO(faults_text(text, result.faults));
+    auto result = scenario::read_scenario(text, names_, {}, [this](const std::string& path) -> scenario::OpenedFile {
+      const auto found = files_.find(path);
+      if (found == files_.end()) return {std::nullopt, "No such file or directory"};
+      return {found->second, ""};
+    });
+    INFO((result.faults.empty() ? "" : faults_text(text, result.faults.front().faults)));
     REQUIRE(result.scenario);
     return std::move(*result.scenario);
   }
@@ -89,9 +99,13 @@ class Play {
   }
   void take(const trace::Record& record) {
     history_.apply(record);
+    if (record.kind == trace::Record::Kind::note && record.of == scenario::kTurnNote) {
+      turn_ = record.value;
+      return;
+    }
     if (record.kind == trace::Record::Kind::note) {
-      const auto parts =
-          scenario::failure_parts(scenario_, record.of, static_cast<tables::Time>(record.value), names_, history_);
+      const auto parts = scenario::failure_parts(scenario_, record.of, turn_, static_cast<tables::Time>(record.value),
+                                                 names_, history_);
       for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
       failures_ += "\n";
       return;
@@ -111,6 +125,8 @@ class Play {
   }
 
   const BenchTables& tables_;
+  const Files files_;
+  std::uint64_t turn_ = 0;
   trace::PlantNames names_;
   trace::History history_;
   scenario::Scenario scenario_;

@@ -65,7 +65,7 @@ TEST_CASE("A verdict counts the steps with an expectation") {
   REQUIRE(read.scenario);
   using Kind = scenario::Outcome::Kind;
   const std::vector<scenario::Outcome> outcomes = {
-      {Kind::done, 0}, {Kind::held, 0}, {Kind::failed, 1}, {Kind::unreached, 2}};
+      {Kind::done, 0, 1, 0}, {Kind::held, 0, 1, 0}, {Kind::failed, 1, 1, 1}, {Kind::unreached, 2, 0, 0}};
   const scenario::Verdict verdict = scenario::verdict_of(*read.scenario, outcomes);
   CHECK(verdict.held == 1);
   CHECK(verdict.failed == 1);
