@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr std::size_t kWordBits = 16;
 
-/// Calls `use` with the match of each place in the text that fits.
+/// Calls `use` with each match in the text.
 template <typename Use>
 void for_each_match(const std::string& text, const std::regex& pattern, Use use) {
   for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) use(*at);
