@@ -238,4 +238,16 @@ Registers openplc_registers(const std::string& text) {
   return found;
 }
 
+std::vector<Numbers> openplc_blocks(const std::string& text) {
+  std::vector<Numbers> blocks;
+  for (const Slave& slave : parse_config(text)) {
+    const auto add = [&](const std::string& table, const std::string& key) {
+      blocks.push_back({table, slave.numbers.at(key + "_Start"), slave.numbers.at(key + "_Size")});
+    };
+    add("input register", "Input_Registers");
+    add("holding register", "Holding_Registers");
+  }
+  return blocks;
+}
+
 }  // namespace symplant::test
