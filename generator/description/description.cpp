@@ -19,10 +19,22 @@ std::string_view actuation_name(tables::Actuation actuation) {
   return "";
 }
 
+std::string_view sequence_name(Sequence sequence) {
+  switch (sequence) {
+    case Sequence::free:
+      return "free";
+    case Sequence::neighbours:
+      return "neighbours";
+    case Sequence::cycle:
+      return "cycle";
+  }
+  return "";
+}
+
 std::string_view device_key_name(DeviceKey key) {
-  static constexpr std::array<std::string_view, kDeviceKeys> kNames{"states", "initial",     "rest",    "actuation",
-                                                                    "only",   "transitions", "outputs", "disables",
-                                                                    "type",   "behaviour",   "inputs",  "overrun"};
+  static constexpr std::array<std::string_view, kDeviceKeys> kNames{
+      "states",   "initial", "rest",      "actuation", "only",    "transitions", "outputs",
+      "disables", "type",    "behaviour", "inputs",    "overrun", "sequence"};
   return kNames[static_cast<std::size_t>(key)];
 }
 
@@ -53,6 +65,8 @@ bool DeviceDescription::gives(DeviceKey key) const {
       return !inputs.empty();
     case DeviceKey::overrun:
       return overrun.has_value();
+    case DeviceKey::sequence:
+      return sequence.has_value();
   }
   return false;
 }
@@ -101,6 +115,9 @@ void DeviceDescription::take(DeviceKey key, const DeviceDescription& other) {
       break;
     case DeviceKey::overrun:
       overrun = other.overrun;
+      break;
+    case DeviceKey::sequence:
+      sequence = other.sequence;
       break;
   }
 }

@@ -22,6 +22,15 @@ namespace symplant::description {
 /// The word in plant.json: `latched`, `bistable`, `held`, `spring`.
 std::string_view actuation_name(tables::Actuation actuation);
 
+/// Which numbered states a derived d_ext may join.
+enum class Sequence : std::uint8_t {
+  free,        ///< all
+  neighbours,  ///< those whose numbers are next to each other among the unit's numbers
+  cycle,       ///< from each number to the next higher one, and from the highest to the lowest
+};
+/// The word in plant.json.
+std::string_view sequence_name(Sequence sequence);
+
 /// A fixed time, or a random one that is drawn at each use.
 struct Duration {
   enum class Kind : std::uint8_t { fixed, uniform, normal };
@@ -73,8 +82,9 @@ enum class DeviceKey : std::uint8_t {
   behaviour,
   inputs,
   overrun,
+  sequence,
 };
-inline constexpr std::size_t kDeviceKeys = 12;
+inline constexpr std::size_t kDeviceKeys = 13;
 /// The name of the key in plant.json.
 std::string_view device_key_name(DeviceKey key);
 
@@ -94,6 +104,7 @@ struct DeviceDescription {
   std::string behaviour;                                    ///< the custom class; empty: not given
   std::vector<std::pair<std::string, std::string>> inputs;  ///< name and condition
   std::optional<tables::Time> overrun;                      ///< kNever: not examined
+  std::optional<Sequence> sequence;
 
   bool by_naming = false;      ///< the naming rule gives it, not plant.json
   bool covers_facets = false;  ///< it names a device with several facets, and is for all of them
@@ -120,13 +131,15 @@ struct DeviceDescription {
 };
 
 /// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold. Either `never`
-/// or the other two conditions are given.
+/// or the other two conditions are given. In texts of one for a pattern, and of an entry under one, names in braces
+/// stand for the matched device.
 struct GivenRequirement {
   std::string name;
   std::string never;
   std::string after;
   std::string expect;
   tables::Time within = 0;
+  std::string of = {};  ///< `for`: a pattern of devices, each of which has such a requirement; empty: it is one
 };
 
 /// An input that no device drives and that follows a condition.
@@ -140,6 +153,7 @@ struct Defaults {
   tables::Time dwell = tables::kSecond;
   tables::Actuation actuation = tables::Actuation::latched;
   tables::Time overrun = 2 * tables::kSecond;  ///< kNever: not examined
+  Sequence sequence = Sequence::free;
 };
 
 /// Settings of `symplant check`, as texts: rules by id or slug.

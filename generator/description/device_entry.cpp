@@ -36,6 +36,8 @@ class DeviceReader {
     device_.behaviour = class_name("behaviour");
     read_inputs();
     device_.overrun = overrun_member(entry_, here_, faults_);
+    device_.sequence = sequence_member(entry_);
+    if (!device_.is_pattern()) refuse_braces();
     return std::move(device_);
   }
 
@@ -106,6 +108,29 @@ class DeviceReader {
     if (inputs == nullptr || !inputs->is_object()) return;
     for (const auto& [name, condition] : inputs->items()) {
       if (condition.is_string()) device_.inputs.emplace_back(name, condition.get<std::string>());
+    }
+  }
+
+  /// Names in braces stand for what a pattern matches.
+  void refuse_braces() {
+    const auto refuse = [this](const std::string& text, const Pointer& here) {
+      const std::size_t open = text.find('{');
+      if (open == text.npos || text.find('\'') < open) return;  // in quotes it may be part of a name
+      faults_.add(here,
+                  ticked(text.substr(open, text.find('}', open) + 1 - open)) +
+                      " stands for a name only under a pattern, and " + ticked(device_.path) +
+                      " is one device; write the name",
+                  FaultKind::contradiction);
+    };
+    for (std::size_t i = 0; i < device_.transitions.size(); ++i) {
+      refuse(device_.transitions[i].when, here_ / "transitions" / i / "when");
+      refuse(device_.transitions[i].during, here_ / "transitions" / i / "while");
+    }
+    for (const auto& [name, condition] : device_.inputs) refuse(condition, here_ / "inputs" / name);
+    for (const GivenDisables& entry : device_.disables) {
+      for (std::size_t i = 0; i < entry.devices.size(); ++i) {
+        refuse(entry.devices[i], here_ / "disables" / entry.state / i);
+      }
     }
   }
 

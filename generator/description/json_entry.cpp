@@ -97,6 +97,15 @@ std::optional<Duration> duration_member(const Json& object, std::string_view key
   return std::nullopt;
 }
 
+std::optional<Sequence> sequence_member(const Json& object) {
+  const std::string* text = text_member(object, "sequence");
+  if (text == nullptr) return std::nullopt;
+  for (const Sequence sequence : {Sequence::free, Sequence::neighbours, Sequence::cycle}) {
+    if (sequence_name(sequence) == *text) return sequence;
+  }
+  return std::nullopt;
+}
+
 std::optional<tables::Time> overrun_member(const Json& object, const Pointer& here, ShapeFaults& faults) {
   const std::string* text = text_member(object, "overrun");
   if (text != nullptr && *text == "never") return tables::kNever;

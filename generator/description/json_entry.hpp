@@ -42,6 +42,7 @@ std::optional<tables::Time> time_member(const nlohmann::json& object, std::strin
 std::optional<Duration> duration_member(const nlohmann::json& object, std::string_view key, const Pointer& here,
                                         ShapeFaults& faults);
 std::optional<tables::Actuation> actuation_member(const nlohmann::json& object);
+std::optional<Sequence> sequence_member(const nlohmann::json& object);
 /// The member `overrun`: a duration, or kNever for `never`.
 std::optional<tables::Time> overrun_member(const nlohmann::json& object, const Pointer& here, ShapeFaults& faults);
 

@@ -184,6 +184,7 @@ class PlantFileReader {
     own.travel = time_member(*defaults, "travel", here, faults_).value_or(own.travel);
     own.dwell = time_member(*defaults, "dwell", here, faults_).value_or(own.dwell);
     own.actuation = actuation_member(*defaults).value_or(own.actuation);
+    own.sequence = sequence_member(*defaults).value_or(own.sequence);
     own.overrun = overrun_member(*defaults, here, faults_).value_or(own.overrun);
   }
 
@@ -214,7 +215,7 @@ class PlantFileReader {
       check_text(text_or_empty(value, "name"), here / "name", faults_);
       file_.description.requirements.push_back({text_or_empty(value, "name"), text_or_empty(value, "never"),
                                                 text_or_empty(value, "after"), text_or_empty(value, "expect"),
-                                                within.value_or(0)});
+                                                within.value_or(0), text_or_empty(value, "for")});
     }
   }
 

@@ -22,12 +22,13 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kFormNames{"none", "number", "other"};
 
-/// The name of the constant for a symbol kind: direction, type, form of the address, moved or free.
+/// The name of the constant for a symbol kind: direction, type, form of the address, moved or free, inverted.
 std::string kind_name(const tables::SymbolRow& row) {
   std::string name = row.direction() == tables::Direction::operation ? "kOperation_" : "kEvent_";
   name += data_type_name(row.type());
   name.append("_").append(kFormNames[static_cast<std::size_t>(row.form())]);
-  return name.append(row.moved() ? "_moved" : "_free");
+  name.append(row.moved() ? "_moved" : "_free");
+  return row.inverted() ? name.append("_inverted") : name;
 }
 
 std::map<tables::SymbolKind, std::string> kind_names(const lower::EngineTables& tables) {
@@ -86,7 +87,8 @@ std::string kind_rows(const lower::EngineTables& tables) {
     rows.text("constexpr auto ").text(name).text(" = tables::symbol_kind(tables::DataType::");
     rows.text(data_type_name(row.type())).text(", tables::Direction::");
     rows.text(direction_name(row.direction())).text(", tables::AddressForm::");
-    rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true);\n" : ", false);\n");
+    rows.text(kFormNames[static_cast<std::size_t>(row.form())]).text(row.moved() ? ", true" : ", false");
+    rows.text(row.inverted() ? ", true);\n" : ");\n");
   }
   return rows.take();
 }

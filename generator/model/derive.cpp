@@ -8,6 +8,7 @@
 #include "model/collect_symbols.hpp"
 #include "model/derive_unit.hpp"
 #include "model/links.hpp"
+#include "model/made_transitions.hpp"
 #include "model/match_entries.hpp"
 #include "model/pair_units.hpp"
 #include "model/relations.hpp"
@@ -119,8 +120,9 @@ bool within_limits(Unit& unit, Derived& derived, description::Faults& faults) {
   return false;
 }
 
-void derive_units(Derived& derived, description::Faults& faults) {
+void derive_units(Derived& derived, MadeNames& made, description::Faults& faults) {
   PlantModel& plant = derived.plant;
+  const bool later = makes_names(*plant.description);  // which transitions there are depends on all states
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plant.units.size(); ++i) {
     Unit& unit = plant.units[i];
@@ -128,7 +130,9 @@ void derive_units(Derived& derived, description::Faults& faults) {
     drop_taken_tasks(unit.events, plant.symbols);
     if (!within_limits(unit, derived, faults)) continue;
     if (unit.described != nullptr) faults.describes(*unit.described);
-    derived.evidence.units.push_back(derive_unit(unit, plant.symbols, plant.description->defaults, faults));
+    UnitEvidence evidence = derive_states(unit, plant.symbols, plant.description->defaults, faults);
+    if (!later) derive_transitions(unit, plant.symbols, plant.description->defaults, evidence, faults);
+    derived.evidence.units.push_back(std::move(evidence));
     if (kept != i) {
       for (const auto* side : {&unit.operations, &unit.events}) {
         for (const std::uint32_t symbol : *side) plant.symbols[symbol].unit = static_cast<std::uint32_t>(kept);
@@ -138,6 +142,11 @@ void derive_units(Derived& derived, description::Faults& faults) {
     ++kept;
   }
   plant.units.resize(kept);
+  if (!later) return;
+  leave_out_unknown(plant, made, faults);
+  for (std::size_t i = 0; i < plant.units.size(); ++i) {
+    derive_transitions(plant.units[i], plant.symbols, plant.description->defaults, derived.evidence.units[i], faults);
+  }
 }
 
 }  // namespace
@@ -171,8 +180,10 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   description::Faults faults(evidence.faults, evidence.warnings);
   const std::vector<const description::LinkDescription*> links = check_links(plant, faults);
   evidence.decisions = match_entries(plant, faults);
-  derive_units(derived, faults);
-  add_relations(plant, faults);
+  MadeNames made;
+  derive_units(derived, made, faults);
+  add_relations(plant, made, faults);
+  made.report(faults);
   report_lacks(plant, faults);
   evidence.driven_twice = find_shared_addresses(plant);
   resolve_links(plant, links, faults);

@@ -123,21 +123,6 @@ void choose_overrun(Unit& unit, tables::Time usual, description::Faults& faults)
                  "`, but only a `held` device can overrun; remove `overrun` or set `actuation` to `held`");
 }
 
-/// Every operation O_X from every state A other than X, ordered by target in S, then by source.
-void derive_commanded(Unit& unit, const GivenTransitions& given) {
-  const auto count = static_cast<std::uint32_t>(unit.states.size());
-  const description::Duration takes = description::Duration::fixed(unit.travel);
-  if (unit.transitions.empty()) unit.transitions.reserve(unit.operations.size() * (count - 1));
-  for (std::uint32_t to = 0; to < count; ++to) {
-    const std::uint32_t on = unit.states[to].operation;
-    if (on == kNone) continue;
-    for (std::uint32_t from = 0; from < count; ++from) {
-      if (from == to || given.commanded(from, on)) continue;
-      unit.transitions.push_back({from, to, on, description::Duration{}, takes, Origin::derived});
-    }
-  }
-}
-
 /// Numbered states sorted by number; equal numbers in the order of S.
 std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
   std::vector<std::uint32_t> numbered;
@@ -148,6 +133,61 @@ std::vector<std::uint32_t> by_number(const std::vector<State>& states) {
     return compare_sequence(sequence_number(states[a].name), sequence_number(states[b].name)) < 0;
   });
   return numbered;
+}
+
+/// Which numbered states derived transitions join.
+class Joins {
+ public:
+  Joins(const Unit& unit, description::Sequence sequence) : sequence_(sequence) {
+    if (sequence == description::Sequence::free) return;
+    ranks_.assign(unit.states.size(), kNone);
+    std::string_view before;
+    for (const std::uint32_t s : by_number(unit.states)) {
+      const std::string_view number = sequence_number(unit.states[s].name);
+      if (numbers_ == 0 || compare_sequence(before, number) != 0) ++numbers_;
+      before = number;
+      ranks_[s] = numbers_ - 1;
+    }
+  }
+
+  bool operator()(std::uint32_t from, std::uint32_t to) const {
+    if (numbers_ == 0 || ranks_[from] == kNone || ranks_[to] == kNone) return true;
+    if (sequence_ == description::Sequence::cycle) return ranks_[to] == (ranks_[from] + 1) % numbers_;
+    return ranks_[to] == ranks_[from] + 1 || ranks_[from] == ranks_[to] + 1;
+  }
+
+ private:
+  description::Sequence sequence_;
+  std::vector<std::uint32_t> ranks_;  ///< by state: the index of its number among the unit's; kNone without a number
+  std::uint32_t numbers_ = 0;
+};
+
+description::Sequence sequence_of(const Unit& unit, const description::Defaults& defaults,
+                                  description::Faults& faults) {
+  if (unit.described == nullptr || !unit.described->sequence) return defaults.sequence;
+  const description::Sequence sequence = *unit.described->sequence;
+  const bool numbered = std::any_of(unit.states.begin(), unit.states.end(), [](const State& s) { return s.numbered; });
+  const bool exact = !unit.described->entry_of(description::DeviceKey::sequence).is_pattern();
+  if (sequence != description::Sequence::free && !numbered && exact) {
+    faults.add(description::key_pointer(*unit.described, description::DeviceKey::sequence),
+               description::ticked(unit.path) + " has no numbered states; remove `sequence`");
+  }
+  return sequence;
+}
+
+/// Every operation O_X from every state A other than X that it joins, ordered by target in S, then by source.
+void derive_commanded(Unit& unit, const GivenTransitions& given, const Joins& joins) {
+  const auto count = static_cast<std::uint32_t>(unit.states.size());
+  const description::Duration takes = description::Duration::fixed(unit.travel);
+  if (unit.transitions.empty()) unit.transitions.reserve(unit.operations.size() * (count - 1));
+  for (std::uint32_t to = 0; to < count; ++to) {
+    const std::uint32_t on = unit.states[to].operation;
+    if (on == kNone) continue;
+    for (std::uint32_t from = 0; from < count; ++from) {
+      if (from == to || !joins(from, to) || given.commanded(from, on)) continue;
+      unit.transitions.push_back({from, to, on, description::Duration{}, takes, Origin::derived});
+    }
+  }
 }
 
 /// Inference 3: a numbered state with an event and no operation follows automatically after its predecessor.
@@ -179,8 +219,8 @@ void infer_sequence(Unit& unit, const GivenTransitions& given, tables::Time dwel
 
 }  // namespace
 
-UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
-                         description::Faults& faults) {
+UnitEvidence derive_states(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                           description::Faults& faults) {
   UnitEvidence evidence;
   const description::DeviceDescription* described = unit.described;
   unit.travel = defaults.travel;
@@ -192,11 +232,16 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   choose_actuation_and_rest(unit, defaults, evidence, faults);
   choose_initial(unit, symbols, evidence, faults);
   choose_overrun(unit, defaults.overrun, faults);
+  return evidence;
+}
 
+void derive_transitions(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                        UnitEvidence& evidence, description::Faults& faults) {
+  const description::DeviceDescription* described = unit.described;
   if (described != nullptr) add_given_transitions(unit, symbols, faults);
   if (described == nullptr || !described->only) {
     const GivenTransitions given(unit);
-    derive_commanded(unit, given);
+    derive_commanded(unit, given, Joins(unit, sequence_of(unit, defaults, faults)));
     infer_sequence(unit, given, defaults.dwell, evidence);
   }
   if (unit.transitions.size() > tables::kMaxTransitions) {  // never without given ones
@@ -210,7 +255,6 @@ UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const d
   for (std::uint32_t s = 0; evidence.two_words && s < 2; ++s) {
     if (unit.states[s].operation == kNone && unit.reaches(s)) evidence.two_words = false;
   }
-  return evidence;
 }
 
 }  // namespace symplant::model

@@ -9,10 +9,14 @@
 
 namespace symplant::model {
 
-/// Derives S, transitions, rest, initial state, actuation and outputs of a unit whose symbols and description are known
-/// (docs/model.md). Relations to other units, conditions and disables, are left open. `symbols` are the plant's.
-/// O(states squared): every state can be left by every operation.
-UnitEvidence derive_unit(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
-                         description::Faults& faults);
+/// Derives S, rest, initial state and actuation of a unit whose symbols and description are known (docs/model.md).
+/// `symbols` are the plant's. O(symbols of the unit).
+UnitEvidence derive_states(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                           description::Faults& faults);
+
+/// Then derives its transitions and outputs; those in Unit::left_out are left out. Relations to other units, conditions
+/// and disables, are left open. O(states squared): every state can be left by every operation.
+void derive_transitions(Unit& unit, const std::vector<Symbol>& symbols, const description::Defaults& defaults,
+                        UnitEvidence& evidence, description::Faults& faults);
 
 }  // namespace symplant::model

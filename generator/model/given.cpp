@@ -1,7 +1,9 @@
 // Resolves and expands given transitions and outputs.
 #include "model/given.hpp"
 
+#include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "text/ascii.hpp"
 
@@ -31,9 +33,14 @@ class TransitionExpander {
 
   void run() {
     const auto& given = unit_.described->transitions;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      expand(given[i], static_cast<std::uint32_t>(i));
-      if (unit_.transitions.size() > tables::kMaxTransitions) return;  // derive_unit() reports it
+    const std::vector<std::uint32_t> left_out = std::exchange(unit_.left_out, {});
+    for (std::uint32_t i = 0; i < given.size(); ++i) {
+      if (std::binary_search(left_out.begin(), left_out.end(), i)) {
+        unit_.left_out.push_back(i);
+      } else {
+        expand(given[i], i);
+      }
+      if (unit_.transitions.size() > tables::kMaxTransitions) return;  // derive_transitions() reports it
     }
   }
 

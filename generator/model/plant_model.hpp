@@ -125,6 +125,7 @@ struct Requirement {
   condition::Tree condition;  ///< of `never`, or of `after`
   condition::Tree expected;   ///< of `expect`
   tables::Time within = 0;
+  std::uint32_t given = 0;  ///< index in Description::requirements
 };
 
 /// A BOOL event that no unit drives and that follows a condition.
@@ -160,8 +161,8 @@ struct Unit {
   /// The description of its device, by name and by patterns; null without one. Points into PlantModel::description or
   /// PlantModel::joined.
   const description::DeviceDescription* described = nullptr;
-  std::vector<std::uint32_t>
-      left_out;  ///< indexes in `described->transitions` of those with a name that the device lacks, ascending
+  /// Indexes in `described->transitions` of those with a name that the device, or the plant, lacks, ascending.
+  std::vector<std::uint32_t> left_out;
 
   // Decisions of the derivation, for reports to the user.
   InitialFrom initial_from = InitialFrom::sequence;

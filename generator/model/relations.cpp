@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -22,7 +24,8 @@ constexpr std::size_t kMostDisabled = 10'000'000;
 
 class Relations {
  public:
-  Relations(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults), names_(plant, faults) {}
+  Relations(PlantModel& plant, MadeNames& made, description::Faults& faults)
+      : plant_(plant), made_(made), faults_(faults), names_(plant, faults) {}
 
   void run() {
     bool some_behaviour = false;
@@ -52,18 +55,62 @@ class Relations {
     return true;
   }
 
+  /// As resolve(), for a text under a pattern, in which names in braces stand for `matched`. It may be left out: then
+  /// `lacking` is what the plant lacks.
+  bool resolve_made(const std::string& text, const MatchedNames& matched, const description::Pointer& pointer,
+                    condition::Tree& tree, std::string* lacking = nullptr) {
+    if (!text::has_braces(text)) return resolve(text, pointer, tree);
+    const auto made = make(text, matched, pointer);
+    if (!made) return false;
+    auto parsed = condition::parse(*made);
+    auto* fault = std::get_if<condition::Fault>(&parsed);
+    if (fault == nullptr) {
+      auto resolved = condition::resolve(std::get<condition::Expression>(parsed), names_);
+      if (auto* found = std::get_if<condition::Tree>(&resolved)) {
+        tree = std::move(*found);
+        return true;
+      }
+      std::string& message = std::get<condition::Fault>(resolved).message;
+      if (lacking != nullptr) {
+        *lacking = std::move(message);
+        return false;
+      }
+      faults_.add(pointer, std::move(message), description::FaultKind::condition);
+      return false;
+    }
+    faults_.add(pointer, description::ticked(*made) + ": " + fault->message, description::FaultKind::condition);
+    return false;
+  }
+
+  /// The text with names for those in braces; nothing, and a fault, if one is unknown.
+  std::optional<std::string> make(const std::string& text, const MatchedNames& matched,
+                                  const description::Pointer& pointer) {
+    text::Replaced made = matched.replace(text);
+    if (made.unknown.empty()) return std::move(made.text);
+    faults_.add(pointer,
+                description::ticked(made.unknown) + " stands for nothing here; use one of " + matched.choices(),
+                description::FaultKind::unknown_name);
+    return std::nullopt;
+  }
+
+  MatchedNames matched_by(const Unit& unit, description::DeviceKey key) const {
+    return MatchedNames::of(plant_, unit, unit.described->entry_of(key).path);
+  }
+
   /// One condition for each text, in the order of first appearance, as Transition::when and Transition::during count
   /// them. A faulty one also has an index, and its fault is reported at each use.
   void add_conditions(Unit& unit) {
     std::unordered_map<std::string_view, bool> sound;
     const auto& given = unit.described->transitions;
+    std::optional<MatchedNames> matched;
     const description::Pointer pointer = description::key_pointer(*unit.described, description::DeviceKey::transitions);
     const auto add = [&](const std::string& text, const description::Pointer& here) {
       if (text.empty()) return;
       const auto [known, added] = sound.try_emplace(text, true);
       if (!added && known->second) return;
       condition::Tree tree;
-      known->second = resolve(text, here, tree);
+      if (!matched) matched = matched_by(unit, description::DeviceKey::transitions);
+      known->second = resolve_made(text, *matched, here, tree);
       if (added) unit.conditions.push_back(std::move(tree));
     };
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -83,8 +130,8 @@ class Relations {
                      [&](std::size_t a, std::size_t b) { return given[a].first < given[b].first; });
     for (const std::size_t i : order) {
       condition::Tree tree;
-      resolve(given[i].second,
-              description::key_pointer(*unit.described, description::DeviceKey::inputs) / given[i].first, tree);
+      resolve_made(given[i].second, matched_by(unit, description::DeviceKey::inputs),
+                   description::key_pointer(*unit.described, description::DeviceKey::inputs) / given[i].first, tree);
       if (unit.described->behaviour.empty()) continue;
       unit.conditions.push_back(std::move(tree));
       unit.input_names.push_back(given[i].first);
@@ -113,7 +160,13 @@ class Relations {
                                             const description::Pointer& here, bool has_state) {
     std::vector<std::uint32_t> disabled;
     for (std::size_t i = 0; i < entry.devices.size(); ++i) {
-      const std::string& device = entry.devices[i];
+      const bool is_made = text::has_braces(entry.devices[i]);
+      const auto made =
+          is_made ? make(entry.devices[i], matched_by(plant_.units[by], description::DeviceKey::disables), here / i)
+                  : std::optional(entry.devices[i]);
+      if (!made) continue;
+      const std::string& device = *made;
+      if (is_made) made_.takes(here / i);
       if (device.find_first_of("*?") != std::string::npos) {
         for (const std::uint32_t unit : matching(device, here / i)) {
           if (unit != by) disabled.push_back(unit);
@@ -126,9 +179,13 @@ class Relations {
                      [&](std::uint32_t facet) { return facet != by; });
         if (unit && *unit != by) disabled.push_back(*unit);
       } else if (!unit) {
-        faults_.add(here / i,
-                    description::missing("device " + description::ticked(device), names_.nearest_device(device, {})),
-                    description::FaultKind::unknown_name);
+        std::string message =
+            description::missing("device " + description::ticked(device), names_.nearest_device(device, {}));
+        if (is_made) {
+          made_.lacks(here / i, plant_.units[by].path, std::move(message));
+        } else {
+          faults_.add(here / i, std::move(message), description::FaultKind::unknown_name);
+        }
       } else if (*unit == by) {
         // A device that lacks the state of a pattern is not reported.
         if (has_state) faults_.add(here / i, description::ticked(device) + " disables itself; remove it");
@@ -176,56 +233,108 @@ class Relations {
 
   void add_requirements() {
     const auto& given = plant_.description->requirements;
-    std::unordered_set<std::string_view> seen;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      const description::Pointer here = description::Pointer("/requirements") / i;
-      if (given[i].name.empty()) {
-        faults_.add(here / "name", "this requirement has no name; give it one");
-      } else if (!seen.insert(given[i].name).second) {
-        faults_.add(here / "name",
-                    description::ticked(given[i].name) + " already names another requirement; choose another name");
+    for (std::uint32_t i = 0; i < given.size(); ++i) {
+      const description::Pointer here = description::Pointer("/requirements") / std::size_t{i};
+      if (given[i].name.empty()) faults_.add(here / "name", "this requirement has no name; give it one");
+      const bool never = !given[i].never.empty();
+      if (never == (!given[i].after.empty() || !given[i].expect.empty()) ||
+          given[i].after.empty() != given[i].expect.empty()) {
+        faults_.add(here, "a requirement needs either `never`, or `after` with `expect`");
+      } else if (given[i].of.empty()) {
+        add_requirement(i, nullptr, {}, here);
+      } else {
+        add_requirements_for(i, here);
       }
-      add_requirement(given[i], here);
     }
   }
 
-  void add_requirement(const description::GivenRequirement& given, const description::Pointer& here) {
-    const bool never = !given.never.empty();
-    if (never == (!given.after.empty() || !given.expect.empty()) || given.after.empty() != given.expect.empty()) {
-      faults_.add(here, "a requirement needs either `never`, or `after` with `expect`");
-      return;
+  /// One requirement for each device that `for` matches.
+  void add_requirements_for(std::uint32_t index, const description::Pointer& here) {
+    const std::string& pattern = plant_.description->requirements[index].of;
+    std::unordered_set<std::string_view> devices;
+    for (const Unit& unit : plant_.units) {
+      if (!text::matches_pattern(unit.device_path(), pattern) || !devices.insert(unit.device_path()).second) continue;
+      const MatchedNames matched = MatchedNames::of(plant_, unit, pattern);
+      add_requirement(index, &matched, unit.device_path(), here);
     }
+    if (devices.empty()) {
+      faults_.warn(here / "for", description::ticked(pattern) + " matches no device",
+                   description::FaultKind::matches_nothing);
+    }
+  }
+
+  /// `matched` is null without `for`.
+  void add_requirement(std::uint32_t index, const MatchedNames* matched, std::string_view device,
+                       const description::Pointer& here) {
+    const description::GivenRequirement& given = plant_.description->requirements[index];
     Requirement requirement;
-    requirement.name = given.name;
-    requirement.kind = never ? tables::RequirementRow::Kind::never : tables::RequirementRow::Kind::expect;
+    requirement.given = index;
+    requirement.kind = given.never.empty() ? tables::RequirementRow::Kind::expect : tables::RequirementRow::Kind::never;
     requirement.within = given.within;
-    bool sound = never ? resolve(given.never, here / "never", requirement.condition)
-                       : resolve(given.after, here / "after", requirement.condition);
-    if (!never) sound = resolve(given.expect, here / "expect", requirement.expected) && sound;
-    if (sound) plant_.requirements.push_back(std::move(requirement));
+    requirement.name = given.name;
+    if (matched != nullptr && text::has_braces(given.name)) {
+      auto name = make(given.name, *matched, here / "name");
+      if (!name) return;
+      requirement.name = std::move(*name);
+    }
+    std::string lacking;
+    const auto read = [&](const std::string& text, std::string_view key, condition::Tree& tree) {
+      if (text.empty()) return true;
+      return matched == nullptr ? resolve(text, here / key, tree)
+                                : resolve_made(text, *matched, here / key, tree, &lacking);
+    };
+    bool sound = read(given.never, "never", requirement.condition);
+    sound = read(given.after, "after", requirement.condition) && sound;
+    sound = read(given.expect, "expect", requirement.expected) && sound;
+    if (matched != nullptr) made_.takes(here);
+    if (!lacking.empty()) made_.lacks(here, device, std::move(lacking));
+    if (requirement.name.empty() || !sound) return;
+    if (!requirement_names_.insert(requirement.name).second) {
+      faults_.add(here / "name", description::ticked(requirement.name) + " already names another requirement; " +
+                                     (matched == nullptr ? "choose another name" : "use `{self}` in the name"));
+    }
+    plant_.requirements.push_back(std::move(requirement));
   }
 
   void add_follows() {
+    std::vector<Follow> follows;
+    follows.reserve(plant_.follows.size());
     for (Follow& follow : plant_.follows) {
-      resolve(plant_.description->follow[follow.given].condition, follow_pointer(plant_, follow.given),
-              follow.condition);
+      const description::GivenFollow& given = plant_.description->follow[follow.given];
+      const description::Pointer here = follow_pointer(plant_, follow.given);
+      const bool is_pattern = given.symbol.find_first_of("*?") != std::string::npos;
+      Symbol& symbol = plant_.symbols[follow.symbol];
+      std::string lacking;
+      const bool sound = is_pattern ? resolve_made(given.condition, MatchedNames::of(symbol, given.symbol), here,
+                                                   follow.condition, &lacking)
+                                    : resolve(given.condition, here, follow.condition);
+      if (is_pattern) made_.takes(here);
+      if (!lacking.empty()) made_.lacks(here, symbol.name(), std::move(lacking));
+      if (sound) {
+        follows.push_back(std::move(follow));
+      } else {
+        symbol.unmodelled = Unmodelled::unpaired;
+      }
     }
+    plant_.follows = std::move(follows);
     check_follow_cycles(plant_, faults_);
   }
 
   PlantModel& plant_;
+  MadeNames& made_;
   description::Faults& faults_;
   PlantNames names_;
   std::unordered_map<std::string, std::vector<std::uint32_t>> matching_;  // of `disables`: a pattern -> its units
   std::size_t disabled_ = 0;
+  std::unordered_set<std::string> requirement_names_;
 };
 
 }  // namespace
 
-void add_relations(PlantModel& plant, description::Faults& faults) {
+void add_relations(PlantModel& plant, MadeNames& made, description::Faults& faults) {
   const bool described = !plant.description->devices.empty() || plant.pairing != nullptr;
   if (!described && plant.description->requirements.empty() && plant.follows.empty()) return;
-  Relations(plant, faults).run();
+  Relations(plant, made, faults).run();
 }
 
 }  // namespace symplant::model

@@ -90,6 +90,7 @@ struct Behaviour {
   void (*entered)(BehaviourView&, std::uint8_t state) noexcept = nullptr;  ///< after l_enter
   void (*left)(BehaviourView&, std::uint8_t state) noexcept = nullptr;     ///< after l_leave
   void (*woken)(BehaviourView&) noexcept = nullptr;                        ///< at the time given to wake_at()
+  void (*started)(BehaviourView&) noexcept = nullptr;                      ///< once, before the first instant
   /// The functions of the I/O model that its class replaces, for messages: values of tables::ModelFunction, added.
   std::uint8_t replaces = 0;
 };

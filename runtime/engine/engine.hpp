@@ -86,6 +86,7 @@ class Engine {
   void reset_values() noexcept;
   void reset_levels() noexcept;
   void reset_conditions() noexcept;
+  void start_behaviours() noexcept;
 
   // actions from outside (engine_acts.cpp)
   void wait_for_sample(std::uint32_t word) noexcept;

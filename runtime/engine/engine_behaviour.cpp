@@ -14,6 +14,16 @@ constexpr std::uint16_t kOwnStream = 0xFFFF;
 
 }  // namespace
 
+void Engine::start_behaviours() noexcept {
+  for (std::uint32_t position = 0; position < tables_.behaviour_units.size(); ++position) {
+    const std::uint32_t unit = tables_.behaviour_units[position].unit;
+    const Behaviour* behaviour = behaviour_of(general_row(unit));
+    if (behaviour == nullptr || behaviour->started == nullptr) continue;
+    BehaviourView view(*this, unit, position);
+    behaviour->started(view);
+  }
+}
+
 void Engine::wake_behaviour(std::uint32_t unit, const tables::UnitRow& row) noexcept {
   const GeneralRow& general = general_row(unit);
   const Behaviour* behaviour = behaviour_of(general);

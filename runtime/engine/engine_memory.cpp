@@ -182,6 +182,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   reset_conditions();
   event_changes_.note_all(tables_.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
+  start_behaviours();
 }
 
 /// Writes inverted operations as on: their units see them off. Of symbols on one address the leader decides: one that

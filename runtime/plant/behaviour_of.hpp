@@ -8,6 +8,7 @@
 #include "symplant/engine/behaviour.hpp"
 #include "symplant/plant/behaviour_memory.hpp"
 #include "symplant/plant/device_view.hpp"
+#include "symplant/tables/hooks.hpp"
 #include "symplant/tables/row_of.hpp"
 
 namespace symplant::plant {
@@ -31,6 +32,8 @@ namespace detail {
       requires std::is_same_v<decltype(&Class::NAME), Function>; \
     };                                                           \
   };
+SYMPLANT_BEHAVIOUR_MEMBER(hooks)
+SYMPLANT_BEHAVIOUR_MEMBER(started)
 SYMPLANT_BEHAVIOUR_MEMBER(takes)
 SYMPLANT_BEHAVIOUR_MEMBER(after)
 SYMPLANT_BEHAVIOUR_MEMBER(wanted)
@@ -52,6 +55,42 @@ template <class Class>
 inline constexpr bool kHasMemory = requires {
   typename Class::Memory;
 };
+
+template <class Class>
+inline constexpr bool kListsHooks = requires {
+  Class::hooks::lists(tables::Hook::woken);
+};
+
+/// Whether a class defines any function of a behavior.
+template <class Class>
+inline constexpr bool kHasHook =
+    Member_started::named<Class> || Member_takes::named<Class> || Member_after::named<Class> ||
+    Member_wanted::named<Class> || Member_entered::named<Class> || Member_left::named<Class> ||
+    Member_woken::named<Class>;
+
+#define SYMPLANT_CHECK_HOOK(NAME, DECLARATION)                                                     \
+  static_assert(!Class::hooks::lists(tables::Hook::NAME) || Member_##NAME::template named<Class>,  \
+                "`hooks` lists `" #NAME "`, but the class does not define it: write `" DECLARATION \
+                "`, or remove it from `hooks`");                                                   \
+  static_assert(Class::hooks::lists(tables::Hook::NAME) || !Member_##NAME::template named<Class>,  \
+                "the class defines `" #NAME "`, but `hooks` does not list it: add `Hook::" #NAME "`")
+
+/// The functions that a class lists are those that it defines.
+template <class Class>
+constexpr void check_hooks() noexcept {
+  static_assert(!Member_hooks::named<Class> || kListsHooks<Class>,
+                "`hooks` must be a public type: `using hooks = Hooks<Hook::entered, Hook::woken>;`");
+  if constexpr (kListsHooks<Class>) {
+    SYMPLANT_CHECK_HOOK(started, "static void started(View& view) noexcept");
+    SYMPLANT_CHECK_HOOK(takes, "static Time takes(Look& look, Transition transition) noexcept");
+    SYMPLANT_CHECK_HOOK(after, "static Time after(Look& look, Transition transition) noexcept");
+    SYMPLANT_CHECK_HOOK(wanted, "static std::optional<State> wanted(const Look& look) noexcept");
+    SYMPLANT_CHECK_HOOK(entered, "static void entered(View& view, State state) noexcept");
+    SYMPLANT_CHECK_HOOK(left, "static void left(View& view, State state) noexcept");
+    SYMPLANT_CHECK_HOOK(woken, "static void woken(View& view) noexcept");
+  }
+}
+#undef SYMPLANT_CHECK_HOOK
 
 template <class Class>
 constexpr std::uint32_t memory_size_of() noexcept {
@@ -133,6 +172,16 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
       };
     }
   }
+  if constexpr (Member_started::named<Class>) {
+    constexpr bool kRight = Member_started::right<Class, void (*)(View&) noexcept>;
+    static_assert(kRight, "declare `static void started(View& view) noexcept` once, as a public member");
+    if constexpr (kRight) {
+      behaviour.started = [](engine::BehaviourView& raw) noexcept {
+        View view(raw);
+        Class::started(view);
+      };
+    }
+  }
   if constexpr (Member_woken::named<Class>) {
     constexpr bool kRight = Member_woken::right<Class, void (*)(View&) noexcept>;
     static_assert(kRight, "declare `static void woken(View& view) noexcept` once, as a public member");
@@ -145,27 +194,52 @@ constexpr void add_reported(engine::Behaviour& behaviour) noexcept {
   }
 }
 
-}  // namespace detail
-
-/// `Class`, which the user derived from the generated class `Device`, in the form that the engine calls. Each function
-/// that it defines of takes, after, wanted, entered, left and woken replaces the model's rule (d_ext, d_int, l_enter
-/// and l_leave are those of tables::row_of). A function of one of these names with another signature, and a Memory that
-/// cannot be saved, do not compile.
 template <class Class, class Device>
-constexpr engine::Behaviour behaviour_of() noexcept {
+constexpr engine::Behaviour made_of() noexcept {
   static_assert(!std::is_final_v<Class>, "remove `final`: the functions of the class are found by deriving from it");
   static_assert(
       std::is_empty_v<Class>,
       "a behavior's class must have no data members; put its state in `Memory` and make its functions static");
   engine::Behaviour behaviour;
   behaviour.replaces = tables::replaced_in<Class, Device>();
-  behaviour.memory_size = detail::memory_size_of<Class>();
+  behaviour.memory_size = memory_size_of<Class>();
   if constexpr (std::is_base_of_v<Device, Class> && !std::is_final_v<Class>) {
-    detail::add_times<Class, Device>(behaviour);
-    detail::add_wanted<Class, Device>(behaviour);
-    detail::add_reported<Class, Device>(behaviour);
+    check_hooks<Class>();
+    add_times<Class, Device>(behaviour);
+    add_wanted<Class, Device>(behaviour);
+    add_reported<Class, Device>(behaviour);
   }
   return behaviour;
+}
+
+/// Whether a behavior changes anything of its devices.
+template <class Class, class Device>
+constexpr bool does_something() noexcept {
+  if constexpr (!std::is_base_of_v<Device, Class> || std::is_final_v<Class>) {
+    return true;  // an error, which made_of() reports
+  } else {
+    return kHasHook<Class> || tables::replaced_in<Class, Device>() != 0;
+  }
+}
+
+}  // namespace detail
+
+/// `Class`, which the user derived from the generated class `Device`, in the form that the engine calls. Each function
+/// that it defines of started, takes, after, wanted, entered, left and woken replaces the model's rule (d_ext, d_int,
+/// l_enter and l_leave are those of tables::row_of). A function of one of these names with another signature, one that
+/// `hooks` lists and the class lacks, and a Memory that cannot be saved, do not compile.
+template <class Class, class Device>
+constexpr engine::Behaviour behaviour_of() noexcept requires(detail::does_something<Class, Device>()) {
+  return detail::made_of<Class, Device>();
+}
+
+/// The same for a class that defines none of these functions: a warning, since its devices follow the model alone.
+template <class Class, class Device>
+[[deprecated(
+    "this behavior defines none of started, takes, after, wanted, entered, left and woken, so that its devices follow "
+    "the model's rules alone: define one, or check the spelling of what it defines")]] constexpr engine::Behaviour
+behaviour_of() noexcept requires(!detail::does_something<Class, Device>()) {
+  return detail::made_of<Class, Device>();
 }
 
 }  // namespace symplant::plant

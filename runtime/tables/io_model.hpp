@@ -12,6 +12,7 @@
 #include <span>
 #include <type_traits>
 
+#include "symplant/tables/hooks.hpp"
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::tables {
@@ -131,6 +132,9 @@ struct IoModel {
   using Dt = tables::Dt;
   using Actuation = tables::Actuation;
   using Time = tables::Time;
+  using Hook = tables::Hook;
+  template <Hook... Listed>
+  using Hooks = tables::Hooks<Listed...>;
   static constexpr Stay kStay{};
   static constexpr std::uint8_t kNoState = tables::kNoState;
   static constexpr Time kNanosecond = tables::kNanosecond;

@@ -248,7 +248,7 @@ struct SymbolRow {
   constexpr AddressForm form() const noexcept { return static_cast<AddressForm>(part(16)); }
   /// An event that its unit or a condition drives, or an operation that moves its unit.
   constexpr bool moved() const noexcept { return (part(24) & 1) != 0; }
-  /// Its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the other way round.
+  /// Its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the reverse.
   constexpr bool inverted() const noexcept { return (part(24) & 2) != 0; }
 
  private:

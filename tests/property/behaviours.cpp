@@ -31,6 +31,7 @@ struct Timing {
   static constexpr auto kEntered = nullptr;
   static constexpr auto kLeft = nullptr;
   static constexpr auto kWoken = nullptr;
+  static constexpr auto kStarted = nullptr;
   static constexpr auto kTakes = &takes;
   static constexpr auto kAfter = &after;
 };
@@ -65,6 +66,7 @@ struct Counting {
   static constexpr auto kEntered = &entered;
   static constexpr auto kLeft = &left;
   static constexpr auto kWoken = nullptr;
+  static constexpr auto kStarted = nullptr;
 };
 
 /// Wakes repeatedly after it has moved; its random draws decide what it writes and wants.
@@ -98,7 +100,15 @@ struct Waking {
   static constexpr auto kWanted = &wanted;
   static constexpr auto kEntered = &entered;
   static constexpr auto kLeft = &left;
+  /// Asks for its first wake-up and leaves a mark, so that a device without a transition also wakes.
+  static void started(View& view) noexcept {
+    view.template memory<Memory>().wish = view.state() == 0 ? 0 : 1;
+    view.set_event(0, view.draw() % 2 == 0);
+    view.set_value(0, 3);
+    view.wake_at(view.draw() % 4 == 0 ? 0 : 70 * kMillisecond);
+  }
   static constexpr auto kWoken = &woken;
+  static constexpr auto kStarted = &started;
 };
 
 template <class Behaviour, class Code>
@@ -111,6 +121,7 @@ Behaviour behaviour_of() {
   made.entered = Code::kEntered;
   made.left = Code::kLeft;
   made.woken = Code::kWoken;
+  made.started = Code::kStarted;
   return made;
 }
 

@@ -1,6 +1,7 @@
 // Random plants whose names are read by a custom naming rule.
 #include "property/cell_plant.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,11 +60,19 @@ class CellWriter {
     if (dice_.percent(percent)) row(name, operation);
   }
 
+  /// New inputs, and one that is a linked sensor without this.
   void follow() {
     for (const std::string name : {"F1", "F2"}) {
       if (!dice_.percent(30) || text_.rows.empty()) continue;
       text_.description.follow.push_back({name, (dice_.percent(30) ? "not " : "") + dice_.pick(text_.rows).name});
       row(name, false);
+    }
+    const auto follows_itself = [](const description::GivenFollow& given) { return given.condition.ends_with("B1"); };
+    const auto& follow = text_.description.follow;
+    const bool linked =
+        std::any_of(text_.rows.begin(), text_.rows.end(), [](const Row& row) { return row.name == "B1"; });
+    if (linked && dice_.percent(40) && std::none_of(follow.begin(), follow.end(), follows_itself)) {
+      text_.description.follow.push_back({"B1", text_.rows.front().name});
     }
   }
 

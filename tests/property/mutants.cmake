@@ -117,3 +117,24 @@ symplant_mutant(bucket_with_several_due_times_handed_over
 symplant_mutant(spring_returns_by_any_transition
   "returns ? transition.to == row.rest :"
   "returns ? true :")
+
+# Of inverted symbols, `while`, `weight`, overruns and symbols that follow a condition.
+symplant_mutant(force_of_an_inverted_symbol_is_a_level
+  "      const bool on = (value != 0) != has_bit(operation ? index_.inverted_operations : index_.inverted_events, bit);"
+  "      const bool on = value != 0;")
+
+symplant_mutant(move_without_a_command_has_no_while
+  "  if (n == kNoTransition) n = transition_without_command(type, state.state, state.target);"
+  "")
+
+symplant_mutant(weight_of_a_transition_that_is_not_ready
+  "    if (record.holds == 0 || record.ready > now_) continue;"
+  "    if (record.holds == 0) continue;")
+
+symplant_mutant(overrun_counts_on_in_another_state
+  "  const std::uint64_t kept = overrun.state == state.state ? overrun.commands & commands : 0;"
+  "  const std::uint64_t kept = overrun.commands & commands;")
+
+symplant_mutant(frozen_symbol_still_follows
+  "    if (state.frozen != 0 || on == ((events_.made(bit / 64) & mask) != 0)) return;"
+  "    if (on == ((events_.made(bit / 64) & mask) != 0)) return;")

@@ -28,11 +28,15 @@ class DeviceWriter {
     if (dice_.percent(25)) device_.initial = dice_.pick(states_);
     if (device_.actuation == Actuation::spring && dice_.percent(50)) device_.rest = dice_.pick(states_);
     if (device_.actuation == Actuation::held && dice_.percent(40)) device_.overrun = random_overrun(dice_);
+    const bool numbered = std::any_of(states_.begin(), states_.end(), [](const std::string& state) {
+      return state.back() >= '0' && state.back() <= '9';
+    });
+    if (numbered && dice_.percent(25)) device_.sequence = random_sequence(dice_);
     device_.only = dice_.percent(8);
     for (const std::string& command : unit_.commands) command_transition(command);
     if (states_.size() > 1) {
       for (std::size_t i = dice_.below(dice_.percent(20) ? 7 : 4); i > 0; --i) transition();
-      if (dice_.percent(8)) chances();
+      if (!plan_.plain && dice_.percent(14)) chances();
       for (const description::GivenFollow& given : follow_) loop_with(given);
     }
     outputs();
@@ -68,10 +72,14 @@ class DeviceWriter {
     if (dice_.percent(after)) given.after = random_duration(dice_);
     if (dice_.percent(55)) given.takes = random_duration(dice_);
     if (dice_.percent(when)) given.when = random_condition(dice_, plan_, unit_);
-    const bool turns = device_.actuation && device_.actuation != Actuation::latched;
-    if (dice_.percent(turns ? 35 : 18)) given.during = random_condition(dice_, plan_, unit_);
-    if (given.automatic && dice_.percent(25)) given.weight = random_weight();
+    if (!plan_.plain) while_and_weight(given);
     given.once = !given.automatic && device_.actuation == Actuation::latched && dice_.percent(25);
+  }
+
+  void while_and_weight(GivenTransition& given) {
+    const bool turns = device_.actuation && device_.actuation != Actuation::latched;
+    if (dice_.percent(turns ? 45 : 25)) given.during = random_condition(dice_, plan_, unit_);
+    if (given.automatic && dice_.percent(35)) given.weight = random_weight();
   }
 
   std::uint32_t random_weight() {
@@ -124,7 +132,7 @@ class DeviceWriter {
       times_and_cause(given, 85, 50);
     } else if (springs_own && (operations.empty() || dice_.percent(70))) {
       given.takes = random_duration(dice_);
-      if (dice_.percent(35)) given.during = random_condition(dice_, plan_, unit_);
+      if (!plan_.plain && dice_.percent(45)) given.during = random_condition(dice_, plan_, unit_);
     } else {
       if (!own || dice_.percent(30)) given.on = dice_.pick(operations);
       times_and_cause(given, 20, 30);
@@ -246,6 +254,7 @@ description::Description random_description(Dice& dice, const PlannedPlant& plan
   description.defaults.dwell = dice.percent(25) ? tables::kSecond : random_time(dice);
   if (dice.percent(30)) description.defaults.actuation = static_cast<Actuation>(dice.below(4));
   if (dice.percent(60)) description.defaults.overrun = random_overrun(dice);
+  if (dice.percent(15)) description.defaults.sequence = random_sequence(dice);
   description.inverted = random_inverted(dice, rows);
   description.follow = random_follow(dice, plan);
   for (const PlannedUnit& unit : plan.units) {

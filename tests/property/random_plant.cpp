@@ -32,7 +32,8 @@ PlannedPlant random_plan(Dice& dice, const DrawOptions& options) {
   for (const std::string name : {"LEVEL", "RECIPE-1"}) {
     if (dice.percent(20)) plan.spare_values.push_back(random_value(dice, name, dice.percent(50)));
   }
-  if (!dice.percent(45)) return plan;
+  plan.plain = dice.percent(40);
+  if (plan.plain || !dice.percent(70)) return plan;
   for (const std::string name : {"LINE_READY", "FOLLOW-1", "FOLLOW-2"}) {
     if (dice.percent(50)) plan.followers.push_back(name);
   }

@@ -125,6 +125,8 @@ PlannedUnit random_unit(Dice& dice, std::size_t number) {
   return unit;
 }
 
+description::Sequence random_sequence(Dice& dice) { return static_cast<description::Sequence>(dice.below(3)); }
+
 tables::Time random_overrun(Dice& dice) {
   if (dice.percent(10)) return tables::kNever;
   return dice.percent(15) ? 2 * tables::kSecond : random_time(dice);

@@ -41,6 +41,7 @@ struct PlannedPlant {
   std::vector<std::string> spare_bits;
   std::vector<PlannedValue> spare_values;
   std::vector<std::string> followers;  ///< events that follow a condition
+  bool plain = false;                  ///< no `while`, no weights: more units take the fast path
 };
 
 PlannedUnit random_unit(Dice& dice, std::size_t number);
@@ -55,6 +56,7 @@ description::Description random_description(Dice& dice, const PlannedPlant& plan
 /// Names of BOOL rows, each with a chance, some as patterns.
 std::vector<std::string> random_inverted(Dice& dice, const std::vector<Row>& rows);
 
+description::Sequence random_sequence(Dice& dice);
 /// A duration for `overrun`, or kNever.
 tables::Time random_overrun(Dice& dice);
 

@@ -94,6 +94,7 @@ class Shrinker {
     };
     without([](description::DeviceDescription& it) { return std::exchange(it.initial, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.rest, std::nullopt).has_value(); });
+    without([](description::DeviceDescription& it) { return std::exchange(it.sequence, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.overrun, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.actuation, std::nullopt).has_value(); });
     without([](description::DeviceDescription& it) { return std::exchange(it.only, false); });

@@ -139,8 +139,8 @@ std::size_t plant_size(const PlantText& plant) {
   for (const Row& row : plant.rows) size += row.initial.size();
   for (const description::DeviceDescription& device : plant.description.devices) {
     size += 10 + device.states.size() + device.inputs.size() + (device.initial ? 1 : 0) + (device.rest ? 1 : 0) +
-            (device.actuation ? 1 : 0) + (device.overrun ? 1 : 0) + (device.only ? 1 : 0) + device.type.size() +
-            device.behaviour.size();
+            (device.actuation ? 1 : 0) + (device.overrun ? 1 : 0) + (device.sequence ? 1 : 0) + (device.only ? 1 : 0) +
+            device.type.size() + device.behaviour.size();
     for (const description::GivenTransition& given : device.transitions) {
       size += 5 + given.when.size() + given.during.size() + (given.weight > 1 ? 2 : given.weight) +
               duration_size(given.after) + duration_size(given.takes) + (given.once ? 1 : 0);

@@ -20,6 +20,7 @@ class Writer {
     if (device.rest) line("  rest " + *device.rest);
     if (device.actuation) line("  actuation " + std::string(word_of(*device.actuation)));
     if (device.only) line("  only");
+    if (device.sequence) line("  sequence " + std::string(description::sequence_name(*device.sequence)));
     if (device.overrun) line("  overrun " + text_of_overrun(*device.overrun));
     for (const description::GivenTransition& given : device.transitions) transition(given);
     for (const description::GivenOutputs& given : device.outputs) {
@@ -84,7 +85,8 @@ std::string write_case(const Case& the_case) {
   }
   const description::Defaults& defaults = plant.description.defaults;
   writer.line("defaults " + std::to_string(defaults.travel) + " " + std::to_string(defaults.dwell) + " " +
-              std::string(word_of(defaults.actuation)) + " " + text_of_overrun(defaults.overrun));
+              std::string(word_of(defaults.actuation)) + " " + text_of_overrun(defaults.overrun) + " " +
+              std::string(description::sequence_name(defaults.sequence)));
   for (const std::string& symbol : plant.description.inverted) writer.line("inverted " + symbol);
   for (const description::GivenFollow& given : plant.description.follow) {
     writer.line("follow " + given.symbol + " " + given.condition);

@@ -40,6 +40,13 @@ class Line {
     skip_blanks();
     return taken;
   }
+  description::Sequence sequence() {
+    const std::string text = word();
+    for (const auto each : {description::Sequence::neighbours, description::Sequence::cycle}) {
+      if (text == description::sequence_name(each)) return each;
+    }
+    return description::Sequence::free;
+  }
   tables::Time overrun() {
     const std::string text = word();
     return text == "never" ? tables::kNever : number_of<tables::Time>(text);
@@ -104,6 +111,7 @@ class Reader {
       defaults.dwell = line.number<tables::Time>();
       defaults.actuation = line.actuation();
       if (!line.at_end()) defaults.overrun = line.overrun();
+      if (!line.at_end()) defaults.sequence = line.sequence();
     } else if (word == "inverted") {
       result.plant.description.inverted.push_back(line.word());
     } else if (word == "follow") {
@@ -147,6 +155,8 @@ class Reader {
       device.actuation = line.actuation();
     } else if (word == "only") {
       device.only = true;
+    } else if (word == "sequence") {
+      device.sequence = line.sequence();
     } else if (word == "overrun") {
       device.overrun = line.overrun();
     } else if (word == "transition") {

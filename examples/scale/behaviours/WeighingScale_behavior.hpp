@@ -12,6 +12,8 @@ namespace dosing {
 /// 100 ms. A batch exceeds its target by up to 20 g. The description gives the time of emptying.
 class WeighingScale : public Scale {
  public:
+  using hooks = Hooks<Hook::takes, Hook::entered, Hook::left, Hook::woken>;
+
   /// Weights are integers in g, so that all computers compute the same. Each member has 8 bytes: no padding.
   struct Memory {
     std::int64_t batches;

@@ -45,7 +45,7 @@ class Requirements {
 
   void look_at(std::size_t index) {
     const model::Requirement& requirement = plant_.requirements[index];
-    const description::GivenRequirement& given = plant_.description->requirements[index];
+    const description::GivenRequirement& given = plant_.description->requirements[requirement.given];
     const Verdict first = decide(requirement.condition, plant_, reach_);
     if (requirement.kind == tables::RequirementRow::Kind::never) {
       report(index, "never", given.never, requirement.condition, first, consequence_of_never(first));
@@ -66,7 +66,7 @@ class Requirements {
         rule_.info, {{{diag::Subject::Kind::requirement, name}}, {}, {}},
         fmt::format("requirement `{}`: `{}` {}{}: {}", name, text, verdict.never() ? "can never hold" : "always holds",
                     by_states ? ", since nothing leads to a state that it names" : "", consequence),
-        location_of({}, description::Pointer("/requirements") / index / key));
+        location_of({}, description::Pointer("/requirements") / std::size_t{plant_.requirements[index].given} / key));
   }
 
   const Rule& rule_;

@@ -29,6 +29,7 @@ enum class Seen : std::size_t {
   whiles,
   weights,
   overruns,
+  sequences,
   // In scenarios, as played.
   at,
   at_past,
@@ -77,6 +78,7 @@ inline constexpr std::array<std::string_view, kSeen> kSeenNames = {
     "transitions with `while`",
     "transitions with a weight",
     "overruns",
+    "sequences",
     "steps by `at`",
     "steps whose `at` is past",
     "steps by `plus`",

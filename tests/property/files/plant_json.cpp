@@ -90,6 +90,7 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   json said = json::object();
   const description::Defaults without;
   if (defaults.overrun != without.overrun) said["overrun"] = sayer.overrun(defaults.overrun);
+  if (defaults.sequence != without.sequence) said["sequence"] = sayer.sequence(defaults.sequence);
   if (defaults.travel != without.travel) said["travel"] = sayer.time(defaults.travel);
   if (defaults.dwell != without.dwell) said["dwell"] = sayer.time(defaults.dwell);
   if (defaults.actuation != without.actuation || sayer.dice.percent(10)) {

@@ -59,6 +59,11 @@ std::string Sayer::time(tables::Time time) {
   return std::to_string(time) + "ns";
 }
 
+std::string Sayer::sequence(description::Sequence sequence) {
+  ++counts_[Seen::sequences];
+  return std::string(description::sequence_name(sequence));
+}
+
 std::string Sayer::overrun(tables::Time overrun) {
   ++counts_[Seen::overruns];
   return overrun == tables::kNever ? "never" : time(overrun);
@@ -138,6 +143,7 @@ Keys Sayer::keys(const description::DeviceDescription& device, const std::vector
   if (device.rest) keys["rest"] = name(*device.rest);
   if (device.actuation) keys["actuation"] = word_of(*device.actuation);
   if (device.only) keys["only"] = true;
+  if (device.sequence) keys["sequence"] = sequence(*device.sequence);
   if (device.overrun) keys["overrun"] = overrun(*device.overrun);
   for (const description::GivenTransition& given : device.transitions) keys["transitions"].push_back(transition(given));
   for (const description::GivenOutputs& given : device.outputs) {

@@ -26,6 +26,7 @@ class Sayer {
   std::string time(tables::Time time);
   /// A time, or `never` for kNever.
   std::string overrun(tables::Time overrun);
+  std::string sequence(description::Sequence sequence);
   nlohmann::json duration(const description::Duration& duration);
   std::string name(const std::string& name);
   /// All values that differ from the default. `units`: the paths of all devices.

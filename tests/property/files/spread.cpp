@@ -93,6 +93,8 @@ class Spreader {
       value = !value.get<bool>();
     } else if (key == "actuation") {
       value = value == "held" ? "bistable" : "held";
+    } else if (key == "sequence") {
+      value = value == "cycle" ? "neighbours" : "cycle";
     } else if (key == "overrun") {
       value = "19 ms";
     } else if (key == "type" || key == "behaviour") {

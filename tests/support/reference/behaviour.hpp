@@ -50,6 +50,7 @@ struct Behaviour {
   void (*entered)(View&, std::uint8_t state) noexcept = nullptr;
   void (*left)(View&, std::uint8_t state) noexcept = nullptr;
   void (*woken)(View&) noexcept = nullptr;
+  void (*started)(View&) noexcept = nullptr;
 };
 
 }  // namespace symplant::reference

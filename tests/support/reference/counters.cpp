@@ -68,6 +68,7 @@ const std::array<std::string_view, kCounted> kCountedNames = {
     "watch violated",
     "`never` violated",
     "behaviour woken",
+    "behaviour started",
     "restored",
     "inverted operation rose",
     "inverted operation fell",

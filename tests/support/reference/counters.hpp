@@ -75,6 +75,7 @@ enum class Counted : std::size_t {
   watch_violated,
   never_violated,
   woken,
+  started,
   restored,
   inverted_operation_rose,
   inverted_operation_fell,

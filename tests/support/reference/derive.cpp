@@ -115,7 +115,7 @@ std::string sequence_number(std::string_view name) {
 }
 
 std::string UnitRules::number_of(const StateRules& state) const {
-  return sequence ? sequence_number(state.name) : std::string();
+  return sequence && state.numbered ? sequence_number(state.name) : std::string();
 }
 
 bool lower_number(const std::string& a, const std::string& b) {

@@ -134,6 +134,7 @@ void derive_actuation_and_initial(Rules& rules, UnitRules& unit) {
     // Inference 1.
     StateRules rest;
     rest.name = "NOT_" + unit.states[0].name;
+    rest.numbered = false;
     inferred_spring = unit.states[0].operation != kNone;
     unit.states.insert(unit.states.begin(), rest);
     inferred_rest = 0;

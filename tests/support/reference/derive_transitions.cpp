@@ -70,11 +70,40 @@ bool automatic_given(const std::vector<Transition>& given, const Transition& inf
   return false;
 }
 
-void add_derived(UnitRules& unit, const std::vector<Transition>& given) {
+/// The next higher number among the unit's; the lowest after the highest, and then `wraps`.
+std::string next_number(const UnitRules& unit, const std::string& number, bool& wraps) {
+  std::string next;
+  std::string lowest = number;
+  for (const StateRules& state : unit.states) {
+    const std::string other = unit.number_of(state);
+    if (other.empty()) continue;
+    if (lower_number(other, lowest)) lowest = other;
+    if (lower_number(number, other) && (next.empty() || lower_number(other, next))) next = other;
+  }
+  wraps = next.empty();
+  return wraps ? lowest : next;
+}
+
+/// Whether a derived d_ext may lead from one state to another.
+bool joins(const UnitRules& unit, description::Sequence sequence, std::uint8_t from, std::uint8_t to) {
+  const std::string a = unit.number_of(unit.states[from]);
+  const std::string b = unit.number_of(unit.states[to]);
+  if (sequence == description::Sequence::free || a.empty() || b.empty()) return true;
+  bool wraps = false;
+  if (sequence == description::Sequence::cycle) return next_number(unit, a, wraps) == b;
+  const bool up = next_number(unit, a, wraps) == b && !wraps;
+  const bool down = next_number(unit, b, wraps) == a && !wraps;
+  return up || down;
+}
+
+void add_derived(const Rules& rules, UnitRules& unit, const std::vector<Transition>& given) {
+  description::Sequence sequence = rules.model->description->defaults.sequence;
+  if (unit.described != nullptr) sequence = unit.described->sequence.value_or(sequence);
+
   for (std::uint8_t to = 0; to < unit.states.size(); ++to) {
     if (unit.states[to].operation == kNone) continue;
     for (std::uint8_t from = 0; from < unit.states.size(); ++from) {
-      if (from == to) continue;
+      if (from == to || !joins(unit, sequence, from, to)) continue;
       Transition transition;
       transition.from = from;
       transition.to = to;
@@ -140,7 +169,7 @@ void derive_transitions(Rules& rules, UnitRules& unit) {
     if (unit.described->only) return;
   }
   const std::vector<Transition> given = unit.transitions;
-  add_derived(unit, given);
+  add_derived(rules, unit, given);
   add_inferred(rules, unit, given);
 }
 

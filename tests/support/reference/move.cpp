@@ -65,7 +65,7 @@ bool turn_round(Round& round, std::uint32_t unit, std::uint16_t transition) {
   return true;
 }
 
-/// The `while` of the transition under way, or of the one that a move without a command takes its time from.
+/// The `while` of the transition of a move, or of the one that a move without a command takes its time from.
 bool while_holds(const Round& round, std::uint32_t unit) {
   const UnitRules& rules = round.of(unit);
   const UnitWorld& world = round.old.units[unit];

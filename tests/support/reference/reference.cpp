@@ -152,6 +152,16 @@ void Plant::reset(std::uint64_t seed, Time cycle) {
   world_ = first_world(*rules_);
   world_.seed = seed;
   world_.cycle = cycle;
+  const World old = as_shown(world_);
+  InstantNotes notes = empty_notes(*rules_);
+  Round round{*rules_, old, world_, counters, notes};
+  for (std::uint32_t i = 0; i < rules_->units.size(); ++i) {
+    const Behaviour* behaviour = rules_->units[i].behaviour;
+    if (behaviour == nullptr || behaviour->started == nullptr) continue;
+    ++counters[Counted::started];
+    View view(round, i);
+    behaviour->started(view);
+  }
   instants_.clear();
 }
 

@@ -39,6 +39,7 @@ struct StateRules {
   std::vector<std::pair<std::uint32_t, bool>> enter;  ///< events to switch, in this order, starting with its own
   std::vector<std::pair<std::uint32_t, bool>> leave;
   std::vector<std::uint32_t> disables;  ///< units
+  bool numbered = true;                 ///< digits at its end are a sequence number; not of an added rest state
 };
 
 struct UnitRules {

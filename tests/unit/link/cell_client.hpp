@@ -33,13 +33,17 @@ bool run_cell_program(std::uint16_t& step, X x, Y y) {
   return finished;
 }
 
-/// Opens the link, and cycles the plant in a thread as fast as possible: 1 ms of plant time a cycle. Its PLC counts as
-/// silent after 20,000 cycles without an answer.
+/// `loss_after` of a link that is expected to stay live, however slow its thread is: 20,000 cycles without an answer.
+inline constexpr tables::Time kStaysLive = 20 * tables::kSecond;
+/// `loss_after` of a link that is expected to be lost: 2,000 cycles without an answer.
+inline constexpr tables::Time kGetsLost = 2 * tables::kSecond;
+
+/// Opens the link, and cycles the plant in a thread as fast as possible: 1 ms of plant time a cycle.
 class LinkedCell {
  public:
-  explicit LinkedCell(const std::string& url, link::LinkSettings settings = {})
+  explicit LinkedCell(const std::string& url, link::LinkSettings settings = {}, tables::Time loss_after = kStaysLive)
       : tables_(cell_tables()), plant_(tables_) {
-    settings.loss_after = 20 * tables::kSecond;
+    settings.loss_after = loss_after;
     auto result = link::open_link({url, 0, settings}, tables_);
     if (auto* error = std::get_if<link::LinkError>(&result)) throw std::runtime_error(error->message);
     link_ = std::move(std::get<std::unique_ptr<link::Link>>(result));

@@ -107,7 +107,7 @@ TEST_CASE("A Modbus client link reads, but writes only when it is armed") {
 
 TEST_CASE("After a loss of the connection a Modbus client writes everything again") {
   ModbusPlc plc(cell_setup(coil_input, coil_output));
-  LinkedCell cell(url_of(plc, "events=coils:100&refresh=60s"), armed());
+  LinkedCell cell(url_of(plc, "events=coils:100&refresh=60s"), armed(), test::kGetsLost);
   CHECK(finishes_rounds(plc, 1));
   plc.with([](PlcMemory& memory) { std::fill(memory.coils.begin() + 100, memory.coils.end(), 0); });
   plc.close_connections();

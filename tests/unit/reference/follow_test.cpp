@@ -45,12 +45,18 @@ TEST_CASE("Symbols follow one another round by round, and units see them") {
 }
 
 TEST_CASE("The entry of a name beats patterns, and the more specific pattern wins") {
-  const Said said = following({{"*_I_*", "L_P_A.NOT_ON"}, {"L_P_B_I_*", "L_P_A.ON"}, {"l_p_b_i_x", "L_P_A.moving"}});
-  Said only = said;
-  only.description.follow[0].symbol = "L_P_C_I_*";
-  Bench bench({"A_O_ON", "B_I_X", "B_I_Y", "C_I_X"}, only);
-  CHECK(bench.set("A_O_ON", true).at(0).changes() == "0:A_O_ON=1 0:B_I_X=1");
-  CHECK(bench.at(1000).changes() == "1000:B_I_X=0 1000:B_I_Y=1");
+  const Said said =
+      following({{"L_P_?_I_*", "L_P_A.NOT_ON"}, {"L_P_B_I_*", "L_P_A.ON"}, {"l_p_b_i_x", "L_P_A.moving"}});
+  Bench bench({"A_O_ON", "B_I_X", "B_I_Y", "C_I_X"}, said);
+  CHECK(bench.at(0).changes() == "0:C_I_X=1");
+  CHECK(bench.set("A_O_ON", true).at(10).changes() == "10:A_O_ON=1 10:B_I_X=1 10:C_I_X=0");
+  CHECK(bench.at(1010).changes() == "1010:B_I_X=0 1010:B_I_Y=1");
+}
+
+TEST_CASE("Symbols that follow read the snapshot of the round, not each other's new values") {
+  Bench bench(following({{"L_P_F1", "L_P_A.ON"}, {"L_P_F2", "L_P_F1"}, {"L_P_F3", "L_P_F1 and not L_P_F2"}}),
+              bits({"L_P_F1", "L_P_F2", "L_P_F3", "L_P_A_I_ON"}));
+  CHECK(bench.at(0).put("A", "ON").at(10).findings() == "0:short F3");
 }
 
 TEST_CASE("A force hides a symbol that follows, and others follow the force") {

@@ -93,6 +93,18 @@ TEST_CASE("Operations of transitions to the state count, each with its own time"
   CHECK(bench.at(500).findings() == "500:overrun A");
 }
 
+TEST_CASE("An operation that leads to two states counts for each by itself") {
+  Said said = held(300 * kMs);
+  said.device("L_P_A").transitions = {transition("OPEN2", "SHUT1", "PUSH"), transition("SHUT1", "OPEN2", "PUSH")};
+  for (auto& given : said.device("L_P_A").transitions) given.when = "L_P_B.ON";
+  std::vector<std::string> names = kDoor;
+  names.insert(names.end(), {"A_O_PUSH", "B_I_ON"});
+  Bench bench(names, said);
+  bench.set("A_O_PUSH", true).at(0).at(100).put("A", "OPEN2").at(100);
+  CHECK(bench.at(399).findings() == "");
+  CHECK(bench.at(400).findings() == "400:overrun A");
+}
+
 TEST_CASE("A command for another state does not overrun, a break within an instant does not count") {
   Said said = held(300 * kMs);
   said.device("L_P_A").transitions = {automatic("SHUT1", "OPEN2", 0, "L_P_B.ON"), automatic("OPEN2", "SHUT1")};

@@ -32,8 +32,9 @@ inline void scan_cell(slmp::PlcMemory& memory, const CellInputs& inputs = {}) {
 /// The cell with a link to a server on this machine.
 class CellClient : public LinkedCell {
  public:
-  CellClient(std::uint16_t port, const std::string& parameters, const link::LinkSettings& settings = {})
-      : LinkedCell("slmp://127.0.0.1:" + std::to_string(port) + "?" + parameters, settings) {}
+  CellClient(std::uint16_t port, const std::string& parameters, const link::LinkSettings& settings = {},
+             tables::Time loss_after = kStaysLive)
+      : LinkedCell("slmp://127.0.0.1:" + std::to_string(port) + "?" + parameters, settings, loss_after) {}
 };
 
 }  // namespace symplant::test

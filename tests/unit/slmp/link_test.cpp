@@ -134,7 +134,7 @@ TEST_CASE("Inputs that stay as they were written are not reported") {
 
 TEST_CASE("After a loss of the PLC everything is written again") {
   SlmpPlc plc(cell_plc());
-  CellClient client(plc.port(), "family=iqr&events=direct&poll=1ms&timeout=300ms&timer=250ms");
+  CellClient client(plc.port(), "family=iqr&events=direct&poll=1ms&timeout=300ms&timer=250ms", {}, test::kGetsLost);
   CHECK(finishes(plc, 1));
   plc.set_silent(true);
   CHECK(soon(plc, [&] { return client.state() == LinkState::lost; }));

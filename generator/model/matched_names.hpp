@@ -1,0 +1,56 @@
+// What names in braces stand for in the entry of a pattern.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "description/faults.hpp"
+#include "model/plant_model.hpp"
+#include "text/braces.hpp"
+
+namespace symplant::model {
+
+/// A device, or a symbol, that a pattern matches. Views point into the plant.
+class MatchedNames {
+ public:
+  /// A unit that the pattern matches by its path or by that of its device.
+  static MatchedNames of(const PlantModel& plant, const Unit& unit, std::string_view pattern);
+  static MatchedNames of(const Symbol& symbol, std::string_view pattern);
+
+  /// Replaces {line}, {process}, {device}, {self} and {1}, {2}, ... A level that the naming rule does not know is
+  /// unknown.
+  text::Replaced replace(std::string_view text) const;
+  /// What can stand in braces, for a message.
+  std::string choices() const;
+
+ private:
+  std::string_view line_;
+  std::string_view process_;
+  std::string_view device_;
+  std::string_view self_;
+  std::vector<std::string_view> shares_;  ///< of the wildcards
+};
+
+/// Names that entries of patterns make and that the plant may lack. An entry is left out, with a warning, for the
+/// devices that lack it; if all lack it, that is an error.
+class MadeNames {
+ public:
+  /// A device, or symbol, takes the entry at `at`.
+  void takes(const description::Pointer& at) { ++entries_[at.text()].takers; }
+  /// ... and lacks what it names: `message` says what is missing.
+  void lacks(const description::Pointer& at, std::string_view path, std::string message);
+  void report(description::Faults& faults) const;
+
+ private:
+  struct Entry {
+    std::size_t takers = 0;
+    std::size_t lacking = 0;
+    std::vector<std::string> paths;  ///< of the first few
+    std::string message;             ///< for the first one
+  };
+  std::map<std::string, Entry> entries_;  ///< by location
+};
+
+}  // namespace symplant::model
