@@ -8,7 +8,7 @@
 #include <string>
 #include <variant>
 
-#include "app/map/notes.hpp"
+#include "app/map/texts.hpp"
 #include "check/rules.hpp"
 #include "description/description_rules.hpp"
 #include "symplant/link/client_parts.hpp"

@@ -2,6 +2,7 @@
 #include "symplant/host/symbol_use.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace symplant::host {
 namespace {
@@ -90,7 +91,10 @@ void SymbolUse::find_readers(const PlantTables& tables) {
           symbol.index, add);
     }
   }
-  std::sort(readings_.begin(), readings_.end());
+  const auto key = [](const Reading& reading) {
+    return std::tuple(reading.symbol, reading.reader.kind, reading.reader.index);
+  };
+  std::sort(readings_.begin(), readings_.end(), [&](const Reading& a, const Reading& b) { return key(a) < key(b); });
   readings_.erase(std::unique(readings_.begin(), readings_.end()), readings_.end());
   readers_.reserve(readings_.size());
   for (const Reading& reading : readings_) readers_.push_back(reading.reader);

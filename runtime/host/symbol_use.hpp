@@ -1,7 +1,6 @@
 // What each I/O symbol has to do with the plant: what reads an operation, what drives an event.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,7 +20,7 @@ struct SymbolReader {
   Kind kind;
   std::uint32_t index;  ///< of a unit, a requirement or a symbol
 
-  friend auto operator<=>(const SymbolReader&, const SymbolReader&) = default;
+  friend bool operator==(const SymbolReader&, const SymbolReader&) = default;
 };
 
 /// What sets an event, or what an operation moves.
@@ -52,7 +51,7 @@ class SymbolUse {
     std::uint32_t symbol;  ///< the leader of its address
     SymbolReader reader;
 
-    friend auto operator<=>(const Reading&, const Reading&) = default;
+    friend bool operator==(const Reading&, const Reading&) = default;
   };
 
   void find_leaders(const tables::PlantTables& tables);

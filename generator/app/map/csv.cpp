@@ -6,7 +6,7 @@
 #include "app/map/channels.hpp"
 #include "app/map/drivers.hpp"
 #include "app/map/formats.hpp"
-#include "app/map/notes.hpp"
+#include "app/map/texts.hpp"
 #include "convert/cells.hpp"
 #include "read/types/data_types.hpp"
 #include "symplant/link/status_fields.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/map/notes.hpp"
+#include "app/map/texts.hpp"
 #include "symplant/link/client_parts.hpp"
 
 namespace symplant::app {

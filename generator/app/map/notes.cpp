@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/map/channels.hpp"
+#include "app/map/texts.hpp"
 #include "diag/visible_text.hpp"
 #include "symplant/link/status_fields.hpp"
 #include "view/words.hpp"
@@ -16,11 +17,6 @@ namespace symplant::app {
 namespace {
 
 std::string time_text(tables::Time time) { return view::duration_text(description::Duration::fixed(time)); }
-
-/// "100", "104-105".
-std::string range_text(std::uint32_t first, std::uint32_t count) {
-  return count == 1 ? std::to_string(first) : fmt::format("{}-{}", first, first + count - 1);
-}
 
 void add_sizes(std::string& text, const link::IoMap& map) {
   for (std::size_t t = 0; t < link::kTables; ++t) {
@@ -84,24 +80,6 @@ void add_client(std::string& text, const LinkView& view) {
 }
 
 }  // namespace
-
-std::string address_text(const link::IoPoint& point) {
-  return fmt::format("{}{} {}", link::table_name(point.table), point.width == 1 ? "" : "s",
-                     range_text(point.number, point.width));
-}
-
-std::string modicon_text(const link::IoPoint& point) {
-  const auto one = [&](std::uint32_t number) {
-    constexpr std::uint32_t kLastOfFiveDigits = 9998;  // coil 010000 and discrete input 10000 differ by the 0
-    return fmt::format("{:0{}}", link::modicon_number(point.table, number), number > kLastOfFiveDigits ? 6 : 5);
-  };
-  if (point.width == 1) return one(point.number);
-  return one(point.number) + "-" + one(point.last());
-}
-
-std::string word_order_text(link::WordOrder order) {
-  return order == link::WordOrder::low_first ? "low word first" : "high word first";
-}
 
 std::string map_notes(const LinkView& view) {
   std::string text;

@@ -8,6 +8,7 @@
 #include "app/map/drivers.hpp"
 #include "app/map/formats.hpp"
 #include "app/map/notes.hpp"
+#include "app/map/texts.hpp"
 #include "diag/visible_text.hpp"
 #include "text/utf8.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "app/map/notes.hpp"
+#include "app/map/texts.hpp"
 #include "convert/identifiers.hpp"
 #include "text/ascii.hpp"
 

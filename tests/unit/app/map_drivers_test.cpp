@@ -23,13 +23,16 @@ MemoryFileSystem tank() {
                                        {"HEALTHY", "X5"},
                                        {"LAMP", "Y2"},
                                        {"CLOCK", "", "WORD", "0", "%QW9"}});
-  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["list.csv"],
+  files.files["plant.json"] = R"json({"symplant": 1, "symbols": ["list.csv"],
     "devices": {
       "L_P_PUMP": {"transitions": [{"from": "OFF2", "to": "ON1", "on": "ON1", "when": "SPEED > 5"}]},
       "L_P_TANK": {"behaviour": "Tank", "inputs": {"full": "LIMIT > 3 and SPEED > 7"}}},
     "follow": {"HEALTHY": "LAMP"},
-    "requirements": [{"name": "slow", "never": "LIMIT > 9"}],
-    "links": [{"url": "loop:", "clock": {"of": "CLOCK"}}]})";
+    "requirements": [{"name": "slow", "never":
+      "LIMIT > 9 and (DOOR or HEALTHY or L_P_PUMP_I_ON1 or L_P_PUMP_I_OFF2 or L_P_TANK_I_FULL or L_P_PUMP_O_ON1 or SPEED > 1)"
+}],
+    "links": [{"url": "loop:", "clock": {"of": "CLOCK"}}]
+})json";
   return files;
 }
 
@@ -48,7 +51,7 @@ TEST_CASE(
   INFO(run.err);
   REQUIRE(run.code == 0);
   const json link = json::parse(run.out).at("links").at(0);
-  CHECK(symbol(link, "SPEED").at("read_by") == json{"L_P_PUMP", "L_P_TANK"});
+  CHECK(symbol(link, "SPEED").at("read_by") == json{"L_P_PUMP", "L_P_TANK", "requirement slow"});
   CHECK(symbol(link, "SPEED").at("moves").is_null());
   CHECK(symbol(link, "LIMIT").at("read_by") == json{"L_P_TANK", "requirement slow"});
   CHECK(symbol(link, "UNUSED").at("read_by").empty());
@@ -66,7 +69,7 @@ TEST_CASE(
 TEST_CASE("map: The table has the same drivers, and `-` for none") {
   MemoryFileSystem files = tank();
   const std::string out = run_tool({"map", "plant.json"}, files).out;
-  CHECK(contains(out, "the PLC, read by L_P_PUMP and 1 more\n"));
+  CHECK(contains(out, "the PLC, read by L_P_PUMP and 2 more\n"));
   CHECK(contains(out, "the PLC, read by plant time\n"));
   CHECK(contains(out, "the PLC, moves nothing\n"));
   CHECK(contains(out, "30009    L_P_TANK\n"));

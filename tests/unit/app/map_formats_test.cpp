@@ -1,9 +1,7 @@
 // The formats of symplant map for other tools: what they contain is read back and compared with the map.
-#include <map>
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
-#include <tuple>
 
 #include "app_support.hpp"
 #include "map_reading.hpp"
@@ -38,8 +36,17 @@ MemoryFileSystem numbers(const std::string& more = R"("watchdog": {"register": 9
 MemoryFileSystem melsec() {
   MemoryFileSystem files;
   files.files["list.csv"] = list_text(
-      {{"L_P_A_O_ON", "Y1F"}, {"L_P_A_I_ON", "X3"}, {"L_P_A_I_OFF", "X11"}, {"NUMBER", "", "WORD", "0", "%IW2"}});
+      {{"L_P_A_O_ON", "Y1F"}, {"L_P_A_I_ON", "X3"}, {"L_P_A_I_OFF", "X11"}, {"NUMBER", "", "WORD", "0", "%IW1"}});
   files.files["plant.json"] = R"({"symplant": 1, "symbols": ["list.csv"]})";
+  return files;
+}
+
+/// A number of two registers at an odd one.
+MemoryFileSystem odd() {
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text({{"SPEED", "", "DINT", "0", "%QD1"}, {"TARGET", "", "INT", "0", "%QW9"}});
+  files.files["plant.json"] = R"({"symplant": 1, "symbols": ["list.csv"], "links": [{"url": "loop:",
+    "word-order": "low-first", "map": [{"symbol": "SPEED", "number": 5}]}]})";
   return files;
 }
 
@@ -57,8 +64,9 @@ MemoryFileSystem many() {
 }
 
 std::vector<MemoryFileSystem> plants() {
-  return {numbers(), numbers(R"("word-order": "low-first", "status": 20)"), numbers(R"("status": "off")"), melsec(),
-          many()};
+  return {
+      numbers(), numbers(R"("word-order": "low-first", "status": 20)"), numbers(R"("status": "off")"), melsec(), odd(),
+      many()};
 }
 
 std::string map_in(const std::string& format, MemoryFileSystem files) {
@@ -152,6 +160,19 @@ TEST_CASE("map --format openplc: OpenPLC's parser finds blocks that give each va
     const json link = json::parse(map_in("json", files)).at("links").at(0);
     const Registers found = openplc_registers(text);
     CHECK(found == renamed(words_of(registers_of(link), link)));
+  }
+}
+
+TEST_CASE("map --format openplc: No number is in two requests") {
+  const MemoryFileSystem files = many();
+  const std::vector<Numbers> blocks = openplc_blocks(map_in("openplc", files));
+  CHECK(blocks.size() > 4);
+  for (const auto& entry : registers_of(json::parse(map_in("json", files)).at("links").at(0))) {
+    INFO(entry.first);
+    CHECK(std::any_of(blocks.begin(), blocks.end(), [&number = entry.second](const Numbers& block) {
+      return block.table == number.table && block.first <= number.first &&
+             number.first + number.count <= block.first + block.count;
+    }));
   }
 }
 

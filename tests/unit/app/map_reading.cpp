@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr std::size_t kWordBits = 16;
 
-/// Calls `use` with the match of each place in the text that fits.
+/// Calls `use` with each match in the text.
 template <typename Use>
 void for_each_match(const std::string& text, const std::regex& pattern, Use use) {
   for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) use(*at);
@@ -236,6 +236,18 @@ Registers openplc_registers(const std::string& text) {
     found[match.str(1)] = {table, buffers.at(table).at(place.at - (place.bits ? 800 : 100)), 1};
   });
   return found;
+}
+
+std::vector<Numbers> openplc_blocks(const std::string& text) {
+  std::vector<Numbers> blocks;
+  for (const Slave& slave : parse_config(text)) {
+    const auto add = [&](const std::string& table, const std::string& key) {
+      blocks.push_back({table, slave.numbers.at(key + "_Start"), slave.numbers.at(key + "_Size")});
+    };
+    add("input register", "Input_Registers");
+    add("holding register", "Holding_Registers");
+  }
+  return blocks;
 }
 
 }  // namespace symplant::test

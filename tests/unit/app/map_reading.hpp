@@ -43,4 +43,7 @@ Declarations declarations_of(const std::string& text, bool overlaid);
 /// (modbus_master.cpp), and throws where its parser or its memory would be overrun.
 Registers openplc_registers(const std::string& text);
 
+/// The blocks of input registers and of written holding registers of all devices.
+std::vector<Numbers> openplc_blocks(const std::string& text);
+
 }  // namespace symplant::test

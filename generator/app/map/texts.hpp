@@ -1,0 +1,20 @@
+// Texts of numbers on a link.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "symplant/link/io_map.hpp"
+
+namespace symplant::app {
+
+/// "100", "104-105".
+std::string range_text(std::uint32_t first, std::uint32_t count);
+/// "coil 1", "holding registers 10-11".
+std::string address_text(const link::IoPoint& point);
+/// "00002", "40011-40012".
+std::string modicon_text(const link::IoPoint& point);
+/// "low word first".
+std::string word_order_text(link::WordOrder order);
+
+}  // namespace symplant::app
