@@ -18,9 +18,16 @@ namespace dosing {
 /// L1_DOSE_SCALE2
 class WeighingScale : public Scale {
  public:
+  /// The functions that this class defines; the compiler reports one that is missing, misspelt or not listed.
+  // using hooks = Hooks<Hook::entered, Hook::woken>;
+
   /// The data of each device: zeros at the start; saved, restored and digested with the plant. No pointers and no
   /// padding, at most 4096 bytes. The functions access it by `view.memory<Memory>()`.
   // struct Memory { std::uint64_t count; };
+
+  /// Called once before the first instant, and after a reset: a device without a transition can request its first call
+  /// of woken() here.
+  // static void started(View&) noexcept {}
 
   /// The travel time of a transition in ns. Called when the device leaves a state or reverses.
   // static Time takes(Look& look, Transition transition) noexcept { return look.model_takes(transition); }
