@@ -205,14 +205,16 @@ void check_follow_cycles(const PlantModel& plant, description::Faults& faults) {
     for (const std::uint32_t other : reads[i]) reader_of[other] = i;
   }
   for (std::size_t i = 0; i < plant.follows.size(); ++i) entry = reader_of[entry];
-  std::string cycle = ticked(plant.symbols[plant.follows[entry].symbol].name());
-  for (std::uint32_t next = reader_of[entry]; next != entry; next = reader_of[next]) {
-    cycle = ticked(plant.symbols[plant.follows[next].symbol].name()) + " follows " + cycle;
+  const auto name_of = [&](std::uint32_t each) { return ticked(plant.symbols[plant.follows[each].symbol].name()); };
+  std::string cycle;
+  std::vector<std::uint32_t> readers_before;  // from the entry backwards
+  for (std::uint32_t next = reader_of[entry]; next != entry; next = reader_of[next]) readers_before.push_back(next);
+  for (auto next = readers_before.rbegin(); next != readers_before.rend(); ++next) {
+    cycle.append(" follows ").append(name_of(*next));
   }
-  faults.add(follow_pointer(plant, plant.follows[entry].given),
-             ticked(plant.symbols[plant.follows[entry].symbol].name()) +
-                 " follows itself: " + ticked(plant.symbols[plant.follows[entry].symbol].name()) + " follows " + cycle +
-                 "; remove one of the conditions");
+  faults.add(follow_pointer(plant, plant.follows[entry].given), name_of(entry) + " follows itself: " + name_of(entry) +
+                                                                    cycle + " follows " + name_of(entry) +
+                                                                    "; remove one of the conditions");
 }
 
 }  // namespace symplant::model

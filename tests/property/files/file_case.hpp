@@ -26,6 +26,8 @@ struct Step {
   std::vector<std::string> release;
   std::vector<Setting> expect;   ///< symbols with their values
   std::string expect_condition;  ///< or a condition
+
+  friend bool operator==(const Step&, const Step&) = default;
 };
 
 /// How the files are written. The same for the same seed.

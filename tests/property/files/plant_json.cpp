@@ -99,6 +99,32 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   return said;
 }
 
+/// Perhaps the same requirement for a pattern that matches one of the devices it names.
+json for_device(json requirement, const std::vector<std::string>& paths, Sayer& sayer, Counts& counts) {
+  if (!sayer.dice.percent(60)) return requirement;
+  for (const std::string& path : paths) {
+    if (path.find('.') != path.npos) continue;  // a facet
+    std::string pattern = random_pattern(sayer.dice, path);
+    const auto also = [&](const std::string& other) { return other != path && fits(other, pattern); };
+    if (!fits(path, pattern) || std::any_of(paths.begin(), paths.end(), also)) pattern = path;
+    json braced = requirement;
+    bool any = false;
+    for (const char* key : {"never", "after", "expect"}) {
+      if (!braced.contains(key)) continue;
+      std::string text = braced[key];
+      const std::size_t at = text.find(path + ".");
+      if (at == text.npos || (at != 0 && text[at - 1] != ' ' && text[at - 1] != '(')) continue;
+      braced[key] = text.replace(at, path.size(), "{self}");
+      any = true;
+    }
+    if (!any) continue;
+    braced["for"] = pattern;
+    ++counts[Seen::requirements_for];
+    return braced;
+  }
+  return requirement;
+}
+
 }  // namespace
 
 void make_sayable(PlantText& plant, std::uint64_t seed) {
@@ -137,7 +163,8 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   const json defaults = defaults_of(plant.description.defaults, sayer);
   if (!defaults.empty()) said["defaults"] = defaults;
   json devices = json::object();
-  for (const Entry& entry : spread(wishes_of(plant, style, counts), style, counts)) devices[entry.name] = entry.keys;
+  const std::vector<Wish> wishes = wishes_of(plant, style, counts);
+  for (const Entry& entry : spread(wishes, style, counts)) devices[entry.name] = entry.keys;
   if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
   for (const std::string& symbol : plant.description.inverted) {
     said["inverted"].push_back(sayer.name(symbol));
@@ -147,8 +174,10 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
     said["follow"][sayer.name(given.symbol)] = sayer.condition(given.condition);
     ++counts[Seen::follows];
   }
+  std::vector<std::string> paths;
+  for (const Wish& wish : wishes) paths.push_back(wish.path);
   for (const description::GivenRequirement& requirement : plant.description.requirements) {
-    said["requirements"].push_back(sayer.requirement(requirement));
+    said["requirements"].push_back(for_device(sayer.requirement(requirement), paths, sayer, counts));
   }
   if (style.decorated) {
     if (dice.percent(10)) said["$schema"] = "plant.schema.json";

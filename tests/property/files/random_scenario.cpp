@@ -43,6 +43,7 @@ class ScenarioDrawer {
   DrawnScenario write() {
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = 4 + dice_.below((8 + dice_.below(90)) / large); i > 0 && !ended_; --i) step();
+    if (dice_.percent(25)) repeat();
     DrawnScenario drawn{std::move(steps_), {}};
     if (dice_.percent(35)) drawn.until = until();
     return drawn;
@@ -262,6 +263,15 @@ class ScenarioDrawer {
   std::vector<std::uint32_t> inputs_;  ///< that no unit drives
   std::vector<std::uint64_t> written_;
   std::vector<std::string> forced_;
+  /// Appends the last steps without `at` again, two or three times.
+  void repeat() {
+    std::size_t length = 0;
+    while (length < 3 && length < steps_.size() && steps_[steps_.size() - 1 - length].when != Step::When::at) ++length;
+    if (length == 0) return;
+    const std::vector<Step> turn(steps_.end() - static_cast<std::ptrdiff_t>(length), steps_.end());
+    for (std::size_t i = 2 + dice_.below(2); i > 0; --i) steps_.insert(steps_.end(), turn.begin(), turn.end());
+  }
+
   std::vector<Step> steps_;
   std::vector<tables::Time> times_;  ///< end time of each step
   tables::Time earliest_ = 0;        ///< of the next `at`, as far as the file determines it

@@ -1,6 +1,7 @@
 // A scenario as a file.
 #include "property/files/scenario_json.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -65,13 +66,56 @@ class ScenarioWriter {
   std::unordered_map<std::string_view, tables::DataType> types_;
 };
 
+/// Steps that come several times, one turn after the other.
+struct Run {
+  std::size_t length = 1;
+  std::size_t turns = 1;
+};
+
+Run run_at(const std::vector<Step>& steps, std::size_t at) {
+  for (std::size_t length = 1; at + 2 * length <= steps.size() && length <= 4; ++length) {
+    const auto begin = steps.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto size = static_cast<std::ptrdiff_t>(length);
+    if (std::any_of(begin, begin + size, [](const Step& step) { return step.when == Step::When::at; })) break;
+    std::size_t turns = 1;
+    while (at + (turns + 1) * length <= steps.size() &&
+           std::equal(begin, begin + size, begin + static_cast<std::ptrdiff_t>(turns) * size)) {
+      ++turns;
+    }
+    if (turns > 1) return {length, turns};
+  }
+  return {};
+}
+
 }  // namespace
+
+std::vector<std::size_t> numbers_in_file(const std::vector<Step>& steps) {
+  std::vector<std::size_t> numbers;
+  std::size_t next = 0;
+  while (numbers.size() < steps.size()) {
+    const Run run = run_at(steps, numbers.size());
+    for (std::size_t i = 0; i < run.length * run.turns; ++i) numbers.push_back(next + i % run.length);
+    next += run.length;
+  }
+  return numbers;
+}
 
 std::string scenario_json(const std::vector<Step>& steps, const model::PlantModel& plant, const Style& style,
                           Counts& counts) {
   ScenarioWriter writer(plant, style, counts);
   json said = {{"symplant-scenario", 1}, {"steps", json::array()}};
-  for (const Step& step : steps) said["steps"].push_back(writer.step(step));
+  for (std::size_t at = 0; at < steps.size();) {
+    const Run run = run_at(steps, at);
+    json turn = json::array();
+    for (std::size_t i = at; i < at + run.length; ++i) turn.push_back(writer.step(steps[i]));
+    at += run.length * run.turns;
+    if (run.turns == 1) {
+      said["steps"].push_back(turn.front());
+    } else {
+      said["steps"].push_back({{"repeat", run.turns}, {"steps", turn}});
+      ++counts[Seen::repeats];
+    }
+  }
   return print_json(said, style.decorated, Dice(style.seed + 1), counts[Seen::comments]);
 }
 

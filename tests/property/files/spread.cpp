@@ -27,6 +27,7 @@ class Spreader {
     }
     if (patterns) decoys();
     fix();
+    if (patterns) brace();
     count();
     drop_empty();
     return std::move(entries_);
@@ -189,6 +190,45 @@ class Spreader {
     if (kept == said->second) return false;
     said->second = kept;
     return true;
+  }
+
+  /// Line and process, with the underscores behind them, of a strict name; empty for another name.
+  static std::string levels_of(const std::string& path) {
+    const std::size_t first = path.find('_');
+    const std::size_t second = first == path.npos ? first : path.find('_', first + 1);
+    return second == path.npos ? std::string() : path.substr(0, second + 1);
+  }
+
+  /// In the conditions of patterns whose devices have one line and process, writes names in braces for these: in all of
+  /// an entry, since equal texts are one condition.
+  void brace() {
+    for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
+      const auto said = entries_[i].keys.find("transitions");
+      if (said == entries_[i].keys.end() || entries_[i].exact() || !dice_.percent(70)) continue;
+      const auto fits_both = [&](const Entry& other) {
+        return &other != &entries_[i] && !other.exact() && other.keys.contains("transitions") &&
+               std::any_of(wishes_.begin(), wishes_.end(), [&](const Wish& wish) {
+                 return fits(wish.path, other.name) && fits(wish.path, entries_[i].name);
+               });
+      };
+      // Equally specific patterns must agree.
+      if (std::any_of(entries_.begin(), entries_.end(), fits_both)) continue;
+      std::set<std::string> levels;
+      for (const Wish& wish : wishes_) {
+        if (fits(wish.path, entries_[i].name)) levels.insert(levels_of(wish.path));
+      }
+      if (levels.size() != 1 || levels.begin()->empty()) continue;
+      for (json& transition : said->second) {
+        for (const char* key : {"when", "while"}) {
+          if (!transition.contains(key)) continue;
+          std::string text = transition[key];
+          const std::size_t at = text.find(*levels.begin());
+          if (at == text.npos || (at != 0 && text[at - 1] != ' ' && text[at - 1] != '(')) continue;
+          transition[key] = text.replace(at, levels.begin()->size(), "{line}_{process}_");
+          ++counts_[Seen::braces];
+        }
+      }
+    }
   }
 
   void count() {
