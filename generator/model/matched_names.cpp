@@ -84,6 +84,8 @@ void MadeNames::report(description::Faults& faults) const {
       faults.add(description::DescriptionFault{at, std::move(message), 0, description::FaultKind::unknown_name});
       continue;
     }
+    // A near name would be that of another device.
+    const std::string message = entry.message.substr(0, entry.message.find("; did you mean"));
     std::string paths;
     for (const std::string& path : entry.paths)
       paths.append(paths.empty() ? "" : ", ").append(description::ticked(path));
@@ -91,8 +93,8 @@ void MadeNames::report(description::Faults& faults) const {
       paths.append(" and ").append(std::to_string(entry.lacking - entry.paths.size())).append(" more");
     }
     faults.warn(description::Pointer(at),
-                entry.message + "; the entry is left out for " + paths + ", " + std::to_string(entry.lacking) +
-                    " of the " + std::to_string(entry.takers) + " matches",
+                message + "; the entry is left out for " + paths + ", " + std::to_string(entry.lacking) + " of the " +
+                    std::to_string(entry.takers) + " matches",
                 description::FaultKind::left_out);
   }
 }

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "property/files/copies.hpp"
+#include "property/files/joined_requirements.hpp"
 #include "property/files/json_printer.hpp"
 #include "property/files/spread.hpp"
 #include "property/words.hpp"
@@ -59,13 +61,13 @@ std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
 }
 
 /// All devices, and what the description defines for each.
-std::vector<Wish> wishes_of(const PlantText& plant, const Style& style, Counts& counts) {
-  const model::PlantModel model = build(plant).plant;
+std::vector<Wish> wishes_of(const PlantText& plant, const model::PlantModel& model, const KnownNames& known,
+                            const Style& style, Counts& counts) {
   std::vector<std::string> paths;
   for (const model::Unit& unit : model.units) paths.emplace_back(unit.path);
   std::vector<Wish> wishes;
   for (const model::Unit& unit : model.units) {
-    Wish wish{std::string(unit.path), tasks_of(plant, std::string(unit.path), unit.described), {}};
+    Wish wish{std::string(unit.path), tasks_of(plant, std::string(unit.path), unit.described), {}, &known};
     if (unit.described != nullptr) {
       Sayer sayer(style, unit.path, counts);
       wish.keys = sayer.keys(*unit.described, paths);
@@ -103,6 +105,7 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
 
 void make_sayable(PlantText& plant, std::uint64_t seed) {
   Dice dice(seed ^ 0xF11E5);
+  add_copies(Dice(seed ^ 0xCE115), plant);
   description::Description& description = plant.description;
   clip(description.defaults.travel);
   clip(description.defaults.dwell);
@@ -137,7 +140,10 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   const json defaults = defaults_of(plant.description.defaults, sayer);
   if (!defaults.empty()) said["defaults"] = defaults;
   json devices = json::object();
-  for (const Entry& entry : spread(wishes_of(plant, style, counts), style, counts)) devices[entry.name] = entry.keys;
+  const model::PlantModel model = build(plant).plant;
+  const KnownNames known = known_names(model);
+  const std::vector<Wish> wishes = wishes_of(plant, model, known, style, counts);
+  for (const Entry& entry : spread(wishes, style, counts)) devices[entry.name] = entry.keys;
   if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
   for (const std::string& symbol : plant.description.inverted) {
     said["inverted"].push_back(sayer.name(symbol));
@@ -147,7 +153,7 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
     said["follow"][sayer.name(given.symbol)] = sayer.condition(given.condition);
     ++counts[Seen::follows];
   }
-  for (const description::GivenRequirement& requirement : plant.description.requirements) {
+  for (const description::GivenRequirement& requirement : joined_requirements(plant, style, known, counts)) {
     said["requirements"].push_back(sayer.requirement(requirement));
   }
   if (style.decorated) {

@@ -62,23 +62,36 @@ class Spreader {
     Entry& entry = some_pattern(wishes_[device].path);
     const auto there = entry.keys.find(key);
     if (there == entry.keys.end()) {
-      entry.keys[key] = value;
+      entry.keys[key] = dice_.percent(70) ? braced(value, key, device, entry.name) : value;
       return true;
     }
-    if (there->second == value) return true;
+    if (made(entry, wishes_[device], key) == value) return true;
     // Two devices with nothing in common may share an array: each ignores what it lacks.
     if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(40)) return false;
     const json before = there->second;
+    const json further = dice_.percent(70) ? braced(value, key, device, entry.name) : value;
     if (value.is_array()) {
-      for (const json& each : value) there->second.push_back(each);
+      for (const json& each : further) there->second.push_back(each);
     } else {
-      there->second.update(value);
+      there->second.update(further);
     }
     if (!same_meaning(key, resolve(entries_, wishes_[device], key).value, value)) {
       entry.keys[key] = before;
       return false;
     }
     return true;
+  }
+
+  /// The value with braces that every device that the pattern matches can read as names.
+  json braced(json value, const std::string& key, std::size_t device, const std::string& pattern) {
+    edit_texts(value, key, [&](const std::string& text) {
+      const std::string made = with_braces(dice_, text, brace_names(wishes_[device].path, pattern));
+      const bool reads = std::all_of(wishes_.begin(), wishes_.end(), [&](const Wish& wish) {
+        return !fits(wish.path, pattern) || stays_a_condition(made, brace_names(wish.path, pattern));
+      });
+      return reads ? made : text;
+    });
+    return value;
   }
 
   /// Another value that the same device could have.
@@ -166,7 +179,7 @@ class Spreader {
     const auto idle = [&](const json& value) {
       const auto lacks = [&](const Wish* wish) {
         json copy = value;
-        return leave_out(copy, *wish, key) > 0;
+        return leave_out(copy, *wish, key, entries_[pattern].name).parts > 0;
       };
       return std::any_of(takers.begin(), takers.end(), lacks) &&
              std::all_of(sure_takers.begin(), sure_takers.end(), lacks);
@@ -205,8 +218,13 @@ class Spreader {
         counts_[Seen::agreeing] += found.agreeing;
         if (entries_[*found.entry].exact()) continue;
         ++counts_[Seen::won];
-        counts_[Seen::left_out] += found.left_out;
-        if (++winners[{*found.entry, key}] == 2) ++counts_[Seen::shared];
+        counts_[Seen::left_out] += found.left_out.parts;
+        counts_[Seen::made_left_out] += found.left_out.made;
+        const bool braces = entries_[*found.entry].keys.at(key) != made(entries_[*found.entry], wish, key);
+        if (braces) ++counts_[Seen::braces];
+        if (++winners[{*found.entry, key}] != 2) continue;
+        ++counts_[Seen::shared];
+        if (braces) ++counts_[Seen::shared_braces];
       }
     }
   }
