@@ -132,7 +132,7 @@ struct DeviceDescription {
 
 /// A condition that must `never` hold, or one to `expect` `within` a time `after` another began to hold. Either `never`
 /// or the other two conditions are given. In texts of one for a pattern, and of an entry under one, names in braces
-/// stand for the matched device.
+/// refer to the matched device.
 struct GivenRequirement {
   std::string name;
   std::string never;

@@ -111,14 +111,14 @@ class DeviceReader {
     }
   }
 
-  /// Names in braces stand for what a pattern matches.
+  /// Names in braces refer to what a pattern matches.
   void refuse_braces() {
     const auto refuse = [this](const std::string& text, const Pointer& here) {
       const std::size_t open = text.find('{');
       if (open == text.npos || text.find('\'') < open) return;  // in quotes it may be part of a name
       faults_.add(here,
                   ticked(text.substr(open, text.find('}', open) + 1 - open)) +
-                      " stands for a name only under a pattern, and " + ticked(device_.path) +
+                      " is replaced by a name only under a pattern, and " + ticked(device_.path) +
                       " is one device; write the name",
                   FaultKind::contradiction);
     };

@@ -1,4 +1,4 @@
-// What names in braces stand for in the entry of a pattern.
+// What names in braces mean in the entry of a pattern.
 #include "model/matched_names.hpp"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// What names in braces stand for in the entry of a pattern.
+// What names in braces mean in the entry of a pattern.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ class MatchedNames {
   /// Replaces {line}, {process}, {device}, {self} and {1}, {2}, ... A level that the naming rule does not know is
   /// unknown.
   text::Replaced replace(std::string_view text) const;
-  /// What can stand in braces, for a message.
+  /// What can be in braces, for a message.
   std::string choices() const;
 
  private:

@@ -55,7 +55,7 @@ class Relations {
     return true;
   }
 
-  /// As resolve(), for a text under a pattern, in which names in braces stand for `matched`. It may be left out: then
+  /// As resolve(), for a text under a pattern, in which names in braces refer to `matched`. It may be left out: then
   /// `lacking` is what the plant lacks.
   bool resolve_made(const std::string& text, const MatchedNames& matched, const description::Pointer& pointer,
                     condition::Tree& tree, std::string* lacking = nullptr) {
@@ -87,8 +87,7 @@ class Relations {
                                   const description::Pointer& pointer) {
     text::Replaced made = matched.replace(text);
     if (made.unknown.empty()) return std::move(made.text);
-    faults_.add(pointer,
-                description::ticked(made.unknown) + " stands for nothing here; use one of " + matched.choices(),
+    faults_.add(pointer, description::ticked(made.unknown) + " is unknown here; use one of " + matched.choices(),
                 description::FaultKind::unknown_name);
     return std::nullopt;
   }

@@ -11,7 +11,7 @@ namespace symplant::text {
 /// Whether a text has an opening brace.
 inline bool has_braces(std::string_view text) { return text.find('{') != std::string_view::npos; }
 
-/// What a name in braces stands for; nothing if it is unknown.
+/// The replacement of a name in braces; nothing if it is unknown.
 using BraceNames = std::function<std::optional<std::string_view>(std::string_view name)>;
 
 struct Replaced {

@@ -11,7 +11,7 @@ namespace symplant::text {
 
 namespace {
 
-/// Calls `share(begin, end)` for what each wildcard stands for, and `forget(count)` to take back all but the first
+/// Calls `share(begin, end)` for what each wildcard matches, and `forget(count)` to take back all but the first
 /// `count` calls. Of a text that matches, extending the last `*` alone is enough: a run of an earlier one that is
 /// longer leaves less text to the same rest of the pattern.
 template <class Share, class Forget>

@@ -11,7 +11,7 @@ namespace symplant::text {
 /// O(text * pattern) at worst, no recursion.
 bool matches_pattern(std::string_view text, std::string_view pattern);
 
-/// What each `*` and `?` of a matching pattern stands for: a `*` for the shortest run, from the left, that lets the
+/// What each `*` and `?` of a matching pattern matches: a `*` the shortest run, from the left, that lets the
 /// rest match. Empty if the pattern does not match. O(text * pattern) at worst.
 std::vector<std::string_view> wildcard_shares(std::string_view text, std::string_view pattern);
 

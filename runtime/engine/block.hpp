@@ -18,6 +18,7 @@ struct BlockHead {
   tables::Time now;
   std::uint32_t started;       ///< 0: the first instant, at time 0, has not run yet
   std::uint32_t acted;         ///< 1: an outside action (force, set_state, ...) happened since the last instant
+  std::uint64_t shown;         ///< 1: the initial events were reported before the first instant
   std::uint64_t event_forces;  ///< number of forced BOOL events
   Wheel wheel;
 };

@@ -32,6 +32,7 @@ class Engine {
   static Engine* make(const tables::PlantTables& tables, std::span<const Behaviour> behaviours, Arena& arena) noexcept;
 
   void reset(std::uint64_t seed, tables::Time cycle) noexcept;
+  void show(Observer* observer) noexcept;
   void advance_to(tables::Time time, Observer* observer) noexcept;
   void advance_before(tables::Time time, Observer* observer) noexcept;
   tables::Time next_due() const noexcept;

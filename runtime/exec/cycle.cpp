@@ -2,6 +2,7 @@
 #include "symplant/exec/cycle.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "symplant/exec/guard/guard.hpp"
 
@@ -14,6 +15,8 @@ constexpr tables::Time kLongestSleep = 100 * tables::kMillisecond;
 constexpr std::size_t kReportedLinks = 64;
 /// In cycles: a longer delay of this process counts only as this much silence of a PLC, as no link could read then.
 constexpr tables::Time kStandstill = 2;
+/// A shorter standstill is only counted as slipped time.
+constexpr tables::Time kReportedStandstill = tables::kSecond;
 constexpr tables::Time kStopped = tables::kNever;
 
 class Run {
@@ -29,6 +32,7 @@ class Run {
         observer_(parts.observer),
         stepper_(parts.stepper),
         plc_time_(parts.plc_time),
+        standstill_(parts.standstill),
         cycle_(std::max(options.cycle, tables::Time{1})),
         spin_(std::clamp(options.spin, tables::Time{0}, cycle_)),
         most_(plc_time_ != nullptr ? 0 : std::max(options.max_catch_up, std::int64_t{0})),
@@ -36,8 +40,9 @@ class Run {
 
   void all() noexcept {
     const Guard guard;
-    advance_to(time_);
-    write_events(status());
+    const CycleStatus first = status();
+    first.frozen ? plant_.show(observer_) : begin();
+    write_events(first);
     note_plc_clock();
     deadline_ = clock_.now();
     while (time_ < options_.until && !over()) {
@@ -71,6 +76,7 @@ class Run {
     deadline_ += excess * cycle_;
     if (plc_time_ == nullptr) meter_.slipped.add(static_cast<std::uint64_t>(excess * cycle_));
 
+    if (standstill_ != nullptr && excess * cycle_ >= kReportedStandstill) standstill_->stood_still(excess * cycle_);
     for (Exchange* link : links_) link->read_operations(plant_, link_time_);
     const CycleStatus reported = status();
     meter_.note_standstill(reported.frozen);
@@ -78,6 +84,7 @@ class Run {
       meter_.frozen.add(static_cast<std::uint64_t>(length));
       if (plc_time_ != nullptr) plc_time_->hold(plant_);
     } else {
+      begin();
       time_ = plc_time_ == nullptr ? time_ + length : std::min(plc_time_->next(plant_, excess + 1), options_.until);
       advance_to(time_);
     }
@@ -87,6 +94,11 @@ class Run {
     const tables::Time end = clock_.now();
     meter_.work.add(end - woken);
     if (end >= deadline_ + cycle_) meter_.overruns.add(1);
+  }
+
+  /// The first instant; a plant that is frozen from the start has not run it.
+  void begin() noexcept {
+    if (!std::exchange(begun_, true)) advance_to(time_);
   }
 
   void advance_to(tables::Time to) noexcept {
@@ -124,9 +136,11 @@ class Run {
   engine::Observer* observer_;
   Stepper* stepper_;
   PlcTime* plc_time_;
+  StandstillWatch* standstill_;
   tables::Time cycle_;
   tables::Time spin_;
   std::int64_t most_;
+  bool begun_ = false;                        ///< the first instant has run
   tables::Time time_;                         ///< plant time of the last cycle
   tables::Time deadline_ = 0;                 ///< of the last cycle that was due
   tables::Time link_time_ = 0;                ///< the time by which links measure the silence of their PLC

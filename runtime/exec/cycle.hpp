@@ -22,6 +22,16 @@ struct CycleOptions {
   tables::Time spin = 0;  ///< how long before a deadline the thread stops sleeping and polls the clock; up to `cycle`
 };
 
+/// Receives a standstill of a plant when it is over. Called in the cycle: bounded, without heap, lock or system call.
+class StandstillWatch {
+ public:
+  /// `lost`: the plant time that was not caught up, ns.
+  virtual void stood_still(tables::Time lost) noexcept = 0;
+
+ protected:
+  ~StandstillWatch() = default;
+};
+
 /// The parts of a real-time run next to the plant and its links. They must outlive the run.
 struct CycleParts {
   Clock& clock;
@@ -30,6 +40,7 @@ struct CycleParts {
   engine::Observer* observer = nullptr;
   Stepper* stepper = nullptr;   ///< advances the plant instead of run_cycles()
   PlcTime* plc_time = nullptr;  ///< decides plant time instead of the clock
+  StandstillWatch* standstill = nullptr;
 };
 
 /// Runs the plant in real time from its current time until `parts.stop` or `options.until`.

@@ -46,7 +46,7 @@ class Exchange {
 
   /// The state at the last read_operations().
   virtual LinkState state() const noexcept { return LinkState::live; }
-  /// Whether the plant must freeze because this link is lost.
+  /// Whether the plant must freeze because this link is lost, or still waits for its PLC.
   virtual bool freezes_plant() const noexcept { return false; }
 };
 

@@ -72,13 +72,11 @@ std::vector<link::IoPoint> points_of(const link::LinkChoice& choice, const table
 
 }  // namespace
 
-std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables) {
+std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables) {
   std::vector<bool> carried(tables.symbols.size());
   for (const link::LinkChoice& choice : links) {
     if (link::is_loop(choice.url)) continue;
-    for (const link::IoPoint& point : points_of(choice, tables)) {
-      if (tables.symbols[point.symbol].direction() == tables::Direction::operation) carried[point.symbol] = true;
-    }
+    for (const link::IoPoint& point : points_of(choice, tables)) carried[point.symbol] = true;
   }
   return carried;
 }

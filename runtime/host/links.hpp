@@ -32,7 +32,7 @@ bool has_real_link(const LinkChoices& links);
 bool goes_to_plc(const LinkChoices& links);
 
 /// By symbol: whether it is an operation that a PLC writes through one of the links.
-std::vector<bool> carried_operations(const LinkChoices& links, const tables::PlantTables& tables);
+std::vector<bool> carried_symbols(const LinkChoices& links, const tables::PlantTables& tables);
 
 /// A link of a run.
 struct OpenLink {

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <stop_token>
+#include <utility>
 
 #include "symplant/host/files_apart.hpp"
 
@@ -61,6 +62,8 @@ void Outputs::take(const trace::Record& record) {
     case trace::Record::Kind::note:
       if (record.of == scenario::kTurnNote) {
         turn_ = record.value;
+      } else if (record.of == scenario::kForceNote) {
+        history_.force(static_cast<std::uint32_t>(record.value / 2), record.value % 2 != 0, record.time);
       } else {
         report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value));
       }
@@ -69,7 +72,7 @@ void Outputs::take(const trace::Record& record) {
   if (trace_) trace_->write(record);
   if (vcd_) vcd_->write(record);
   if (!record.last) return;
-  const bool of_host = record.kind == trace::Record::Kind::finding && trace::is_of_link(record.finding);
+  const bool of_host = record.kind == trace::Record::Kind::finding && trace::is_of_host(record.finding);
   if (!of_host) ++instants_;
   end_instant(record.time);
 }
@@ -77,6 +80,8 @@ void Outputs::take(const trace::Record& record) {
 void Outputs::end_instant(tables::Time time) {
   loop_goes_on_ = false;
   for (const trace::FoundThing& found : found_) {
+    const bool too_short = found.kind == tables::FindingKind::event_too_short;
+    if (too_short && !carried_.empty() && !carried_[found.of.front()]) continue;
     const std::string words = report_.found(found);
     if (findings_) findings_->write(found, words, history_);
   }

@@ -29,6 +29,8 @@ class Outputs {
   Outputs(const trace::PlantNames& names, const RunOptions& options, trace::Recorder& recorder, trace::History& history,
           Report& report, std::ostream& out);
 
+  /// No PLC can miss an event that is on no link: `event too short` is reported of those symbols only.
+  void report_short_events_of(std::vector<bool> symbols) { carried_ = std::move(symbols); }
   /// Opens the files; they also get earlier records. False, with a message on `err`, if one cannot be opened.
   bool open(std::uint64_t model_hash, std::ostream& err);
 
@@ -57,6 +59,7 @@ class Outputs {
   std::optional<trace::VcdFile> vcd_;
   std::optional<trace::FindingFile> findings_;
   std::vector<trace::FoundThing> found_;  ///< findings of the instant that is being drained
+  std::vector<bool> carried_;             ///< by symbol; empty: all
   std::uint64_t turn_ = 0;                ///< of the failed step that the next note is about
   bool loop_goes_on_ = false;
   std::uint64_t changes_ = 0;

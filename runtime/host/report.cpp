@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 
 #include "symplant/host/words.hpp"
@@ -53,10 +54,29 @@ std::string Report::found(const trace::FoundThing& found) {
       violation.words = words;
     }
   }
-  if (reported_.emplace(found.kind, found.of).second) {
+  std::string note;
+  if (is_shown(found, note)) {
     report(fmt::format("{}: {}: ", severity(found.kind), seconds(found.time)), parts);
+    if (!note.empty()) console_.message(note);
   }
   return words;
+}
+
+/// The first finding of each kind and thing. A loss of a link and a standstill are shown each time, but at most once in
+/// ten seconds: then `note` says how many were not.
+bool Report::is_shown(const trace::FoundThing& found, std::string& note) {
+  constexpr std::chrono::seconds kQuiet{10};
+  if (!trace::is_of_host(found.kind)) return reported_.emplace(found.kind, found.of).second;
+  const bool standstill = found.kind == FindingKind::standstill;
+  Shown& shown = shown_[{found.kind, standstill ? 0 : found.of.front()}];
+  const auto now = std::chrono::steady_clock::now();
+  if (shown.ever && now - shown.last < kQuiet) {
+    ++shown.hidden;
+    return false;
+  }
+  if (shown.hidden != 0) note = fmt::format("    {} more since the last line\n", shown.hidden);
+  shown = {now, 0, true};
+  return true;
 }
 
 void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
+#include <map>
 #include <ostream>
 #include <set>
 #include <string>
@@ -56,6 +58,7 @@ class Report {
   void report_requirements(const plant::Plant& plant, std::ostream& out) const;
   void report_disarmed(const plant::Plant& plant, std::ostream& out) const;
   std::string location(std::size_t step) const;
+  bool is_shown(const trace::FoundThing& found, std::string& note);
   /// Writes each part as a line: the first after `head`, the others indented.
   void report(std::string head, std::span<const std::string> parts);
 
@@ -64,6 +67,12 @@ class Report {
   const scenario::Scenario* scenario_;
   std::string file_;
   Console& console_;
+  struct Shown {
+    std::chrono::steady_clock::time_point last;
+    std::uint64_t hidden = 0;  ///< since then
+    bool ever = false;
+  };
+  std::map<std::pair<tables::FindingKind, std::uint32_t>, Shown> shown_;  ///< by kind and link
   std::array<std::uint64_t, tables::kAllFindingKinds> counts_{};
   std::set<std::pair<tables::FindingKind, std::vector<std::uint32_t>>> reported_;
   std::vector<Violation> violations_;

@@ -219,9 +219,10 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   const PlcClockChoice* const clock = chosen_clock.clock ? &*chosen_clock.clock : nullptr;
   if (!files_are_apart(options, program.inputs, err)) return kBadInput;
   trace::PlantNames names(program.tables);
+  const std::vector<bool> carried = carried_symbols(chosen, program.tables);
   std::optional<scenario::Scenario> scenario;
   if (!options.scenario.empty()) {
-    scenario = load_scenario(options.scenario, names, carried_operations(chosen, program.tables), err);
+    scenario = load_scenario(options.scenario, names, carried, err);
     if (!scenario) return kBadInput;
   }
   catch_signals();
@@ -240,6 +241,7 @@ int run(const PlantProgram& program, const RunOptions& options, std::ostream& ou
   Console console(report, err);
   const RunStreams streams{out, err, report, console};
   Stage stage(staged, options, names, played, real, streams);
+  if (linked) stage.outputs.report_short_events_of(carried);
   const int code = play(stage, {program, options, names, played, chosen, real, clock}, resort, streams);
   out.flush();  // while LastResort still detects a blocked output
   return code;

@@ -112,6 +112,21 @@ void report_end(const Stage& stage, const RealRun& run, const Links& links, std:
   }
 }
 
+/// Reports a standstill of the plant as a finding.
+class ReportedStandstill final : public exec::StandstillWatch {
+ public:
+  ReportedStandstill(const plant::Plant& plant, trace::Recorder& recorder) : plant_(plant), recorder_(recorder) {}
+
+  void stood_still(tables::Time lost) noexcept override {
+    const auto ms = static_cast<std::uint32_t>(std::min<tables::Time>(lost / tables::kMillisecond, 0xFFFF'FFFE));
+    recorder_.raise(plant_.now(), tables::FindingKind::standstill, ms);
+  }
+
+ private:
+  const plant::Plant& plant_;
+  trace::Recorder& recorder_;
+};
+
 /// Waits until a PLC that reads the status block has read that the plant stops, for at most 0.5 s.
 void let_end_be_read(const Links& links) {
   constexpr int kEndLooks = 100;  // 0.5 s: SIGTERM is to end a run within 1 s
@@ -139,6 +154,7 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
 
   report_begin(stage, options, links, clock, out);
   warn_of_times(options, links, err);
+  ReportedStandstill standstill(stage.plant, stage.recorder);
   exec::MonotonicClock wall;
   exec::CycleMeter meter;
   const auto cycles = [&] {
@@ -148,7 +164,8 @@ RealRun run_real(Stage& stage, const RunOptions& options, const Links& links, co
                       .stop = stop_requested(),
                       .observer = &stage.recorder,
                       .stepper = stage.player ? &*stage.player : nullptr,
-                      .plc_time = plc_time ? &*plc_time : nullptr});
+                      .plc_time = plc_time ? &*plc_time : nullptr,
+                      .standstill = &standstill});
   };
   CycleThread thread(options.real_time, cycles, options.rt_check.has_value());
   RealRun run;

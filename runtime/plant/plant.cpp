@@ -56,6 +56,8 @@ void Plant::set_quality(bool well) noexcept {
 
 void Plant::set_quality(std::uint32_t behaviour, bool well) noexcept { engine_->set_quality(behaviour, well); }
 
+void Plant::show(engine::Observer* observer) noexcept { engine_->show(observer); }
+
 void Plant::advance_to(tables::Time time, engine::Observer* observer) noexcept { engine_->advance_to(time, observer); }
 
 void Plant::advance_before(tables::Time time, engine::Observer* observer) noexcept {

@@ -92,6 +92,9 @@ class Plant {
   /// The same for one device, by its index in PlantTables::behaviour_units. O(1).
   void set_quality(std::uint32_t behaviour, bool well) noexcept;
 
+  /// Before the first instant: makes the events visible as the initial states have them, at time 0 and without a step
+  /// of any unit, for a plant that must not move yet. O(plant). Does nothing afterwards.
+  void show(engine::Observer* observer = nullptr) noexcept;
   /// Runs every instant that is due before `time` with the operations as sampled last, then the one at `time` with
   /// the operations written since. A second call for the same time runs another instant only if an operation was
   /// written or another action happened. A time before now() means now(). The cost depends on the changes, not on the

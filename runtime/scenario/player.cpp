@@ -52,8 +52,18 @@ void Player::set(const SymbolValue& value) noexcept {
 void Player::act(const Step& step) noexcept {
   for (const SymbolValue& value : step.set) set(value);
   for (const UnitState& unit : step.states) plant_.set_state(unit.unit, unit.state);
-  for (const SymbolValue& value : step.force) plant_.force(value.symbol, value.value);
-  for (const std::uint32_t symbol : step.release) plant_.release(symbol);
+  for (const SymbolValue& value : step.force) {
+    plant_.force(value.symbol, value.value);
+    note_force(value.symbol, true);
+  }
+  for (const std::uint32_t symbol : step.release) {
+    plant_.release(symbol);
+    note_force(symbol, false);
+  }
+}
+
+void Player::note_force(std::uint32_t symbol, bool forced) noexcept {
+  recorder_.note(plant_.now(), kForceNote, std::uint64_t{symbol} * 2 + (forced ? 1 : 0));
 }
 
 void Player::decide(Outcome::Kind kind, tables::Time time) noexcept {

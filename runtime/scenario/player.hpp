@@ -28,6 +28,8 @@ struct Outcome {
 };
 /// The `of` of a note before that of a failed step: its value is how often the step was done before.
 inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
+/// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
+inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
@@ -59,6 +61,7 @@ class Player final : public engine::Observer, public exec::Stepper {
  private:
   tables::Time time_of(const Step& step) const noexcept;
   void act(const Step& step) noexcept;
+  void note_force(std::uint32_t symbol, bool forced) noexcept;
   void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;
   bool wait_on() noexcept;

@@ -187,6 +187,9 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   }
   if (!moved_[symbol]) return {};
   const std::uint32_t unit = names_.tables().symbols[symbol].unit;
+  for (const tables::FollowRow& row : names_.tables().follows) {
+    if (row.symbol == symbol) return name + " follows a condition; use `force`";
+  }
   return name + " is driven by " +
          (unit == tables::kNone ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
          "; set that device with `state`, or the symbol with `force`";

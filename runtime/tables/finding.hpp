@@ -23,9 +23,10 @@ enum class FindingKind : std::uint8_t {
   link_back,                      ///< of a link; a note
   event_overwritten,              ///< of an event
   clock_restarted,                ///< of the operation that is the PLC's clock
+  standstill,                     ///< of the plant: `of` is the time in ms that it lost
 };
 inline constexpr int kFindingKinds = 10;     ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 14;  ///< with the kinds that the host reports
+inline constexpr int kAllFindingKinds = 15;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "symplant/trace/requirement_units.hpp"
+#include "symplant/trace/value_text.hpp"
 
 namespace symplant::trace {
 namespace {
@@ -27,7 +30,8 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "link lost",
                                                                            "link back",
                                                                            "event overwritten",
-                                                                           "clock restarted"};
+                                                                           "clock restarted",
+                                                                           "standstill"};
 
 constexpr std::size_t kOperationsShown = 4;
 
@@ -164,12 +168,33 @@ std::string led_here(std::uint32_t unit, const PlantNames& names, const History&
   return text;
 }
 
+std::string of_standstill(const FoundThing& found) {
+  return fmt::format(
+      "standstill: the process was stopped or delayed, so the plant did not run for {}, and its PLC waited; check what "
+      "else runs on this computer, and whether it was suspended",
+      seconds(found.of.front() * tables::kMillisecond));
+}
+
 std::string of_link(const FoundThing& found, const PlantNames& names) {
   const PlantNames::Link link = names.link(found.of.front());
   if (found.kind == FindingKind::link_back) {
     return fmt::format("link back: {}, what the PLC writes takes effect again", link.name);
   }
   return fmt::format("link lost: {}, {}", link.name, link.silence);
+}
+
+/// The forced symbols that a requirement reads, directly or as an operation or event of a unit.
+std::map<std::uint32_t, tables::Time> forced_in(std::uint32_t requirement, const std::vector<std::uint32_t>& units,
+                                                const PlantNames& names, const History& history) {
+  std::map<std::uint32_t, tables::Time> found;
+  if (history.forced().empty()) return found;
+  const std::set<std::uint32_t> read = requirement_symbols(names.tables(), requirement);
+  for (const auto& [symbol, since] : history.forced()) {
+    const std::uint32_t unit = names.tables().symbols[symbol].unit;
+    const bool of_unit = unit != tables::kNone && std::find(units.begin(), units.end(), unit) != units.end();
+    if (of_unit || read.contains(symbol)) found.emplace(symbol, since);
+  }
+  return found;
 }
 
 /// The violation, then each unit in the conditions of the requirement, the latest change first.
@@ -185,6 +210,11 @@ std::vector<std::string> of_requirement(const FoundThing& found, const PlantName
   std::stable_sort(units.begin(), units.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return history.unit_since(a) > history.unit_since(b); });
   for (const std::uint32_t unit : units) parts.push_back(unit_words(unit, names, history));
+  for (const auto& [symbol, since] : forced_in(requirement, units, names, history)) {
+    parts.push_back(fmt::format("{} is forced to {} since {}", names.symbol(symbol),
+                                value_text(names.tables().symbols[symbol].type(), history.value(symbol)),
+                                seconds(since)));
+  }
   return parts;
 }
 
@@ -200,14 +230,17 @@ bool is_of_unit(FindingKind kind) {
 
 bool is_of_link(FindingKind kind) { return kind == FindingKind::link_lost || kind == FindingKind::link_back; }
 
+bool is_of_host(FindingKind kind) { return is_of_link(kind) || kind == FindingKind::standstill; }
+
 bool is_of_symbol(FindingKind kind) {
-  return !is_of_unit(kind) && !is_of_link(kind) && kind != FindingKind::requirement_violated;
+  return !is_of_unit(kind) && !is_of_host(kind) && kind != FindingKind::requirement_violated;
 }
 
 std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
   if (is_of_link(found.kind)) return names.link(found.of.front()).name;
+  if (found.kind == FindingKind::standstill) return std::string(names.tables().name);
   std::vector<std::string_view> members;
   members.reserve(found.of.size());
   const std::size_t units = names.tables().units.size();
@@ -228,7 +261,7 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
                  [&](std::uint32_t member) { return member < tables.units.size(); });
     return units;
   }
-  if (is_of_link(found.kind)) return {};
+  if (is_of_host(found.kind)) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
   return unit == tables::kNone ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
@@ -270,6 +303,7 @@ std::string unit_words(std::uint32_t unit, const PlantNames& names, const Histor
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
   if (is_of_link(found.kind)) return {of_link(found, names)};
+  if (found.kind == FindingKind::standstill) return {of_standstill(found)};
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};
   if (found.kind == FindingKind::event_overwritten) return {of_overwritten(found, names)};
   if (found.kind == FindingKind::clock_restarted) return {of_clock(found, names)};

@@ -23,6 +23,8 @@ struct FoundThing {
 
 bool is_of_unit(tables::FindingKind kind);
 bool is_of_symbol(tables::FindingKind kind);
+/// Of a link, or of the process that runs the plant.
+bool is_of_host(tables::FindingKind kind);
 bool is_of_link(tables::FindingKind kind);
 
 /// The name of its unit, symbol, requirement or link; for a loop the sorted names of its units, with blanks between.

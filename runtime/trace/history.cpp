@@ -72,6 +72,19 @@ void History::apply(const Record& record) {
   }
 }
 
+void History::force(std::uint32_t symbol, bool forced, tables::Time time) {
+  if (forced) {
+    forced_[symbol] = time;
+  } else {
+    forced_.erase(symbol);
+  }
+}
+
+tables::Time History::forced_since(std::uint32_t symbol) const {
+  const auto found = forced_.find(symbol);
+  return found == forced_.end() ? -1 : found->second;
+}
+
 std::vector<std::uint32_t> History::last_operations(std::uint32_t unit, std::size_t most) const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t symbol : names_.symbols_of(unit)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,11 @@ class History {
 
   /// O(1).
   void apply(const Record& record);
+  /// Notes that a symbol is forced, or no longer. O(log forced).
+  void force(std::uint32_t symbol, bool forced, tables::Time time);
+  /// Since when a symbol is forced; -1: it is not. O(log forced).
+  tables::Time forced_since(std::uint32_t symbol) const;
+  const std::map<std::uint32_t, tables::Time>& forced() const { return forced_; }
 
   std::uint64_t value(std::uint32_t symbol) const;
   /// Whether an operation commands: it is on, or an inverted one is off; a number is not 0.
@@ -47,6 +53,7 @@ class History {
   ZeroedArray<tables::Time> rose_;    ///< one more than the time: by bit, then by slot of an operation
   std::vector<std::uint32_t> units_;  ///< pack_unit
   ZeroedArray<tables::Time> unit_changed_;
+  std::map<std::uint32_t, tables::Time> forced_;  ///< a symbol -> since when
 };
 
 }  // namespace symplant::trace

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "symplant/tables/tables.hpp"
 
 namespace symplant::trace {
+
+/// The symbols that the conditions of a requirement read directly. O(symbols + watches).
+std::set<std::uint32_t> requirement_symbols(const tables::PlantTables& tables, std::uint32_t requirement);
 
 /// The units that its conditions name, and the units of the symbols that they name; each once, ascending. O(watches).
 std::vector<std::uint32_t> requirement_units(const tables::PlantTables& tables, std::uint32_t requirement);

@@ -40,7 +40,9 @@ std::vector<std::uint32_t> left_alone(const model::PlantModel& plant, const mode
 bool is_on(const model::PlantModel& plant, const model::Unit& unit, std::uint32_t symbol) {
   for (std::uint32_t s = 0; s < unit.states.size(); ++s) {
     const std::uint32_t event = unit.states[s].event;
-    if (event != model::kNone && unit.events[event] == symbol) return s == unit.initial;
+    if (event != model::kNone && unit.events[event] == symbol) {
+      return (s == unit.initial) != plant.symbols[symbol].inverted;
+    }
   }
   return plant.symbols[symbol].initial != 0;
 }
@@ -60,7 +62,9 @@ void check_event_not_driven(const Rule& rule, const Subject& subject, diag::Diag
                             symbol.name(), left.size() - 1, unit.path, why);
     } else if (is_on(plant, unit, left.front())) {
       message = fmt::format("`{}`: no device drives it, {}; it stays on, as {} says", symbol.name(), why,
-                            symbol.initial != 0 ? "Initial" : "the description");
+                            symbol.initial != 0 ? "Initial"
+                            : symbol.inverted   ? "`inverted`"
+                                                : "the description");
     } else {
       message = fmt::format(
           "`{}`: no device drives it, {}; it stays off; if it is a contact that is on in a healthy plant, "

@@ -29,7 +29,7 @@ class CycleSide {
   void leave() noexcept;
 
   exec::LinkState state() const noexcept { return health_.state(); }
-  bool freezes_plant() const noexcept { return freezes_ && health_.state() == exec::LinkState::lost; }
+  bool freezes_plant() const noexcept { return freezes_ && health_.state() != exec::LinkState::live; }
   std::uint32_t losses() const noexcept { return health_.losses(); }
   Images& images() noexcept { return images_; }
 

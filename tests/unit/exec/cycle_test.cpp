@@ -188,6 +188,23 @@ TEST_CASE("A link that freezes the plant keeps its turns while plant time stops,
   CHECK(bench.link.reported[3].frozen);
 }
 
+TEST_CASE(
+    "A plant whose link freezes it from the start shows its first events, and does not move until the link is live") {
+  Bench bench;
+  std::vector<bool> at_p1;
+  int reads = 0;
+  bench.link.freezes = true;
+  bench.link.on_read = [&](plant::Plant& plant) {
+    bench.link.freezes = ++reads < 5;
+    plant.set_operation(test::cell::kAgvToP2, true);
+  };
+  bench.link.on_write = [&](const plant::Plant& plant) { at_p1.push_back(plant.event(test::cell::kAgvAtP1)); };
+  bench.run({.until = 20 * kMillisecond});
+  const std::vector<bool> expected = {true, true, true, true, true, false, false};
+  CHECK(at_p1 == expected);
+  CHECK(bench.link.entries[8].plant_time == 0);
+}
+
 TEST_CASE("A link receives the number of cycles, the time, and the end of the run") {
   Bench bench;
   bench.run({.until = 30 * kMillisecond});

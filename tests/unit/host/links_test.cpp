@@ -103,8 +103,8 @@ TEST_CASE("A link carries only the operations of its controller, and the loop ca
   tables::PlantTables tables = tables_of(kTwo);
   tables.symbols = symbols;
   tables.lists = lists;
-  CHECK(host::carried_operations({{"modbus-tcp-server://127.0.0.1:0", 1}}, tables) == std::vector<bool>{false, true});
-  CHECK(host::carried_operations({{"loop:", link::kAllControllers}}, tables) == std::vector<bool>{false, false});
+  CHECK(host::carried_symbols({{"modbus-tcp-server://127.0.0.1:0", 1}}, tables) == std::vector<bool>{false, true});
+  CHECK(host::carried_symbols({{"loop:", link::kAllControllers}}, tables) == std::vector<bool>{false, false});
 }
 
 }  // namespace

@@ -102,6 +102,16 @@ TEST_CASE("A violated requirement gives 1, a finding only on request") {
   CHECK(cell.run(kDrive).code == host::kGood);
 }
 
+TEST_CASE("A violated requirement names the force that caused it, until it is released") {
+  Cell cell;
+  const std::string force = R"({"at":"500ms","force":{"L_P_AGV_O_P1":true}},)";
+  const std::string both = R"({"at":"1s","set":{"L_P_AGV_O_P2":true}},{"at":"3s"})";
+  CHECK(contains(cell.run(force + both).err, "L_P_AGV_O_P1 is forced to on since 0.5 s"));
+  const std::string released =
+      R"({"at":"600ms","release":["L_P_AGV_O_P1"]},{"at":"700ms","set":{"L_P_AGV_O_P1":true}},)";
+  CHECK_FALSE(contains(cell.run(force + released + both).err, "is forced"));
+}
+
 TEST_CASE("A scenario with faults gives 2, each fault with its location, and writes nothing") {
   Cell cell;
   cell.options.trace = cell.folder / "trace.jsonl";

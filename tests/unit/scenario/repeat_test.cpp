@@ -29,7 +29,7 @@ std::string faults_in_files(const std::string& text, const Play::Files& files = 
   return all;
 }
 
-TEST_CASE("A repeat stands for its steps so many times over") {
+TEST_CASE("A repeat does its steps so many times") {
   const BenchTables tables(kAgv);
   const Play once(tables, kTurn + "," + kTurn + "," + kTurn + "," + R"({"plus":"1s","expect":"L_P_AGV.P1"})");
   const Play play(tables, repeated(3, kTurn) + "," + R"({"plus":"1s","expect":"L_P_AGV.P1"})");
@@ -74,7 +74,7 @@ TEST_CASE("A million turns take the memory of one") {
   CHECK(play.time_of(1) == 1000);
 }
 
-TEST_CASE("An include stands for the steps of its file, also in a repeat, relative to the file that includes it") {
+TEST_CASE("An include does the steps of its file, also in a repeat, relative to the file that includes it") {
   const BenchTables tables(kAgv);
   const Play::Files files = {
       {"parts/turn.json",

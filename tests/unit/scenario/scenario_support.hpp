@@ -99,6 +99,7 @@ class Play {
   }
   void take(const trace::Record& record) {
     history_.apply(record);
+    if (record.kind == trace::Record::Kind::note && record.of == scenario::kForceNote) return;
     if (record.kind == trace::Record::Kind::note && record.of == scenario::kTurnNote) {
       turn_ = record.value;
       return;

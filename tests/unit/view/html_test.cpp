@@ -69,7 +69,7 @@ TEST_CASE("The page contains the whole model") {
   CHECK(agv.at("requirements") == Json({0, 1}));
   const Json& kind = data.at("kinds")[agv.at("kind").get<std::size_t>()];
   CHECK(kind.at("external")[3] ==
-        Json::parse(R"edge([1, 2, "O_CHARGE, once", 0, "", "takes 4 s (sigma 100 ms)", 1, "given"])edge"));
+        Json::parse(R"edge([1, 2, "O_CHARGE, once", 0, "", "takes 4 s (sigma 100 ms)", 1, "given", 0, ""])edge"));
   CHECK(kind.at("enter")[2] == Json::parse("[[2, 1]]"));
   const Json& layout = data.at("layouts")[kind.at("layout").get<std::size_t>()];
   CHECK(layout.at("arrows").size() == kind.at("edges").size());
