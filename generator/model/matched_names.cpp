@@ -24,8 +24,8 @@ MatchedNames MatchedNames::of(const PlantModel& plant, const Unit& unit, std::st
   names.process_ = reading.process;
   names.device_ = unit.device;
   names.self_ = unit.device_path();
-  names.shares_ = text::wildcard_shares(unit.path, pattern);
-  if (names.shares_.empty()) names.shares_ = text::wildcard_shares(unit.device_path(), pattern);
+  names.shares_ = text::wildcard_shares(unit.device_path(), pattern);
+  if (names.shares_.empty()) names.shares_ = text::wildcard_shares(unit.path, pattern);
   return names;
 }
 

@@ -24,6 +24,12 @@ std::string renamed(std::string text, const std::string& from, const std::string
   return text;
 }
 
+/// The condition with names of another line.
+std::string on_line(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from + "_", at)) != text.npos; ++at) text.replace(at, from.size(), to);
+  return text;
+}
+
 class Copier {
  public:
   Copier(Dice& dice, PlantText& plant, std::string path) : dice_(dice), plant_(plant), path_(std::move(path)) {}
@@ -45,20 +51,42 @@ class Copier {
     if (of == devices.end()) return;
     description::DeviceDescription device = *of;
     device.path = to;
-    for (description::GivenTransition& given : device.transitions) {
-      given.when = renamed(given.when, path_, to);
-      given.during = renamed(given.during, path_, to);
+    const KnownNames known = known_names(build(plant_).plant);
+    std::erase_if(device.transitions, [&](description::GivenTransition& given) {
+      return !copied(given.when, to, known) || !copied(given.during, to, known);
+    });
+    for (description::GivenDisables& given : device.disables) {
+      std::erase_if(given.devices, [&](std::string& other) {
+        const std::string there = on_line(other, path_.substr(0, 2), to.substr(0, 2));
+        if (there == to || (there != other && dice_.percent(80) && !knows_device(known, there))) return true;
+        if (knows_device(known, there)) other = there;
+        return false;
+      });
     }
+    std::erase_if(device.disables, [](const auto& given) { return given.devices.empty(); });
     for (auto& [name, condition] : device.inputs) condition = renamed(condition, path_, to);
     devices.push_back(std::move(device));
   }
 
  private:
+  /// Makes a condition one of the copy; false if its line lacks what the condition names, and the copy the transition.
+  bool copied(std::string& condition, const std::string& to, const KnownNames& known) {
+    condition = renamed(condition, path_, to);
+    const std::string other = on_line(condition, path_.substr(0, 2), to.substr(0, 2));
+    if (other == condition || dice_.percent(20)) return true;
+    if (!knows(known, other)) return false;
+    condition = other;
+    return true;
+  }
+
   std::string new_path() {
-    for (;;) {
+    for (int tries = 0;; ++tries) {
       std::string path = "L" + std::to_string(dice_.below(3)) + (dice_.percent(70) ? "_P_" : "_Q_") + "D" +
                          std::to_string(dice_.below(dice_.percent(80) ? 10 : 100));
-      const auto taken = [&](const Row& row) { return reference::upper(row.name).starts_with(path + "_"); };
+      if (tries < 3 && dice_.percent(70)) path = "L" + std::to_string(dice_.below(3)) + path_.substr(2);
+      const auto taken = [&](const Row& row) {
+        return reference::upper(row.name).starts_with(reference::upper(path) + "_");
+      };
       if (std::none_of(plant_.rows.begin(), plant_.rows.end(), taken)) return path;
     }
   }
@@ -82,6 +110,30 @@ void add_inputs(Dice& dice, PlantText& plant, const std::string& path) {
   }
 }
 
+/// A transition that depends on another device of the line, which copies on other lines may lack.
+void depend_on_the_line(Dice& dice, PlantText& plant, const std::string& path) {
+  const model::PlantModel model = build(plant).plant;
+  std::vector<std::string> others;
+  const model::Unit* own = nullptr;
+  for (const model::Unit& unit : model.units) {
+    if (unit.path == path) {
+      own = &unit;
+    } else if (unit.path.starts_with(path.substr(0, 2))) {
+      others.push_back(std::string(unit.path) + "." + dice.pick(unit.states).name);
+    }
+  }
+  if (own == nullptr || others.empty() || own->rest_added) return;
+  description::GivenTransition given;
+  given.from = own->states.front().name;
+  given.to = own->states.back().name;
+  given.automatic = true;
+  given.after = description::Duration::fixed(20 * tables::kMillisecond);
+  (dice.percent(70) ? given.when : given.during) = dice.pick(others);
+  for (description::DeviceDescription& device : plant.description.devices) {
+    if (device.path == path) device.transitions.push_back(given);
+  }
+}
+
 bool is_sound(const PlantText& plant) {
   const model::Derived derived = build(plant);
   return derived.evidence.faults.empty() && derived.evidence.driven_twice.empty();
@@ -95,13 +147,14 @@ bool follows(const PlantText& plant, const std::string& path) {
 }  // namespace
 
 void add_copies(Dice dice, PlantText& plant) {
-  if (plant.rows.empty() || dice.percent(50)) return;
+  if (plant.rows.empty() || dice.percent(35)) return;
   PlantText copy = plant;
   const std::string path = dice.pick(unit_paths(copy));
   if (follows(copy, path)) return;
+  if (dice.percent(60)) depend_on_the_line(dice, copy, path);
   if (dice.percent(40)) add_inputs(dice, copy, path);
   Copier copier(dice, copy, path);
-  for (std::size_t i = 1 + dice.below(3); i > 0; --i) copier.copy();
+  for (std::size_t i = 1 + dice.below(4); i > 0; --i) copier.copy();
   if (dice.percent(70)) add_joinable_requirements(dice, copy, path);
   if (is_sound(copy)) plant = std::move(copy);
 }

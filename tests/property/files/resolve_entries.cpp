@@ -1,6 +1,7 @@
 // The second resolver of patterns.
 #include "property/files/resolve_entries.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,10 @@ class LeavingOut {
       : device_(device), names_(brace_names(device.path, pattern)) {}
 
   json transitions(const json& value) {
+    // Tasks named by a transition that is left out like this may still be states, or not: users should not rely on
+    // that.
+    const bool names_tasks = device_.keys.contains("outputs") ||
+                             std::any_of(value.begin(), value.end(), [](const json& it) { return it.contains("on"); });
     json kept = json::array();
     for (json each : value) {
       bool known = true;
@@ -43,7 +48,7 @@ class LeavingOut {
         if (each.contains(key)) known = make(each[key], names_, known_condition()) && known;
       }
       const bool lacking = lacks(device_, each);
-      if (!lacking && known) kept.push_back(each);
+      if (!lacking && (known || names_tasks)) kept.push_back(each);
       count(lacking, known);
     }
     return kept;
@@ -94,7 +99,7 @@ class LeavingOut {
  private:
   void count(bool lacking, bool known) {
     left_out.parts += lacking || !known ? 1 : 0;
-    left_out.made += known ? 0 : 1;
+    left_out.made += !lacking && !known ? 1 : 0;
   }
   std::function<bool(const std::string&)> known_condition() const {
     return [this](const std::string& text) { return knows(*device_.known, text); };

@@ -30,7 +30,7 @@ struct Wish {
 /// Parts that a device lacks.
 struct LeftOut {
   long parts = 0;
-  long made = 0;  ///< of these: due to names that braces make
+  long made = 0;  ///< of these: only due to names that braces make
 };
 
 /// How a device gets one key.
