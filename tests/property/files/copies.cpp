@@ -128,7 +128,7 @@ void depend_on_the_line(Dice& dice, PlantText& plant, const std::string& path) {
   given.to = own->states.back().name;
   given.automatic = true;
   given.after = description::Duration::fixed(20 * tables::kMillisecond);
-  (dice.percent(70) ? given.when : given.during) = dice.pick(others);
+  (dice.percent(50) ? given.when : given.during) = dice.pick(others);
   for (description::DeviceDescription& device : plant.description.devices) {
     if (device.path == path) device.transitions.push_back(given);
   }

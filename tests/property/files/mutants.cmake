@@ -38,8 +38,8 @@ symplant_files_mutant(requirement_for_the_first_match_only generator/model model
   "      add_requirement(index, &matched, unit.device_path(), here);"
   "      add_requirement(index, &matched, unit.device_path(), here); break;")
 
-symplant_files_mutant(while_of_a_pattern_is_never_left_out generator/model model
-  "    look_at(given[i].during, pointer / i / \"while\");"
+symplant_files_mutant(transition_of_a_pattern_is_never_left_out generator/model model
+  "    if (lacking) unit.left_out.push_back(i);"
   "")
 
 # Of values and of scenarios.
