@@ -227,12 +227,32 @@ class Skeleton {
     return text + "; of equal structure, but without a common pattern: " + some_of(others);
   }
 
+  /// The state in which an engineer would expect a unit to start that starts in its lowest number (HOME of HOME, JOB1,
+  /// JOB2): the only one without a number; empty if there is none.
+  static std::string_view unexpected_start(const model::Unit& unit) {
+    if (unit.initial_from != model::InitialFrom::sequence || !unit.states[unit.initial].numbered) return {};
+    std::string_view rest;
+    for (const model::State& state : unit.states) {
+      const bool by_symbol = state.operation != model::kNone || state.event != model::kNone;
+      if (state.numbered || !by_symbol) continue;
+      if (!rest.empty()) return {};
+      rest = state.name;
+    }
+    return rest;
+  }
+
   static std::string worth_saying(const model::Unit& unit, const model::UnitEvidence& evidence) {
     if (evidence.two_words) return "whether the two words mean one state; if so, spell them alike in the list";
     std::string hint;
     const auto add = [&](std::string_view more) { hint.append(hint.empty() ? "" : "; ").append(more); };
     if (unit.initial_from == model::InitialFrom::row_order) {
       add("`initial`, which only the order of rows decided");
+    }
+    if (const std::string_view rest = unexpected_start(unit); !rest.empty()) {
+      add(
+          fmt::format("`initial`: it starts in {}, since numbered states come first; if it rests in {}, write "
+                      "`\"initial\": {}`",
+                      unit.states[unit.initial].name, rest, json_text(rest)));
     }
     if (evidence.initial_candidates > 1) add("`initial`, since several events start TRUE");
     if (unit.operations.empty()) {

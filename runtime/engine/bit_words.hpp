@@ -7,6 +7,13 @@
 
 namespace symplant::engine {
 
+/// A plane as units see it, and its inverted bits.
+struct PlaneWords {
+  const std::uint64_t* levels;
+  const std::uint64_t* inverted;
+  std::size_t size;
+};
+
 /// The words of a plane, in which inverted symbols have the opposite bit of what their units see. It refers to the
 /// plant. Every member O(1).
 class BitWords {
@@ -39,18 +46,15 @@ class BitWords {
     const std::uint64_t* inverted_;
   };
 
-  BitWords(const std::uint64_t* levels, const std::uint64_t* inverted, std::size_t size) noexcept
-      : levels_(levels), inverted_(inverted), size_(size) {}
+  explicit BitWords(const PlaneWords& plane) noexcept : plane_(&plane) {}
 
-  std::uint64_t operator[](std::size_t word) const noexcept { return levels_[word] ^ inverted_[word]; }
-  std::size_t size() const noexcept { return size_; }
-  Iterator begin() const noexcept { return {levels_, inverted_}; }
-  Iterator end() const noexcept { return {levels_ + size_, inverted_ + size_}; }
+  std::uint64_t operator[](std::size_t word) const noexcept { return plane_->levels[word] ^ plane_->inverted[word]; }
+  std::size_t size() const noexcept { return plane_->size; }
+  Iterator begin() const noexcept { return {plane_->levels, plane_->inverted}; }
+  Iterator end() const noexcept { return {plane_->levels + plane_->size, plane_->inverted + plane_->size}; }
 
  private:
-  const std::uint64_t* levels_;
-  const std::uint64_t* inverted_;
-  std::size_t size_;
+  const PlaneWords* plane_;
 };
 
 }  // namespace symplant::engine

@@ -51,10 +51,8 @@ class Engine {
   std::uint64_t model_hash() const noexcept { return head_->model; }
   std::uint64_t state_hash() const noexcept;
   tables::Time now() const noexcept { return head_->now; }
-  BitWords operations() const noexcept {
-    return {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
-  }
-  BitWords events() const noexcept { return {events_.bits, index_.inverted_events, tables_.event_bits / 64}; }
+  BitWords operations() const noexcept { return BitWords(operation_plane_); }
+  BitWords events() const noexcept { return BitWords(event_plane_); }
   std::span<const std::uint64_t> disarmed() const noexcept { return {disarmed_, tables_.operation_bits / 64}; }
   std::uint64_t operation_value(std::uint32_t slot) const noexcept { return operation_values_.values[slot]; }
   std::uint64_t written_operation_value(std::uint32_t slot) const noexcept { return written_values_[slot]; }
@@ -141,6 +139,8 @@ class Engine {
 
   // the rounds of an instant (engine_rounds.cpp)
   void run_rounds() noexcept;
+  template <bool kFollows>
+  void rounds() noexcept;
   void step_all(const std::uint32_t* units, std::uint32_t count, bool counting) noexcept;
   void forget_steps() noexcept;
   bool look_for_loops() noexcept;
@@ -175,7 +175,7 @@ class Engine {
                           std::uint64_t on) noexcept;
   bool holds_long_enough(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type,
                          std::uint16_t transition, bool held, Record& record) noexcept;
-  std::uint16_t drawn_by_weight(std::uint32_t unit, const TypeIndex& type, const Ready& ready) noexcept;
+  std::uint16_t drawn_by_weight(std::uint32_t unit, const TypeIndex& type, std::uint16_t first) noexcept;
   std::uint8_t destination(std::uint32_t unit, const TypeIndex& type, std::uint64_t on, const Ready& ready) noexcept;
   tables::Time takes(std::uint32_t unit, const tables::UnitRow& row, const TypeIndex& type, std::uint8_t target,
                      std::uint16_t transition) noexcept;
@@ -290,6 +290,8 @@ class Engine {
   std::size_t block_size_;
 
   // --- outside the flat block: not part of the saved state
+  PlaneWords operation_plane_;
+  PlaneWords event_plane_;
   EventChanges event_changes_;
   DirtySet changed_event_slots_;
   FindingRing findings_;
@@ -317,7 +319,8 @@ class Engine {
   List<WordChange> short_events_;  ///< events found too short in this instant
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
-  bool first_;                     ///< this is the first instant
+  bool first_;                     ///< this is the first instant, and some symbols are inverted
+  bool closes_more_;               ///< some symbols are inverted, or some units can overrun
   bool unpublished_;               ///< publish() has work to do
   bool active_;                    ///< a unit stepped, or was disabled or enabled, in this round
   tables::Time now_;               ///< the time of this instant

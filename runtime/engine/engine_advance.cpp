@@ -13,7 +13,7 @@ tables::Time Engine::next_due() const noexcept {
 /// Touches every unit, requirement and follow: the first instant, at time 0, steps all of them.
 void Engine::start() noexcept {
   head_->started = 1;
-  first_ = head_->shown == 0;
+  first_ = index_.some_inverted && head_->shown == 0;
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) touch(unit);
   for (std::uint32_t r = 0; r < tables_.requirements.size(); ++r) touched_requirements_.mark(r);
   for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) due_follows_.mark(f);
@@ -50,7 +50,7 @@ void Engine::show(Observer* observer) noexcept {
   if (head_->started != 0 || head_->shown != 0) return;
   head_->shown = 1;
   observer_ = observer;
-  first_ = true;
+  first_ = index_.some_inverted;
   if (unpublished_) publish();
   close_instant();
 }

@@ -138,11 +138,13 @@ SYMPLANT_ALWAYS_INLINE void Engine::finish_units() noexcept {
 }
 
 void Engine::close_instant() noexcept {
-  if (first_ && index_.some_inverted) find_start();
   std::span<const WordChange> changed_events = close_events();
   if (!touched_slots_.empty()) close_event_values();
   if (!touched_requirements_.empty()) close_requirements();
-  if (!index_.overruns.empty()) close_overruns();
+  if (closes_more_) [[unlikely]] {
+    if (first_) find_start();
+    if (!index_.overruns.empty()) close_overruns();
+  }
   const bool unfinished = close_operations();
   reported_any_ = false;
   if (suspects_ != 0) report_findings();
@@ -150,8 +152,10 @@ void Engine::close_instant() noexcept {
     for (const WordChange& change : operation_changes_.view()) finish_operations(change);
   }
   finish_units();
-  if (first_ && index_.some_inverted && observer_ != nullptr) changed_events = report_start();
-  first_ = false;
+  if (first_) [[unlikely]] {
+    first_ = false;
+    if (observer_ != nullptr) changed_events = report_start();
+  }
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
                                static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |
                                event_slot_changes_.size) != 0) {

@@ -13,7 +13,6 @@ struct Engine::Ready {
   std::uint16_t first;      ///< the first commanded one, or kNoTransition
   bool several;             ///< the commanded ones lead to different states
   std::uint64_t served;     ///< the operations that command them
-  std::uint64_t weights;    ///< of the automatic ones that have a weight, added
 };
 
 /// Whether a cause that holds has held for its transition's `after`. `held`: the unit's records are valid.
@@ -31,7 +30,7 @@ SYMPLANT_ALWAYS_INLINE bool Engine::holds_long_enough(std::uint32_t unit, const 
 /// its random `after`.
 SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t unit, const tables::UnitRow& row,
                                                                const TypeIndex& type, std::uint64_t on) noexcept {
-  Ready ready{kNoTransition, kNoTransition, false, 0, 0};
+  Ready ready{kNoTransition, kNoTransition, false, 0};
   tables::Time earliest = tables::kNever;
   const GeneralRow* const general = row.general != 0 ? &general_row(unit) : nullptr;
   UnitState& state = units_[unit];
@@ -58,7 +57,6 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
     if (!cause) continue;
     if (automatic) {
       if (ready.automatic == kNoTransition) ready.automatic = n;
-      ready.weights += transition.weight;
       continue;
     }
     ready.served |= operation_mask(transition.on);
@@ -73,21 +71,25 @@ SYMPLANT_ALWAYS_INLINE Engine::Ready Engine::ready_transitions(std::uint32_t uni
   return ready;
 }
 
-/// One of the ready automatic transitions that have a weight. The first ready one has; each of them has a record.
-std::uint16_t Engine::drawn_by_weight(std::uint32_t unit, const TypeIndex& type, const Ready& ready) noexcept {
-  const Record* const records = records_ + general_row(unit).first_record;
-  std::uint64_t random = draw_start(head_->seed, name_hash(unit), ready.automatic,
-                                    records_[general_row(unit).first_record + type.record_of[ready.automatic]].draws++);
-  auto share = static_cast<std::uint64_t>(static_cast<Wide>(split_mix(random)) * ready.weights >> 64);
-  for (const std::uint16_t n : type.from(units_[unit].state)) {
+/// One of the ready automatic transitions that have a weight, of which `first` is the first one. Each has a record.
+std::uint16_t Engine::drawn_by_weight(std::uint32_t unit, const TypeIndex& type, std::uint16_t first) noexcept {
+  Record* const records = records_ + general_row(unit).first_record;
+  const auto weight_of = [&](std::uint16_t n) -> std::uint32_t {
     const std::uint32_t weight = type.transitions[n].weight;
-    if (weight == 0) continue;
+    if (weight == 0) return 0;
     const Record& record = records[type.record_of[n]];
-    if (record.holds == 0 || record.ready > now_) continue;
+    return record.holds != 0 && record.ready <= now_ ? weight : 0;
+  };
+  std::uint64_t weights = 0;
+  for (const std::uint16_t n : type.from(units_[unit].state)) weights += weight_of(n);
+  std::uint64_t random = draw_start(head_->seed, name_hash(unit), first, records[type.record_of[first]].draws++);
+  auto share = static_cast<std::uint64_t>(static_cast<Wide>(split_mix(random)) * weights >> 64);
+  for (const std::uint16_t n : type.from(units_[unit].state)) {
+    const std::uint32_t weight = weight_of(n);
     if (share < weight) return n;
     share -= weight;
   }
-  return ready.automatic;
+  return first;
 }
 
 void Engine::found_conflict(std::uint32_t unit) noexcept {
@@ -181,13 +183,14 @@ SYMPLANT_ALWAYS_INLINE void Engine::step_settled(std::uint32_t unit, const table
                                                  const TypeIndex& type) noexcept {
   const StateIndex& at = type.at[units_[unit].state];
   const std::uint64_t on = operations_on(row, type);
-  Ready ready{kNoTransition, kNoTransition, false, 0, 0};
+  Ready ready{kNoTransition, kNoTransition, false, 0};
   if ((on & at.starts) != 0 || at.automatic || units_[unit].holding != 0)
     ready = ready_transitions(unit, row, type, on);
   std::uint16_t transition = ready.first;
   std::uint8_t target = tables::kNoState;
   if (ready.automatic != kNoTransition) {
-    transition = type.transitions[ready.automatic].weight == 0 ? ready.automatic : drawn_by_weight(unit, type, ready);
+    transition =
+        type.transitions[ready.automatic].weight == 0 ? ready.automatic : drawn_by_weight(unit, type, ready.automatic);
     target = type.transitions[transition].to;
   } else {
     target = destination(unit, type, on, ready);

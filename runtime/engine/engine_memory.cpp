@@ -65,6 +65,8 @@ void Engine::position(Arena& arena) noexcept {
   position_names(arena);
   place_block(arena);
 
+  operation_plane_ = {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
+  event_plane_ = {events_.bits, index_.inverted_events, event_words};
   event_changes_.take(arena, event_words);
   changed_event_slots_.take(arena, tables_.event_slots);
   findings_.take(arena);
@@ -92,6 +94,7 @@ void Engine::position(Arena& arena) noexcept {
   active_ = false;
   reported_any_ = false;
   first_ = false;
+  closes_more_ = index_.some_inverted || !index_.overruns.empty();
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;

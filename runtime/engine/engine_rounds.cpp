@@ -69,21 +69,26 @@ bool Engine::look_for_loops() noexcept {
   return found;
 }
 
-void Engine::run_rounds() noexcept {
-  if (touched_.size == 0 && due_follows_.empty()) return;
+void Engine::run_rounds() noexcept { tables_.follows.empty() ? rounds<false>() : rounds<true>(); }
+
+/// `kFollows`: the plant has symbols that follow a condition.
+template <bool kFollows>
+SYMPLANT_ALWAYS_INLINE void Engine::rounds() noexcept {
+  const auto due = [this] { return kFollows && !due_follows_.empty(); };
+  if (touched_.size == 0 && !due()) return;
   std::uint32_t limit = kFirstLook;
   round_ = 1;
   step_all(touched_.items, touched_.size, false);
-  if (!due_follows_.empty()) step_follows(false);
+  if (due()) step_follows(false);
   if (unpublished_) publish();
-  while ((queued_ != 0 || !due_follows_.empty()) && active_) {
+  while ((queued_ != 0 || due()) && active_) {
     const std::uint32_t count = queued_;
     queued_ = 0;
     active_ = false;
     ++round_;
     if (round_ == limit / 2 + 1) forget_steps();
     step_all(queue_, count, round_ > limit / 2);
-    if (!due_follows_.empty()) step_follows(round_ > limit / 2);
+    if (due()) step_follows(round_ > limit / 2);
     if (unpublished_) publish();
     if (round_ != limit || !active_) continue;
     const bool found = look_for_loops();

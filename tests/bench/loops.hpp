@@ -83,8 +83,9 @@ class EngineLoop {
 
   std::int64_t answer_plant() {
     std::int64_t motions = 0;
+    const auto events = plant().events();
     for (const std::uint32_t word : plant().changed_events()) {
-      const std::uint64_t now = plant().events()[word];
+      const std::uint64_t now = events[word];
       const std::uint64_t arrived = now & ~seen_[word] & Made::kStateEvents;
       seen_[word] = now;
       motions += answer(word, arrived, [this](std::uint32_t bit) {

@@ -64,5 +64,9 @@ symplant_files_mutant(plus_counts_from_the_start_of_a_wait runtime/scenario symp
   "met_ ? met_time_ : moment_);")
 
 symplant_files_mutant(release_before_force runtime/scenario symplant/scenario
-  "  for (const std::uint32_t symbol : step.release) plant_.release(symbol);"
-  "  for (const std::uint32_t symbol : step.release) { bool forced = false; for (const SymbolValue& value : step.force) forced = forced || value.symbol == symbol; if (!forced) plant_.release(symbol); }")
+  "    plant_.release(symbol);"
+  "    bool forced = false; for (const SymbolValue& value : step.force) forced = forced || value.symbol == symbol; if (!forced) plant_.release(symbol);")
+
+symplant_files_mutant(cycle_without_its_wrap generator/model model
+  "return ranks_[to] == (ranks_[from] + 1) % numbers_;"
+  "return ranks_[to] == ranks_[from] + 1;")

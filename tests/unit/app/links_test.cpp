@@ -80,13 +80,13 @@ TEST_CASE("Every command rejects a plant whose symbols overlap on a link") {
 }
 
 TEST_CASE("run: Settings apply to a link for every URL of the command line, and --on-loss overrides them") {
-  MemoryFileSystem files = plant(R"("plant-on-loss": "freeze", "loss-after": "2s", "on-loss": "zero")");
+  MemoryFileSystem files = plant(R"("plant-on-loss": "run", "loss-after": "2s", "on-loss": "zero")");
   const std::vector<std::string> words{"run",     "plant.json", "--link", "modbus-tcp-server://127.0.0.1:0",
                                        "--until", "20ms"};
-  CHECK(contains(run_tool(words, files).out, "after 2 s without a request: operations go to zero, the plant freezes"));
+  CHECK(contains(run_tool(words, files).out, "after 2 s without a request: operations go to zero, the plant runs on"));
   std::vector<std::string> held = words;
   held.insert(held.end(), {"--on-loss", "hold"});
-  CHECK(contains(run_tool(held, files).out, "after 2 s without a request: operations hold, the plant freezes"));
+  CHECK(contains(run_tool(held, files).out, "after 2 s without a request: operations hold, the plant runs on"));
   held.back() = "keep";
   const ToolRun wrong = run_tool(held, files);
   CHECK(wrong.code == 2);

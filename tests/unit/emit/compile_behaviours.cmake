@@ -34,7 +34,7 @@ function(with WORDS TEXT)
   set(number ${number} PARENT_SCOPE)
 endfunction()
 
-compile("" "${skeleton}")
+compile("this behavior defines none of started, takes" "${skeleton}")  # a warning
 string(REPLACE "  // static" "  static" all "${skeleton}")
 string(REPLACE "  // struct" "  struct" all "${all}")
 compile("" "${all}")
@@ -52,12 +52,20 @@ with("declare `static void woken(View& view) noexcept`" " public: int woken = 1;
 with("a behavior's class must have no data members" " public: int count;")
 with("`Memory` must be a public type" " struct Memory { int count; }; public:")
 with("fill its padding with unused members" " public: struct Memory { double weight; int count; };")
-with("" " public: struct Memory { double weight; int count; int unused; float last[2]; bool seen[8]; };")
+with("" " public: static void woken(View&) noexcept {} struct Memory { double weight; int count; int unused; float last[2]; bool seen[8]; };")
 with("remove pointers, references" " public: struct Memory { const char* text; };")
 with("begins as zeros" " public: struct Memory { int count = 3; };")
 with("4096 bytes at most" " public: struct Memory { char text[4097]; };")
-with("" " public: struct Memory { char text[4096]; };")
+with("" " public: static void woken(View&) noexcept {} struct Memory { char text[4096]; };")
 with("saved and restored byte by byte" " public: struct Memory { Memory() noexcept {} ~Memory() {} int count; };")
+with("declare `static void started(View& view) noexcept`" " public: static void started(View&) {}")
+# The list of hooks.
+with("" " public: using hooks = Hooks<Hook::started, Hook::woken>[semicolon] static void started(View& view) noexcept { view.wake_after(kSecond)[semicolon] } static void woken(View&) noexcept {}")
+with("`hooks` lists `woken`, but the class does not define it: write `static void woken(View& view) noexcept`"
+     " public: using hooks = Hooks<Hook::entered, Hook::woken>[semicolon] static void entered(View&, State) noexcept {} static void woke(View&) noexcept {}")
+with("the class defines `woken`, but `hooks` does not list it: add `Hook::woken`"
+     " public: using hooks = Hooks<Hook::entered>[semicolon] static void entered(View&, State) noexcept {} static void woken(View&) noexcept {}")
+with("`hooks` must be a public type" " public: static void woken(View&) noexcept {} int hooks() const[semicolon]")
 with("this symbol is an operation" " public: static void woken(View& view) noexcept { view.set_value<Value::O_TARGET>(1); }")
 # Functions of the model.
 with("" " public: static constexpr Moves d_ext(State a, Operation x) noexcept { return a == State::FULL2 ? Moves(kStay) : Scale::d_ext(a, x)[semicolon] }")

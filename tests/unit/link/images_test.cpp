@@ -130,3 +130,36 @@ TEST_CASE("Distant addresses, in every word of the image, reach the plant and co
   CHECK(on == 1000);
   CHECK(bench.gaps == 0);
 }
+
+TEST_CASE("The coil of an inverted operation is on at the start and after a loss, and its first write counts") {
+  SymbolList list;
+  list.invert(list.add("A", SymbolList::kOut, 0));
+  list.add("B", SymbolList::kOut, 1);
+  link::LinkSettings settings;
+  settings.on_loss = link::OnLoss::zero;
+  ImageBench bench(list.tables(), settings);
+  CHECK(bench.ask({1, 0, 0, 0, 2}) == Bytes{1, 1, 0b01});
+  CHECK(bench.plant->operations()[0] == 0b01);
+  bench.ask({15, 0, 0, 0, 2, 1, 0b10});  // commands A, since its bit is off, and B
+  bench.cycle();
+  CHECK(bench.plant->operations()[0] == 0b10);
+  bench.images.zero_operations(*bench.plant);
+  bench.plant->advance_to(bench.time += 1);
+  CHECK(bench.plant->operations()[0] == 0b01);
+}
+
+TEST_CASE("The discrete input of an inverted event is on while the event is off") {
+  SymbolList list;
+  const std::uint32_t row = list.add("E", SymbolList::kIn, 0);
+  list.invert(row);
+  list.start_at(row, 1);  // as a unit would see it: its bit starts off
+  list.invert(list.add("F", SymbolList::kIn, 1));
+  ImageBench bench(list.tables());
+  CHECK(bench.ask({2, 0, 0, 0, 2}) == Bytes{2, 1, 0b10});
+  bench.plant->set_input(row, 1);
+  bench.cycle();
+  CHECK(bench.ask({2, 0, 0, 0, 2}) == Bytes{2, 1, 0b11});
+  bench.plant->force(row, 0);
+  bench.cycle();
+  CHECK(bench.ask({2, 0, 0, 0, 2}) == Bytes{2, 1, 0b10});
+}

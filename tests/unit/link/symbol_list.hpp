@@ -66,6 +66,11 @@ class SymbolList {
     controllers_.append(name).push_back('\0');
   }
 
+  /// Its bit has the opposite meaning.
+  void invert(std::uint32_t row) {
+    rows_[row].kind =
+        tables::symbol_kind(rows_[row].type(), rows_[row].direction(), rows_[row].form(), rows_[row].moved(), true);
+  }
   void start_at(std::uint32_t row, std::uint64_t value) { initial_.push_back({row, value}); }
   void share(std::uint32_t row, std::uint32_t leader) { shared_.push_back({row, leader}); }
 
