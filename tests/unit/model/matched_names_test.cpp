@@ -119,6 +119,31 @@ TEST_CASE("Where the plant lacks a name that braces make, the entry is left out 
                                  "\n/devices/*_CL?/transitions/0/when" + rest);
 }
 
+TEST_CASE("An input is left out like a transition, and findings about the others name them") {
+  DeviceDescription pattern = device("*_CL1");
+  pattern.inputs = {{"a_door", "{line}_{process}_DOOR.ADV"}, {"b_both", "{self}.RET and {self}.ADV"}};
+  DeviceDescription a = device("A_S1_CL1");
+  a.behaviour = "ClampA";
+  DeviceDescription b = device("B_S2_CL1");
+  b.behaviour = "ClampB";
+  const Analysed list = described(cells(), {pattern, a, b});
+  CHECK(faults(list) == "");
+  CHECK(conditions(list, "A_S1_CL1") == "A_S1_DOOR.ADV; A_S1_CL1.RET and A_S1_CL1.ADV");
+  CHECK(conditions(list, "B_S2_CL1") == "B_S2_CL1.RET and B_S2_CL1.ADV");
+  CHECK(unit_of(list, "B_S2_CL1").input_names == std::vector<std::string_view>{"b_both"});
+  REQUIRE(list.count("condition-never-holds") == 2);
+  for (const diag::Diagnostic& finding : list.diagnostics.all()) {
+    if (finding.rule->slug == "condition-never-holds") CHECK(finding.message.starts_with("`{self}.RET and"));
+  }
+}
+
+TEST_CASE("Devices of one behavior cannot differ in the inputs that are left out") {
+  DeviceDescription pattern = device("*_CL1");
+  pattern.behaviour = "Clamp";
+  pattern.inputs = {{"door", "{line}_{process}_DOOR.ADV"}};
+  CHECK(faults(described(cells(), {pattern})).find("which has other `inputs`") != std::string::npos);
+}
+
 TEST_CASE("A name that the plant lacks for every match is one error") {
   DeviceDescription d = guarded("*_CL?", "{line}_{process}_DOR.ADV");
   d.disables = {{"ADV", {"{self}X"}}};
