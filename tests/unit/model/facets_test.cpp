@@ -253,6 +253,12 @@ TEST_CASE("Names in braces are levels of the naming rule, and a level that it la
   CHECK(faults(list) == "");
   REQUIRE(list.model().requirements.size() == 1);  // one for the device, not for each facet
   CHECK(list.model().requirements.front().name == "S1_RB of S1 RB S1_RB");
+  const std::vector<std::string> facets_only(kRobot.begin() + 4, kRobot.end());
+  description.requirements = {{"{self} {1}", "{self}.echo_JOB_A.moving", "", "", 0, "*"}};
+  const Analysed facets = analyse_cell(facets_only, description);
+  CHECK(faults(facets) == "");
+  REQUIRE(facets.model().requirements.size() == 1);
+  CHECK(facets.model().requirements.front().name == "S1_RB S1_RB");
   description.requirements.front().name = "{line} {self}";
   CHECK(faults(analyse_cell(kRobot, description)) ==
         "/requirements/0/name: `{line}` is unknown here; use one of `{process}`, `{device}`, `{self}`, `{1}`");
