@@ -54,7 +54,7 @@ struct Made {
   long left_out = 0;
 };
 
-/// What one with `for` stands for; nothing if some device could not read it.
+/// What one with `for` makes; nothing if some device could not read it.
 std::optional<Made> made_by(const GivenRequirement& given, const std::vector<std::string>& paths,
                             const KnownNames& known) {
   Made made;

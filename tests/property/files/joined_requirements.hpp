@@ -11,10 +11,10 @@
 
 namespace symplant::property::files {
 
-/// Adds requirements of a device, each with those of other devices that one with `for` stands for.
+/// Adds requirements of a device, each followed by those that one with `for` makes for other devices.
 void add_joinable_requirements(Dice& dice, PlantText& plant, const std::string& path);
 
-/// The plant's requirements, where some with `for` stand for several.
+/// The plant's requirements, where some with `for` make several.
 std::vector<description::GivenRequirement> joined_requirements(const PlantText& plant, const Style& style,
                                                                const KnownNames& known, Counts& counts);
 
