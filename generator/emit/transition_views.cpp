@@ -115,7 +115,7 @@ class TransitionViews {
       std::string name = "unused";
       if (const Transition* t = first[g]) {
         name = (leading[t->to].size() == 1 ? "" : state(t->from) + "_") + "to_" + state(t->to);
-        if (t->when != g) name = "moving_" + name;
+        if (t->when != g) name.insert(0, "moving_");
       }
       guards_.push_back(scope.unique(name));
       std::string text = short_condition_text(unit_.conditions[g], plant_);

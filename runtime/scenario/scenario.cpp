@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kMost = std::uint64_t{1} << 63;
 
-bool holds(const Repeat& repeat, std::size_t step) { return repeat.begin <= step && step < repeat.end; }
+bool covers(const Repeat& repeat, std::size_t step) { return repeat.begin <= step && step < repeat.end; }
 
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a > kMost / b ? kMost : a * b; }
 
@@ -19,7 +19,7 @@ std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a > kMost / b ? k
 std::uint64_t executions(const Scenario& scenario, std::size_t step) {
   std::uint64_t count = 1;
   for (const Repeat& repeat : scenario.repeats) {
-    if (holds(repeat, step)) count = times(count, repeat.turns);
+    if (covers(repeat, step)) count = times(count, repeat.turns);
   }
   return count;
 }
@@ -27,7 +27,7 @@ std::uint64_t executions(const Scenario& scenario, std::size_t step) {
 std::string turn_words(const Scenario& scenario, std::size_t step, std::uint64_t number) {
   std::string words;  // repeats around one step are sorted by their ends: the inner ones come first
   for (const Repeat& repeat : scenario.repeats) {
-    if (!holds(repeat, step)) continue;
+    if (!covers(repeat, step)) continue;
     const std::string turn = fmt::format("turn {} of {}", number % repeat.turns + 1, repeat.turns);
     words = words.empty() ? turn : turn + ", " + words;
     number /= repeat.turns;

@@ -75,7 +75,7 @@ class EngineLoop {
   EngineLoop(std::uint32_t devices, const std::vector<tables::Time>& travels)
       : made_(devices, travels), seen_(made_.tables.event_bits / 64) {
     plant().advance_to(0);
-    for (std::uint32_t word = 0; word < seen_.size(); ++word) seen_[word] = plant().events()[word];
+    for (std::uint32_t word = 0; word < seen_.size(); ++word) seen_[word] = plant().events()[word] ^ Made::kInverted;
   }
 
  protected:
@@ -85,12 +85,12 @@ class EngineLoop {
     std::int64_t motions = 0;
     const auto events = plant().events();
     for (const std::uint32_t word : plant().changed_events()) {
-      const std::uint64_t now = events[word];
+      const std::uint64_t now = events[word] ^ Made::kInverted;
       const std::uint64_t arrived = now & ~seen_[word] & Made::kStateEvents;
       seen_[word] = now;
       motions += answer(word, arrived, [this](std::uint32_t bit) {
         const std::uint64_t both = std::uint64_t{3} << (bit % 64 & ~1U);
-        plant().set_operations(bit / 64, both, std::uint64_t{1} << (bit % 64));
+        plant().set_operations(bit / 64, both, std::uint64_t{1} << (bit % 64) ^ (Made::kInverted & both));
       });
     }
     plant().forget_changed_events();
@@ -117,7 +117,8 @@ class EngineScan : public EngineLoop<Made> {
  public:
   explicit EngineScan(std::uint32_t devices) : EngineLoop<Made>(devices, {kTicks * kTick}) {
     for (std::uint32_t tick = 0; tick < kTicks; ++tick) {
-      for (std::uint32_t d = tick; d < devices; d += kTicks) this->plant().set_operation(Made::kStride * d + 1, true);
+      for (std::uint32_t d = tick; d < devices; d += kTicks)
+        this->plant().set_operation(Made::kStride * d + 1, Made::kInverted == 0);
       step();
     }
   }
@@ -139,6 +140,11 @@ template <std::uint32_t kTypes>
 using EngineTypes = EngineScan<ManyTypesPlant<kTypes>>;
 /// *rich*: the same, and each device has a condition, an `after` and a disable.
 using EngineRich = EngineScan<RichPlant>;
+
+using EngineGuarded = EngineScan<GuardedPlant<false>>;
+using EngineWhile = EngineScan<GuardedPlant<true>>;
+using EngineSymbols = EngineScan<SymbolPlant<false>>;
+using EngineInverted = EngineScan<SymbolPlant<true>>;
 
 /// *distinct*: every arrival is a separate instant, and so is every answer; a step is both.
 class EngineDistinct : public EngineLoop<TwoStatePlant> {

@@ -28,6 +28,8 @@ constexpr Load kLoads[] = {
     {"limit", run<LimitGrid>},           {"heap", run<HeapGrid>},           {"grid", run<EngineGrid>},
     {"observed", run<EngineObserved>},   {"types1", run<EngineTypes<1>>},   {"types10", run<EngineTypes<10>>},
     {"types100", run<EngineTypes<100>>}, {"distinct", run<EngineDistinct>}, {"rich", run<EngineRich>},
+    {"guarded", run<EngineGuarded>},     {"while", run<EngineWhile>},       {"symbols", run<EngineSymbols>},
+    {"inverted", run<EngineInverted>},
 };
 
 }  // namespace

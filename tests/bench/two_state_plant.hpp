@@ -19,6 +19,7 @@ struct BenchPlant {
   tables::PlantTables tables{};
   std::vector<std::max_align_t> memory;
   std::unique_ptr<plant::Plant> plant;
+  static constexpr std::uint64_t kInverted = 0;  ///< the bits of every word that are inverted
 
  protected:
   /// `bits` of each device in both planes. Tables other than types, units and times must be set before.
@@ -123,6 +124,63 @@ struct RichPlant : BenchPlant {
   std::vector<tables::ConditionedUnit> conditioned;
   std::vector<tables::UnitWatch> watches;
   std::vector<tables::DisableRow> disables;
+};
+
+/// TwoStatePlant in which each device leaves only while a distant device is not moving in vain: a condition that always
+/// holds. With `kWhile` its moves also stop while it does not hold.
+template <bool kWhile>
+struct GuardedPlant : BenchPlant {
+  GuardedPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    times.push_back({0, travel_times.front()});
+    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, kTransitions, TwoStatePlant::kEnter,
+                     TwoStatePlant::kLeave, TwoStatePlant::kTargets, times});
+    for (std::uint32_t d = 0; d < devices; ++d) {
+      units.push_back({0, 0, 1, 2 * d, 2 * d, 0});
+      conditions.push_back({0b11, d, 0, tables::ReaderKind::unit});
+      conditioned.push_back({d, d});
+      watches.push_back({d, (d + devices - 37 % devices) % devices, 0, 0});
+    }
+    tables.conditions = conditions;
+    tables.conditioned_units = conditioned;
+    tables.unit_watches = watches;
+    make(kStride);
+  }
+
+  static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
+  static constexpr std::uint64_t kStateEvents = TwoStatePlant::kStateEvents;
+  static constexpr std::uint16_t kDuring = kWhile ? 0 : tables::kNoCondition;
+  static constexpr std::array<tables::Transition, 2> kTransitions{
+      {{0, 1, 1, false, 0, false, 0, kDuring}, {1, 0, 0, false, 0, false, 0, kDuring}}};
+
+  std::vector<tables::ConditionRow> conditions;
+  std::vector<tables::ConditionedUnit> conditioned;
+  std::vector<tables::UnitWatch> watches;
+};
+
+/// TwoStatePlant with symbols, all of them inverted or none; the controller of the load answers with inverted bits.
+template <bool kAllInverted>
+struct SymbolPlant : BenchPlant {
+  SymbolPlant(std::uint32_t devices, const std::vector<tables::Time>& travel_times) {
+    times.push_back({0, travel_times.front()});
+    types.push_back({2, 2, 2, tables::kNoState, tables::Actuation::latched, TwoStatePlant::kTransitions,
+                     TwoStatePlant::kEnter, TwoStatePlant::kLeave, TwoStatePlant::kTargets, times});
+    for (std::uint32_t d = 0; d < devices; ++d) {
+      units.push_back({0, 0, 0, 2 * d, 2 * d, 0});
+      for (const auto direction : {tables::Direction::operation, tables::Direction::event}) {
+        const auto kind =
+            tables::symbol_kind(tables::DataType::boolean, direction, tables::AddressForm::number, true, kAllInverted);
+        for (std::uint32_t i = 0; i < 2; ++i) symbols.push_back({2 * d + i, d, 2 * d + i, 1, kind});
+      }
+    }
+    tables.symbols = symbols;
+    make(kStride);
+  }
+
+  static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
+  static constexpr std::uint64_t kStateEvents = TwoStatePlant::kStateEvents;
+  static constexpr std::uint64_t kInverted = kAllInverted ? ~std::uint64_t{0} : 0;
+
+  std::vector<tables::SymbolRow> symbols;
 };
 
 }  // namespace symplant::bench
