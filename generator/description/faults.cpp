@@ -36,6 +36,12 @@ Pointer Pointer::grown(const Step& step) const {
   return grown;
 }
 
+Pointer Pointer::matched_by(std::string_view pattern) const {
+  Pointer pointer = *this;
+  pointer.matched_by_ = pattern;
+  return pointer;
+}
+
 std::string Pointer::text() const {
   std::string text = begin_;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -61,11 +67,13 @@ Pointer key_pointer(const DeviceDescription& device, DeviceKey key) {
 }
 
 void Faults::add(const Pointer& at, std::string message, FaultKind kind, std::size_t column) {
-  if (at.pattern() != nullptr) {
+  if (!at.pattern_text().empty()) {
     const auto [reported, added] = reported_.try_emplace(at.text() + "#" + std::to_string(column), faults_.size());
     if (!added) {
       std::string& first = faults_[reported->second].message;
-      const std::string others = " (also for other devices that " + ticked(at.pattern()->path) + " matches)";
+      const std::string others =
+          std::string(at.pattern() != nullptr ? " (also for other devices that " : " (also for others that ") +
+          ticked(at.pattern_text()) + " matches)";
       if (!first.ends_with(others)) first += others;
       return;
     }

@@ -34,9 +34,14 @@ class Pointer {
   /// O(the text).
   std::string text() const;
 
+  /// A pointer into an entry that is resolved for each thing that the pattern matches. The pattern must outlive it.
+  Pointer matched_by(std::string_view pattern) const;
+
   /// The pattern whose entry it points into; null if it points into none.
   const DeviceDescription* pattern() const { return pattern_; }
   DeviceKey key() const { return key_; }
+  /// The text of that pattern, or of matched_by(); empty: none.
+  std::string_view pattern_text() const { return pattern_ == nullptr ? matched_by_ : pattern_->path; }
 
  private:
   friend Pointer key_pointer(const DeviceDescription& device, DeviceKey key);
@@ -52,6 +57,7 @@ class Pointer {
   std::array<Step, 6> steps_{};
   std::size_t count_ = 0;
   const DeviceDescription* pattern_ = nullptr;
+  std::string_view matched_by_;
   DeviceKey key_{};
   bool fixed_ = false;  ///< it is not extended
 };

@@ -64,7 +64,9 @@ class Skeleton {
     line("  \"symplant\": 1,");
     line("  \"name\": " + json_text(plant_.name) + ",");
     line("  // Defaults for all devices:");
-    line("  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\" },");
+    line(
+        "  // \"defaults\": { \"travel\": \"1s\", \"dwell\": \"1s\", \"actuation\": \"latched\", \"sequence\": "
+        "\"free\" },");
     requirements();
     links();
     check_section();
@@ -116,25 +118,55 @@ class Skeleton {
     return found;
   }
 
+  static condition::Tree atom(condition::Atom::Kind kind, std::uint32_t of, std::uint8_t state) {
+    condition::Tree tree;
+    tree.kind = condition::Tree::Kind::atom;
+    tree.atom.kind = kind;
+    tree.atom.of = of;
+    tree.atom.state = state;
+    return tree;
+  }
+
+  /// The pattern of the sample's shape if each of its devices has such an operation, named DEVICE_O_STATE; else empty.
+  std::string pattern_of(const Commanded& sample) const {
+    const auto is_plain = [&](std::uint32_t u) {
+      const model::Unit& unit = plant_.units[u];
+      if (unit.facet != nullptr || sample.state >= unit.states.size()) return false;
+      const model::State& state = unit.states[sample.state];
+      if (state.operation == model::kNone || state.name != plant_.units[sample.unit].states[sample.state].name)
+        return false;
+      // Without quotes in a condition.
+      const condition::Tree command = atom(condition::Atom::Kind::bit, unit.operations[state.operation], 0);
+      return model::condition_text(command, plant_) == fmt::format("{}_O_{}", unit.path, state.name);
+    };
+    for (const Shape& shape : shapes_) {
+      if (shape.named.size() < 2 || std::find(shape.named.begin(), shape.named.end(), sample.unit) == shape.named.end())
+        continue;
+      return std::all_of(shape.named.begin(), shape.named.end(), is_plain) ? shape.pattern : "";
+    }
+    return {};
+  }
+
   void requirements() {
     const std::vector<Commanded> samples = commanded();
     if (samples.empty()) return;
-    const auto atom = [](condition::Atom::Kind kind, std::uint32_t of, std::uint8_t state) {
-      condition::Tree tree;
-      tree.kind = condition::Tree::Kind::atom;
-      tree.atom.kind = kind;
-      tree.atom.of = of;
-      tree.atom.state = state;
-      return tree;
-    };
     const model::Unit& unit = plant_.units[samples[0].unit];
     const std::uint32_t command = unit.operations[unit.states[samples[0].state].operation];
     const condition::Tree reached = atom(condition::Atom::Kind::settled, samples[0].unit, samples[0].state);
     Json list = Json::array();
-    list.push_back({{"name", fmt::format("{} answers", unit.path)},
-                    {"after", model::condition_text(atom(condition::Atom::Kind::bit, command, 0), plant_)},
-                    {"expect", model::condition_text(reached, plant_)},
-                    {"within", "5s"}});
+    if (const std::string pattern = pattern_of(samples[0]); !pattern.empty()) {
+      const std::string_view rest = plant_.symbols[command].name().substr(unit.path.size());
+      list.push_back({{"name", "{self} answers"},
+                      {"for", pattern},
+                      {"after", fmt::format("{{self}}{}", rest)},
+                      {"expect", fmt::format("{{self}}.{}", unit.states[samples[0].state].name)},
+                      {"within", "5s"}});
+    } else {
+      list.push_back({{"name", fmt::format("{} answers", unit.path)},
+                      {"after", model::condition_text(atom(condition::Atom::Kind::bit, command, 0), plant_)},
+                      {"expect", model::condition_text(reached, plant_)},
+                      {"within", "5s"}});
+    }
     if (samples.size() == 2) {
       condition::Tree both;
       both.kind = condition::Tree::Kind::all;

@@ -24,8 +24,8 @@ MatchedNames MatchedNames::of(const PlantModel& plant, const Unit& unit, std::st
   names.process_ = reading.process;
   names.device_ = unit.device;
   names.self_ = unit.device_path();
-  names.shares_ = text::wildcard_shares(unit.path, pattern);
-  if (names.shares_.empty()) names.shares_ = text::wildcard_shares(unit.device_path(), pattern);
+  names.shares_ = text::wildcard_shares(unit.device_path(), pattern);
+  if (names.shares_.empty()) names.shares_ = text::wildcard_shares(unit.path, pattern);
   return names;
 }
 
@@ -84,16 +84,18 @@ void MadeNames::report(description::Faults& faults) const {
       faults.add(description::DescriptionFault{at, std::move(message), 0, description::FaultKind::unknown_name});
       continue;
     }
-    std::string paths;
-    for (const std::string& path : entry.paths)
-      paths.append(paths.empty() ? "" : ", ").append(description::ticked(path));
-    if (entry.lacking > entry.paths.size()) {
-      paths.append(" and ").append(std::to_string(entry.lacking - entry.paths.size())).append(" more");
+    // A near name would be that of another device.
+    std::string message = entry.message.substr(0, entry.message.find("; did you mean"));
+    message += "; the entry is left out for ";
+    for (std::size_t i = 0; i < entry.paths.size(); ++i) {
+      message.append(i == 0 ? "" : ", ").append(description::ticked(entry.paths[i]));
     }
-    faults.warn(description::Pointer(at),
-                entry.message + "; the entry is left out for " + paths + ", " + std::to_string(entry.lacking) +
-                    " of the " + std::to_string(entry.takers) + " matches",
-                description::FaultKind::left_out);
+    if (entry.lacking > entry.paths.size()) {
+      message.append(" and ").append(std::to_string(entry.lacking - entry.paths.size())).append(" more");
+    }
+    message.append(", ").append(std::to_string(entry.lacking)).append(" of the ");
+    message.append(std::to_string(entry.takers)).append(" matches");
+    faults.warn(description::Pointer(at), std::move(message), description::FaultKind::left_out);
   }
 }
 

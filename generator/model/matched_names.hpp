@@ -15,7 +15,7 @@ namespace symplant::model {
 /// A device, or a symbol, that a pattern matches. Views point into the plant.
 class MatchedNames {
  public:
-  /// A unit that the pattern matches by its path or by that of its device.
+  /// A unit that the pattern matches by the path of its device, or else by its own. O(paths * pattern).
   static MatchedNames of(const PlantModel& plant, const Unit& unit, std::string_view pattern);
   static MatchedNames of(const Symbol& symbol, std::string_view pattern);
 

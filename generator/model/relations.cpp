@@ -129,8 +129,19 @@ class Relations {
                      [&](std::size_t a, std::size_t b) { return given[a].first < given[b].first; });
     for (const std::size_t i : order) {
       condition::Tree tree;
-      resolve_made(given[i].second, matched_by(unit, description::DeviceKey::inputs),
-                   description::key_pointer(*unit.described, description::DeviceKey::inputs) / given[i].first, tree);
+      const description::Pointer here =
+          description::key_pointer(*unit.described, description::DeviceKey::inputs) / given[i].first;
+      std::string lacking;
+      if (text::has_braces(given[i].second)) {
+        resolve_made(given[i].second, matched_by(unit, description::DeviceKey::inputs), here, tree, &lacking);
+        made_.takes(here);
+      } else {
+        resolve(given[i].second, here, tree);
+      }
+      if (!lacking.empty()) {
+        made_.lacks(here, unit.path, std::move(lacking));
+        continue;
+      }
       if (unit.described->behaviour.empty()) continue;
       unit.conditions.push_back(std::move(tree));
       unit.input_names.push_back(given[i].first);
@@ -240,11 +251,27 @@ class Relations {
           given[i].after.empty() != given[i].expect.empty()) {
         faults_.add(here, "a requirement needs either `never`, or `after` with `expect`");
       } else if (given[i].of.empty()) {
-        add_requirement(i, nullptr, {}, here);
+        if (!refuse_braces(given[i], here)) add_requirement(i, nullptr, {}, here);
       } else {
-        add_requirements_for(i, here);
+        add_requirements_for(i, here.matched_by(given[i].of));
       }
     }
+  }
+
+  /// Whether a requirement without `for` has names in braces, which is a fault. In quotes they may be part of a name.
+  bool refuse_braces(const description::GivenRequirement& given, const description::Pointer& here) {
+    bool refused = false;
+    for (const auto& [text, key] : {std::pair<const std::string&, std::string_view>(given.name, "name"),
+                                    {given.never, "never"},
+                                    {given.after, "after"},
+                                    {given.expect, "expect"}}) {
+      const std::size_t open = text.find('{');
+      if (open == text.npos || (key != "name" && text.find('\'') < open)) continue;
+      faults_.add(here / key, description::ticked(text.substr(open, text.find('}', open) + 1 - open)) +
+                                  " is replaced by a name only with `for`; add `for`, or write the name");
+      refused = true;
+    }
+    return refused;
   }
 
   /// One requirement for each device that `for` matches.
@@ -304,8 +331,8 @@ class Relations {
       const bool is_pattern = given.symbol.find_first_of("*?") != std::string::npos;
       Symbol& symbol = plant_.symbols[follow.symbol];
       std::string lacking;
-      const bool sound = is_pattern ? resolve_made(given.condition, MatchedNames::of(symbol, given.symbol), here,
-                                                   follow.condition, &lacking)
+      const bool sound = is_pattern ? resolve_made(given.condition, MatchedNames::of(symbol, given.symbol),
+                                                   here.matched_by(given.symbol), follow.condition, &lacking)
                                     : resolve(given.condition, here, follow.condition);
       if (is_pattern) made_.takes(here);
       if (!lacking.empty()) made_.lacks(here, symbol.name(), std::move(lacking));

@@ -28,8 +28,8 @@ std::string turn_words(const Scenario& scenario, std::size_t step, std::uint64_t
   std::string words;  // repeats around one step are sorted by their ends: the inner ones come first
   for (const Repeat& repeat : scenario.repeats) {
     if (!covers(repeat, step)) continue;
-    const std::string turn = fmt::format("turn {} of {}", number % repeat.turns + 1, repeat.turns);
-    words = words.empty() ? turn : turn + ", " + words;
+    const std::string inner = words.empty() ? words : ", " + words;
+    words = fmt::format("turn {} of {}{}", number % repeat.turns + 1, repeat.turns, inner);
     number /= repeat.turns;
   }
   return words;

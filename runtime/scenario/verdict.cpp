@@ -57,7 +57,7 @@ std::vector<SymbolValue> missing(const Expectation& expectation, const trace::Pl
 
 /// The step that forces a symbol.
 struct Force {
-  std::uint64_t value;
+  std::uint64_t value = 0;
   std::string line;  ///< in words
 };
 using Forces = std::map<std::uint32_t, Force>;

@@ -19,6 +19,7 @@ namespace symplant::bench {
 
 /// The devices, conditions, times and disables of RichPlant. Throws if the files are rejected.
 struct RichFiles {
+  static constexpr std::uint64_t kInverted = 0;  ///< no symbol is inverted
   static constexpr std::uint32_t kStride = TwoStatePlant::kStride;
   static constexpr std::uint64_t kStateEvents = TwoStatePlant::kStateEvents;
 

@@ -128,8 +128,8 @@ symplant_mutant(move_without_a_command_has_no_while
   "")
 
 symplant_mutant(weight_of_a_transition_that_is_not_ready
-  "    if (record.holds == 0 || record.ready > now_) continue;"
-  "    if (record.holds == 0) continue;")
+  "    return record.holds != 0 && record.ready <= now_ ? weight : 0;"
+  "    return record.holds != 0 ? weight : 0;")
 
 symplant_mutant(overrun_counts_on_in_another_state
   "  const std::uint64_t kept = overrun.state == state.state ? overrun.commands & commands : 0;"

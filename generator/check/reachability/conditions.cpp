@@ -1,6 +1,8 @@
 // The conditions of a plant with their locations in the description.
 #include "check/reachability/conditions.hpp"
 
+#include <algorithm>
+
 namespace symplant::check {
 namespace {
 
@@ -20,8 +22,11 @@ void add_conditions(const model::Unit& unit, const model::PlantModel& plant, std
                      verdict_of(transition.when)});
   }
   for (std::size_t i = unit.first_input; i < unit.conditions.size(); ++i) {
-    const auto& [name, text] = unit.described->inputs[i - unit.first_input];
-    found.push_back({&unit, &unit.conditions[i], text, nullptr, name, verdict_of(i)});
+    const auto& inputs = unit.described->inputs;  // some may be left out, and they are in any order
+    const std::string_view name = unit.input_names[i - unit.first_input];
+    const auto given =
+        std::find_if(inputs.begin(), inputs.end(), [&](const auto& input) { return input.first == name; });
+    found.push_back({&unit, &unit.conditions[i], given->second, nullptr, given->first, verdict_of(i)});
   }
 }
 

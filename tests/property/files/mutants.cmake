@@ -25,6 +25,24 @@ symplant_files_mutant(array_of_a_pattern_stays_where_it_is_empty generator/descr
   "  if (given[static_cast<std::size_t>(key)]) return true;"
   "")
 
+# Of names in braces.
+symplant_files_mutant(share_of_an_earlier_try_is_kept generator/text text
+  "      forget(shares_before);"
+  "      forget(shares_before + 1);")
+
+symplant_files_mutant(process_in_braces_is_the_device generator/model model
+  "    if (name == \"process\") return level(process_);"
+  "    if (name == \"process\") return level(device_);")
+
+symplant_files_mutant(requirement_for_the_first_match_only generator/model model
+  "      add_requirement(index, &matched, unit.device_path(), here);"
+  "      add_requirement(index, &matched, unit.device_path(), here); break;")
+
+symplant_files_mutant(transition_of_a_pattern_is_never_left_out generator/model model
+  "    if (lacking) unit.left_out.push_back(i);"
+  "")
+
+# Of values and of scenarios.
 symplant_files_mutant(random_times_of_one_kind generator/description description
   "  if (mean && sigma) return Duration{Duration::Kind::normal, *mean, *sigma};"
   "  if (mean && sigma) return Duration{Duration::Kind::uniform, *mean, *mean + *sigma};")

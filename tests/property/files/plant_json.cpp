@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "property/files/copies.hpp"
+#include "property/files/joined_requirements.hpp"
 #include "property/files/json_printer.hpp"
 #include "property/files/spread.hpp"
 #include "property/words.hpp"
@@ -59,13 +61,13 @@ std::set<std::string> tasks_of(const PlantText& plant, const std::string& path,
 }
 
 /// All devices, and what the description defines for each.
-std::vector<Wish> wishes_of(const PlantText& plant, const Style& style, Counts& counts) {
-  const model::PlantModel model = build(plant).plant;
+std::vector<Wish> wishes_of(const PlantText& plant, const model::PlantModel& model, const KnownNames& known,
+                            const Style& style, Counts& counts) {
   std::vector<std::string> paths;
   for (const model::Unit& unit : model.units) paths.emplace_back(unit.path);
   std::vector<Wish> wishes;
   for (const model::Unit& unit : model.units) {
-    Wish wish{std::string(unit.path), tasks_of(plant, std::string(unit.path), unit.described), {}};
+    Wish wish{std::string(unit.path), tasks_of(plant, std::string(unit.path), unit.described), {}, &known};
     if (unit.described != nullptr) {
       Sayer sayer(style, unit.path, counts);
       wish.keys = sayer.keys(*unit.described, paths);
@@ -99,36 +101,11 @@ json defaults_of(const description::Defaults& defaults, Sayer& sayer) {
   return said;
 }
 
-/// Perhaps the same requirement for a pattern that matches one of the devices it names.
-json for_device(json requirement, const std::vector<std::string>& paths, Sayer& sayer, Counts& counts) {
-  if (!sayer.dice.percent(60)) return requirement;
-  for (const std::string& path : paths) {
-    if (path.find('.') != path.npos) continue;  // a facet
-    std::string pattern = random_pattern(sayer.dice, path);
-    const auto also = [&](const std::string& other) { return other != path && fits(other, pattern); };
-    if (!fits(path, pattern) || std::any_of(paths.begin(), paths.end(), also)) pattern = path;
-    json braced = requirement;
-    bool any = false;
-    for (const char* key : {"never", "after", "expect"}) {
-      if (!braced.contains(key)) continue;
-      std::string text = braced[key];
-      const std::size_t at = text.find(path + ".");
-      if (at == text.npos || (at != 0 && text[at - 1] != ' ' && text[at - 1] != '(')) continue;
-      braced[key] = text.replace(at, path.size(), "{self}");
-      any = true;
-    }
-    if (!any) continue;
-    braced["for"] = pattern;
-    ++counts[Seen::requirements_for];
-    return braced;
-  }
-  return requirement;
-}
-
 }  // namespace
 
 void make_sayable(PlantText& plant, std::uint64_t seed) {
   Dice dice(seed ^ 0xF11E5);
+  add_copies(Dice(seed ^ 0xCE115), plant);
   description::Description& description = plant.description;
   clip(description.defaults.travel);
   clip(description.defaults.dwell);
@@ -163,7 +140,9 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
   const json defaults = defaults_of(plant.description.defaults, sayer);
   if (!defaults.empty()) said["defaults"] = defaults;
   json devices = json::object();
-  const std::vector<Wish> wishes = wishes_of(plant, style, counts);
+  const model::PlantModel model = build(plant).plant;
+  const KnownNames known = known_names(model);
+  const std::vector<Wish> wishes = wishes_of(plant, model, known, style, counts);
   for (const Entry& entry : spread(wishes, style, counts)) devices[entry.name] = entry.keys;
   if (!devices.empty() || dice.percent(10)) said["devices"] = devices;
   for (const std::string& symbol : plant.description.inverted) {
@@ -174,10 +153,8 @@ std::string plant_json(const PlantText& plant, const Style& style, Counts& count
     said["follow"][sayer.name(given.symbol)] = sayer.condition(given.condition);
     ++counts[Seen::follows];
   }
-  std::vector<std::string> paths;
-  for (const Wish& wish : wishes) paths.push_back(wish.path);
-  for (const description::GivenRequirement& requirement : plant.description.requirements) {
-    said["requirements"].push_back(for_device(sayer.requirement(requirement), paths, sayer, counts));
+  for (const description::GivenRequirement& requirement : joined_requirements(plant, style, known, counts)) {
+    said["requirements"].push_back(sayer.requirement(requirement));
   }
   if (style.decorated) {
     if (dice.percent(10)) said["$schema"] = "plant.schema.json";

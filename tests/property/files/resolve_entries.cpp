@@ -1,6 +1,7 @@
 // The second resolver of patterns.
 #include "property/files/resolve_entries.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
@@ -21,31 +22,115 @@ bool lacks(const Wish& device, const json& transition) {
   return false;
 }
 
-}  // namespace
+/// Makes the names in a text with braces; false if the plant lacks one.
+bool make(json& text, const BraceNames& names, const std::function<bool(const std::string&)>& known) {
+  const auto before = text.get<std::string>();
+  if (!has_braces(before)) return true;
+  const std::string after = expanded(before, names);
+  text = after;
+  return known(after);
+}
 
-long leave_out(json& value, const Wish& device, const std::string& key) {
-  if (key == "initial" || key == "rest") {
-    if (!lacks(device, value.get<std::string>())) return 0;
-    value = nullptr;
-    return 1;
-  }
-  long left_out = 0;
-  if (key == "transitions") {
+class LeavingOut {
+ public:
+  LeavingOut(const Wish& device, const std::string& pattern)
+      : device_(device), names_(brace_names(device.path, pattern)) {}
+
+  json transitions(const json& value) {
+    // Tasks named by a transition that is left out like this may still be states, or not: users should not rely on
+    // that.
+    const bool names_tasks = device_.keys.contains("outputs") ||
+                             std::any_of(value.begin(), value.end(), [](const json& it) { return it.contains("on"); });
     json kept = json::array();
-    for (const json& each : value) {
-      if (!lacks(device, each)) kept.push_back(each);
+    for (json each : value) {
+      bool known = true;
+      for (const char* key : {"when", "while"}) {
+        if (each.contains(key)) known = make(each[key], names_, known_condition()) && known;
+      }
+      const bool lacking = lacks(device_, each);
+      if (!lacking && (known || names_tasks)) kept.push_back(each);
+      count(lacking, known);
     }
-    left_out = std::ssize(value) - std::ssize(kept);
-    value = kept;
-  } else if (key == "outputs" || key == "disables") {
+    return kept;
+  }
+
+  json disables(const json& value) {
     json kept = json::object();
     for (const auto& member : value.items()) {
-      if (!lacks(device, member.key())) kept[member.key()] = member.value();
+      if (lacks(device_, member.key())) {
+        count(true, true);
+        continue;
+      }
+      kept[member.key()] = json::array();
+      for (json each : member.value()) {
+        const bool known = make(each, names_, [&](const std::string& name) {
+          return reference::is_pattern(name) || knows_device(*device_.known, name);
+        });
+        if (known) kept[member.key()].push_back(each);
+        count(false, known);
+      }
     }
-    left_out = std::ssize(value) - std::ssize(kept);
-    value = kept;
+    return kept;
   }
-  return left_out;
+
+  json outputs(const json& value) {
+    json kept = json::object();
+    for (const auto& member : value.items()) {
+      const bool lacking = lacks(device_, member.key());
+      if (!lacking) kept[member.key()] = member.value();
+      count(lacking, true);
+    }
+    return kept;
+  }
+
+  json inputs(const json& value) {
+    json kept = json::object();
+    for (const auto& member : value.items()) {
+      json text = member.value();
+      const bool known = make(text, names_, known_condition());
+      if (known) kept[member.key()] = text;
+      count(false, known);
+    }
+    return kept;
+  }
+
+  LeftOut left_out;
+
+ private:
+  void count(bool lacking, bool known) {
+    left_out.parts += lacking || !known ? 1 : 0;
+    left_out.made += !lacking && !known ? 1 : 0;
+  }
+  std::function<bool(const std::string&)> known_condition() const {
+    return [this](const std::string& text) { return knows(*device_.known, text); };
+  }
+
+  const Wish& device_;
+  const BraceNames names_;
+};
+
+}  // namespace
+
+json made(const Entry& entry, const Wish& device, const std::string& key) {
+  json value = entry.keys.at(key);
+  if (entry.exact()) return value;
+  const BraceNames names = brace_names(device.path, entry.name);
+  edit_texts(value, key, [&](const std::string& text) { return expanded(text, names); });
+  return value;
+}
+
+LeftOut leave_out(json& value, const Wish& device, const std::string& key, const std::string& pattern) {
+  LeavingOut leaving(device, pattern);
+  if (key == "initial" || key == "rest") {
+    if (!lacks(device, value.get<std::string>())) return {};
+    value = nullptr;
+    return {1, 0};
+  }
+  if (key == "transitions") value = leaving.transitions(value);
+  if (key == "outputs") value = leaving.outputs(value);
+  if (key == "disables") value = leaving.disables(value);
+  if (key == "inputs") value = leaving.inputs(value);
+  return leaving.left_out;
 }
 
 Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const std::string& key) {
@@ -58,7 +143,9 @@ Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const st
       const auto other = entries[j].keys.find(key);
       if (other == entries[j].keys.end() || entries[i].exact() || entries[j].exact()) continue;
       if (!fits(device.path, entries[j].name) || literals(entries[i].name) != literals(entries[j].name)) continue;
-      it.clash = it.clash || other->second != said->second;
+      // So does one text that is not the same name for both.
+      it.clash =
+          it.clash || other->second != said->second || made(entries[i], device, key) != made(entries[j], device, key);
       ++it.agreeing;
     }
     if (it.entry) ++it.beaten;
@@ -73,7 +160,8 @@ Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const st
   }
   if (!it.entry) return it;
   it.value = entries[*it.entry].keys.at(key);
-  if (!entries[*it.entry].exact()) it.left_out = leave_out(it.value, device, key);
+  const Entry& entry = entries[*it.entry];
+  if (!entry.exact()) it.left_out = leave_out(it.value, device, key, entry.name);
   return it;
 }
 

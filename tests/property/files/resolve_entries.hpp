@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "property/files/braces.hpp"
 #include "property/files/said.hpp"
 
 namespace symplant::property::files {
@@ -23,6 +24,13 @@ struct Wish {
   std::string path;
   std::set<std::string> tasks;  ///< of all its symbols and added states, in upper case
   Keys keys;
+  const KnownNames* known;  ///< of the plant
+};
+
+/// Parts that a device lacks.
+struct LeftOut {
+  long parts = 0;
+  long made = 0;  ///< of these: only due to names that braces make
 };
 
 /// How a device gets one key.
@@ -32,14 +40,18 @@ struct Resolved {
   long beaten = 0;                   ///< entries with the key that have no effect
   long agreeing = 0;                 ///< further entries, equally specific, with the same value
   std::set<std::size_t> best;        ///< the entry, and patterns as specific as it
-  nlohmann::json value;              ///< without the parts that the device lacks; null if no part is left
-  long left_out = 0;                 ///< parts that the device lacks
+  nlohmann::json value;              ///< made(), without the parts that the device lacks; null if no part is left
+  LeftOut left_out;                  ///< parts that the device lacks
 };
 
 Resolved resolve(const std::vector<Entry>& entries, const Wish& device, const std::string& key);
 
-/// Removes the parts that the device lacks from a key's value; null if no part is left. Returns their number.
-long leave_out(nlohmann::json& value, const Wish& device, const std::string& key);
+/// The value of a key of an entry with names for those in braces.
+nlohmann::json made(const Entry& entry, const Wish& device, const std::string& key);
+
+/// Replaces braces in a key's value in a pattern's entry, and removes the parts that the device lacks; null if no part
+/// is left.
+LeftOut leave_out(nlohmann::json& value, const Wish& device, const std::string& key, const std::string& pattern);
 
 /// The neutral value of a key, if there is one; else null.
 nlohmann::json neutral(const std::string& key);

@@ -163,11 +163,16 @@ Keys Sayer::keys(const description::DeviceDescription& device, const std::vector
 }
 
 json Sayer::requirement(const description::GivenRequirement& given) {
-  if (!given.never.empty()) return {{"name", given.name}, {"never", condition(given.never)}};
-  return {{"name", given.name},
-          {"after", condition(given.after)},
-          {"expect", condition(given.expect)},
-          {"within", time(given.within)}};
+  json said = {{"name", given.name}};
+  if (!given.of.empty()) said["for"] = name(given.of);
+  if (!given.never.empty()) {
+    said["never"] = condition(given.never);
+  } else {
+    said["after"] = condition(given.after);
+    said["expect"] = condition(given.expect);
+    said["within"] = time(given.within);
+  }
+  return said;
 }
 
 std::string random_pattern(Dice& dice, const std::string& path) {

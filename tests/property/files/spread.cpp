@@ -27,7 +27,6 @@ class Spreader {
     }
     if (patterns) decoys();
     fix();
-    if (patterns) brace();
     count();
     drop_empty();
     return std::move(entries_);
@@ -48,6 +47,7 @@ class Spreader {
   }
 
   Entry& some_pattern(const std::string& path) {
+    if (dice_.percent(25)) return entry_of("L?" + path.substr(2));  // and its copies on other lines
     std::vector<std::size_t> fitting;
     for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
       if (fits(path, entries_[i].name)) fitting.push_back(i);
@@ -63,23 +63,38 @@ class Spreader {
     Entry& entry = some_pattern(wishes_[device].path);
     const auto there = entry.keys.find(key);
     if (there == entry.keys.end()) {
-      entry.keys[key] = value;
+      entry.keys[key] = dice_.percent(70) ? braced(value, key, device, entry.name) : value;
       return true;
     }
-    if (there->second == value) return true;
+    json taken = there->second;
+    leave_out(taken, wishes_[device], key, entry.name);
+    if (same_meaning(key, taken, value)) return true;
     // Two devices with nothing in common may share an array: each ignores what it lacks.
     if (!value.is_structured() || key == "states" || key == "inputs" || dice_.percent(40)) return false;
     const json before = there->second;
+    const json further = dice_.percent(70) ? braced(value, key, device, entry.name) : value;
     if (value.is_array()) {
-      for (const json& each : value) there->second.push_back(each);
+      for (const json& each : further) there->second.push_back(each);
     } else {
-      there->second.update(value);
+      there->second.update(further);
     }
     if (!same_meaning(key, resolve(entries_, wishes_[device], key).value, value)) {
       entry.keys[key] = before;
       return false;
     }
     return true;
+  }
+
+  /// The value with braces that every device that the pattern matches can read as names.
+  json braced(json value, const std::string& key, std::size_t device, const std::string& pattern) {
+    edit_texts(value, key, [&](const std::string& text) {
+      const std::string made = with_braces(dice_, text, brace_names(wishes_[device].path, pattern));
+      const bool reads = std::all_of(wishes_.begin(), wishes_.end(), [&](const Wish& wish) {
+        return !fits(wish.path, pattern) || stays_a_condition(made, brace_names(wish.path, pattern));
+      });
+      return reads ? made : text;
+    });
+    return value;
   }
 
   /// Another value that the same device could have.
@@ -167,7 +182,7 @@ class Spreader {
     const auto idle = [&](const json& value) {
       const auto lacks = [&](const Wish* wish) {
         json copy = value;
-        return leave_out(copy, *wish, key) > 0;
+        return leave_out(copy, *wish, key, entries_[pattern].name).parts > 0;
       };
       return std::any_of(takers.begin(), takers.end(), lacks) &&
              std::all_of(sure_takers.begin(), sure_takers.end(), lacks);
@@ -192,45 +207,6 @@ class Spreader {
     return true;
   }
 
-  /// Line and process, with the underscores behind them, of a strict name; empty for another name.
-  static std::string levels_of(const std::string& path) {
-    const std::size_t first = path.find('_');
-    const std::size_t second = first == path.npos ? first : path.find('_', first + 1);
-    return second == path.npos ? std::string() : path.substr(0, second + 1);
-  }
-
-  /// In the conditions of patterns whose devices have one line and process, writes names in braces for these: in all of
-  /// an entry, since equal texts are one condition.
-  void brace() {
-    for (std::size_t i = wishes_.size(); i < entries_.size(); ++i) {
-      const auto said = entries_[i].keys.find("transitions");
-      if (said == entries_[i].keys.end() || entries_[i].exact() || !dice_.percent(70)) continue;
-      const auto fits_both = [&](const Entry& other) {
-        return &other != &entries_[i] && !other.exact() && other.keys.contains("transitions") &&
-               std::any_of(wishes_.begin(), wishes_.end(), [&](const Wish& wish) {
-                 return fits(wish.path, other.name) && fits(wish.path, entries_[i].name);
-               });
-      };
-      // Equally specific patterns must agree.
-      if (std::any_of(entries_.begin(), entries_.end(), fits_both)) continue;
-      std::set<std::string> levels;
-      for (const Wish& wish : wishes_) {
-        if (fits(wish.path, entries_[i].name)) levels.insert(levels_of(wish.path));
-      }
-      if (levels.size() != 1 || levels.begin()->empty()) continue;
-      for (json& transition : said->second) {
-        for (const char* key : {"when", "while"}) {
-          if (!transition.contains(key)) continue;
-          std::string text = transition[key];
-          const std::size_t at = text.find(*levels.begin());
-          if (at == text.npos || (at != 0 && text[at - 1] != ' ' && text[at - 1] != '(')) continue;
-          transition[key] = text.replace(at, levels.begin()->size(), "{line}_{process}_");
-          ++counts_[Seen::braces];
-        }
-      }
-    }
-  }
-
   void count() {
     std::map<std::pair<std::size_t, std::string>, int> winners;
     for (const Wish& wish : wishes_) {
@@ -245,8 +221,13 @@ class Spreader {
         counts_[Seen::agreeing] += found.agreeing;
         if (entries_[*found.entry].exact()) continue;
         ++counts_[Seen::won];
-        counts_[Seen::left_out] += found.left_out;
-        if (++winners[{*found.entry, key}] == 2) ++counts_[Seen::shared];
+        counts_[Seen::left_out] += found.left_out.parts;
+        counts_[Seen::made_left_out] += found.left_out.made;
+        const bool braces = entries_[*found.entry].keys.at(key) != made(entries_[*found.entry], wish, key);
+        if (braces) ++counts_[Seen::braces];
+        if (++winners[{*found.entry, key}] != 2) continue;
+        ++counts_[Seen::shared];
+        if (braces) ++counts_[Seen::shared_braces];
       }
     }
   }

@@ -127,6 +127,26 @@ TEST_CASE("init: The unchanged skeleton is the plant of the bare list, and each 
   }
 }
 
+TEST_CASE("init: The proposed requirement is for all devices of a pattern, and valid") {
+  std::vector<std::string> names;
+  for (const std::string clamp : {"L_S1_CLAMP1", "L_S2_CLAMP2", "L_S3_CLAMP3"}) {
+    for (const char* task : {"_O_RET", "_I_RET", "_O_ADV", "_I_ADV"}) names.push_back(clamp + task);
+  }
+  MemoryFileSystem files;
+  files.files["list.csv"] = list_text(bits(names));
+  const std::vector<std::string> lines = lines_of(run_tool({"init", "list.csv"}, files).out);
+  const std::string text = without_comments(lines, [&](std::size_t i) { return contains(lines[i], "requirements"); });
+  INFO(text);
+  CHECK(contains(text, R"({"name": "{self} answers", "for": ")"));
+  CHECK(contains(text, R"("after": "{self}_O_)"));
+  const Tried proposed = tried(files.files["list.csv"], text);
+  CHECK(proposed.code == 0);
+  CHECK_FALSE(contains(proposed.out, "warning"));
+  files.files["plant.json"] = text;
+  const ToolRun model = run_tool({"model", "plant.json", "--format", "json"}, files);
+  CHECK(json_of(model.out).at("requirements").size() == 4);  // three that answer, two devices apart
+}
+
 TEST_CASE("init: A plant description is rejected as input") {
   MemoryFileSystem files = lists();
   REQUIRE(begin(files, "excell.csv", "plant.json").code == 0);

@@ -292,6 +292,33 @@ TEST_CASE("An empty entry still wins, and every value of a pattern is kept as te
   CHECK(file.description.devices[0].texts[static_cast<std::size_t>(description::DeviceKey::rest)] == "\"A\"");
 }
 
+TEST_CASE("`sequence` is one of three words, in defaults and devices") {
+  CHECK(sound("").description.defaults.sequence == description::Sequence::free);
+  CHECK(sound(R"("defaults": {"sequence": "cycle"})").description.defaults.sequence == description::Sequence::cycle);
+  CHECK_FALSE(device_of("").sequence);
+  CHECK(device_of(R"("sequence": "neighbours")").sequence == description::Sequence::neighbours);
+  CHECK(shape(R"("defaults": {"sequence": "circle"})") ==
+        "/defaults/sequence: expected one of `free`, `neighbours`, `cycle`, but found the text `circle`; did you mean "
+        "`cycle`?");
+}
+
+TEST_CASE("Braces in the entry of one device are an error at their location, except in quotes") {
+  const std::string rest = " is replaced by a name only under a pattern, and `L_P_D` is one device; write the name";
+  const auto entry = [](const std::string& members) { return "\"devices\": {\"L_P_D\": {" + members + "}}"; };
+  CHECK(shape(entry(R"("transitions": [{"from": "A", "to": "B", "when": "{self}.A", "while": "not {1}.B"}])")) ==
+        "/devices/L_P_D/transitions/0/when: `{self}`" + rest + "\n/devices/L_P_D/transitions/0/while: `{1}`" + rest);
+  CHECK(shape(entry(R"("inputs": {"x": "{line}_P_E.A"}, "disables": {"A": ["L_P_E", "{line}_P_E"]})")) ==
+        "/devices/L_P_D/inputs/x: `{line}`" + rest + "\n/devices/L_P_D/disables/A/1: `{line}`" + rest);
+  CHECK(shape(entry(R"("inputs": {"x": "'A {1}'.ON"})")).empty());
+}
+
+TEST_CASE("`for` makes a requirement one for a pattern") {
+  const std::string never = R"("never": "{self}.A"}])";
+  CHECK(sound(R"("requirements": [{"name": "{self}", "for": "L_*", )" + never).description.requirements[0].of == "L_*");
+  CHECK(sound(R"("requirements": [{"name": "a", )" + never).description.requirements[0].of.empty());
+  CHECK(shape(R"("requirements": [{"name": "{self}", "for": "", )" + never).starts_with("/requirements/0/for: "));
+}
+
 TEST_CASE("Values of every wrong type are rejected without harm") {
   const std::vector<std::string> values{"null", "true", "1",    "-1.5", "\"x\"",
                                         "\"\"", "[]",   "[[]]", "{}",   "{\"x\": {}}"};

@@ -246,5 +246,38 @@ TEST_CASE("A list without pairs says why") {
             .find("2 have no symbols to be paired with, 1 is matched by no rule") != std::string::npos);
 }
 
+TEST_CASE("Names in braces are levels of the naming rule, and a level that it lacks is an error") {
+  description::Description description;
+  description.requirements = {{"{self} of {process} {device} {1}", "{self}.ADV", "", "", 0, "*"}};
+  const Analysed list = analyse_cell(kRobot, description);
+  CHECK(faults(list) == "");
+  REQUIRE(list.model().requirements.size() == 1);  // one for the device, not for each facet
+  CHECK(list.model().requirements.front().name == "S1_RB of S1 RB S1_RB");
+  const std::vector<std::string> facets_only(kRobot.begin() + 4, kRobot.end());
+  description.requirements = {{"{self} {1}", "{self}.echo_JOB_A.moving", "", "", 0, "*"}};
+  const Analysed facets = analyse_cell(facets_only, description);
+  CHECK(faults(facets) == "");
+  REQUIRE(facets.model().requirements.size() == 1);
+  CHECK(facets.model().requirements.front().name == "S1_RB S1_RB");
+  description.requirements.front().name = "{line} {self}";
+  CHECK(faults(analyse_cell(kRobot, description)) ==
+        "/requirements/0/name: `{line}` is unknown here; use one of `{process}`, `{device}`, `{self}`, `{1}`");
+}
+
+TEST_CASE("Wildcards match parts of the device's name, also for its facets") {
+  std::vector<std::string> rows = kRobot;
+  rows.insert(rows.end(), {"Q S2_RB_ADV_SOL", "I S2_RB_ADV_END", "Q S2_RB_RET_SOL", "I S2_RB_RET_END"});
+  const auto conditions = [&](std::string pattern, std::string when) {
+    DeviceDescription d = device(std::move(pattern));
+    d.transitions = {transition("RET", "ADV", "", std::move(when))};
+    const Analysed list = analyse_cell(rows, describing({d}));
+    CHECK(faults(list) == "");
+    const model::Unit& unit = unit_of(list, "S1_RB");
+    return unit.conditions.empty() ? "" : model::condition_text(unit.conditions.front(), list.model());
+  };
+  CHECK(conditions("S1_*", "S2_{1}.ADV") == "S2_RB.ADV");
+  CHECK(conditions("S?_RB", "S2_RB.ADV and S{1}_RB.moving") == "S2_RB.ADV and S1_RB.moving");
+}
+
 }  // namespace
 }  // namespace symplant::test
