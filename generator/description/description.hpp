@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "description/duration.hpp"
 #include "description/links.hpp"
+#include "description/material.hpp"
 #include "symplant/tables/tables.hpp"
 #include "symplant/tables/time.hpp"
 
@@ -30,18 +32,6 @@ enum class Sequence : std::uint8_t {
 };
 /// The word in plant.json.
 std::string_view sequence_name(Sequence sequence);
-
-/// A fixed time, or a random one that is drawn at each use.
-struct Duration {
-  enum class Kind : std::uint8_t { fixed, uniform, normal };
-  Kind kind = Kind::fixed;
-  tables::Time a = 0;  ///< the time; the minimum; the mean: ns, >= 0
-  tables::Time b = 0;  ///< unused; the maximum, >= a; the standard deviation, >= 0
-
-  static Duration fixed(tables::Time time) { return {Kind::fixed, time, 0}; }
-  bool is_zero() const { return kind == Kind::fixed && a == 0; }
-  friend bool operator==(const Duration&, const Duration&) = default;
-};
 
 struct GivenTransition {
   std::string from;  ///< a state, or "*": every one other than `to`
@@ -173,6 +163,7 @@ struct Description {
   std::vector<std::string> inverted;  ///< symbols, or patterns
   std::vector<DeviceDescription> devices;
   std::vector<GivenFollow> follow;
+  GivenMaterial material;
   std::vector<GivenRequirement> requirements;
   std::vector<LinkDescription> links;
   GivenCheck check;

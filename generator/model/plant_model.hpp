@@ -12,6 +12,7 @@
 #include "address/address.hpp"
 #include "description/description.hpp"
 #include "model/controller_link.hpp"
+#include "model/material.hpp"
 #include "name/name_parser.hpp"
 #include "name/symbol_reader.hpp"
 #include "pairing/pairing.hpp"
@@ -51,8 +52,9 @@ enum class Unmodelled : std::uint8_t {
   constant,        ///< a contact that keeps its value
   role_none,       ///< its rule has the role `none`
   follows,         ///< it follows a condition (PlantModel::follows)
+  senses_parts,    ///< a sensor of PlantModel::material
 };
-inline constexpr int kUnmodelled = 14;
+inline constexpr int kUnmodelled = 15;
 
 /// What gave a symbol its direction.
 enum class DirectionBy : std::uint8_t {
@@ -222,6 +224,7 @@ struct PlantModel {
   std::vector<Unit> units;                          ///< in the order of their first symbol
   std::vector<Requirement> requirements;
   std::vector<Follow> follows;        ///< sorted by symbol
+  Material material;
   std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};
 

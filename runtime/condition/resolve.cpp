@@ -17,20 +17,20 @@ Tree tree_of(const Atom& atom) {
   return tree;
 }
 
-/// The constant to which a comparison with a symbol was folded.
-Tree constant(bool value, std::uint32_t symbol) {
+/// The constant to which a comparison with a symbol, or with a number of parts, was folded.
+Tree constant(bool value, Atom::Kind kind, std::uint32_t of) {
   Tree tree;
   tree.value = value;
-  tree.atom.kind = Atom::Kind::number;
-  tree.atom.of = symbol;
+  tree.atom.kind = kind;
+  tree.atom.of = of;
   return tree;
 }
 
-bool is_moving(std::string_view name) {
-  constexpr std::string_view kMoving = "moving";
-  if (name.size() != kMoving.size()) return false;
+/// Whether a name is `word`, which is in lower case.
+bool is_word(std::string_view name, std::string_view word) {
+  if (name.size() != word.size()) return false;
   for (std::size_t i = 0; i < name.size(); ++i) {
-    if ((name[i] | 0x20) != kMoving[i]) return false;
+    if ((name[i] | 0x20) != word[i]) return false;
   }
   return true;
 }
@@ -88,6 +88,14 @@ class Resolver {
     const Name& name = expression.names.front();
     if (expression.names.size() != 1) {
       const Name& last = expression.names.back();
+      const auto location = names_.location(name.text);
+      if (location && expression.names.size() == 2 && is_word(last.text, "parts")) {
+        return compared_parts(expression, *location);
+      }
+      if (location) {
+        return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
+                     "only the number of parts is compared, as in " + ticked(name.text + ".parts > 0")};
+      }
       return Fault{{name.index.offset, last.index.offset + last.index.length - name.index.offset},
                    "a state is compared with a number; only numeric symbols can be compared"};
     }
@@ -101,20 +109,54 @@ class Resolver {
     if (!folded) {
       return Fault{expression.number_index, "the number is out of range for " + std::string(type_name(symbol->type))};
     }
-    if (const bool* always = std::get_if<bool>(&*folded)) return constant(*always, symbol->index);
-    const auto& found = std::get<FoldedComparison>(*folded);
+    return folded_tree(*folded, Atom::Kind::number, symbol->index);
+  }
+
+  static Tree folded_tree(const std::variant<FoldedComparison, bool>& folded, Atom::Kind kind, std::uint32_t of) {
+    if (const bool* always = std::get_if<bool>(&folded)) return constant(*always, kind, of);
+    const auto& found = std::get<FoldedComparison>(folded);
     Atom atom;
-    atom.kind = Atom::Kind::number;
-    atom.of = symbol->index;
+    atom.kind = kind;
+    atom.of = of;
     atom.comparison = found.comparison;
     atom.number = found.number;
     atom.operand = found.operand;
     return tree_of(atom);
   }
 
+  static Resolved compared_parts(const Expression& expression, std::uint32_t location) {
+    const auto folded = fold(tables::DataType::ulint, expression.comparison, expression.number);
+    if (!folded) return Fault{expression.number_index, "the number is out of range"};
+    return folded_tree(*folded, Atom::Kind::parts, location);
+  }
+
+  /// LOCATION.part or LOCATION.KIND
+  Resolved parts(const Expression& expression, std::uint32_t location) const {
+    const Name& name = expression.names.front();
+    const Name& last = expression.names.back();
+    Atom atom;
+    atom.kind = Atom::Kind::parts;
+    atom.of = location;
+    atom.comparison = tables::Comparison::greater_equal;
+    atom.number = tables::NumberKind::unsigned_integer;
+    atom.operand = 1;
+    if (expression.names.size() == 2 && is_word(last.text, "part")) return tree_of(atom);
+    if (expression.names.size() == 2 && is_word(last.text, "parts")) {
+      return Fault{last.index, ticked(name.text + ".parts") + " is a number; compare it, as in " +
+                                   ticked(name.text + ".parts > 0") + ", or write " + ticked(name.text + ".part")};
+    }
+    const auto kind = expression.names.size() == 2 ? names_.part_kind(last.text) : std::nullopt;
+    if (!kind) {
+      return Fault{last.index, missing("kind of part " + ticked(last.text), names_.nearest_part_kind(last.text))};
+    }
+    atom.part = *kind;
+    return tree_of(atom);
+  }
+
   Resolved state(const Expression& expression) const {
     const Name& device = expression.names.front();
     const Name& last = expression.names.back();
+    if (const auto location = names_.location(device.text)) return parts(expression, *location);
     const std::string_view facet = expression.names.size() == 3 ? std::string_view(expression.names[1].text) : "";
     const std::vector<std::uint32_t> units = units_of(device.text, facet);
     if (units.empty()) return no_unit(expression, facet);
@@ -126,7 +168,7 @@ class Resolver {
         having.push_back(unit);
       }
     }
-    if (having.empty() && is_moving(last.text)) {
+    if (having.empty() && is_word(last.text, "moving")) {
       atom.kind = Atom::Kind::moving;
       having = units;
     }
@@ -173,6 +215,9 @@ class Resolver {
   }
 
   Fault no_symbol(const Name& name) const {
+    if (names_.location(name.text)) {
+      return {name.index, ticked(name.text) + " is a track or place of parts; write " + ticked(name.text + ".part")};
+    }
     if (!units_of(name.text, {}).empty()) {
       return {name.index,
               ticked(name.text) + " is a device; name one of its states, as in " + ticked(name.text + ".STATE")};

@@ -32,11 +32,15 @@ class Names {
   virtual std::string path(std::uint32_t unit) const = 0;
   virtual std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const = 0;
   virtual std::optional<Symbol> symbol(std::string_view name) const = 0;
+  /// A track or place, by index. Its name is not that of a device. Only in a plant with material.
+  virtual std::optional<std::uint32_t> location(std::string_view) const { return {}; }
+  virtual std::optional<std::uint32_t> part_kind(std::string_view) const { return {}; }
 
-  // For messages only: the nearest known name, empty if no name is near.
+  // For messages only: the nearest known name, empty if no name is near. Of devices: a location counts as one.
   virtual std::string nearest_device(std::string_view device, std::string_view facet) const = 0;
   virtual std::string nearest_state(std::uint32_t unit, std::string_view name) const = 0;
   virtual std::string nearest_symbol(std::string_view name) const = 0;
+  virtual std::string nearest_part_kind(std::string_view) const { return {}; }
   /// Why the name of a task of the unit is not one of its states, such as "`BUSY` is an event that ..."; empty if it is
   /// not a task.
   virtual std::string why_no_state(std::uint32_t unit, std::string_view name) const = 0;

@@ -8,17 +8,19 @@
 
 namespace symplant::condition {
 
-/// A test of one unit or symbol.
+/// A test of one unit, symbol or location of parts.
 struct Atom {
   enum class Kind : std::uint8_t {
     settled,  ///< unit `of` is settled in `state`
     moving,   ///< unit `of` is moving
     bit,      ///< BOOL symbol `of` is on, after forces
     number,   ///< numeric symbol `of`, after forces, compares with `operand`
+    parts,    ///< the number of parts at location `of`, of kind `part`, compares with `operand`
   };
   Kind kind = Kind::settled;
   std::uint32_t of = 0;
   std::uint8_t state = 0;
+  std::uint32_t part = 0xFFFF'FFFF;  ///< a kind of part; kNone: all kinds
   tables::Comparison comparison = tables::Comparison::equal;
   tables::NumberKind number = tables::NumberKind::signed_integer;
   std::uint64_t operand = 0;  ///< two's complement, or the bits of a double, by `number`

@@ -15,6 +15,18 @@ struct WordChange {
   std::uint64_t bits;
 };
 
+/// A part of the material flow that was made, moved to another location, or changed its kind.
+struct PartChange {
+  enum class What : std::uint8_t { made, moved, changed };
+  std::uint64_t number;
+  std::uint32_t kind;  ///< afterwards
+  std::uint32_t from;  ///< only if it moved: a location
+  std::uint32_t to;    ///< not if it changed: a location, or tables::kOut
+  std::int64_t x;      ///< on a track: its front, in um, rounded down
+  What what;
+  bool by_hand;  ///< by Plant::put() or Plant::take()
+};
+
 /// The net changes of one instant, after forces. Valid only during the call of the observer.
 struct Instant {
   tables::Time time;
@@ -23,6 +35,7 @@ struct Instant {
   std::span<const WordChange> events;
   std::span<const std::uint32_t> operation_slots;  ///< slots whose values changed
   std::span<const std::uint32_t> event_slots;
+  std::span<const PartChange> parts;  ///< in the order in which they happened
 };
 
 /// Receives every instant with a change, and every finding. It is called during advance_to() and advance_before(): its
@@ -31,6 +44,9 @@ class Observer {
  public:
   /// It may read the plant and must not act on it.
   virtual void instant(const Instant& instant) noexcept = 0;
+  /// Changes of parts of the next instant() call that exceed the engine's list of one instant; they happened before
+  /// those of instant().
+  virtual void parts_before(tables::Time, std::span<const PartChange>) noexcept {}
   /// A finding of the instant of the next instant() call, in order of FindingKind. No finding is lost here, unlike in
   /// the ring that take_finding() reads.
   virtual void finding(const tables::Finding&) noexcept {}

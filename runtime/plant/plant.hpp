@@ -31,6 +31,22 @@ struct UnitView {
   double progress;         ///< of the move, 0 to 1; 0 if it is settled
 };
 
+/// A part of the material flow.
+struct PartView {
+  std::uint64_t number;  ///< from 1, in the order in which they were made
+  std::uint32_t kind;
+  std::int64_t x;      ///< on a track: its front, in um, rounded down; else 0
+  tables::Time since;  ///< when it came to its location
+};
+
+/// What a transfer of parts does.
+struct TransferView {
+  bool blocked;            ///< the finding `part blocked` is true
+  bool frozen;             ///< found in an instantaneous loop
+  std::uint64_t part;      ///< the part that it would move; 0: none
+  std::uint64_t obstacle;  ///< a part that leaves no room for it; 0: there is room, or nothing to move
+};
+
 /// A plant of the given tables in the given memory (memory_size() bytes, aligned for any type).
 ///
 /// Every member is noexcept and uses no heap, no lock and no system call; it calls only observers and behaviors. Only
@@ -86,6 +102,12 @@ class Plant {
   /// even if they are the same. A disabled or frozen unit stays so. Does nothing if the unit has no such state. O(1)
   /// plus the cost of the changes.
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
+  /// Makes a part at a location, by hand. `at`: the position of its middle on a track, in um, or tables::kWhole.
+  /// Returns false and does nothing if there is no room. O(parts at the location).
+  bool put(tables::PartLocation to, std::uint32_t kind) noexcept;
+  /// Removes the part that a transfer would take from there, by hand. Returns false and does nothing if there is none.
+  /// O(parts at the location).
+  bool take(tables::PartLocation from) noexcept;
   /// Sets for all custom behaviors whether the link that carries their operations is connected (quality()); true after
   /// a reset. O(devices with a behavior).
   void set_quality(bool well) noexcept;
@@ -128,6 +150,18 @@ class Plant {
   /// Mask over operations(): a set bit is disarmed, without effect until the operation has been off (docs/model.md,
   /// "A transition"). The other operations are armed.
   std::span<const std::uint64_t> disarmed() const noexcept;
+
+  /// The number of parts at a location. O(1).
+  std::uint32_t parts(std::uint32_t location) const noexcept;
+  /// A part at a location: `index` 0 is the front-most on a track, and the one that came first in a place. O(1).
+  PartView part(std::uint32_t location, std::uint32_t index) const noexcept;
+  /// The parts of a kind made since the reset, and those that left the plant. O(1).
+  std::uint64_t parts_made(std::uint32_t kind) const noexcept;
+  std::uint64_t parts_gone(std::uint32_t kind) const noexcept;
+  /// Whether a track was found in an instantaneous loop: its parts do not move. O(1).
+  bool is_frozen_track(std::uint32_t track) const noexcept;
+  /// O(parts at its locations).
+  TransferView transfer(std::uint32_t transfer) const noexcept;
 
   /// Whether a requirement is waiting for its expected condition. O(1).
   bool is_pending(std::uint32_t requirement) const noexcept;

@@ -17,21 +17,22 @@ enum class FindingKind : std::uint8_t {
   lost_command,                   ///< of an operation
   started_on_enabling,            ///< of a unit; a note
   event_too_short,                ///< of an event
-  instantaneous_loop,             ///< of units and follows: one finding each, `more` set on all but the loop's last
-  requirement_violated,           ///< of a requirement
-  link_lost,                      ///< of a link; the host reports this kind and the next ones, the model the others
-  link_back,                      ///< of a link; a note
-  event_overwritten,              ///< of an event
-  clock_restarted,                ///< of the operation that is the PLC's clock
-  standstill,                     ///< of the plant: `of` is the time in ms that it lost
+  instantaneous_loop,    ///< of units, follows and material: one finding each, `more` set on all but the loop's last
+  requirement_violated,  ///< of a requirement
+  part_blocked,          ///< of a transfer of parts
+  link_lost,             ///< of a link; the host reports this kind and the next ones, the model the others
+  link_back,             ///< of a link; a note
+  event_overwritten,     ///< of an event
+  clock_restarted,       ///< of the operation that is the PLC's clock
+  standstill,            ///< of the plant: `of` is the time in ms that it lost
 };
-inline constexpr int kFindingKinds = 10;     ///< kinds that the model reports
-inline constexpr int kAllFindingKinds = 15;  ///< with the kinds that the host reports
+inline constexpr int kFindingKinds = 11;     ///< kinds that the model reports
+inline constexpr int kAllFindingKinds = 16;  ///< with the kinds that the host reports
 
 struct Finding {
   Time time;
-  /// Index of a unit, symbol or requirement in the tables, or of a link in the run. In an instantaneous loop the
-  /// number of units and an index in PlantTables::follows is a symbol that follows a condition.
+  /// Index of a unit, symbol, requirement or transfer in the tables, or of a link in the run. In an instantaneous loop
+  /// the units are followed by the rows of PlantTables::follows, then by tracks, transfers, work and sources.
   std::uint32_t of;
   FindingKind kind;
   bool more;  ///< the next finding names another member of the same loop

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#include "symplant/tables/material.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::tables {
@@ -113,13 +114,13 @@ struct DisableRow {
 };
 
 /// The kind of row that reads a condition's truth.
-enum class ReaderKind : std::uint8_t { unit, condition, requirement, follow };
+enum class ReaderKind : std::uint8_t { unit, condition, requirement, follow, drive, stop, end, transfer, work, source };
 
 /// A condition of at most six inputs as a truth table: bit i of `truth` is its value if input k is bit k of i. A
 /// condition with more inputs is a network of rows, in which one condition reads another.
 struct ConditionRow {
   std::uint64_t truth;
-  std::uint32_t reader;  ///< index of a unit, a condition, a requirement, or a FollowRow
+  std::uint32_t reader;  ///< index of the row, in the table of its kind
   std::uint8_t
       reader_input;  ///< the input number in a condition; in a requirement 0 is `never` or `after`, 1 is `expect`
   ReaderKind reader_kind;
@@ -153,7 +154,8 @@ enum class Comparison : std::uint8_t { less, less_equal, equal, greater_equal, g
 /// How the 64 bits of a slot are compared.
 enum class NumberKind : std::uint8_t { signed_integer, unsigned_integer, real };
 
-/// Input `input` of `condition` is the comparison of a numeric symbol with `operand`, after forces.
+/// Input `input` of `condition` is the comparison of a numeric symbol, after forces, with `operand`; or of a number of
+/// parts, whose PartCounterRow is `slot`.
 struct ValueWatch {
   std::uint64_t operand;
   std::uint32_t slot;
@@ -246,7 +248,7 @@ struct SymbolRow {
   constexpr DataType type() const noexcept { return static_cast<DataType>(part(0)); }
   constexpr Direction direction() const noexcept { return static_cast<Direction>(part(8)); }
   constexpr AddressForm form() const noexcept { return static_cast<AddressForm>(part(16)); }
-  /// An event that its unit or a condition drives, or an operation that moves its unit.
+  /// An event that its unit, a condition or a sensor of parts drives, or an operation that moves its unit.
   constexpr bool moved() const noexcept { return (part(24) & 1) != 0; }
   /// Its bit has the opposite meaning: on in the planes of Plant while its unit sees it off, and the reverse.
   constexpr bool inverted() const noexcept { return (part(24) & 2) != 0; }
@@ -295,8 +297,10 @@ struct PlantTables {
   std::span<const ValueWatch> operation_value_watches;  ///< sorted by slot
   std::span<const ValueWatch> event_value_watches;      ///< sorted by slot
   std::span<const RequirementRow> requirements;
-  std::span<const FollowRow> follows;               ///< sorted by symbol
-  std::span<const OverrunRow> overruns;             ///< sorted by unit
+  std::span<const FollowRow> follows;    ///< sorted by symbol
+  std::span<const OverrunRow> overruns;  ///< sorted by unit
+  MaterialTables material;
+  std::span<const ValueWatch> part_watches;         ///< sorted by slot
   std::span<const BehaviourUnit> behaviour_units;   ///< sorted by unit
   std::span<const std::uint32_t> behaviour_values;  ///< indexes of symbols
   std::uint32_t operation_bits;                     ///< size of the bit planes, in bits: a multiple of 64
