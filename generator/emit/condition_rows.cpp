@@ -4,13 +4,15 @@
 #include <array>
 #include <unordered_map>
 
+#include "emit/material_rows.hpp"
 #include "emit/model_text.hpp"
 #include "emit/row_writer.hpp"
 
 namespace symplant::emit {
 namespace {
 
-constexpr std::array<std::string_view, 4> kReaderKinds{"unit", "condition", "requirement", "follow"};
+constexpr std::array<std::string_view, 10> kReaderKinds{"unit", "condition", "requirement", "follow", "drive",
+                                                        "stop", "end",       "transfer",    "work",   "source"};
 constexpr std::array<std::string_view, 5> kComparisons{"less", "less_equal", "equal", "greater_equal", "greater"};
 constexpr std::array<std::string_view, 3> kNumberKinds{"signed_integer", "unsigned_integer", "real"};
 
@@ -106,6 +108,16 @@ std::string requirement_rows(const lower::EngineTables& tables, const model::Pla
     rows.text(row.kind == tables::RequirementRow::Kind::never ? "never, " : "expect, ");
     rows.numbers(row.condition, row.expected, row.within).text("},  // ").comment(plant.requirements[i].name);
     rows.text("\n");
+  }
+  return rows.take();
+}
+
+std::string part_watch_rows(const lower::EngineTables& tables) {
+  RowWriter rows;
+  for (const tables::ValueWatch& row : tables.part_watches) {
+    rows.text("    {").hex(row.operand).text(", ").numbers(row.slot, row.condition, unsigned{row.input});
+    rows.text(", tables::Comparison::").text(name_of(kComparisons, row.comparison)).text(", tables::NumberKind::");
+    rows.text(name_of(kNumberKinds, row.kind)).text("},\n");
   }
   return rows.take();
 }

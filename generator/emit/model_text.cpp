@@ -27,6 +27,45 @@ std::string unit_reader(std::uint32_t index, const lower::Type& type, const mode
   return fmt::format("condition {}", index);
 }
 
+/// The track that has a row of one of its tables.
+template <class RowsOf>
+std::uint32_t track_with(std::uint32_t row, const lower::EngineTables& tables, RowsOf rows_of) {
+  for (std::uint32_t t = 0; t < tables.material.tracks.size(); ++t) {
+    const tables::Rows rows = rows_of(tables.material.tracks[t]);
+    if (row >= rows.first && row < rows.first + rows.count) return t;
+  }
+  return 0;
+}
+
+/// The element of the material flow that reads a condition, and the condition.
+std::string material_reader(const tables::ConditionRow& row, const lower::EngineTables& tables,
+                            const model::PlantModel& plant) {
+  using Kind = tables::ReaderKind;
+  const model::Material& material = plant.material;
+  const auto text = [&](std::string_view what, const std::string& name, const Tree& tree) {
+    return fmt::format("{} {}: {}", what, name, short_condition_text(tree, plant));
+  };
+  if (row.reader_kind == Kind::transfer) {
+    return text("transfer", material.transfers[row.reader].name, *material.transfers[row.reader].condition);
+  }
+  if (row.reader_kind == Kind::work) {
+    return text("work", material.work[row.reader].name, material.work[row.reader].condition);
+  }
+  if (row.reader_kind == Kind::source) {
+    return text("source", material.sources[row.reader].name, *material.sources[row.reader].condition);
+  }
+  const auto rows_of = [&](const tables::TrackRow& track) {
+    return row.reader_kind == Kind::drive ? track.drives : row.reader_kind == Kind::stop ? track.stops : track.ends;
+  };
+  const std::uint32_t t = track_with(row.reader, tables, rows_of);
+  const model::Track& track = material.tracks[t];
+  const std::uint32_t n = row.reader - rows_of(tables.material.tracks[t]).first;
+  if (row.reader_kind == Kind::stop) return text("stop of", track.name, track.stops[n].condition);
+  if (row.reader_kind == Kind::end) return text("end of", track.name, *track.ends[n].condition);
+  return row.reader_input == 0 ? text("forward of", track.name, *track.drives[n].forward)
+                               : text("backward of", track.name, *track.drives[n].backward);
+}
+
 }  // namespace
 
 std::string transition_text(const tables::Transition& transition, const model::Unit& unit,
@@ -62,6 +101,12 @@ std::vector<std::string> random_time_readers(const lower::EngineTables& tables, 
         reader = fmt::format("{}, {}", plant.units[u].path, transition_text(transitions[t], plant.units[u], plant));
       }
     }
+  }
+  for (std::size_t s = 0; s < tables.material.sources.size(); ++s) {
+    const tables::Time every = tables.material.sources[s].every;
+    if (every >= 0) continue;
+    std::string& reader = readers[static_cast<std::size_t>(-1 - every)];
+    if (reader.empty()) reader = fmt::format("source {}", plant.material.sources[s].name);
   }
   return readers;
 }
@@ -103,6 +148,14 @@ std::vector<std::string> condition_readers(const lower::EngineTables& tables, co
       }
       case tables::ReaderKind::condition:
         readers.push_back(fmt::format("input {} of condition {}", row.reader_input, row.reader));
+        break;
+      case tables::ReaderKind::drive:
+      case tables::ReaderKind::stop:
+      case tables::ReaderKind::end:
+      case tables::ReaderKind::transfer:
+      case tables::ReaderKind::work:
+      case tables::ReaderKind::source:
+        readers.push_back(material_reader(row, tables, plant));
         break;
     }
     ++index;

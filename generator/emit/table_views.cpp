@@ -9,6 +9,7 @@
 
 #include "emit/condition_rows.hpp"
 #include "emit/encode.hpp"
+#include "emit/material_rows.hpp"
 #include "emit/rows.hpp"
 
 namespace symplant::emit {
@@ -46,6 +47,24 @@ class TableViews {
     text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
   }
 
+  /// As rows(), for a member of MaterialTables; members() collects those.
+  void nested_rows(const char* member, const char* array, const char* row, std::string_view about, std::string rows) {
+    if (rows.empty()) return;
+    nested_.append(nested_.empty() ? "." : ", .").append(member).append(" = ").append(array);
+    row_tables_.push_back(
+        {{{"array", array}, {"row", row}, {"about", std::string(about)}, {"rows", std::move(rows)}}, {}});
+  }
+
+  void nested_texts(const char* member, const char* array, std::string_view about, const std::string& blob) {
+    if (blob.empty()) return;
+    nested_.append(fmt::format(", .{0} = {{{1}, sizeof {1} - 1}}", member, array));
+    const RowSource source = [&blob](RowWriter& rows) { name_rows(rows, blob, 1); };
+    text_tables_.push_back({{{"array", array}, {"about", std::string(about)}}, {}, {{"rows", source}}});
+  }
+
+  /// The value of the member that has the nested ones.
+  void nested(const char* member) { value(member, "{" + std::exchange(nested_, {}) + "}"); }
+
   void value(const char* member, std::string value) {
     members_.push_back({{{"member", member}, {"value", std::move(value)}}, {}});
   }
@@ -54,6 +73,7 @@ class TableViews {
   std::vector<View>& row_tables_;
   std::vector<View>& text_tables_;
   std::vector<View>& members_;
+  std::string nested_;
 };
 
 void add_conditions(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
@@ -82,6 +102,54 @@ void add_conditions(TableViews& views, const lower::EngineTables& tables, const 
              "A requirement: kind, condition, expected condition, time limit (ns).", requirement_rows(tables, plant));
   views.rows("follows", "kFollows", "tables::FollowRow", "A symbol that follows a condition: symbol, condition.",
              follow_rows(tables, plant));
+}
+
+void add_material(TableViews& views, const lower::EngineTables& tables, const model::PlantModel& plant) {
+  const model::Material& material = plant.material;
+  const lower::Material& rows = tables.material;
+  if (material.empty()) return;
+  views.nested_rows("kinds", "kPartKinds", "tables::KindRow", "A kind of part: length (um), code.",
+                    part_kind_rows(material));
+  views.nested_rows("tracks", "kTracks", "tables::TrackRow",
+                    "A track: length, gap (um), its drives, stops, sensors and ends (first, count).",
+                    track_rows(tables, material));
+  views.nested_rows("drives", "kDrives", "tables::DriveRow",
+                    "A drive: up to where (um), its conditions forward and backward, the symbol of its speed, speed "
+                    "(um/s).",
+                    drive_rows(tables, plant));
+  views.nested_rows("stops", "kStops", "tables::StopRow", "A stop: position (um), condition.",
+                    stop_rows(tables, material));
+  views.nested_rows("ends", "kEnds", "tables::EndRow", "An end of a track: location, condition.",
+                    end_rows(tables, material));
+  views.nested_rows("sensors", "kPartSensors", "tables::SensorRow",
+                    "A sensor of parts: symbol, location, position (um), the kinds that it sees (first, count), reads.",
+                    part_sensor_rows(tables, plant));
+  views.nested_rows("places", "kPlaces", "tables::PlaceRow", "A place: how many it holds, its sensors (first, count).",
+                    place_rows(tables, material));
+  views.nested_rows("transfers", "kTransfers", "tables::TransferRow", "A transfer: from, to, condition, once.",
+                    transfer_rows(tables, material));
+  views.nested_rows("work", "kWork", "tables::WorkRow", "Work: location, condition, kind before, kind after.",
+                    work_rows(tables, material));
+  views.nested_rows(
+      "sources", "kSources", "tables::SourceRow",
+      "A source: location, its kinds (first, count), first, every (ns; below 0: random), count, condition.",
+      source_rows(tables, material));
+  views.nested_rows("sensor_kinds", "kSensorKinds", "std::uint32_t", "Kinds that sensors see.",
+                    kind_number_rows(rows.sensor_kinds, material));
+  views.nested_rows("source_kinds", "kSourceKinds", "std::uint32_t", "Kinds that sources make.",
+                    kind_number_rows(rows.source_kinds, material));
+  views.nested_rows("counters", "kPartCounters", "tables::PartCounterRow",
+                    "A number of parts that conditions read: location, kind.", part_counter_rows(tables, material));
+  views.nested_texts("kind_names", "kPartKindNames", "The kinds of parts.", rows.kind_names);
+  views.nested_texts("location_names", "kLocationNames", "The tracks, then the places.", rows.location_names);
+  views.nested_texts("transfer_names", "kTransferNames", "The transfers.", rows.transfer_names);
+  views.nested_texts("work_names", "kWorkNames", "The work.", rows.work_names);
+  views.nested_texts("source_names", "kSourceNames", "The sources.", rows.source_names);
+  views.nested("material");
+  views.rows("part_watches", "kPartWatches", "tables::ValueWatch",
+             "A number of parts that a condition compares: operand, counter, condition, input of the condition, "
+             "comparison, kind of number.",
+             part_watch_rows(tables));
 }
 
 }  // namespace
@@ -117,6 +185,7 @@ void add_tables(View& view, const lower::EngineTables& tables, const model::Plan
   add_conditions(views, tables, plant);
   views.rows("overruns", "kOverruns", "tables::OverrunRow",
              "A device whose commands against its end are found: device, time (ns).", overrun_rows(tables, plant));
+  add_material(views, tables, plant);
   views.rows("behaviour_units", "kBehaviourUnits", "tables::BehaviourUnit",
              "A device with a custom behavior: device, class, its inputs (first, count), its values (first, count).",
              behaviour_unit_rows(tables, plant));

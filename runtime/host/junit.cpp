@@ -32,7 +32,7 @@ std::vector<TestCase> cases_of(const trace::PlantNames& names, const scenario::S
   std::vector<TestCase> cases;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const scenario::Step& step = scenario->steps[i];
-    if (!step.expect) continue;
+    if (!step.is_checked()) continue;
     TestCase test{fmt::format("step {}: {} {}", i + 1, step.when == scenario::Step::When::wait ? "wait" : "expect",
                               scenario::expectation_words(step, names) + turns_text(*scenario, i)),
                   outcomes[i].time,

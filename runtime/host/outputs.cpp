@@ -66,8 +66,11 @@ void Outputs::take(const trace::Record& record) {
         turn_ = record.value;
       } else if (record.of == scenario::kForceNote) {
         history_.force(static_cast<std::uint32_t>(record.value / 2), record.value % 2 != 0, record.time);
+      } else if (record.of == scenario::kHandNote) {
+        hands_.push_back(record.value);
       } else {
-        report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value));
+        report_.failed(record.of, std::exchange(turn_, 0), static_cast<tables::Time>(record.value), hands_);
+        hands_.clear();
       }
       return;
   }

@@ -79,9 +79,9 @@ bool Report::is_shown(const trace::FoundThing& found, std::string& note) {
   return true;
 }
 
-void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time) {
+void Report::failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands) {
   if (!failures_[step].empty()) return;
-  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, turn, time, names_, history_);
+  const std::vector<std::string> parts = scenario::failure_parts(*scenario_, step, turn, time, hands, names_, history_);
   failures_[step] = fmt::format("{}", fmt::join(parts, "; "));
   report(location(step) + ": error: ", parts);
 }
@@ -95,7 +95,7 @@ std::size_t Report::requirements_violated() const {
 
 void Report::report_unreached(const plant::Plant& plant, std::span<const scenario::Outcome> outcomes) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].expect) continue;
+    if (outcomes[i].kind != scenario::Outcome::Kind::unreached || !scenario_->steps[i].is_checked()) continue;
     const std::string turn = scenario::turn_words(*scenario_, i, outcomes[i].done);
     failures_[i] = fmt::format("{} was not reached{}, since the run ended at {}",
                                scenario::expectation_words(scenario_->steps[i], names_),

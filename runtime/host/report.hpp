@@ -7,6 +7,7 @@
 #include <map>
 #include <ostream>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +38,7 @@ class Report {
   std::string found(const trace::FoundThing& found);
   /// Reports that step `step` failed at `time`.
   /// The first failure of a step is reported. `turn`: how often the step was done before.
-  void failed(std::uint32_t step, std::uint64_t turn, tables::Time time);
+  void failed(std::uint32_t step, std::uint64_t turn, tables::Time time, std::span<const std::uint64_t> hands);
 
   std::uint64_t count(tables::FindingKind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
   std::uint64_t findings() const;

@@ -9,6 +9,34 @@ namespace {
 
 using tables::PlantTables;
 
+/// The track that has a row of one of its tables.
+template <class RowsOf>
+std::uint32_t track_with(const tables::MaterialTables& material, std::uint32_t row, RowsOf rows_of) {
+  const auto begins_before = [&](std::uint32_t index, const tables::TrackRow& track) {
+    return index < rows_of(track).first + rows_of(track).count;
+  };
+  return static_cast<std::uint32_t>(
+      std::upper_bound(material.tracks.begin(), material.tracks.end(), row, begins_before) - material.tracks.begin());
+}
+
+SymbolReader reader_in_material(const tables::MaterialTables& material, const tables::ConditionRow& row) {
+  switch (row.reader_kind) {
+    case tables::ReaderKind::transfer:
+      return {SymbolReader::Kind::transfer, row.reader};
+    case tables::ReaderKind::work:
+      return {SymbolReader::Kind::work, row.reader};
+    case tables::ReaderKind::source:
+      return {SymbolReader::Kind::source, row.reader};
+    default:
+      break;
+  }
+  return {SymbolReader::Kind::track, track_with(material, row.reader, [&](const tables::TrackRow& track) {
+            return row.reader_kind == tables::ReaderKind::drive  ? track.drives
+                   : row.reader_kind == tables::ReaderKind::stop ? track.stops
+                                                                 : track.ends;
+          })};
+}
+
 /// What reads a condition, through the network of conditions that it is part of.
 SymbolReader reader_of(const PlantTables& tables, std::uint32_t condition) {
   const tables::ConditionRow* row = &tables.conditions[condition];
@@ -20,6 +48,7 @@ SymbolReader reader_of(const PlantTables& tables, std::uint32_t condition) {
   if (row->reader_kind == tables::ReaderKind::follow) {
     return {SymbolReader::Kind::event, tables.follows[row->reader].symbol};
   }
+  if (row->reader_kind != tables::ReaderKind::unit) return reader_in_material(tables.material, *row);
   return {SymbolReader::Kind::unit, row->reader};
 }
 
@@ -66,9 +95,13 @@ void SymbolUse::find_drivers(const PlantTables& tables) {
       }
     }
   }
+  for (const tables::SensorRow& sensor : tables.material.sensors) {
+    drivers_[leader_[sensor.symbol]] = {SymbolDriver::Kind::part, sensor.location};
+  }
   for (std::uint32_t i = 0; i < tables.symbols.size(); ++i) {
     const tables::SymbolRow& symbol = tables.symbols[i];
     SymbolDriver& driver = drivers_[leader_[i]];
+    if (driver.kind == SymbolDriver::Kind::part) continue;
     if (symbol.moved()) {
       driver = {symbol.unit == tables::kNone ? SymbolDriver::Kind::condition : SymbolDriver::Kind::unit, symbol.unit};
     } else if (symbol.unit != tables::kNone && has_behavior[symbol.unit] && driver.kind == SymbolDriver::Kind::none) {
@@ -90,6 +123,12 @@ void SymbolUse::find_readers(const PlantTables& tables) {
           tables, tables.operation_value_watches, [](const tables::ValueWatch& watch) { return watch.slot; },
           symbol.index, add);
     }
+  }
+  for (std::uint32_t d = 0; d < tables.material.drives.size(); ++d) {
+    const std::uint32_t symbol = tables.material.drives[d].symbol;
+    if (symbol == tables::kNone || tables.symbols[symbol].direction() != tables::Direction::operation) continue;
+    const auto drives_of = [](const tables::TrackRow& track) { return track.drives; };
+    readings_.push_back({leader_[symbol], {SymbolReader::Kind::track, track_with(tables.material, d, drives_of)}});
   }
   const auto key = [](const Reading& reading) {
     return std::tuple(reading.symbol, reading.reader.kind, reading.reader.index);

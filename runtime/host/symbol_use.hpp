@@ -16,9 +16,13 @@ struct SymbolReader {
     behavior,     ///< the custom behavior of the unit, if the program contains its code
     requirement,  ///< a condition of the requirement
     event,        ///< the condition that drives the event (`follow`)
+    track,        ///< a drive, a stop or the end of a track
+    transfer,     ///< of parts
+    work,         ///< on parts
+    source,       ///< of parts
   };
   Kind kind;
-  std::uint32_t index;  ///< of a unit, a requirement or a symbol
+  std::uint32_t index;  ///< of a unit, a requirement, a symbol, or a row of tables::MaterialTables
 
   friend bool operator==(const SymbolReader&, const SymbolReader&) = default;
 };
@@ -30,6 +34,7 @@ struct SymbolDriver {
     unit,       ///< a state, transition or output of the unit
     behavior,   ///< the custom behavior of the unit, if the program contains its code
     condition,  ///< `follow`
+    part,       ///< a sensor of parts; `unit` is its location
   };
   Kind kind = Kind::none;
   std::uint32_t unit = tables::kNone;

@@ -49,9 +49,27 @@ void Player::set(const SymbolValue& value) noexcept {
   }
 }
 
-void Player::act(const Step& step) noexcept {
+/// False if a part had no room, or there was none to take.
+bool Player::act_by_hand(const Step& step) noexcept {
+  bool all = true;
+  const auto failed = [&](std::uint64_t which) {
+    recorder_.note(plant_.now(), kHandNote, which);
+    all = false;
+  };
+  for (std::size_t i = 0; i < step.put.size(); ++i) {
+    if (!plant_.put(step.put[i].at, step.put[i].kind)) failed(i);
+  }
+  for (std::size_t i = 0; i < step.take.size(); ++i) {
+    if (!plant_.take(step.take[i])) failed(kTakeNote + i);
+  }
+  return all;
+}
+
+/// False if the step has failed already.
+bool Player::act(const Step& step) noexcept {
   for (const SymbolValue& value : step.set) set(value);
   for (const UnitState& unit : step.states) plant_.set_state(unit.unit, unit.state);
+  const bool well = act_by_hand(step);
   for (const SymbolValue& value : step.force) {
     plant_.force(value.symbol, value.value);
     note_force(value.symbol, true);
@@ -60,6 +78,7 @@ void Player::act(const Step& step) noexcept {
     plant_.release(symbol);
     note_force(symbol, false);
   }
+  return well;
 }
 
 void Player::note_force(std::uint32_t symbol, bool forced) noexcept {
@@ -120,13 +139,13 @@ void Player::advance_to(tables::Time time) noexcept {
     }
     const tables::Time due = time_of(step);
     if (due > time) break;
-    act(step);
+    const bool well = act(step);
     if (!step.expect) {
-      decide(Outcome::Kind::done, due);
+      decide(!step.is_checked() ? Outcome::Kind::done : well ? Outcome::Kind::held : Outcome::Kind::failed, due);
       continue;
     }
     plant_.advance_to(time, this);
-    decide(holds(*step.expect, plant_) ? Outcome::Kind::held : Outcome::Kind::failed, due);
+    decide(well && holds(*step.expect, plant_) ? Outcome::Kind::held : Outcome::Kind::failed, due);
   }
   plant_.advance_to(time, this);
 }

@@ -31,6 +31,11 @@ inline constexpr std::uint32_t kTurnNote = 0xFFFF'FFFF;
 /// The `of` of a note about a force: its value is twice the symbol's index, and 1 more if it is now forced.
 inline constexpr std::uint32_t kForceNote = 0xFFFF'FFFE;
 
+/// The `of` of a note before that of a failed step: its value is the index of a part in Step::put that has no room, or
+/// kTakeNote more than an index in Step::take with no part.
+inline constexpr std::uint32_t kHandNote = 0xFFFF'FFFD;
+inline constexpr std::uint64_t kTakeNote = std::uint64_t{1} << 32;
+
 /// It acts between instants, and checks at the end of an instant whether a wait is met. It is the plant's observer and
 /// forwards everything to a recorder. Only the constructor allocates, so it may advance a plant in real time.
 ///
@@ -57,10 +62,14 @@ class Player final : public engine::Observer, public exec::Stepper {
 
   void instant(const engine::Instant& instant) noexcept override;
   void finding(const tables::Finding& finding) noexcept override { recorder_.finding(finding); }
+  void parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept override {
+    recorder_.parts_before(time, parts);
+  }
 
  private:
   tables::Time time_of(const Step& step) const noexcept;
-  void act(const Step& step) noexcept;
+  bool act(const Step& step) noexcept;
+  bool act_by_hand(const Step& step) noexcept;
   void note_force(std::uint32_t symbol, bool forced) noexcept;
   void set(const SymbolValue& value) noexcept;
   void decide(Outcome::Kind kind, tables::Time time) noexcept;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "symplant/condition/tree.hpp"
+#include "symplant/tables/material.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::scenario {
@@ -23,6 +24,13 @@ struct UnitState {
   std::uint32_t unit;
   std::uint8_t state;
   friend bool operator==(const UnitState&, const UnitState&) = default;
+};
+
+/// A part to be put by hand.
+struct NewPart {
+  tables::PartLocation at;
+  std::uint32_t kind;
+  friend bool operator==(const NewPart&, const NewPart&) = default;
 };
 
 /// An expectation holds if all values and the condition hold.
@@ -42,11 +50,16 @@ struct Step {
   tables::Time time = 0;
   std::vector<SymbolValue> set;
   std::vector<UnitState> states;
+  std::vector<NewPart> put;                ///< it fails if there is no room
+  std::vector<tables::PartLocation> take;  ///< it fails if there is no part
   std::vector<SymbolValue> force;
   std::vector<std::uint32_t> release;
   std::optional<Expectation> expect;
   std::size_t line = 0;    ///< in the file, from 1
   std::uint32_t file = 0;  ///< index in Scenario::files
+
+  /// Whether it can fail.
+  bool is_checked() const { return expect.has_value() || !put.empty() || !take.empty(); }
 };
 
 /// Steps that are done several times: from `begin` to before `end`, which differ. Two of them are apart, or one is

@@ -9,6 +9,7 @@
 #include "symplant/condition/resolve.hpp"
 #include "symplant/scenario/value.hpp"
 #include "symplant/tables/duration.hpp"
+#include "symplant/tables/length.hpp"
 #include "symplant/trace/finding_words.hpp"
 
 namespace symplant::scenario {
@@ -65,6 +66,8 @@ Step StepReader::read(const Json& step, const std::string& pointer) {
   };
   part("set", [&](const Json& value, const std::string& at) { result.set = read_values(value, at, true); });
   part("state", [&](const Json& value, const std::string& at) { result.states = read_states(value, at); });
+  part("put", [&](const Json& value, const std::string& at) { read_puts(value, at, result); });
+  part("take", [&](const Json& value, const std::string& at) { read_takes(value, at, result); });
   part("force", [&](const Json& value, const std::string& at) { result.force = read_values(value, at, false); });
   part("release", [&](const Json& value, const std::string& at) { result.release = read_symbols(value, at); });
   part("expect", [&](const Json& value, const std::string& at) { read_expect(value, at, result); });
@@ -109,7 +112,7 @@ void StepReader::read_wait(const Json& step, const std::string& pointer, Step& r
   if (const auto within = step.find("within"); within != step.end()) {
     result.time = read_duration(*within, json::child(pointer, "within")).value_or(kDefaultWithin);
   }
-  for (const char* key : {"set", "state", "force", "release", "expect"}) {
+  for (const char* key : {"set", "state", "put", "take", "force", "release", "expect"}) {
     if (!step.contains(key)) continue;
     add(json::child(pointer, key),
         ticked(key) + " is not allowed with `wait`; put it into a separate step after it, with `plus`: `0s`", true);
@@ -190,6 +193,11 @@ std::string StepReader::why_not_set(std::uint32_t symbol) const {
   for (const tables::FollowRow& row : names_.tables().follows) {
     if (row.symbol == symbol) return name + " follows a condition; use `force`";
   }
+  for (const tables::SensorRow& row : names_.tables().material.sensors) {
+    if (row.symbol != symbol) continue;
+    return name + " is a sensor of parts at " + ticked(names_.location(row.location)) +
+           "; put a part there with `put`, or use `force`";
+  }
   return name + " is driven by " +
          (unit == tables::kNone ? "the device on its address" : "the device " + ticked(names_.unit(unit))) +
          "; set that device with `state`, or the symbol with `force`";
@@ -213,6 +221,62 @@ std::vector<SymbolValue> StepReader::read_values(const Json& object, const std::
     }
   }
   return values;
+}
+
+void StepReader::read_puts(const Json& value, const std::string& pointer, Step& result) {
+  if (value.is_object()) {
+    read_put(value, pointer, result);
+    return;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) read_put(value[i], json::child(pointer, i), result);
+}
+
+void StepReader::read_put(const Json& value, const std::string& pointer, Step& result) {
+  const auto at = read_location(value["at"], json::child(pointer, "at"));
+  const auto& name = value["kind"].get_ref<const std::string&>();
+  const auto kind = by_name_.part_kind(name);
+  if (!kind) {
+    add(json::child(pointer, "kind"),
+        "kind of part " + ticked(name) + " not found" + nearest_text(by_name_.nearest_part_kind(name)));
+  }
+  if (at && kind) result.put.push_back({*at, *kind});
+}
+
+void StepReader::read_takes(const Json& value, const std::string& pointer, Step& result) {
+  const auto take = [&](const Json& text, const std::string& here) {
+    if (const auto at = read_location(text, here)) result.take.push_back(*at);
+  };
+  if (value.is_string()) {
+    take(value, pointer);
+    return;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) take(value[i], json::child(pointer, i));
+}
+
+std::optional<tables::PartLocation> StepReader::read_location(const Json& value, const std::string& pointer) {
+  const tables::LocationText text = tables::split_location(value.get_ref<const std::string&>());
+  const tables::MaterialTables& material = names_.tables().material;
+  const auto location = by_name_.location(text.name);
+  if (!location) {
+    add(pointer, material.empty() ? "this plant has no tracks and places of parts"
+                                  : "track or place " + ticked(text.name) + " not found" +
+                                        nearest_text(by_name_.nearest_location(text.name)));
+    return std::nullopt;
+  }
+  tables::PartLocation at{*location, tables::kWhole};
+  if (!text.has_position) return at;
+  const auto position = tables::parse_length(text.position);
+  if (!material.is_track(*location)) {
+    add(pointer, ticked(text.name) + " is a place and has no positions; remove `@` and what follows");
+  } else if (!position) {
+    add(pointer, ticked(text.position) + " is not a length; write a number and um, mm, cm or m, as in `300 mm`");
+  } else if (*position > material.tracks[*location].length) {
+    add(pointer, "this is beyond the end of track " + ticked(text.name));
+  } else {
+    at.at = *position;
+    return at;
+  }
+  return std::nullopt;
 }
 
 std::vector<UnitState> StepReader::read_states(const Json& object, const std::string& pointer) {

@@ -35,6 +35,10 @@ class StepReader {
   std::optional<tables::Time> read_duration(const nlohmann::json& value, const std::string& pointer);
   std::optional<condition::Tree> read_condition(const std::string& text, const std::string& pointer);
   std::vector<SymbolValue> read_values(const nlohmann::json& object, const std::string& pointer, bool setting);
+  void read_puts(const nlohmann::json& value, const std::string& pointer, Step& result);
+  void read_put(const nlohmann::json& value, const std::string& pointer, Step& result);
+  void read_takes(const nlohmann::json& value, const std::string& pointer, Step& result);
+  std::optional<tables::PartLocation> read_location(const nlohmann::json& value, const std::string& pointer);
   std::vector<UnitState> read_states(const nlohmann::json& object, const std::string& pointer);
   std::vector<std::uint32_t> read_symbols(const nlohmann::json& array, const std::string& pointer);
   std::optional<std::uint32_t> symbol(const std::string& name, const std::string& pointer, bool at_key);

@@ -27,6 +27,34 @@ TableNames::TableNames(const trace::PlantNames& names) : names_(names) {
   }
   symbols_.reserve(tables.symbols.size());
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) symbols_.try_emplace(tables::to_upper(names.symbol(s)), s);
+  for (std::uint32_t i = 0; i < tables.material.locations(); ++i) {
+    locations_.try_emplace(tables::to_upper(names.location(i)), i);
+  }
+  for (std::uint32_t i = 0; i < tables.material.kinds.size(); ++i) {
+    part_kinds_.try_emplace(tables::to_upper(names.part_kind(i)), i);
+  }
+}
+
+std::optional<std::uint32_t> TableNames::location(std::string_view name) const {
+  const auto found = locations_.find(tables::to_upper(name));
+  return found == locations_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::uint32_t> TableNames::part_kind(std::string_view name) const {
+  const auto found = part_kinds_.find(tables::to_upper(name));
+  return found == part_kinds_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string TableNames::nearest_part_kind(std::string_view name) const {
+  tables::NearestName nearest(name);
+  for (std::uint32_t i = 0; i < names_.tables().material.kinds.size(); ++i) nearest.offer(names_.part_kind(i));
+  return std::string(nearest.name());
+}
+
+std::string TableNames::nearest_location(std::string_view name) const {
+  tables::NearestName nearest(name);
+  for (std::uint32_t i = 0; i < names_.tables().material.locations(); ++i) nearest.offer(names_.location(i));
+  return std::string(nearest.name());
 }
 
 std::optional<std::uint32_t> TableNames::unit(std::string_view device, std::string_view facet) const {
@@ -61,6 +89,7 @@ std::string TableNames::nearest_device(std::string_view device, std::string_view
   const std::string wanted = path_of(device, facet);
   tables::NearestName nearest(wanted);
   for (std::uint32_t u = 0; u < names_.tables().units.size(); ++u) nearest.offer(names_.unit(u));
+  for (std::uint32_t i = 0; i < names_.tables().material.locations(); ++i) nearest.offer(names_.location(i));
   return std::string(nearest.name());
 }
 

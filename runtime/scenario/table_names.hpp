@@ -23,6 +23,10 @@ class TableNames final : public condition::Names {
   std::string path(std::uint32_t unit) const override;
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
   std::optional<Symbol> symbol(std::string_view name) const override;
+  std::optional<std::uint32_t> location(std::string_view name) const override;
+  std::optional<std::uint32_t> part_kind(std::string_view name) const override;
+  std::string nearest_part_kind(std::string_view name) const override;
+  std::string nearest_location(std::string_view name) const;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
   std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
   std::string nearest_symbol(std::string_view name) const override;
@@ -33,6 +37,8 @@ class TableNames final : public condition::Names {
   std::unordered_map<std::string, std::uint32_t> units_;                ///< by name in upper case
   std::unordered_map<std::string, std::vector<std::uint32_t>> facets_;  ///< by device in upper case
   std::unordered_map<std::string, std::uint32_t> symbols_;
+  std::unordered_map<std::string, std::uint32_t> locations_;
+  std::unordered_map<std::string, std::uint32_t> part_kinds_;
 };
 
 }  // namespace symplant::scenario

@@ -16,10 +16,11 @@ namespace {
 
 using trace::seconds;
 
-/// The symbols and units of an expectation, each once.
+/// The symbols, units and locations of parts of an expectation, each once.
 struct Things {
   std::set<std::uint32_t> symbols;
   std::set<std::uint32_t> units;
+  std::set<std::uint32_t> locations;  ///< of parts
 };
 
 /// Collects the symbols and units of a condition that does not hold; of a conjunction only the parts that do not hold.
@@ -27,12 +28,45 @@ void collect(const condition::Tree& tree, const trace::History& history, Things&
   if (tree.kind == condition::Tree::Kind::atom) {
     const bool is_unit =
         tree.atom.kind == condition::Atom::Kind::settled || tree.atom.kind == condition::Atom::Kind::moving;
-    (is_unit ? things.units : things.symbols).insert(tree.atom.of);
+    const bool is_location = tree.atom.kind == condition::Atom::Kind::parts;
+    (is_location ? things.locations : is_unit ? things.units : things.symbols).insert(tree.atom.of);
   }
   for (const condition::Tree& child : tree.children) {
     if (tree.kind == condition::Tree::Kind::all && holds(child, history)) continue;
     collect(child, history, things);
   }
+}
+
+std::string location_text(const tables::PartLocation& at, const trace::PlantNames& names) {
+  const std::string name(names.location(at.location));
+  return at.at == tables::kWhole ? name : fmt::format("{}@{} mm", name, static_cast<double>(at.at) / 1000);
+}
+
+/// What a step does by hand.
+std::string hand_words(const Step& step, const trace::PlantNames& names) {
+  std::string text;
+  for (const NewPart& part : step.put) {
+    text += fmt::format("{}room for a `{}` at {}", text.empty() ? "" : ", ", names.part_kind(part.kind),
+                        location_text(part.at, names));
+  }
+  for (const tables::PartLocation& at : step.take) {
+    text += fmt::format("{}a part at {}", text.empty() ? "" : ", ", location_text(at, names));
+  }
+  return text;
+}
+
+/// The parts at a location: `FIXTURE has part 11 (raw) since 3.2 s`.
+std::string location_words(std::uint32_t location, const trace::PlantNames& names, const trace::History& history) {
+  constexpr std::size_t kMostNamed = 4;
+  const auto& parts = history.parts_at(location);
+  if (parts.empty()) return fmt::format("{} has no part", names.location(location));
+  std::string text;
+  for (std::size_t i = 0; i < parts.size() && i < kMostNamed; ++i) {
+    text += fmt::format("{}part {} ({}) {}", text.empty() ? "" : ", ", parts[i].number, names.part_kind(parts[i].kind),
+                        trace::since_words(parts[i].since));
+  }
+  if (parts.size() > kMostNamed) text += fmt::format(" and {} more", parts.size() - kMostNamed);
+  return fmt::format("{} has {}", names.location(location), text);
 }
 
 std::string values_text(std::span<const SymbolValue> values, const trace::PlantNames& names) {
@@ -87,12 +121,36 @@ Forces forces_at(const Scenario& scenario, std::size_t step, std::uint64_t turn)
   return forces;
 }
 
+/// The parts that had no room, or were not there to take.
+std::vector<std::string> hand_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
+                                    std::span<const std::uint64_t> hands, const trace::PlantNames& names,
+                                    const trace::History& history) {
+  const Step& step = scenario.steps[at];
+  std::vector<std::string> parts;
+  std::set<std::uint32_t> locations;
+  for (const std::uint64_t hand : hands) {
+    if (hand >= kTakeNote) {
+      const tables::PartLocation& from = step.take[hand - kTakeNote];
+      parts.push_back(fmt::format("no part to take at {} at {}", location_text(from, names), seconds(time)));
+      locations.insert(from.location);
+    } else {
+      const NewPart& put = step.put[hand];
+      parts.push_back(fmt::format("no room for a part of kind `{}` at {} at {}", names.part_kind(put.kind),
+                                  location_text(put.at, names), seconds(time)));
+      locations.insert(put.at.location);
+    }
+  }
+  if (const std::string words = turn_words(scenario, at, turn); !words.empty()) parts.front() += ", in " + words;
+  for (const std::uint32_t location : locations) parts.push_back(location_words(location, names, history));
+  return parts;
+}
+
 }  // namespace
 
 Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes) {
   Verdict verdict;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (!scenario.steps[i].expect) continue;
+    if (!scenario.steps[i].is_checked()) continue;
     verdict.held += outcomes[i].done - outcomes[i].failed;
     verdict.failed += outcomes[i].failed;
     verdict.unreached += executions(scenario, i) - outcomes[i].done;
@@ -101,14 +159,17 @@ Verdict verdict_of(const Scenario& scenario, std::span<const Outcome> outcomes) 
 }
 
 std::string expectation_words(const Step& step, const trace::PlantNames& names) {
+  if (!step.expect) return hand_words(step, names);
   const Expectation& expectation = *step.expect;
   if (step.when == Step::When::wait) return fmt::format("`{}` within {}", expectation.text, seconds(step.time));
   return expectation.condition ? "`" + expectation.text + "`" : values_text(expectation.values, names);
 }
 
 std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
-                                       const trace::PlantNames& names, const trace::History& history) {
+                                       std::span<const std::uint64_t> hands, const trace::PlantNames& names,
+                                       const trace::History& history) {
   const Step& step = scenario.steps[at];
+  if (!hands.empty()) return hand_parts(scenario, at, turn, time, hands, names, history);
   const Forces forces = forces_at(scenario, at, turn);
   const std::vector<SymbolValue> wrong = missing(*step.expect, names, history);
   std::vector<std::string> parts;
@@ -133,6 +194,7 @@ std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at,
         trace::symbol_words(symbol, names)));
     if (row.unit != tables::kNone) things.units.insert(row.unit);
   }
+  for (const std::uint32_t location : things.locations) parts.push_back(location_words(location, names, history));
   for (const std::uint32_t unit : things.units) {
     parts.push_back(trace::unit_words(unit, names, history));
     for (const std::uint32_t symbol : names.symbols_of(unit)) {

@@ -29,6 +29,7 @@ std::string expectation_words(const Step& step, const trace::PlantNames& names);
 /// parts that do not hold are reported. `at` is the index of the step, `history` the records at that time. Never empty;
 /// join the parts with `; `. `turn` is how often the step was done before. O(steps * depth of repeats).
 std::vector<std::string> failure_parts(const Scenario& scenario, std::size_t at, std::uint64_t turn, tables::Time time,
-                                       const trace::PlantNames& names, const trace::History& history);
+                                       std::span<const std::uint64_t> hands, const trace::PlantNames& names,
+                                       const trace::History& history);
 
 }  // namespace symplant::scenario

@@ -25,6 +25,14 @@ std::string reader_name(const LinkView& view, const host::SymbolReader& reader) 
       return "requirement " + view.of->plant.requirements[reader.index].name;
     case host::SymbolReader::Kind::event:
       return std::string(view.of->plant.symbols[reader.index].name());
+    case host::SymbolReader::Kind::track:
+      return view.of->plant.material.tracks[reader.index].name;
+    case host::SymbolReader::Kind::transfer:
+      return "transfer " + view.of->plant.material.transfers[reader.index].name;
+    case host::SymbolReader::Kind::work:
+      return "work " + view.of->plant.material.work[reader.index].name;
+    case host::SymbolReader::Kind::source:
+      return "source " + view.of->plant.material.sources[reader.index].name;
     case host::SymbolReader::Kind::unit:
     case host::SymbolReader::Kind::behavior:
       break;
@@ -45,6 +53,8 @@ std::optional<std::string> driven_by(const LinkView& view, std::uint32_t symbol)
       return unit_name(view, driver.unit);
     case Driver::condition:
       return "a condition";
+    case Driver::part:
+      return "parts at " + view.of->plant.material.location_name(driver.unit);
   }
   return std::nullopt;
 }

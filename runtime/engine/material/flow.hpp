@@ -31,10 +31,14 @@ struct TrackState {
   std::uint32_t waiting_kind;
   std::uint8_t waiting;   ///< 1: its end waits for room, for a part of `waiting_kind`
   std::uint8_t frozen;    ///< as FollowState::frozen
-  std::uint8_t freezing;  ///< 1: it will be frozen when the next instant begins
+  std::uint8_t freezing;  ///< kFreezesNext, kFreezesNow or 0
   std::uint8_t loop;      ///< number of its loop in the instant in which it is frozen
   std::uint32_t unused;
 };
+
+/// TrackState::freezing
+inline constexpr std::uint8_t kFreezesNext = 1;  ///< in the instant after this one
+inline constexpr std::uint8_t kFreezesNow = 2;   ///< before the rounds of the next instant to run
 
 struct PlacePart {
   std::uint64_t number;
@@ -101,6 +105,8 @@ class Flow {
   bool active() const noexcept { return active_; }
   /// Whether the next round has work to do.
   bool due() const noexcept { return due_; }
+  /// After a restore.
+  void restored() noexcept { due_ = due_ || (active_ && *freezing_ != 0); }
   /// The events of the engine: before the rounds of an instant, or while one round is published to the next.
   void entry_due(std::uint32_t entry) noexcept;
   void condition_changed(tables::ReaderKind kind, std::uint32_t reader) noexcept;

@@ -28,9 +28,8 @@ Mark* add_marks(const tables::MaterialTables& material, std::uint32_t track,
     *end++ = {material.sensors[s].at * kMicrometer, s, false};
   }
   for (const std::uint32_t t : transfers_from) {
-    if (material.transfers[t].from.at != tables::kWhole) {
-      *end++ = {material.transfers[t].from.at * kMicrometer, t, true};
-    }
+    const std::int64_t at = material.transfers[t].from.at;
+    *end++ = {(at == tables::kWhole ? material.tracks[track].length : at) * kMicrometer, t, true};
   }
   std::sort(begin, end, [](const Mark& a, const Mark& b) { return a.at < b.at; });
   return end;

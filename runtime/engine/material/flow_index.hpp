@@ -11,7 +11,8 @@
 
 namespace symplant::engine {
 
-/// A position of a track at which something depends on being covered: a sensor, or the start of a transfer.
+/// A position of a track at which something depends on being covered: a sensor, or where a transfer takes parts from,
+/// which is the track's end if it gives no position.
 struct Mark {
   Position at;
   std::uint32_t of;  ///< index of a sensor; or of a transfer, if `transfer`

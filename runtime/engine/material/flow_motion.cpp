@@ -84,9 +84,6 @@ void Flow::track_due(std::uint32_t track) noexcept {
   }
   due_speeds_.mark(track);
   due_ends_.mark(track);
-  for (const std::uint32_t t : index_.transfers_from.of(track)) {
-    if (material_->transfers[t].from.at == tables::kWhole) due_transfers_.mark(t);
-  }
   due_now();
 }
 
@@ -97,8 +94,21 @@ void Flow::count_instant(std::uint32_t track) noexcept {
     state.instants = 0;
   }
   if (++state.instants <= kMostInstants || state.freezing != 0) return;
-  state.freezing = 1;
+  state.freezing = kFreezesNext;
   ++*freezing_;
+}
+
+/// Freezes the tracks that caused too many instants before this one.
+void Flow::begin_rounds() noexcept {
+  if (*freezing_ == 0) return;
+  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) {
+    if (tracks_[t].freezing == kFreezesNow) {
+      freeze(t);
+      --*freezing_;
+    } else if (tracks_[t].freezing == kFreezesNext) {
+      tracks_[t].freezing = kFreezesNow;
+    }
+  }
 }
 
 /// Parts that have reached the position at which they must be exactly, in the last ns, are put there.

@@ -63,15 +63,6 @@ void Flow::value_changed(tables::Direction direction, std::uint32_t slot) noexce
   }
 }
 
-/// Freezes the tracks that caused too many instants.
-void Flow::begin_rounds() noexcept {
-  if (*freezing_ == 0) return;
-  *freezing_ = 0;
-  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) {
-    if (tracks_[t].freezing != 0) freeze(t);
-  }
-}
-
 /// Ends, transfers, work and sources in this order; then speeds and sensors (docs/material.md, "One instant").
 void Flow::round(bool counting) noexcept {
   const auto count = [counting](std::uint8_t& steps) {
@@ -94,7 +85,7 @@ void Flow::round(bool counting) noexcept {
     set_track_wheel(track);
   });
   due_sensors_.take_all([&](std::uint32_t sensor) { set_sensor(sensor); });
-  due_ = !(due_ends_.empty() && due_transfers_.empty() && due_work_.empty() && due_sources_.empty());
+  due_ = *freezing_ != 0 || !(due_ends_.empty() && due_transfers_.empty() && due_work_.empty() && due_sources_.empty());
 }
 
 void Flow::publish_counters() noexcept {

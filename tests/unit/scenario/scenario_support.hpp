@@ -106,7 +106,7 @@ class Play {
     }
     if (record.kind == trace::Record::Kind::note) {
       const auto parts = scenario::failure_parts(scenario_, record.of, turn_, static_cast<tables::Time>(record.value),
-                                                 names_, history_);
+                                                 {}, names_, history_);
       for (const std::string& part : parts) failures_ += (&part == &parts.front() ? "" : "; ") + part;
       failures_ += "\n";
       return;
