@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/json_entry.hpp"
+#include "description/material_entry.hpp"
 #include "read/io_words.hpp"
 #include "read/readers.hpp"
 #include "symplant/json/document.hpp"
@@ -58,7 +59,7 @@ std::optional<DescriptionFault> why_none(const Json& root) {
   for (const OtherFile& other : kOtherFiles) {
     if (root.contains(other.key)) return fault("/" + std::string(other.key), std::string(other.words), true);
   }
-  for (const std::string_view own : {"symbols", "devices", "requirements"}) {
+  for (const std::string_view own : {"symbols", "devices", "material", "requirements"}) {
     if (root.contains(own)) return std::nullopt;  // the schema check reports what is missing
   }
   return fault("", "this is JSON, but not a plant description, which has `\"symplant\": 1` and `symbols`");
@@ -84,6 +85,8 @@ class PlantFileReader {
         file_.description.devices.push_back(device_entry(path, entry, faults_));
       }
     }
+    if (const Json* material = member(root_, "material"))
+      file_.description.material = material_entry(*material, faults_);
     read_requirements();
     read_links();
     read_check();

@@ -12,6 +12,29 @@ void EngineTables::finish() {
   }
 }
 
+tables::MaterialTables Material::tables() const {
+  return {
+      .kinds = kinds,
+      .tracks = tracks,
+      .drives = drives,
+      .stops = stops,
+      .ends = ends,
+      .sensors = sensors,
+      .places = places,
+      .transfers = transfers,
+      .work = work,
+      .sources = sources,
+      .sensor_kinds = sensor_kinds,
+      .source_kinds = source_kinds,
+      .counters = counters,
+      .kind_names = kind_names,
+      .location_names = location_names,
+      .transfer_names = transfer_names,
+      .work_names = work_names,
+      .source_names = source_names,
+  };
+}
+
 tables::PlantTables EngineTables::tables() const {
   return {
       .name = name,
@@ -34,6 +57,8 @@ tables::PlantTables EngineTables::tables() const {
       .requirements = requirements,
       .follows = follows,
       .overruns = overruns,
+      .material = material.tables(),
+      .part_watches = part_watches,
       .behaviour_units = behaviour_units,
       .behaviour_values = behaviour_values,
       .operation_bits = operation_bits,

@@ -25,6 +25,30 @@ struct Type {
   std::uint16_t travel = 0;
 };
 
+/// The material flow, as tables::MaterialTables.
+struct Material {
+  std::vector<tables::KindRow> kinds;
+  std::vector<tables::TrackRow> tracks;
+  std::vector<tables::DriveRow> drives;
+  std::vector<tables::StopRow> stops;
+  std::vector<tables::EndRow> ends;
+  std::vector<tables::SensorRow> sensors;
+  std::vector<tables::PlaceRow> places;
+  std::vector<tables::TransferRow> transfers;
+  std::vector<tables::WorkRow> work;
+  std::vector<tables::SourceRow> sources;
+  std::vector<std::uint32_t> sensor_kinds;
+  std::vector<std::uint32_t> source_kinds;
+  std::vector<tables::PartCounterRow> counters;
+  std::string kind_names;
+  std::string location_names;
+  std::string transfer_names;
+  std::string work_names;
+  std::string source_names;
+
+  tables::MaterialTables tables() const;
+};
+
 /// Movable; `tables()` points into it.
 struct EngineTables {
   std::string name;
@@ -47,6 +71,8 @@ struct EngineTables {
   std::vector<tables::RequirementRow> requirements;
   std::vector<tables::FollowRow> follows;
   std::vector<tables::OverrunRow> overruns;
+  Material material;
+  std::vector<tables::ValueWatch> part_watches;
   std::vector<tables::BehaviourUnit> behaviour_units;
   std::vector<std::uint32_t> behaviour_values;
   std::uint32_t operation_bits = 0;

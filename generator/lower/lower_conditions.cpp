@@ -2,9 +2,11 @@
 #include "lower/lower_conditions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
 #include <utility>
 
+#include "lower/lower_material.hpp"
 #include "symplant/condition/truth_table.hpp"
 
 namespace symplant::lower {
@@ -36,6 +38,7 @@ class ConditionLowering {
     for (std::uint32_t u = 0; u < plant_.units.size(); ++u) lower_unit(u);
     for (std::uint32_t r = 0; r < plant_.requirements.size(); ++r) lower_requirement(r);
     for (std::uint32_t f = 0; f < plant_.follows.size(); ++f) lower_follow(f);
+    lower_flow();
     add_inner_tables();
     sort_watches();
   }
@@ -63,6 +66,25 @@ class ConditionLowering {
   void lower_follow(std::uint32_t f) {
     tables_.follows.push_back({plant_.follows[f].symbol, next_condition()});
     add_condition(plant_.follows[f].condition, tables::ReaderKind::follow, f, 0);
+  }
+
+  void lower_flow() {
+    if (plant_.material.empty()) return;
+    const auto add = [this](const condition::Tree& tree, tables::ReaderKind kind, std::uint32_t row,
+                            std::uint8_t input) {
+      const std::uint32_t position = next_condition();
+      add_condition(tree, kind, row, input);
+      return position;
+    };
+    lower_material(plant_, add, tables_);
+  }
+
+  /// The counter of the parts at a location, of a kind or of all.
+  std::uint32_t counter_of(std::uint32_t location, std::uint32_t kind) {
+    const auto [found, added] =
+        counters_.try_emplace({location, kind}, static_cast<std::uint32_t>(tables_.material.counters.size()));
+    if (added) tables_.material.counters.push_back({location, kind});
+    return found->second;
   }
 
   std::uint32_t next_condition() const { return static_cast<std::uint32_t>(tables_.conditions.size()); }
@@ -117,6 +139,10 @@ class ConditionLowering {
             .push_back({atom.operand, symbol.index, condition, input, atom.comparison, atom.number});
         return;
       }
+      case Kind::parts:
+        tables_.part_watches.push_back(
+            {atom.operand, counter_of(atom.of, atom.part), condition, input, atom.comparison, atom.number});
+        return;
     }
   }
 
@@ -132,6 +158,7 @@ class ConditionLowering {
     by(tables_.event_watches, &tables::BitWatch::bit);
     by(tables_.operation_value_watches, &tables::ValueWatch::slot);
     by(tables_.event_value_watches, &tables::ValueWatch::slot);
+    by(tables_.part_watches, &tables::ValueWatch::slot);
   }
 
   struct Network {
@@ -142,6 +169,7 @@ class ConditionLowering {
   const model::PlantModel& plant_;
   EngineTables& tables_;
   std::vector<Network> networks_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> counters_;  ///< by location and kind
 };
 
 }  // namespace

@@ -66,10 +66,14 @@ class SymbolLowering {
     return symbol_bits_[event] - tables_.units[plant_.symbols[event].unit].event_bit;
   }
 
+  static bool is_driven_by_condition_or_part(const model::Symbol& symbol) {
+    return symbol.unmodelled == model::Unmodelled::follows || symbol.unmodelled == model::Unmodelled::senses_parts;
+  }
+
   /// Whether a symbol acts: an operation of a unit that moves, or an event that its unit or a condition drives.
   bool moved(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
-    if (symbol.unmodelled == model::Unmodelled::follows) return true;
+    if (is_driven_by_condition_or_part(symbol)) return true;
     if (symbol.unit == kNone) return false;
     const model::Unit& unit = plant_.units[symbol.unit];
     if (symbol.direction == tables::Direction::operation) return unit.moves();
@@ -101,10 +105,10 @@ class SymbolLowering {
   }
 
   /// Whether a symbol starts with its Initial: a numeric symbol or a BOOL event of no state that follows no other and
-  /// no condition.
+  /// no condition, and that no part drives.
   bool keeps_initial(std::uint32_t i) const {
     const model::Symbol& symbol = plant_.symbols[i];
-    if (initial_of(symbol) == 0 || leader_of(i) != i || symbol.unmodelled == model::Unmodelled::follows) return false;
+    if (initial_of(symbol) == 0 || leader_of(i) != i || is_driven_by_condition_or_part(symbol)) return false;
     if (symbol.type != tables::DataType::boolean) return true;
     if (symbol.direction == tables::Direction::operation) return false;
     return symbol.unit == kNone || !set_at_start(i);

@@ -223,7 +223,7 @@ struct PlantModel {
   std::vector<Symbol> symbols;                      ///< I/O symbols, in the order of lists and in list order
   std::vector<Unit> units;                          ///< in the order of their first symbol
   std::vector<Requirement> requirements;
-  std::vector<Follow> follows;        ///< sorted by symbol
+  std::vector<Follow> follows;  ///< sorted by symbol
   Material material;
   std::vector<ControllerLink> links;  ///< by controller: the settings of its link, given or default
   std::array<std::size_t, kInternalReasons> internal{};

@@ -16,6 +16,7 @@
 #include "symplant/engine/finding_ring.hpp"
 #include "symplant/engine/instant.hpp"
 #include "symplant/engine/mark_range.hpp"
+#include "symplant/engine/material/flow.hpp"
 #include "symplant/engine/planes.hpp"
 #include "symplant/engine/short_events.hpp"
 #include "symplant/engine/unit_state.hpp"
@@ -26,6 +27,7 @@ namespace symplant::engine {
 
 class Engine {
   friend class BehaviourView;  // what a custom behavior sees and does is part of the engine
+  friend class Flow;           // so is the material flow
 
  public:
   /// Constructs an engine and all its arrays in the memory of `arena`; null if the arena only counts.
@@ -45,6 +47,8 @@ class Engine {
   void force(std::uint32_t symbol, bool forced, std::uint64_t value) noexcept;
   void set_state(std::uint32_t unit, std::uint8_t state) noexcept;
   void set_quality(std::size_t behaviour, bool well) noexcept;
+  bool put(const tables::PartLocation& to, std::uint32_t kind) noexcept;
+  bool take(const tables::PartLocation& from) noexcept;
   bool restore(std::span<const std::byte> block) noexcept;
 
   // What Plant shows; its comments define it. All symbols are after forces.
@@ -66,6 +70,7 @@ class Engine {
   std::uint64_t lost_findings() const noexcept { return findings_.lost(); }
   std::span<const std::byte> save() const noexcept { return {reinterpret_cast<const std::byte*>(head_), block_size_}; }
   const UnitState& unit(std::uint32_t unit) const noexcept { return units_[unit]; }
+  const Flow& flow() const noexcept { return flow_; }
   /// Remaining travel time of a moving unit, ns; kNever if the move never ends.
   tables::Time remaining(std::uint32_t unit) const noexcept {
     const UnitState& state = units_[unit];
@@ -78,7 +83,7 @@ class Engine {
   // position() sets all other members.
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init,clang-analyzer-optin.cplusplus.UninitializedObject)
   Engine(const tables::PlantTables& plant_tables, std::span<const Behaviour> code) noexcept
-      : tables_(plant_tables), behaviours_(code) {}
+      : tables_(plant_tables), behaviours_(code), flow_(*this) {}
   void position(Arena& arena) noexcept;
   void position_names(Arena& arena) noexcept;
   void place_block(Arena& arena) noexcept;
@@ -139,7 +144,7 @@ class Engine {
 
   // the rounds of an instant (engine_rounds.cpp)
   void run_rounds() noexcept;
-  template <bool kFollows>
+  template <bool kMore>
   void rounds() noexcept;
   void step_all(const std::uint32_t* units, std::uint32_t count, bool counting) noexcept;
   void forget_steps() noexcept;
@@ -199,6 +204,10 @@ class Engine {
   }
   std::uint32_t wheel_entry_of_behaviour(std::uint32_t behaviour) const noexcept {
     return wheel_entry_of_requirement(static_cast<std::uint32_t>(tables_.requirements.size())) + behaviour;
+  }
+  std::uint64_t symbol_value(std::uint32_t symbol) const noexcept {
+    const tables::SymbolRow& row = tables_.symbols[symbol];
+    return (row.direction() == tables::Direction::operation ? operation_values_ : event_values_).values[row.index];
   }
   std::uint32_t wheel_entry_of_overrun(std::uint32_t position) const noexcept {
     return wheel_entry_of_behaviour(static_cast<std::uint32_t>(tables_.behaviour_units.size())) + position;
@@ -264,10 +273,11 @@ class Engine {
   const tables::PlantTables& tables_;
   std::span<const Behaviour> behaviours_;
   EngineIndex index_;
+  Flow flow_;
 
   // --- in the flat block, from `head` on
   BlockHead* head_;
-  UnitState* units_;  ///< followed by a wheel entry for each requirement, each behavior and each overrun
+  UnitState* units_;  ///< followed by wheel entries: requirements, behaviors, overruns, the flow's
   BitPlane operations_;
   BitPlane events_;
   ValuePlane operation_values_;
@@ -315,12 +325,13 @@ class Engine {
   std::uint32_t suspects_;         ///< one bit per kind of finding: this instant may have one
   std::uint8_t loops_;             ///< number of loops frozen in this instant
   List<std::uint32_t> violated_;   ///< requirements violated in this instant
+  List<std::uint32_t> blocked_;    ///< transfers that began to be blocked in this instant
   List<std::uint32_t> overrun_;    ///< units that began to overrun in this instant
   List<WordChange> short_events_;  ///< events found too short in this instant
   bool unseen_events_;             ///< no event is forced, watched by a condition, or on a shared address
   bool reported_any_;              ///< this instant has a finding
   bool first_;                     ///< this is the first instant, and some symbols are inverted
-  bool closes_more_;               ///< some symbols are inverted, or some units can overrun
+  bool closes_more_;               ///< some symbols are inverted, some units can overrun, or there is material
   bool unpublished_;               ///< publish() has work to do
   bool active_;                    ///< a unit stepped, or was disabled or enabled, in this round
   tables::Time now_;               ///< the time of this instant

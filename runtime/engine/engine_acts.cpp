@@ -213,6 +213,7 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
     if (behaviour_of(general_row(behaviour.unit)) != nullptr) flags |= kBehaves;
   }
   touched_.size = moved_.size = 0;
+  flow_.forget_changes();
   unpublished_ = true;
   see_events();
   if (head_->started == 0 || head_->acted != 0) requeue();
@@ -221,8 +222,21 @@ bool Engine::restore(std::span<const std::byte> block) noexcept {
   return true;
 }
 
+bool Engine::put(const tables::PartLocation& to, std::uint32_t kind) noexcept {
+  if (!flow_.put(to, kind)) return false;
+  head_->acted = 1;
+  return true;
+}
+
+bool Engine::take(const tables::PartLocation& from) noexcept {
+  if (!flow_.take(from)) return false;
+  head_->acted = 1;
+  return true;
+}
+
 /// Queues the units that were touched in the saved plant for the next instant.
 void Engine::requeue() noexcept {
+  flow_.mark_all();
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) {
     const std::uint16_t flags = units_[unit].flags;
     if ((flags & kTouched) != 0) touched_.add(unit);

@@ -17,12 +17,13 @@ void Engine::start() noexcept {
   for (std::uint32_t unit = 0; unit < tables_.units.size(); ++unit) touch(unit);
   for (std::uint32_t r = 0; r < tables_.requirements.size(); ++r) touched_requirements_.mark(r);
   for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) due_follows_.mark(f);
+  flow_.mark_all();
 }
 
 /// Whether all steps of an instant took the fast path, and its changes need no close: run_rounds() and close_instant()
 /// would have no effect.
 SYMPLANT_ALWAYS_INLINE bool Engine::only_fast_steps() const noexcept {
-  return observer_ == nullptr && head_->cycle == 0 &&
+  return observer_ == nullptr && head_->cycle == 0 && !flow_.due() &&
          (touched_.size | operation_changes_.size | operation_slot_changes_.size | touched_requirements_.list.size) ==
              0;
 }

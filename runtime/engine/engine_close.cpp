@@ -144,6 +144,10 @@ void Engine::close_instant() noexcept {
   if (closes_more_) [[unlikely]] {
     if (first_) find_start();
     if (!index_.overruns.empty()) close_overruns();
+    if (flow_.active()) {
+      flow_.close_blocked(blocked_);
+      if (blocked_.size != 0) suspects_ |= suspect(tables::FindingKind::part_blocked);
+    }
   }
   const bool unfinished = close_operations();
   reported_any_ = false;
@@ -158,13 +162,14 @@ void Engine::close_instant() noexcept {
   }
   if (observer_ != nullptr && (static_cast<std::uint32_t>(reported_any_) | touched_.size | operation_changes_.size |
                                static_cast<std::uint32_t>(changed_events.size()) | operation_slot_changes_.size |
-                               event_slot_changes_.size) != 0) {
+                               event_slot_changes_.size | static_cast<std::uint32_t>(flow_.changes().size())) != 0) {
     observer_->instant({head_->now, touched_.view(), operation_changes_.view(), changed_events,
-                        operation_slot_changes_.view(), event_slot_changes_.view()});
+                        operation_slot_changes_.view(), event_slot_changes_.view(), flow_.changes()});
   }
   event_changes_.next_instant();
   touched_.size = operation_changes_.size = 0;
   operation_slot_changes_.size = event_slot_changes_.size = 0;
+  flow_.forget_changes();
 }
 
 }  // namespace symplant::engine

@@ -159,7 +159,12 @@ void Engine::queue_other(std::uint32_t entry) noexcept {
   }
   const std::uint32_t behaviour = entry - requirement_count;
   if (behaviour >= tables_.behaviour_units.size()) {
-    touch(tables_.overruns[behaviour - tables_.behaviour_units.size()].unit);
+    const std::size_t overrun = behaviour - tables_.behaviour_units.size();
+    if (overrun < tables_.overruns.size()) {
+      touch(tables_.overruns[overrun].unit);
+    } else {
+      flow_.entry_due(static_cast<std::uint32_t>(overrun - tables_.overruns.size()));
+    }
     return;
   }
   behaviour_states_[behaviour].woken = 1;

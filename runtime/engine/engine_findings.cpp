@@ -28,6 +28,7 @@ void Engine::report_findings() noexcept {
   if (suspected(tables::FindingKind::requirement_violated)) {
     report_all(violated_, tables::FindingKind::requirement_violated);
   }
+  if (suspected(tables::FindingKind::part_blocked)) report_all(blocked_, tables::FindingKind::part_blocked);
 }
 
 void Engine::report(tables::FindingKind kind, std::uint32_t of, bool more) noexcept {
@@ -121,6 +122,7 @@ void Engine::for_frozen_now(Function function) noexcept {
   for (std::uint32_t f = 0; f < tables_.follows.size(); ++f) {
     if (follow_states_[f].frozen == kFrozenInThisInstant) function(unit_count + f, follow_states_[f].steps);
   }
+  if (flow_.active()) flow_.for_frozen_now(unit_count + static_cast<std::uint32_t>(tables_.follows.size()), function);
 }
 
 /// Reports the loops frozen in this instant, in the order of their first members.
@@ -142,6 +144,7 @@ void Engine::report_loops() noexcept {
   for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
     if (follow_states_[f].frozen != 0) follow_states_[f].frozen = kFrozenBefore;
   }
+  if (flow_.active()) flow_.close_loops();
 }
 
 /// Reports the collected units or requirements.

@@ -16,6 +16,13 @@ constexpr tables::Time later(tables::Time a, tables::Time b) noexcept {
   return b > tables::kNever - a ? tables::kNever : a + b;
 }
 
+/// fnv1a64 of a name in the upper case of ASCII.
+inline std::uint64_t upper_case_hash(std::string_view name) noexcept {
+  tables::Fnv1a64 hash;
+  for (const char c : name) hash.byte(static_cast<std::uint8_t>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c));
+  return hash.value();
+}
+
 constexpr std::uint64_t operation_mask(std::uint8_t operation) noexcept { return std::uint64_t{1} << operation; }
 
 inline GeneralState& Engine::general_state(std::uint32_t unit) const noexcept {

@@ -19,13 +19,6 @@ bool draws(const tables::PlantTables& tables) noexcept {
   });
 }
 
-/// fnv1a64 of a unit's name in the upper case of ASCII.
-std::uint64_t hash_of_name(std::string_view name) noexcept {
-  tables::Fnv1a64 hash;
-  for (const char c : name) hash.byte(static_cast<std::uint8_t>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c));
-  return hash.value();
-}
-
 }  // namespace
 
 void ValuePlane::take(Arena& arena, std::size_t slots) noexcept {
@@ -63,6 +56,7 @@ void Engine::position(Arena& arena) noexcept {
   const std::size_t event_words = tables_.event_bits / 64;
   index_.build(tables_, arena);
   position_names(arena);
+  flow_.build(arena);
   place_block(arena);
 
   operation_plane_ = {operations_.bits, index_.inverted_operations, tables_.operation_bits / 64};
@@ -79,6 +73,8 @@ void Engine::position(Arena& arena) noexcept {
   waiting_.take(arena, tables_.conditions.size());
   touched_requirements_.take(arena, tables_.requirements.size());
   due_follows_.take(arena, tables_.follows.size());
+  flow_.place(arena);
+  blocked_.take(arena, tables_.material.transfers.size());
   overrun_.take(arena, tables_.overruns.size());
   violated_.take(arena, tables_.requirements.size());
   short_events_.take(arena, event_words);
@@ -87,14 +83,16 @@ void Engine::position(Arena& arena) noexcept {
   operation_changes_.take(arena, tables_.operation_bits / 64);
   operation_slot_changes_.take(arena, tables_.operation_slots);
   event_slot_changes_.take(arena, tables_.event_slots);
-  marks_.take(arena, std::max({tables_.units.size() + tables_.follows.size(), tables_.symbols.size(),
-                               tables_.requirements.size()}));
+  const tables::MaterialTables& material = tables_.material;
+  const std::size_t loop_members = tables_.units.size() + tables_.follows.size() + material.tracks.size() +
+                                   material.transfers.size() + material.work.size();
+  marks_.take(arena, std::max({loop_members, tables_.symbols.size(), tables_.requirements.size()}));
   suspects_ = 0;
   loops_ = 0;
   active_ = false;
   reported_any_ = false;
   first_ = false;
-  closes_more_ = index_.some_inverted || !index_.overruns.empty();
+  closes_more_ = index_.some_inverted || !index_.overruns.empty() || flow_.active();
   unpublished_ = true;
   now_ = 0;
   observer_ = nullptr;
@@ -113,7 +111,8 @@ void Engine::position_names(Arena& arena) noexcept {
   std::string_view names = tables_.unit_names;
   for (std::uint32_t unit = 0; unit < tables_.units.size() && !names.empty(); ++unit) {
     const std::size_t end = names.find('\0');
-    if (tables_.units[unit].general != 0) hashes[index_.general.position_of(unit)] = hash_of_name(names.substr(0, end));
+    if (tables_.units[unit].general != 0)
+      hashes[index_.general.position_of(unit)] = upper_case_hash(names.substr(0, end));
     names.remove_prefix(end == names.npos ? names.size() : end + 1);
   }
 }
@@ -128,9 +127,10 @@ void Engine::place_block(Arena& arena) noexcept {
   const std::size_t operation_word_count = tables_.operation_bits / 64 + 1;
   const std::size_t entries =
       tables_.units.size() + tables_.requirements.size() + tables_.behaviour_units.size() + tables_.overruns.size();
+  const std::size_t all_entries = entries + flow_.wheel_entries();
   head_ = arena.take<BlockHead>(1);
   const std::size_t begin = arena.used() - sizeof(BlockHead);
-  units_ = arena.take<UnitState>(entries);
+  units_ = arena.take<UnitState>(all_entries);
   operations_.take(arena, operation_word_count);
   events_.take(arena, tables_.event_bits / 64);
   operation_values_.take(arena, tables_.operation_slots);
@@ -148,6 +148,7 @@ void Engine::place_block(Arena& arena) noexcept {
   follow_states_ = arena.take<FollowState>(tables_.follows.size());
   overrun_states_ = arena.take<OverrunState>(tables_.overruns.size());
   overrun_begins_ = arena.take<tables::Time>(index_.overruns.operations());
+  flow_.place_block(arena, static_cast<std::uint32_t>(entries));
   std::size_t memory = 0;
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) memory += memory_of(b);
   behaviour_memory_ = reinterpret_cast<std::byte*>(arena.take<std::uint64_t>(memory / 8));
@@ -183,6 +184,7 @@ void Engine::reset(std::uint64_t seed, tables::Time cycle) noexcept {
   }
   for (std::size_t b = 0; b < tables_.behaviour_units.size(); ++b) behaviour_states_[b].wake = tables::kNever;
   reset_conditions();
+  flow_.reset();
   event_changes_.note_all(tables_.event_bits / 64);
   for (std::uint32_t slot = 0; slot < tables_.event_slots; ++slot) changed_event_slots_.mark(slot);
   start_behaviours();
@@ -248,6 +250,9 @@ void Engine::reset_conditions() noexcept {
   }
   start(tables_.operation_value_watches, operation_values_);
   start(tables_.event_value_watches, event_values_);
+  for (const tables::ValueWatch& watch : tables_.part_watches) {
+    if (tables::holds(watch, 0)) flip(watch.condition, watch.input);
+  }
   for (std::uint32_t condition = 0; condition < tables_.conditions.size(); ++condition) {
     std::uint8_t& state = condition_states_[condition];
     if ((state & kWaiting) != 0) continue;

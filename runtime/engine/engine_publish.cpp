@@ -47,6 +47,7 @@ void Engine::change_operation_value(std::uint32_t slot) noexcept {
   operation_values_.values[slot] = now;
   operation_slot_changes_.add(slot);
   compare_value(tables_.operation_value_watches, slot, now);
+  if (flow_.active()) flow_.value_changed(tables::Direction::operation, slot);
   touch_readers(tables::Direction::operation, slot);
 }
 
@@ -54,6 +55,7 @@ void Engine::publish() noexcept {
   unpublished_ = false;
   events_.dirty.take_all([&](std::uint32_t word) { publish_event_word(word); });
   if (!event_values_.dirty.empty()) publish_values();
+  if (flow_.active()) flow_.publish_counters();
   if (moved_.size != 0) {
     for (const std::uint32_t unit : moved_.view()) publish_unit(unit);
     moved_.size = 0;
@@ -78,6 +80,7 @@ void Engine::publish_values() noexcept {
     if (touched_slots_.mark(slot)) values_before_[slot] = event_values_.values[slot];
     event_values_.values[slot] = now;
     compare_value(tables_.event_value_watches, slot, now);
+    if (flow_.active()) flow_.value_changed(tables::Direction::event, slot);
   });
 }
 
@@ -128,6 +131,9 @@ void Engine::settle_conditions() noexcept {
         break;
       case tables::ReaderKind::follow:
         due_follows_.mark(row.reader);
+        break;
+      default:
+        flow_.condition_changed(row.reader_kind, row.reader);
         break;
     }
   }

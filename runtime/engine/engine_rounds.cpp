@@ -28,6 +28,7 @@ void Engine::forget_steps() noexcept {
   for (std::size_t f = 0; f < tables_.follows.size(); ++f) {
     if (follow_states_[f].frozen == 0) follow_states_[f].steps = 0;
   }
+  if (flow_.active()) flow_.forget_steps();
 }
 
 /// Switches the symbols that follow a condition whose truth changed before this round. It reads only the conditions as
@@ -65,21 +66,31 @@ bool Engine::look_for_loops() noexcept {
     found = true;
     state = {kFrozenInThisInstant, loops_};
   }
+  if (flow_.active() && flow_.has_loop()) {
+    if (!found && loops_ != 0xFF) ++loops_;
+    found = true;
+    flow_.freeze_loop(loops_);
+  }
   if (found) suspects_ |= suspect(tables::FindingKind::instantaneous_loop);
   return found;
 }
 
-void Engine::run_rounds() noexcept { tables_.follows.empty() ? rounds<false>() : rounds<true>(); }
+void Engine::run_rounds() noexcept { tables_.follows.empty() && !flow_.active() ? rounds<false>() : rounds<true>(); }
 
-/// `kFollows`: the plant has symbols that follow a condition.
-template <bool kFollows>
+/// `kMore`: the plant has symbols that follow a condition, or material.
+template <bool kMore>
 SYMPLANT_ALWAYS_INLINE void Engine::rounds() noexcept {
-  const auto due = [this] { return kFollows && !due_follows_.empty(); };
+  const auto due = [this] { return kMore && (!due_follows_.empty() || flow_.due()); };
+  const auto step_others = [this](bool counting) {
+    if (!due_follows_.empty()) step_follows(counting);
+    if (flow_.due()) flow_.round(counting);
+  };
+  if (kMore && flow_.active()) flow_.begin_rounds();
   if (touched_.size == 0 && !due()) return;
   std::uint32_t limit = kFirstLook;
   round_ = 1;
   step_all(touched_.items, touched_.size, false);
-  if (due()) step_follows(false);
+  if (due()) step_others(false);
   if (unpublished_) publish();
   while ((queued_ != 0 || due()) && active_) {
     const std::uint32_t count = queued_;
@@ -88,7 +99,7 @@ SYMPLANT_ALWAYS_INLINE void Engine::rounds() noexcept {
     ++round_;
     if (round_ == limit / 2 + 1) forget_steps();
     step_all(queue_, count, round_ > limit / 2);
-    if (due()) step_follows(round_ > limit / 2);
+    if (due()) step_others(round_ > limit / 2);
     if (unpublished_) publish();
     if (round_ != limit || !active_) continue;
     const bool found = look_for_loops();

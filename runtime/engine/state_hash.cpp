@@ -124,6 +124,7 @@ std::uint64_t Engine::state_hash() const noexcept {
     hash.time(monitors_[r].deadline);
     hash.byte(monitors_[r].held != 0 ? 1 : 0);
   }
+  flow_.hash(hash);
   for (std::uint8_t kind = 0; kind < 2; ++kind) {
     for (std::uint32_t unit = 0; unit < unit_count; ++unit) {
       if ((units_[unit].flags & (kind == 0 ? kConflictReported : kStoppedReported)) == 0) continue;
@@ -136,6 +137,7 @@ std::uint64_t Engine::state_hash() const noexcept {
     hash.byte(2);
     hash.u32(tables_.overruns[position].unit);
   }
+  flow_.hash_blocked(hash);
   return hash.value();
 }
 

@@ -1,6 +1,8 @@
 // The digest of a plant's tables, field by field: padding and byte order have no effect on it.
 #include "symplant/tables/digest.hpp"
 
+#include <initializer_list>
+
 #include "symplant/tables/version.hpp"
 
 namespace symplant::tables {
@@ -138,6 +140,88 @@ void add(Fnv1a64& hash, const OverrunRow& row) noexcept {
   hash.time(row.after);
 }
 
+void add(Fnv1a64& hash, const Rows& rows) noexcept {
+  hash.u32(rows.first);
+  hash.u32(rows.count);
+}
+
+void add(Fnv1a64& hash, const PartLocation& location) noexcept {
+  hash.u32(location.location);
+  hash.u64(static_cast<std::uint64_t>(location.at));
+}
+
+void add_length(Fnv1a64& hash, std::int64_t length) noexcept { hash.u64(static_cast<std::uint64_t>(length)); }
+
+void add(Fnv1a64& hash, const KindRow& row) noexcept {
+  add_length(hash, row.length);
+  hash.u32(row.code);
+}
+
+void add(Fnv1a64& hash, const TrackRow& row) noexcept {
+  add_length(hash, row.length);
+  add_length(hash, row.gap);
+  for (const Rows& rows : {row.drives, row.stops, row.sensors, row.ends}) add(hash, rows);
+}
+
+void add(Fnv1a64& hash, const DriveRow& row) noexcept {
+  add_length(hash, row.until);
+  hash.u32(row.forward);
+  hash.u32(row.backward);
+  hash.u32(row.symbol);
+  add_length(hash, row.speed);
+}
+
+void add(Fnv1a64& hash, const StopRow& row) noexcept {
+  add_length(hash, row.at);
+  hash.u32(row.condition);
+}
+
+void add(Fnv1a64& hash, const EndRow& row) noexcept {
+  hash.u32(row.to);
+  hash.u32(row.condition);
+}
+
+void add(Fnv1a64& hash, const SensorRow& row) noexcept {
+  hash.u32(row.symbol);
+  hash.u32(row.location);
+  add_length(hash, row.at);
+  add(hash, row.kinds);
+  add_enumerator(hash, row.reads);
+}
+
+void add(Fnv1a64& hash, const PlaceRow& row) noexcept {
+  hash.u32(row.holds);
+  add(hash, row.sensors);
+}
+
+void add(Fnv1a64& hash, const TransferRow& row) noexcept {
+  add(hash, row.from);
+  add(hash, row.to);
+  hash.u32(row.condition);
+  hash.byte(row.once ? 1 : 0);
+}
+
+void add(Fnv1a64& hash, const WorkRow& row) noexcept {
+  add(hash, row.at);
+  hash.u32(row.condition);
+  hash.u32(row.from);
+  hash.u32(row.to);
+}
+
+void add(Fnv1a64& hash, const SourceRow& row) noexcept {
+  add(hash, row.to);
+  add(hash, row.kinds);
+  hash.time(row.first);
+  hash.time(row.every);
+  hash.u64(row.count);
+  hash.u32(row.condition);
+}
+
+void add(Fnv1a64& hash, const PartCounterRow& row) noexcept {
+  hash.u32(row.location);
+  hash.u32(row.kind);
+}
+
 void add(Fnv1a64& hash, const BehaviourUnit& row) noexcept {
   hash.u32(row.unit);
   hash.u32(row.name);
@@ -171,6 +255,35 @@ void add_rows(Fnv1a64& hash, std::span<const Row> rows) noexcept {
   for (const Row& row : rows) add(hash, row);
 }
 
+void add_texts(Fnv1a64& hash, std::initializer_list<std::string_view> texts) noexcept {
+  for (const std::string_view text : texts) {
+    hash.u64(text.size());
+    hash.text(text);
+  }
+}
+
+/// Nothing in a plant without material.
+void add_material(Fnv1a64& hash, const PlantTables& tables) noexcept {
+  const MaterialTables& material = tables.material;
+  if (material.empty()) return;
+  add_rows(hash, material.kinds);
+  add_rows(hash, material.tracks);
+  add_rows(hash, material.drives);
+  add_rows(hash, material.stops);
+  add_rows(hash, material.ends);
+  add_rows(hash, material.sensors);
+  add_rows(hash, material.places);
+  add_rows(hash, material.transfers);
+  add_rows(hash, material.work);
+  add_rows(hash, material.sources);
+  add_rows(hash, material.sensor_kinds);
+  add_rows(hash, material.source_kinds);
+  add_rows(hash, material.counters);
+  add_rows(hash, tables.part_watches);
+  add_texts(hash, {material.kind_names, material.location_names, material.transfer_names, material.work_names,
+                   material.source_names});
+}
+
 }  // namespace
 
 std::uint64_t model_hash(const PlantTables& tables) noexcept {
@@ -201,11 +314,9 @@ std::uint64_t model_hash(const PlantTables& tables) noexcept {
        {tables.operation_bits, tables.event_bits, tables.operation_slots, tables.event_slots}) {
     hash.u32(size);
   }
-  for (const std::string_view text : {tables.name, tables.unit_names, tables.state_names, tables.symbol_names,
-                                      tables.requirement_names, tables.behaviour_names, tables.controller_names}) {
-    hash.u64(text.size());
-    hash.text(text);
-  }
+  add_texts(hash, {tables.name, tables.unit_names, tables.state_names, tables.symbol_names, tables.requirement_names,
+                   tables.behaviour_names, tables.controller_names});
+  add_material(hash, tables);
   return hash.value();
 }
 

@@ -1,0 +1,192 @@
+// The motion of the parts of a track: what happens at its due times, and the speeds of its parts.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "symplant/engine/engine_inline.hpp"
+#include "symplant/engine/material/flow.hpp"
+
+namespace symplant::engine {
+namespace {
+
+constexpr std::uint32_t kMostInstants = 10'000;  ///< that a track's parts may cause within kWindow
+constexpr tables::Time kWindow = tables::kMillisecond;
+
+double number_of(tables::DataType type, std::uint64_t value) noexcept {
+  if (type == tables::DataType::real || type == tables::DataType::lreal) return std::bit_cast<double>(value);
+  const bool is_signed = type >= tables::DataType::sint && type <= tables::DataType::lint;
+  return is_signed ? static_cast<double>(static_cast<std::int64_t>(value)) : static_cast<double>(value);
+}
+
+}  // namespace
+
+Position Flow::speed_of_drive(std::uint32_t drive) const noexcept {
+  const tables::DriveRow& row = material_->drives[drive];
+  const bool forward = row.forward != tables::kNone && truth(row.forward);
+  const bool backward = row.backward != tables::kNone && truth(row.backward);
+  if (forward == backward) return 0;
+  Position speed = row.speed;
+  if (row.symbol != tables::kNone) {
+    const double given = number_of(engine_.tables_.symbols[row.symbol].type(), engine_.symbol_value(row.symbol)) *
+                         static_cast<double>(row.speed);
+    constexpr auto kMost = static_cast<double>(tables::kMaxSpeed);
+    speed = std::isnan(given) ? 0 : static_cast<Position>(std::clamp(given, -kMost, kMost));
+  }
+  return forward ? speed : -speed;
+}
+
+/// The speed of the drive that has the part's middle; 0 between two drives that face each other.
+Position Flow::drive_speed(std::uint32_t track, const Part& part, Position x) const noexcept {
+  const std::uint32_t drive = material_->tracks[track].drives.first + part.drive;
+  const Position speed = speed_of_drive(drive);
+  if (speed >= 0 || part.drive == 0) return speed;
+  const Position boundary = material_->drives[drive - 1].until * kMicrometer;
+  return x - length(part.kind) / 2 == boundary && speed_of_drive(drive - 1) > 0 ? 0 : speed;
+}
+
+bool Flow::stop_holds_at(std::uint32_t track, Position at) const noexcept {
+  const auto stops = index_.tracks[track].sorted_stops();
+  auto stop = std::lower_bound(stops.begin(), stops.end(), at, [](const tables::StopRow* row, Position position) {
+    return row->at * kMicrometer < position;
+  });
+  for (; stop != stops.end() && (*stop)->at * kMicrometer == at; ++stop) {
+    if (truth((*stop)->condition)) return true;
+  }
+  return false;
+}
+
+/// Before the actions and rounds of an instant: a part of the track has reached something.
+void Flow::track_due(std::uint32_t track) noexcept {
+  TrackState& state = tracks_[track];
+  const tables::Time time = now();
+  bool marks = false;
+  bool speeds = false;
+  for (std::uint32_t i = 0; i < state.size; ++i) {
+    const Part& p = part(track, i);
+    marks = marks || p.mark_due <= time;
+    speeds = speeds || p.speed_due <= time;
+  }
+  if (marks || speeds) count_instant(track);
+  if (speeds) put_overshot(track);
+  for (std::uint32_t i = 0; i < state.size; ++i) {
+    Part& p = part(track, i);
+    if (!speeds && p.mark_due > time) continue;
+    cover(track, p);
+    speeds ? find_drive(track, p, p.at(time)) : set_mark_due(track, p);
+  }
+  if (state.room_due <= time) {
+    state.room_due = tables::kNever;
+    room_may_appear(track);
+  }
+  if (!speeds) {
+    set_track_wheel(track);
+    return;
+  }
+  due_speeds_.mark(track);
+  due_ends_.mark(track);
+  for (const std::uint32_t t : index_.transfers_from.of(track)) {
+    if (material_->transfers[t].from.at == tables::kWhole) due_transfers_.mark(t);
+  }
+  due_now();
+}
+
+void Flow::count_instant(std::uint32_t track) noexcept {
+  TrackState& state = tracks_[track];
+  if (now() - state.window_begin >= kWindow) {
+    state.window_begin = now();
+    state.instants = 0;
+  }
+  if (++state.instants <= kMostInstants || state.freezing != 0) return;
+  state.freezing = 1;
+  ++*freezing_;
+}
+
+/// Parts that have reached the position at which they must be exactly, in the last ns, are put there.
+void Flow::put_overshot(std::uint32_t track) noexcept {
+  const tables::Time time = now();
+  const Position gap = index_.tracks[track].gap;
+  const std::uint32_t size = tracks_[track].size;
+  for (std::uint32_t i = 0; i < size; ++i) {
+    Part& p = part(track, i);
+    if (p.v <= 0) continue;
+    const Position x = p.at(time);
+    Position to = std::min(x, p.aim);
+    if (i > 0) {
+      const Part& ahead = part(track, i - 1);
+      to = std::min(to, ahead.at(time) - length(ahead.kind) - gap);
+    }
+    to = std::max(to, p.x0);
+    if (to != x) p.base(to, time);
+  }
+  for (std::uint32_t i = size; i-- > 0;) {
+    Part& p = part(track, i);
+    if (p.v >= 0) continue;
+    const Position x = p.at(time);
+    Position to = std::max(x, p.aim);
+    if (i + 1 < size) to = std::max(to, part(track, i + 1).at(time) + gap + length(p.kind));
+    to = std::min(to, p.x0);
+    if (to != x) p.base(to, time);
+  }
+}
+
+void Flow::freeze(std::uint32_t track) noexcept {
+  TrackState& state = tracks_[track];
+  state.freezing = 0;
+  state.frozen = kFrozenInThisInstant;
+  if (engine_.loops_ != 0xFF) ++engine_.loops_;
+  state.loop = engine_.loops_;
+  engine_.suspects_ |= suspect(tables::FindingKind::instantaneous_loop);
+  due_speeds_.mark(track);
+  due_now();
+}
+
+/// The speeds of all parts of a track, in two passes, and what follows from them. O(parts).
+void Flow::compute_speeds(std::uint32_t track) noexcept {
+  const TrackIndex& row = index_.tracks[track];
+  const TrackState& state = tracks_[track];
+  const tables::Time time = now();
+  Position* const speeds = speeds_;
+  Position ahead_tail = kBeyond;
+  for (std::uint32_t i = 0; i < state.size; ++i) {
+    Part& p = part(track, i);
+    const Position x = p.at(time);
+    Position w = state.frozen != 0 ? 0 : drive_speed(track, p, x);
+    if (w > 0) {
+      if (x >= row.length || stop_holds_at(track, x)) w = 0;
+      if (i > 0 && x >= ahead_tail - row.gap) w = std::min(w, std::max<Position>(speeds[i - 1], 0));
+    }
+    speeds[i] = w;
+    ahead_tail = x - length(p.kind);
+  }
+  for (std::uint32_t i = state.size; i-- > 0;) {
+    Part& p = part(track, i);
+    const Position x = p.at(time);
+    const Position tail = x - length(p.kind);
+    Position w = speeds[i];
+    if (w < 0) {
+      if (tail <= 0 || stop_holds_at(track, tail)) w = 0;
+      if (i + 1 < state.size && part(track, i + 1).at(time) >= tail - row.gap) {
+        w = std::max(w, std::min<Position>(speeds[i + 1], 0));
+      }
+    }
+    speeds[i] = w;
+    if (w == p.v) continue;
+    p.base(x, time);
+    p.v = static_cast<std::int32_t>(w);
+  }
+  for (std::uint32_t i = 0; i < state.size; ++i) {
+    set_mark_due(track, part(track, i));
+    set_speed_due(track, i);
+  }
+}
+
+/// Finds the drive whose range has the part's middle. O(drives that it passed).
+void Flow::find_drive(std::uint32_t track, Part& part, Position x) const noexcept {
+  const tables::Rows drives = material_->tracks[track].drives;
+  const Position middle = x - length(part.kind) / 2;
+  const auto until = [&](std::uint32_t drive) { return material_->drives[drives.first + drive].until * kMicrometer; };
+  while (part.drive + 1 < drives.count && middle >= until(part.drive)) ++part.drive;
+  while (part.drive > 0 && middle < until(part.drive - 1)) --part.drive;
+}
+
+}  // namespace symplant::engine
