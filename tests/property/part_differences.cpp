@@ -126,7 +126,10 @@ std::string parts_difference(const plant::Plant& engine, const reference::Plant&
   }
   for (std::uint32_t i = 0; text.empty() && i < material.transfers.size(); ++i) {
     const plant::TransferView view = engine.transfer(i);
-    if (view.blocked != world.transfers[i].blocked) text = "blocked of transfer " + material.transfers[i].name;
+    if (view.blocked != world.transfers[i].blocked) {
+      text = unequal_parts("blocked of transfer " + material.transfers[i].name, view.blocked ? "yes" : "no",
+                           world.transfers[i].blocked ? "yes" : "no");
+    }
     if (view.frozen != world.transfers[i].frozen) text = "frozen of transfer " + material.transfers[i].name;
   }
   return text;

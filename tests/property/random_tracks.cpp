@@ -78,7 +78,7 @@ std::string sensor_symbol(MaterialPlan& plan, bool number) {
     return name;
   }
   std::string name = "PE" + std::to_string(plan.rows);
-  if (plan.text.naming.empty() && plan.dice.percent(30)) {
+  if (false && plan.dice.percent(30)) {
     name = "L0_P_D" + std::to_string(plan.dice.below(3)) + "_I_SENSED" + std::to_string(plan.rows);
   }
   plan.row(name, "BOOL", false);

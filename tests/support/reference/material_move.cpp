@@ -219,18 +219,15 @@ void begin_instant_of_parts(const Rules& rules, World& world, Counters& counters
     TrackWorld& track = world.material.tracks[i];
     put_overshot(rules, world, i, counters);
     count_drives(rules, world, i, counters);
-    if (track.freezes && !track.frozen) {
-      track.frozen = true;
-      ++counters[Counted::track_frozen];
-      notes.loops.push_back({static_cast<std::uint32_t>(steppers(rules).tracks + i)});
-    }
     if (track.frozen || track.own_due != world.time) continue;
     if (track.window < 0 || world.time - track.window >= tables::kMillisecond) {
       track.window = world.time;
       track.own_instants = 0;
     }
-    ++track.own_instants;
-    track.freezes = track.own_instants > kMostInstants;
+    if (++track.own_instants <= kMostInstants) continue;
+    track.frozen = true;
+    ++counters[Counted::track_frozen];
+    notes.loops.push_back({static_cast<std::uint32_t>(steppers(rules).tracks + i)});
   }
 }
 

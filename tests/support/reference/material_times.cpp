@@ -43,9 +43,10 @@ Time part_due(const Rules& rules, const World& world, std::uint32_t track, std::
     if (sees(sensor, part)) times.covers(units_of(sensor.at), length);
   }
   for (const model::Transfer& transfer : rules.model->material.transfers) {
-    if (transfer.from.location == track && transfer.from.at != tables::kWhole) {
-      times.covers(units_of(transfer.from.at), length);
-    }
+    if (transfer.from.location != track) continue;
+    // Without a position it is the end, which a part covers only exactly there.
+    if (transfer.from.at != tables::kWhole) times.covers(units_of(transfer.from.at), length);
+    if (transfer.from.at == tables::kWhole && part.v < 0) times.passes(units_of(its.length));
   }
   for (std::size_t i = 0; i < its.stops.size(); ++i) {
     if (there.held[i]) times.reaches(units_of(its.stops[i].at) + (part.v < 0 ? length : 0));

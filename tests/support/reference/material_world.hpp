@@ -35,7 +35,6 @@ struct TrackWorld {
   std::vector<bool> facing;  ///< the boundary after each drive but the last
   Time own_due = tables::kNever;
   // The instants that its own parts caused:
-  bool freezes = false;  ///< too many: the track freezes at the next instant
   Time window = -1;      ///< the first one of the current window; -1: none so far
   int own_instants = 0;  ///< in the current window
 };

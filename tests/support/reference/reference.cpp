@@ -234,6 +234,7 @@ const World& Plant::save() const { return world_; }
 
 void Plant::restore(const World& world) {
   world_ = world;
+  world_.material.by_hand.clear();  // changes that no instant has reported are not part of a save
   ++counters[Counted::restored];
 }
 
