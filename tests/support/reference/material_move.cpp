@@ -116,7 +116,7 @@ std::int64_t put_forward(const Rules& rules, const World& world, const model::Tr
                          std::size_t i) {
   const PartWorld& part = its.parts[i];
   const std::int64_t x = part.x(world.time);
-  const std::int64_t before = x - part.v;
+  const std::int64_t before = part.x(world.last_instant);
   const std::int64_t half = length_of(rules, part) / 2;
   std::int64_t put = std::min(x, units_of(track.length));
   const auto passed = [&](std::int64_t position) {
@@ -136,7 +136,7 @@ std::int64_t put_backward(const Rules& rules, const World& world, const model::T
                           std::size_t i) {
   const PartWorld& part = its.parts[i];
   const std::int64_t x = part.x(world.time);
-  const std::int64_t before = x - part.v;
+  const std::int64_t before = part.x(world.last_instant);
   const std::int64_t length = length_of(rules, part);
   std::int64_t put = std::max(x, length);
   const auto passed = [&](std::int64_t position) {
@@ -196,8 +196,10 @@ void set_speeds(Round& round) {
   }
 }
 
-// Parts that move forward first, each after the part ahead of it; then the others.
+// Parts that move forward first, each after the part ahead of it; then the others. Only what moved since the last
+// instant can have overshot.
 void put_overshot(const Rules& rules, World& world, std::uint32_t track, Counters& counters) {
+  if (world.last_instant == world.time) return;
   const model::Track& its = rules.model->material.tracks[track];
   TrackWorld& there = world.material.tracks[track];
   const auto put = [&](PartWorld& part, std::int64_t position) {

@@ -34,7 +34,6 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
                  std::vector<InstantRecord>& instants) {
   const bool first = world.last_instant < 0;
   world.instant_pending = false;
-  world.last_instant = world.time;
   if (sample) {
     world.written_pending = false;
     for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
@@ -43,6 +42,7 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
   }
   InstantNotes notes = empty_notes(rules);
   begin_instant_of_parts(rules, world, counters, notes);
+  world.last_instant = world.time;
   run_rounds(rules, world, counters, notes);
   InstantRecord record;
   record.parts = world.material.by_hand;
