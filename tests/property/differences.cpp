@@ -122,8 +122,9 @@ std::string next_due_difference(plant::Plant& engine, const reference::Plant& re
   const tables::Time due = engine.next_due();
   if (due == reference.next_due()) return {};
   // Parts may cause more instants than needed.
-  if (!engine.tables().material.empty() && due > reference.now() && due < reference.next_due()) return {};
-  return both("next_due", std::to_string(due), std::to_string(reference.next_due()));
+  if (!engine.tables().material.empty() && due >= reference.now() && due < reference.next_due()) return {};
+  return both("next_due at " + std::to_string(reference.now()), std::to_string(due),
+              std::to_string(reference.next_due()));
 }
 
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant) {

@@ -11,7 +11,6 @@
 #include "property/behaviours.hpp"
 #include "property/cell_plant.hpp"
 #include "read/symbol_table.hpp"
-
 #include "stub_material.inc"
 namespace symplant::property {
 namespace {

@@ -118,7 +118,7 @@ void add_random_material(Dice& dice, PlantText& text, const model::PlantModel& m
   draw_transfers(plan);
   draw_work(plan);
   draw_sources(plan);
-  //STUB read_parts(plan);
+  // STUB read_parts(plan);
   if (dice.percent(20)) {
     // Rows anywhere in the list.
     for (std::size_t i = text.rows.size() - plan.rows; i < text.rows.size(); ++i) {
