@@ -1,8 +1,12 @@
 // Reads `material` of a plant.json.
 #include "description/material_entry.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <type_traits>
 
+#include "symplant/json/location.hpp"
 #include "symplant/tables/length.hpp"
 
 namespace symplant::description {
@@ -188,6 +192,28 @@ class MaterialReader {
 };
 
 }  // namespace
+
+void sort_as_written(GivenMaterial& material, std::string_view text) {
+  const auto sort = [&](auto& entries, std::string_view key) {
+    if (entries.size() < 2) return;
+    std::vector<json::Fault> pointers;
+    pointers.reserve(entries.size());
+    const std::string parent = json::child("/material", key);
+    for (const auto& entry : entries) pointers.push_back({json::child(parent, entry.name), {}});
+    const std::vector<json::Span> spans = json::spans(text, pointers);
+    std::vector<std::size_t> order(entries.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return spans[a].begin < spans[b].begin; });
+    std::remove_reference_t<decltype(entries)> sorted;
+    sorted.reserve(entries.size());
+    for (const std::size_t i : order) sorted.push_back(std::move(entries[i]));
+    entries = std::move(sorted);
+  };
+  sort(material.kinds, "kinds");
+  sort(material.tracks, "tracks");
+  sort(material.places, "places");
+}
 
 std::optional<std::int64_t> length_of(const std::string& text, const Pointer& here, ShapeFaults& faults) {
   const auto length = tables::parse_length(text);

@@ -264,6 +264,7 @@ PlantFileReading read_plant_file(std::string_view text, std::string_view stem) {
     return reading;
   }
   reading.file = PlantFileReader(*document.root, reading.faults).read(stem);
+  sort_as_written(reading.file->description.material, text);
   return reading;
 }
 

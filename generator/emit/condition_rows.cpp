@@ -90,7 +90,7 @@ std::string value_watch_rows(const lower::EngineTables& tables, const model::Pla
     const std::uint32_t symbol = symbols.at(row.slot);
     condition::Tree atom;
     atom.kind = condition::Tree::Kind::atom;
-    atom.atom = {condition::Atom::Kind::number, symbol, 0, row.comparison, row.kind, row.operand};
+    atom.atom = {condition::Atom::Kind::number, symbol, 0, model::kNone, row.comparison, row.kind, row.operand};
     rows.text("    {").hex(row.operand).text(", ").numbers(row.slot, row.condition, unsigned{row.input});
     rows.text(", tables::Comparison::").text(name_of(kComparisons, row.comparison)).text(", tables::NumberKind::");
     rows.text(name_of(kNumberKinds, row.kind)).text("},  // ").comment(short_condition_text(atom, plant)).text("\n");

@@ -111,6 +111,21 @@ class ConditionWriter {
         add_name(plant_.symbols[atom.of].name(), true);
         out_.append(" ").append(comparison_text(atom.comparison)).append(" ").append(operand_text(atom));
         return;
+      case Atom::Kind::parts:
+        add_parts(atom);
+        return;
+    }
+  }
+
+  void add_parts(const Atom& atom) {
+    add_name(plant_.material.location_name(atom.of), true);
+    out_ += '.';
+    if (atom.part != kNone) {
+      add_name(plant_.material.kinds[atom.part].name, false);
+    } else if (atom.comparison == tables::Comparison::greater_equal && atom.operand == 1) {
+      out_ += "part";
+    } else {
+      out_.append("parts ").append(comparison_text(atom.comparison)).append(" ").append(operand_text(atom));
     }
   }
 
@@ -122,6 +137,11 @@ class ConditionWriter {
   }
 
   void add_constant(const Tree& tree) {
+    if (tree.atom.kind == Atom::Kind::parts) {
+      add_name(plant_.material.location_name(tree.atom.of), true);
+      out_ += tree.value ? ".parts >= 0" : ".parts < 0";
+      return;
+    }
     if (tree.atom.kind != Atom::Kind::number) {
       out_ += tree.value ? "always" : "never";
       return;

@@ -10,8 +10,10 @@
 #include "model/links.hpp"
 #include "model/made_transitions.hpp"
 #include "model/match_entries.hpp"
+#include "model/material_entries.hpp"
 #include "model/pair_units.hpp"
 #include "model/relations.hpp"
+#include "model/resolve_material.hpp"
 #include "model/shared_addresses.hpp"
 #include "model/states.hpp"
 #include "model/symbol_settings.hpp"
@@ -22,6 +24,11 @@ namespace {
 
 constexpr std::size_t kFew = 6;  ///< as many as fit in the smallest allocation
 
+/// Whether a condition or a part drives a symbol: then it is in no unit.
+bool is_driven_otherwise(const Symbol& symbol) {
+  return symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts;
+}
+
 /// Adds every BOOL symbol whose name follows the rule to the unit of its device.
 void gather_units(PlantModel& plant) {
   base::IndexTable by_path(plant.symbols.size() / 4);
@@ -29,7 +36,7 @@ void gather_units(PlantModel& plant) {
   std::uint32_t last = kNone;  // rows of one device are mostly adjacent
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (symbol.unmodelled == Unmodelled::follows) continue;
+    if (is_driven_otherwise(symbol)) continue;
     if (symbol.type != tables::DataType::boolean) {
       symbol.unmodelled = Unmodelled::numeric;
       continue;
@@ -149,6 +156,18 @@ void derive_units(Derived& derived, MadeNames& made, description::Faults& faults
   }
 }
 
+void group_symbols(Derived& derived, const std::vector<const name::RuleReading*>& readings) {
+  derived.plant.reader != nullptr ? pair_units(derived, readings) : gather_units(derived.plant);
+}
+
+void forget_units(PlantModel& plant) {
+  plant.units.clear();
+  for (Symbol& symbol : plant.symbols) {
+    symbol.unit = kNone;
+    if (!is_driven_otherwise(symbol)) symbol.unmodelled = Unmodelled::modelled;
+  }
+}
+
 }  // namespace
 
 Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
@@ -162,10 +181,14 @@ Derived derive(const std::vector<ListInput>& lists, std::string plant_name,
     description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
     apply_symbol_settings(derived.plant, *description, faults);
   }
-  if (derived.plant.reader != nullptr) {
-    pair_units(derived, readings);
-  } else {
-    gather_units(derived.plant);
+  group_symbols(derived, readings);
+  if (description != nullptr && !description->material.empty()) {
+    description::Faults faults(derived.evidence.faults, derived.evidence.warnings);
+    derived.material = make_material(derived.plant, description->material, faults);
+    if (mark_sensors(derived.plant, derived.material, faults)) {
+      forget_units(derived.plant);
+      group_symbols(derived, readings);  // without the sensors, whose names could make devices
+    }
   }
   return derived;
 }
@@ -182,6 +205,7 @@ Derived describe(Derived derived, std::shared_ptr<const description::Description
   evidence.decisions = match_entries(plant, faults);
   MadeNames made;
   derive_units(derived, made, faults);
+  resolve_material(derived, made, faults);
   add_relations(plant, made, faults);
   made.report(faults);
   report_lacks(plant, faults);

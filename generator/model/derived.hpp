@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/evidence.hpp"
+#include "model/material_entries.hpp"
 #include "model/plant_model.hpp"
 
 namespace symplant::model {
@@ -9,6 +10,7 @@ namespace symplant::model {
 struct Derived {
   PlantModel plant;
   Evidence evidence;
+  MadeMaterial material;  ///< with the names of matched devices, not resolved; PlantModel::material is
 };
 
 }  // namespace symplant::model

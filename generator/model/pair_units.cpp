@@ -42,7 +42,7 @@ std::vector<pairing::Input> inputs_of(const PlantModel& plant, const std::vector
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     const Symbol& symbol = plant.symbols[i];
     const bool operation = symbol.direction == tables::Direction::operation;
-    const bool ignored = symbol.unmodelled == Unmodelled::follows;
+    const bool ignored = symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts;
     inputs.push_back({ignored ? &follows : readings[i], ignored ? std::string_view() : symbol.name(),
                       operation ? name::Side::operation : name::Side::event, symbol.type == tables::DataType::boolean,
                       plant.controller_of(symbol)});
@@ -82,7 +82,7 @@ void pair_units(Derived& derived, const std::vector<const name::RuleReading*>& r
   for (const pairing::Facet& facet : plant.pairing->facets) add_unit(plant, facet);
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) {
     Symbol& symbol = plant.symbols[i];
-    if (symbol.unmodelled == Unmodelled::follows) continue;
+    if (symbol.unmodelled == Unmodelled::follows || symbol.unmodelled == Unmodelled::senses_parts) continue;
     const pairing::Account account = plant.pairing->accounts[i];
     symbol.unmodelled = reason_of(account, symbol);
     if (account == pairing::Account::constant) symbol.initial = plant.pairing->constant_on[i] ? 1 : 0;

@@ -21,6 +21,11 @@ PlantNames::PlantNames(const PlantModel& plant, const description::Faults& fault
   }
   symbols_.reserve(plant.symbols.size());
   for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
+  const Material& material = plant.material;
+  for (std::uint32_t i = 0; i < material.tracks.size() + material.places.size(); ++i) {
+    locations_.try_emplace(material.location_name(i), i);
+  }
+  for (std::uint32_t i = 0; i < material.kinds.size(); ++i) part_kinds_.try_emplace(material.kinds[i].name, i);
 }
 
 std::optional<std::uint32_t> PlantNames::unit(std::string_view device, std::string_view facet) const {
@@ -50,10 +55,24 @@ std::optional<condition::Names::Symbol> PlantNames::symbol(std::string_view name
   return Symbol{*found, plant_.symbols[*found].type};
 }
 
+std::optional<std::uint32_t> PlantNames::location(std::string_view name) const { return find(locations_, name); }
+
+std::optional<std::uint32_t> PlantNames::part_kind(std::string_view name) const { return find(part_kinds_, name); }
+
+std::string PlantNames::nearest_part_kind(std::string_view name) const {
+  const std::vector<PartKind>& kinds = plant_.material.kinds;
+  return std::string(
+      faults_.nearest(name, kinds.size(), [&](std::size_t i) -> std::string_view { return kinds[i].name; }));
+}
+
 std::string PlantNames::nearest_device(std::string_view device, std::string_view facet) const {
   if (!facet.empty() && facets_.empty()) return {};
   const std::string wanted = facet.empty() ? std::string(device) : std::string(device).append(".").append(facet);
-  return std::string(faults_.nearest(wanted, plant_.units.size(), [&](std::size_t i) { return plant_.units[i].path; }));
+  const std::size_t units = plant_.units.size();
+  const std::size_t locations = plant_.material.tracks.size() + plant_.material.places.size();
+  return std::string(faults_.nearest(wanted, units + locations, [&](std::size_t i) -> std::string_view {
+    return i < units ? plant_.units[i].path : plant_.material.location_name(static_cast<std::uint32_t>(i - units));
+  }));
 }
 
 std::string PlantNames::nearest_state(std::uint32_t unit, std::string_view name) const {

@@ -14,7 +14,8 @@
 
 namespace symplant::model {
 
-/// The plant's units and their states must be complete and outlive this object. O(symbols) to construct.
+/// The plant's units and their states, and the names of its material, must be complete and outlive this object.
+/// O(symbols) to construct.
 class PlantNames final : public condition::Names {
  public:
   PlantNames(const PlantModel& plant, const description::Faults& faults);
@@ -24,6 +25,9 @@ class PlantNames final : public condition::Names {
   std::string path(std::uint32_t unit) const override;
   std::optional<std::uint8_t> state(std::uint32_t unit, std::string_view name) const override;
   std::optional<Symbol> symbol(std::string_view name) const override;
+  std::optional<std::uint32_t> location(std::string_view name) const override;
+  std::optional<std::uint32_t> part_kind(std::string_view name) const override;
+  std::string nearest_part_kind(std::string_view name) const override;
   std::string nearest_device(std::string_view device, std::string_view facet) const override;
   std::string nearest_state(std::uint32_t unit, std::string_view name) const override;
   std::string nearest_symbol(std::string_view name) const override;
@@ -35,6 +39,8 @@ class PlantNames final : public condition::Names {
   text::ByName<std::uint32_t> units_;
   text::ByName<std::vector<std::uint32_t>> facets_;  ///< by device: units with a name after the device's
   text::ByName<std::uint32_t> symbols_;
+  text::ByName<std::uint32_t> locations_;
+  text::ByName<std::uint32_t> part_kinds_;
 };
 
 }  // namespace symplant::model

@@ -28,6 +28,16 @@ ScxmlNames::ScxmlNames(const model::PlantModel& plant) {
     for (const model::State& state : unit.states) states.push_back(own.unique(state.name));
   }
   for (const model::Symbol& symbol : plant.symbols) symbols_.push_back(scope.unique(symbol.name()));
+  for (std::uint32_t i = 0; i < plant.material.tracks.size() + plant.material.places.size(); ++i) {
+    locations_.push_back(scope.unique(plant.material.location_name(i)));
+  }
+  for (const model::PartKind& kind : plant.material.kinds) kinds_.push_back(scope.unique(kind.name));
+}
+
+std::string ScxmlNames::parts(const condition::Atom& atom) const {
+  std::string variable = "parts_" + locations_[atom.of];
+  if (atom.part != model::kNone) variable.append("_").append(kinds_[atom.part]);
+  return variable;
 }
 
 std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& variables) const {
@@ -63,6 +73,10 @@ std::string ScxmlNames::expression(const Tree& tree, std::vector<std::string>& v
       return variables.back();
     case Atom::Kind::number:
       variables.push_back(variable(tree.atom.of));
+      return fmt::format("{} {} {}", variables.back(), operator_text(tree.atom.comparison),
+                         model::operand_text(tree.atom));
+    case Atom::Kind::parts:
+      variables.push_back(parts(tree.atom));
       return fmt::format("{} {} {}", variables.back(), operator_text(tree.atom.comparison),
                          model::operand_text(tree.atom));
   }

@@ -25,6 +25,9 @@ class ScxmlNames {
   /// The variable of a symbol.
   std::string variable(std::uint32_t symbol) const { return "value_" + symbols_[symbol]; }
 
+  /// The variable of the number of parts that an atom compares.
+  std::string parts(const condition::Atom& atom) const;
+
   /// A condition in ECMAScript, not encoded for XML. Adds its variables to `variables`.
   std::string expression(const condition::Tree& tree, std::vector<std::string>& variables) const;
 
@@ -32,6 +35,8 @@ class ScxmlNames {
   std::vector<std::string> units_;
   std::vector<std::vector<std::string>> states_;
   std::vector<std::string> symbols_;
+  std::vector<std::string> locations_;
+  std::vector<std::string> kinds_;
 };
 
 }  // namespace symplant::view

@@ -112,6 +112,8 @@ std::string_view unmodelled_key(model::Unmodelled reason) {
       return "none";
     case model::Unmodelled::follows:
       return "follows";
+    case model::Unmodelled::senses_parts:
+      return "senses-parts";
   }
   return "";
 }
@@ -146,6 +148,8 @@ std::string_view unmodelled_reason(model::Unmodelled reason) {
       return "of no role, by the naming rule";
     case model::Unmodelled::follows:
       return "driven by a condition";
+    case model::Unmodelled::senses_parts:
+      return "driven by parts: a sensor of the material flow";
   }
   return "";
 }

@@ -50,12 +50,14 @@ void Outputs::take(const trace::Record& record) {
       ++changes_;
       break;
     case trace::Record::Kind::unit:
+    case trace::Record::Kind::part:
+    case trace::Record::Kind::part_move:
       break;
     case trace::Record::Kind::finding:
       if (loop_goes_on_) {
         found_.back().of.push_back(record.of);
       } else {
-        found_.push_back({record.time, record.finding, {record.of}});
+        found_.push_back({record.time, record.finding, {record.of}, record.value});
       }
       loop_goes_on_ = record.more;
       break;

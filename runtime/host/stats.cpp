@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "symplant/host/words.hpp"
+#include "symplant/tables/names.hpp"
 #include "symplant/trace/value_text.hpp"
 
 namespace symplant::host {
@@ -52,6 +53,19 @@ std::string links_text(const Links& links) {
   return text + "]";
 }
 
+/// The parts made, gone and present, by kind; empty without material.
+std::string parts_text(const plant::Plant& plant) {
+  const tables::MaterialTables& material = plant.tables().material;
+  if (material.empty()) return "";
+  std::string text;
+  const auto names = tables::split_names(material.kind_names);
+  for (std::uint32_t k = 0; k < material.kinds.size(); ++k) {
+    text += fmt::format(R"({}{}:{{"made":{},"gone":{},"present":{}}})", text.empty() ? "" : ",",
+                        trace::json_string(names[k]), plant.parts_made(k), plant.parts_gone(k), plant.parts_present(k));
+  }
+  return ",\"parts\":{" + text + "}";
+}
+
 }  // namespace
 
 std::string stats_text(const StatsInput& input) {
@@ -73,6 +87,7 @@ std::string stats_text(const StatsInput& input) {
   const std::size_t requirements = input.plant.tables().requirements.size();
   const std::size_t violated = input.report.requirements_violated();
   text += fmt::format(R"(,"requirements":{{"held":{},"violated":{}}})", requirements - violated, violated);
+  text += parts_text(input.plant);
   if (input.real_time) text += real_time_text(*input.real_time);
   if (input.real_time && input.clock != nullptr && input.real_time->cycles.plc_clock) {
     text += clock_text(*input.clock, *input.real_time->cycles.plc_clock);

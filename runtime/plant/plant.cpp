@@ -131,6 +131,14 @@ std::uint64_t Plant::parts_made(std::uint32_t kind) const noexcept { return engi
 
 std::uint64_t Plant::parts_gone(std::uint32_t kind) const noexcept { return engine_->flow().kind(kind).gone; }
 
+std::uint64_t Plant::parts_present(std::uint32_t kind) const noexcept {
+  std::uint64_t count = 0;
+  for (std::uint32_t location = 0; location < tables_.material.locations(); ++location) {
+    for (std::uint32_t i = 0; i < parts(location); ++i) count += part(location, i).kind == kind ? 1 : 0;
+  }
+  return count;
+}
+
 bool Plant::is_frozen_track(std::uint32_t track) const noexcept { return engine_->flow().is_frozen_track(track); }
 
 TransferView Plant::transfer(std::uint32_t transfer) const noexcept {

@@ -155,9 +155,11 @@ class Plant {
   std::uint32_t parts(std::uint32_t location) const noexcept;
   /// A part at a location: `index` 0 is the front-most on a track, and the one that came first in a place. O(1).
   PartView part(std::uint32_t location, std::uint32_t index) const noexcept;
-  /// The parts of a kind made since the reset, and those that left the plant. O(1).
+  /// The parts made as a kind since the reset, those that left the plant as that kind, and those present. Work changes
+  /// the kind of parts, so that present is not made - gone. O(1), O(parts) for the present ones.
   std::uint64_t parts_made(std::uint32_t kind) const noexcept;
   std::uint64_t parts_gone(std::uint32_t kind) const noexcept;
+  std::uint64_t parts_present(std::uint32_t kind) const noexcept;
   /// Whether a track was found in an instantaneous loop: its parts do not move. O(1).
   bool is_frozen_track(std::uint32_t track) const noexcept;
   /// O(parts at its locations).

@@ -16,6 +16,9 @@ struct OfPlant {
   const plant::Plant& plant;
   plant::UnitView unit(std::uint32_t unit) const noexcept { return plant.unit(unit); }
   std::uint64_t value(std::uint32_t symbol) const noexcept { return value_of(plant, symbol); }
+  std::uint64_t parts(std::uint32_t location, std::uint32_t kind) const noexcept {
+    return parts_at(plant, location, kind);
+  }
 };
 
 template <typename Source>
@@ -29,6 +32,8 @@ bool holds_in(const condition::Atom& atom, const Source& source) noexcept {
       return source.unit(atom.of).moving;
     case condition::Atom::Kind::bit:
       return source.value(atom.of) != 0;
+    case condition::Atom::Kind::parts:
+      return tables::holds({atom.operand, 0, 0, 0, atom.comparison, atom.number}, source.parts(atom.of, atom.part));
     case condition::Atom::Kind::number:
       break;
   }
@@ -62,6 +67,14 @@ std::uint64_t value_of(const plant::Plant& plant, std::uint32_t symbol) noexcept
     return (operation ? plant.operation(row.index) : plant.event(row.index)) ? 1 : 0;
   }
   return operation ? plant.operation_value(row.index) : plant.event_value(row.index);
+}
+
+std::uint64_t parts_at(const plant::Plant& plant, std::uint32_t location, std::uint32_t kind) noexcept {
+  const std::uint32_t all = plant.parts(location);
+  if (kind == tables::kNone) return all;
+  std::uint64_t count = 0;
+  for (std::uint32_t i = 0; i < all; ++i) count += plant.part(location, i).kind == kind ? 1 : 0;
+  return count;
 }
 
 bool equal_values(tables::DataType type, std::uint64_t a, std::uint64_t b) noexcept {

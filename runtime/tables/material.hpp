@@ -4,6 +4,7 @@
 // index of a place.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -148,5 +149,16 @@ struct MaterialTables {
     return location - static_cast<std::uint32_t>(tracks.size());
   }
 };
+
+/// The most parts that fit on a track: floor((length + longest kind) / (shortest kind + gap)) + 1, at most
+/// kMaxPartsOnTrack. O(kinds).
+inline std::uint32_t most_parts(const MaterialTables& material, const TrackRow& track) noexcept {
+  if (material.kinds.empty()) return 0;
+  const auto [shortest, longest] =
+      std::minmax_element(material.kinds.begin(), material.kinds.end(),
+                          [](const KindRow& a, const KindRow& b) { return a.length < b.length; });
+  const std::int64_t most = (track.length + longest->length) / (shortest->length + track.gap) + 1;
+  return static_cast<std::uint32_t>(std::min<std::int64_t>(most, kMaxPartsOnTrack));
+}
 
 }  // namespace symplant::tables

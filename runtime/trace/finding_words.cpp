@@ -27,6 +27,7 @@ constexpr std::array<std::string_view, tables::kAllFindingKinds> kNames = {"conf
                                                                            "event too short",
                                                                            "instantaneous loop",
                                                                            "requirement violated",
+                                                                           "part blocked",
                                                                            "link lost",
                                                                            "link back",
                                                                            "event overwritten",
@@ -197,6 +198,23 @@ std::map<std::uint32_t, tables::Time> forced_in(std::uint32_t requirement, const
   return found;
 }
 
+/// The part that cannot move, and the one that leaves it no room.
+std::string of_transfer(const FoundThing& found, const PlantNames& names, const History& history) {
+  const tables::TransferRow& row = names.tables().material.transfers[found.of.front()];
+  const std::uint64_t moving = found.parts >> 32;
+  const std::uint64_t there = found.parts & 0xFFFF'FFFF;
+  const History::Part* part = history.part(moving);
+  const History::Part* obstacle = history.part(there);
+  return fmt::format(
+      "part blocked: {} cannot move part {}{} from {} to {}{}; check whether the program looks for a part there before "
+      "it moves another one",
+      names.transfer(found.of.front()), moving,
+      part == nullptr ? "" : fmt::format(" ({})", names.part_kind(part->kind)), names.location(row.from.location),
+      names.location(row.to.location),
+      obstacle == nullptr ? ", which has no room"
+                          : fmt::format(": part {} is there {}", there, since_words(obstacle->since)));
+}
+
 /// The violation, then each unit in the conditions of the requirement, the latest change first.
 std::vector<std::string> of_requirement(const FoundThing& found, const PlantNames& names, const History& history) {
   const std::uint32_t requirement = found.of.front();
@@ -233,21 +251,19 @@ bool is_of_link(FindingKind kind) { return kind == FindingKind::link_lost || kin
 bool is_of_host(FindingKind kind) { return is_of_link(kind) || kind == FindingKind::standstill; }
 
 bool is_of_symbol(FindingKind kind) {
-  return !is_of_unit(kind) && !is_of_host(kind) && kind != FindingKind::requirement_violated;
+  return !is_of_unit(kind) && !is_of_host(kind) && kind != FindingKind::requirement_violated &&
+         kind != FindingKind::part_blocked;
 }
 
 std::string name_of(const FoundThing& found, const PlantNames& names) {
   if (found.kind == FindingKind::requirement_violated) return std::string(names.requirement(found.of.front()));
+  if (found.kind == FindingKind::part_blocked) return std::string(names.transfer(found.of.front()));
   if (is_of_symbol(found.kind)) return std::string(names.symbol(found.of.front()));
   if (is_of_link(found.kind)) return names.link(found.of.front()).name;
   if (found.kind == FindingKind::standstill) return std::string(names.tables().name);
   std::vector<std::string_view> members;
   members.reserve(found.of.size());
-  const std::size_t units = names.tables().units.size();
-  for (const std::uint32_t member : found.of) {
-    members.push_back(member < units ? names.unit(member)
-                                     : names.symbol(names.tables().follows[member - units].symbol));
-  }
+  for (const std::uint32_t member : found.of) members.push_back(names.loop_member(member));
   std::sort(members.begin(), members.end());
   std::string text;
   for (const std::string_view member : members) text.append(text.empty() ? "" : " ").append(member);
@@ -261,7 +277,7 @@ std::vector<std::uint32_t> units_of(const FoundThing& found, const tables::Plant
                  [&](std::uint32_t member) { return member < tables.units.size(); });
     return units;
   }
-  if (is_of_host(found.kind)) return {};
+  if (is_of_host(found.kind) || found.kind == FindingKind::part_blocked) return {};
   if (found.kind == FindingKind::requirement_violated) return requirement_units(tables, found.of.front());
   const std::uint32_t unit = tables.symbols[found.of.front()].unit;
   return unit == tables::kNone ? std::vector<std::uint32_t>() : std::vector<std::uint32_t>{unit};
@@ -302,6 +318,7 @@ std::string unit_words(std::uint32_t unit, const PlantNames& names, const Histor
 
 std::vector<std::string> finding_parts(const FoundThing& found, const PlantNames& names, const History& history) {
   if (found.kind == FindingKind::requirement_violated) return of_requirement(found, names, history);
+  if (found.kind == FindingKind::part_blocked) return {of_transfer(found, names, history)};
   if (is_of_link(found.kind)) return {of_link(found, names)};
   if (found.kind == FindingKind::standstill) return {of_standstill(found)};
   if (found.kind == FindingKind::event_too_short) return {of_event(found, names, history)};

@@ -18,7 +18,8 @@ std::string_view finding_name(tables::FindingKind kind);
 struct FoundThing {
   tables::Time time;
   tables::FindingKind kind;
-  std::vector<std::uint32_t> of;  ///< a loop's units; else one unit, symbol, requirement or link
+  std::vector<std::uint32_t> of;  ///< a loop's members; else one unit, symbol, requirement, transfer or link
+  std::uint64_t parts = 0;        ///< of `part blocked`: as Record::value
 };
 
 bool is_of_unit(tables::FindingKind kind);

@@ -11,7 +11,8 @@ History::History(const PlantNames& names)
       numbers_(names.tables().operation_slots + names.tables().event_slots),
       changed_(bits_.size()),
       rose_(std::size_t{names.tables().operation_bits} + names.tables().operation_slots),
-      unit_changed_(names.tables().units.size()) {
+      unit_changed_(names.tables().units.size()),
+      parts_(names.tables().material.locations()) {
   const tables::PlantTables& tables = names.tables();
   for (const tables::InitialValue& initial : tables.initial_values) {
     const tables::SymbolRow& symbol = tables.symbols[initial.symbol];
@@ -69,7 +70,40 @@ void History::apply(const Record& record) {
   } else if (record.kind == Record::Kind::unit) {
     units_[record.of] = static_cast<std::uint32_t>(record.value);
     unit_changed_[record.of] = record.time;
+  } else if (record.kind == Record::Kind::part) {
+    part_ = record;
+  } else if (record.kind == Record::Kind::part_move) {
+    move_part(part_record(part_, record));
   }
+}
+
+void History::move_part(const PartRecord& part) {
+  const auto has_number = [&](const Part& other) { return other.number == part.number; };
+  if (part.changed()) {
+    for (std::vector<Part>& parts : parts_) {
+      const auto found = std::find_if(parts.begin(), parts.end(), has_number);
+      if (found != parts.end()) found->kind = part.kind;
+    }
+    return;
+  }
+  if (!part.made()) std::erase_if(parts_[part.from], has_number);
+  if (part.to != tables::kOut) parts_[part.to].push_back({part.number, part.kind, part.time});
+}
+
+std::uint64_t History::parts(std::uint32_t location, std::uint32_t kind) const {
+  const std::vector<Part>& parts = parts_[location];
+  if (kind == tables::kNone) return parts.size();
+  return static_cast<std::uint64_t>(
+      std::count_if(parts.begin(), parts.end(), [kind](const Part& part) { return part.kind == kind; }));
+}
+
+const History::Part* History::part(std::uint64_t number) const {
+  for (const std::vector<Part>& parts : parts_) {
+    for (const Part& part : parts) {
+      if (part.number == number) return &part;
+    }
+  }
+  return nullptr;
 }
 
 void History::force(std::uint32_t symbol, bool forced, tables::Time time) {

@@ -30,6 +30,18 @@ class History {
   std::uint64_t value(std::uint32_t symbol) const;
   /// Whether an operation commands: it is on, or an inverted one is off; a number is not 0.
   bool commands(std::uint32_t operation) const;
+  /// A part at a location.
+  struct Part {
+    std::uint64_t number;
+    std::uint32_t kind;
+    tables::Time since;  ///< when it came there
+  };
+  /// The parts at a location, in the order in which they came.
+  const std::vector<Part>& parts_at(std::uint32_t location) const { return parts_[location]; }
+  /// The number of parts of a kind at a location, of all kinds with kNone. O(parts at the location).
+  std::uint64_t parts(std::uint32_t location, std::uint32_t kind) const;
+  /// A part by its number; null if it is not in the plant. O(parts).
+  const Part* part(std::uint64_t number) const;
   plant::UnitView unit(std::uint32_t unit) const { return unpack_unit(units_[unit]); }
   /// Time of its latest change; 0 if it never changed.
   tables::Time since(std::uint32_t symbol) const { return changed_[symbol]; }
@@ -42,6 +54,7 @@ class History {
 
  private:
   const PlantNames& names_;
+  void move_part(const PartRecord& part);
   /// The index of a numeric symbol in `numbers_`.
   std::size_t slot(const tables::SymbolRow& symbol) const;
   /// The index of an operation in `rose_`.
@@ -53,6 +66,8 @@ class History {
   ZeroedArray<tables::Time> rose_;    ///< one more than the time: by bit, then by slot of an operation
   std::vector<std::uint32_t> units_;  ///< pack_unit
   ZeroedArray<tables::Time> unit_changed_;
+  std::vector<std::vector<Part>> parts_;          ///< by location
+  Record part_;                                   ///< the last record of a part, whose part_move is next
   std::map<std::uint32_t, tables::Time> forced_;  ///< a symbol -> since when
 };
 

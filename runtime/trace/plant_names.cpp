@@ -12,7 +12,11 @@ PlantNames::PlantNames(const tables::PlantTables& tables)
       units_(tables.unit_names),
       states_(tables::split_names(tables.state_names)),
       requirements_(tables::split_names(tables.requirement_names)),
-      lists_(tables::split_names(tables.list_names)) {
+      lists_(tables::split_names(tables.list_names)),
+      locations_(tables::split_names(tables.material.location_names)),
+      part_kinds_(tables::split_names(tables.material.kind_names)),
+      transfers_(tables::split_names(tables.material.transfer_names)),
+      work_(tables::split_names(tables.material.work_names)) {
   first_states_.reserve(tables.types.size());
   std::uint32_t states = 0;
   for (const tables::TypeRow& type : tables.types) {
@@ -42,6 +46,19 @@ std::span<const std::string_view> PlantNames::states(std::uint32_t unit) const {
 }
 
 std::string_view PlantNames::state(std::uint32_t unit, std::uint8_t state) const { return states(unit)[state]; }
+
+std::string_view PlantNames::loop_member(std::uint32_t of) const {
+  std::size_t rest = of;
+  const auto within = [&rest](std::size_t size) {
+    if (rest < size) return true;
+    rest -= size;
+    return false;
+  };
+  if (within(tables_.units.size())) return unit(of);
+  if (within(tables_.follows.size())) return symbol(tables_.follows[rest].symbol);
+  if (within(tables_.material.tracks.size())) return locations_[rest];
+  return within(transfers_.size()) ? transfers_[rest] : work_[rest];
+}
 
 std::string_view PlantNames::task(std::uint32_t symbol) const {
   const tables::SymbolRow& row = tables_.symbols[symbol];

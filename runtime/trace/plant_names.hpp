@@ -28,6 +28,14 @@ class PlantNames {
   std::string_view state(std::uint32_t unit, std::uint8_t state) const;
   std::span<const std::string_view> states(std::uint32_t unit) const;
   std::string_view requirement(std::uint32_t requirement) const { return requirements_[requirement]; }
+  /// A track or place; `out` for tables::kOut.
+  std::string_view location(std::uint32_t location) const {
+    return location == tables::kOut ? "out" : locations_[location];
+  }
+  std::string_view part_kind(std::uint32_t kind) const { return part_kinds_[kind]; }
+  std::string_view transfer(std::uint32_t transfer) const { return transfers_[transfer]; }
+  /// A member of an instantaneous loop, as Finding::of numbers it.
+  std::string_view loop_member(std::uint32_t of) const;
   /// A link of the run.
   struct Link {
     std::string name;
@@ -58,6 +66,10 @@ class PlantNames {
   std::vector<std::string_view> states_;
   std::vector<std::string_view> requirements_;
   std::vector<std::string_view> lists_;
+  std::vector<std::string_view> locations_;
+  std::vector<std::string_view> part_kinds_;
+  std::vector<std::string_view> transfers_;
+  std::vector<std::string_view> work_;
   std::vector<Link> links_;
   std::vector<std::uint32_t> first_states_;  ///< by type: the index of its first state in states_
   mutable std::once_flag grouped_;

@@ -11,10 +11,12 @@ namespace symplant::trace {
 
 struct Record {
   enum class Kind : std::uint8_t {
-    change,   ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
-    unit,     ///< unit `of` now has the state `value` (pack_unit)
-    finding,  ///< as in tables::Finding
-    note,     ///< of the program that drives the plant, which defines `of` and `value`
+    change,     ///< net change of symbol `of` to `value`: 0 or 1; for a number as in its value slot
+    unit,       ///< unit `of` now has the state `value` (pack_unit)
+    finding,    ///< as in tables::Finding
+    note,       ///< of the program that drives the plant, which defines `of` and `value`
+    part,       ///< part `value` is of kind `of`; `more`: by hand. The next record is its part_move
+    part_move,  ///< of the part before: from and to in `value` (pack_move), its front in um in `of`
   };
   tables::Time time = 0;
   std::uint64_t value = 0;
@@ -24,6 +26,40 @@ struct Record {
   bool more = false;  ///< as in tables::Finding
   bool last = false;  ///< the last record of its instant
 };
+
+/// Locations in one word; kNone: it was made, or changed its kind.
+constexpr std::uint64_t pack_move(std::uint32_t from, std::uint32_t to) noexcept {
+  return std::uint64_t{from} << 32 | to;
+}
+
+/// A change of a part, from its two records.
+struct PartRecord {
+  tables::Time time;
+  std::uint64_t number;
+  std::uint32_t kind;
+  std::uint32_t from;  ///< kNone: it was made, or changed its kind
+  std::uint32_t to;    ///< a location, or kOut; kNone with kNone in `from`: it changed its kind
+  std::uint32_t x;     ///< um
+  bool by_hand;
+
+  bool made() const noexcept { return from == tables::kNone && to != tables::kNone; }
+  bool changed() const noexcept { return from == tables::kNone && to == tables::kNone; }
+};
+
+constexpr PartRecord part_record(const Record& part, const Record& move) noexcept {
+  return {part.time,
+          part.value,
+          part.of,
+          static_cast<std::uint32_t>(move.value >> 32),
+          static_cast<std::uint32_t>(move.value),
+          move.of,
+          part.more};
+}
+
+/// The finding `part blocked` has in Record::value the parts in question: what cannot move, and what is in its place.
+constexpr std::uint64_t pack_parts(std::uint64_t part, std::uint64_t obstacle) noexcept {
+  return part << 32 | (obstacle & 0xFFFF'FFFF);
+}
 
 /// The state of a unit in one word, without its times.
 constexpr std::uint64_t pack_unit(const plant::UnitView& unit) noexcept {

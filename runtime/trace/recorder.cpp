@@ -15,7 +15,13 @@ std::uint32_t initial_word(const tables::UnitRow& unit) {
 
 std::size_t Recorder::enough_for_an_instant(const tables::PlantTables& tables) {
   // A symbol changes once and has at most two findings, a unit at most four; the rest is room for notes.
-  return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 64;
+  const tables::MaterialTables& material = tables.material;
+  std::size_t parts = 0;  // twice as many as there can be, and four for each element that moves them
+  for (const tables::TrackRow& track : material.tracks) parts += 2 * std::size_t{most_parts(material, track)};
+  for (const tables::PlaceRow& place : material.places) parts += 2 * std::size_t{place.holds};
+  parts += 4 * (material.tracks.size() + material.transfers.size() + material.sources.size());
+  return 3 * tables.symbols.size() + 5 * tables.units.size() + tables.requirements.size() + 2 * parts +
+         material.transfers.size() + 64;
 }
 
 Recorder::Recorder(const tables::PlantTables& tables, std::size_t capacity)
@@ -53,6 +59,12 @@ void Recorder::start_again() noexcept {
   at_ = (at_ | mask_) + 1;
   skip_to_ = at_;
   end_ = at_ + ring_.size();
+}
+
+/// Whether the ring has room for some records.
+bool Recorder::has_room_for(std::size_t records) noexcept {
+  end_ = std::max(read_.load(std::memory_order_acquire), skip_to_) + ring_.size();
+  return end_ - at_ >= records;
 }
 
 bool Recorder::put(const Record& record) noexcept {
@@ -111,11 +123,34 @@ void Recorder::record_units(const engine::Instant& instant) noexcept {
 void Recorder::instant(const engine::Instant& instant) noexcept {
   record_symbols(instant);
   record_units(instant);
+  record_parts(instant.time, instant.parts);
   publish();
 }
 
+void Recorder::record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept {
+  for (const engine::PartChange& part : parts) {
+    const bool changed = part.what == engine::PartChange::What::changed;
+    const std::uint64_t move = pack_move(part.from, changed ? tables::kNone : part.to);
+    if (end_ - at_ >= 2 || has_room_for(2)) {
+      put({time, part.number, part.kind, Record::Kind::part, {}, part.by_hand});
+      put({time, move, static_cast<std::uint32_t>(part.x), Record::Kind::part_move});
+    } else {
+      lost_changes_.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+}
+
+void Recorder::parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept {
+  record_parts(time, parts);
+}
+
 void Recorder::finding(const tables::Finding& finding) noexcept {
-  if (!put({finding.time, 0, finding.of, Record::Kind::finding, finding.kind, finding.more})) {
+  std::uint64_t value = 0;
+  if (finding.kind == tables::FindingKind::part_blocked) {
+    const plant::TransferView transfer = plant_->transfer(finding.of);
+    value = pack_parts(transfer.part, transfer.obstacle);
+  }
+  if (!put({finding.time, value, finding.of, Record::Kind::finding, finding.kind, finding.more})) {
     lost_findings_.fetch_add(1, std::memory_order_relaxed);
   }
 }

@@ -14,8 +14,8 @@ namespace symplant::trace {
 
 /// An observer that fills a ring. One thread runs the plant, another one (or the same) drains the ring; both are
 /// wait-free. The records of an instant are its findings in their order, then changes of symbols in list order, then
-/// units. They become available to drain() together. A ring that is empty starts again at its first slot, so that it
-/// takes memory only for the most records that it has held at once.
+/// units, then parts. They become available to drain() together. A ring that is empty starts again at its first slot,
+/// so that it takes memory only for the most records that it has held at once.
 class Recorder final : public engine::Observer {
  public:
   /// Allocates `capacity` records, rounded up to a power of two. Records that do not fit are counted as lost.
@@ -28,6 +28,7 @@ class Recorder final : public engine::Observer {
 
   void instant(const engine::Instant& instant) noexcept override;
   void finding(const tables::Finding& finding) noexcept override;
+  void parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept override;
   /// Adds a finding of the host. Only between instants, by the thread that runs the plant.
   void raise(tables::Time time, tables::FindingKind kind, std::uint32_t of) noexcept;
   /// Adds a note. Only between instants, by the thread that runs the plant. False if the ring is full.
@@ -52,7 +53,9 @@ class Recorder final : public engine::Observer {
   void note_bits(const engine::WordChange& change, const std::vector<std::uint32_t>& symbol_of_bit) noexcept;
   void record_symbols(const engine::Instant& instant) noexcept;
   void record_units(const engine::Instant& instant) noexcept;
+  void record_parts(tables::Time time, std::span<const engine::PartChange> parts) noexcept;
   bool put(const Record& record) noexcept;
+  bool has_room_for(std::size_t records) noexcept;
   void start_again() noexcept;
   void publish() noexcept;
 

@@ -20,18 +20,45 @@ TraceFile::TraceFile(OutputFile file, const tables::PlantTables& tables, std::ui
   for (std::size_t i = 0; i + 1 < texts.size(); i += 2) {
     names_.push_back(",\"symbol\":" + json_string(texts[i]) + ",\"value\":");
   }
+  const auto add = [](std::string_view blob, std::vector<std::string>& names) {
+    for (const std::string_view name : tables::split_names(blob)) names.push_back(json_string(name));
+  };
+  add(tables.material.location_names, locations_);
+  add(tables.material.kind_names, kinds_);
   file_.put(head_);
   file_.put("}\n");
 }
 
-void TraceFile::write(const Record& record) {
-  if (record.kind != Record::Kind::change || !file_.is_open()) return;
+void TraceFile::put_time(tables::Time time) {
   has_lines_ = true;
-  if (record.time != last_time_) {
-    last_time_ = record.time;
-    time_ = "{\"t\":" + std::to_string(record.time);
+  if (time != last_time_) {
+    last_time_ = time;
+    time_ = "{\"t\":" + std::to_string(time);
   }
   file_.put(time_);
+}
+
+void TraceFile::put_part(const PartRecord& part) {
+  put_time(part.time);
+  file_.put(fmt::format(R"(,"part":{},"kind":{})", part.number, kinds_[part.kind]));
+  const auto put_location = [this](std::string_view key, std::uint32_t location) {
+    file_.put(fmt::format(R"(,"{}":{})", key, location == tables::kOut ? R"("out")" : locations_[location]));
+  };
+  if (!part.changed()) {
+    if (!part.made()) put_location("from", part.from);
+    put_location("to", part.to);
+    if (part.to != tables::kOut && tables_.material.is_track(part.to)) file_.put(fmt::format(R"(,"x":{})", part.x));
+  }
+  if (part.by_hand) file_.put(R"(,"by":"hand")");
+  file_.put("}\n");
+}
+
+void TraceFile::write(const Record& record) {
+  if (!file_.is_open()) return;
+  if (record.kind == Record::Kind::part) part_ = record;
+  if (record.kind == Record::Kind::part_move) put_part(part_record(part_, record));
+  if (record.kind != Record::Kind::change) return;
+  put_time(record.time);
   file_.put(names_[record.of]);
   const tables::DataType type = tables_.symbols[record.of].type();
   if (type == tables::DataType::boolean) {

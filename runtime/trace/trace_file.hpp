@@ -18,7 +18,7 @@ class TraceFile {
   /// Writes the header. Errors are in error().
   TraceFile(OutputFile file, const tables::PlantTables& tables, std::uint64_t model_hash, std::uint64_t seed);
 
-  /// Writes a record of a change; ignores others. O(line).
+  /// Writes a record of a change, or of a part; ignores others. O(line).
   void write(const Record& record);
   /// To be called between two instants: starts a new part if the file is full. Its header has `part`, counted from 1,
   /// the time `t`, and all `values` that are not off or 0, so that each part can be read alone. O(1); O(symbols) for a
@@ -29,11 +29,17 @@ class TraceFile {
   const std::string& error() const { return file_.error(); }
 
  private:
+  void put_time(tables::Time time);
+  void put_part(const PartRecord& part);
+
   const tables::PlantTables& tables_;
   OutputFile file_;
-  std::string head_;                ///< the header of every part, without its closing brace
-  std::vector<std::string> names_;  ///< by symbol: the text between time and value
-  std::string time_;                ///< the text of last_time_
+  std::string head_;                    ///< the header of every part, without its closing brace
+  std::vector<std::string> names_;      ///< by symbol: the text between time and value
+  std::vector<std::string> locations_;  ///< as JSON; so are the kinds
+  std::vector<std::string> kinds_;
+  Record part_;       ///< the last record of a part, whose part_move is next
+  std::string time_;  ///< the text of last_time_
   tables::Time last_time_ = -1;
   std::uint64_t parts_ = 1;
   bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header

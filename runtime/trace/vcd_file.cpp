@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -12,7 +13,9 @@
 namespace symplant::trace {
 
 VcdFile::VcdFile(OutputFile file, const PlantNames& names) : file_(std::move(file)), names_(names) {
-  const std::size_t count = names.tables().symbols.size() + names.tables().units.size();
+  const std::size_t count =
+      names.tables().symbols.size() + names.tables().units.size() + names.tables().material.locations();
+  contents_.resize(names.tables().material.locations());
   identifiers_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) identifiers_.push_back(vcd_identifier(i) + "\n");
 }
@@ -47,6 +50,39 @@ void VcdFile::put_unit(std::uint32_t unit, const plant::UnitView& view) {
   file_.put(identifiers_[names_.tables().symbols.size() + unit]);
 }
 
+/// Of a track the number of its parts, of a place their kinds.
+void VcdFile::put_location(std::uint32_t location) {
+  const tables::PlantTables& tables = names_.tables();
+  if (tables.material.is_track(location)) {
+    file_.put(fmt::format("b{:b} ", contents_[location].size()));
+  } else {
+    std::string text;
+    for (const Content& part : contents_[location]) {
+      text.append(text.empty() ? "" : ",").append(names_.part_kind(part.kind));
+    }
+    file_.put(fmt::format("s{} ", vcd_string(text.empty() ? "-" : text)));
+  }
+  file_.put(identifiers_[tables.symbols.size() + tables.units.size() + location]);
+}
+
+void VcdFile::move_part(const PartRecord& part) {
+  const auto has_number = [&](const Content& other) { return other.number == part.number; };
+  for (std::uint32_t location = 0; location < contents_.size(); ++location) {
+    std::vector<Content>& parts = contents_[location];
+    const auto found = std::find_if(parts.begin(), parts.end(), has_number);
+    if (found == parts.end()) continue;
+    if (part.changed()) {
+      found->kind = part.kind;
+    } else {
+      parts.erase(found);
+    }
+    if (begun_) put_location(location);
+  }
+  if (part.changed() || part.to == tables::kOut) return;
+  contents_[part.to].push_back({part.number, part.kind});
+  if (begun_) put_location(part.to);
+}
+
 void VcdFile::begin(tables::Time time, const History& history) {
   if (begun_) return;
   begun_ = true;
@@ -56,10 +92,18 @@ void VcdFile::begin(tables::Time time, const History& history) {
   const tables::PlantTables& tables = names_.tables();
   for (std::uint32_t s = 0; s < tables.symbols.size(); ++s) put_symbol(s, history.value(s));
   for (std::uint32_t u = 0; u < tables.units.size(); ++u) put_unit(u, history.unit(u));
+  for (std::uint32_t location = 0; location < tables.material.locations(); ++location) put_location(location);
   file_.put("$end\n");
 }
 
 void VcdFile::write(const Record& record) {
+  if (record.kind == Record::Kind::part) part_ = record;
+  if (record.kind == Record::Kind::part_move) {
+    if (begun_ && file_.is_open()) put_time(record.time);
+    move_part(part_record(part_, record));
+    has_lines_ = true;
+    return;
+  }
   if (!begun_ || !file_.is_open()) return;
   if (record.kind != Record::Kind::change && record.kind != Record::Kind::unit) return;
   has_lines_ = true;

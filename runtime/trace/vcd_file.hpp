@@ -31,10 +31,19 @@ class VcdFile {
   void put_time(tables::Time time);
   void put_symbol(std::uint32_t symbol, std::uint64_t value);
   void put_unit(std::uint32_t unit, const plant::UnitView& view);
+  void put_location(std::uint32_t location);
+  void move_part(const PartRecord& part);
+
+  struct Content {
+    std::uint64_t number;
+    std::uint32_t kind;
+  };
 
   OutputFile file_;
   const PlantNames& names_;
-  std::vector<std::string> identifiers_;  ///< of symbols, then of units, each with a line end
+  std::vector<std::string> identifiers_;  ///< of symbols, then units, then locations of parts, each with a line end
+  std::vector<std::vector<Content>> contents_;  ///< the parts of each location
+  Record part_;                                 ///< the last record of a part, whose part_move is next
   tables::Time last_time_ = -1;
   bool begun_ = false;
   bool has_lines_ = false;  ///< whether this part has lines, so that no part is only a header

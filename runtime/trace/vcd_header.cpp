@@ -60,6 +60,12 @@ void write_scope(std::string& text, const PlantNames& names, const Scope& scope,
   for (std::uint32_t symbol = 0; is_root && symbol < symbols; ++symbol) {
     if (names.tables().symbols[symbol].unit == tables::kNone) write_symbol(text, names, symbol);
   }
+  const tables::MaterialTables& material = names.tables().material;
+  const std::size_t first = std::size_t{symbols} + names.tables().units.size();
+  for (std::uint32_t location = 0; is_root && location < material.locations(); ++location) {
+    text += fmt::format("$var {} {} {} $end\n", material.is_track(location) ? "integer 32" : "string 1",
+                        vcd_identifier(first + location), vcd_name(names.location(location)));
+  }
   for (const Scope& child : scope.children) write_scope(text, names, child, false);
   text += "$upscope $end\n";
 }

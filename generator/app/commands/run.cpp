@@ -39,12 +39,15 @@ std::vector<std::string> more(const model::PlantModel& plant) {
   std::size_t faulty = 0;
   std::size_t outside = 0;  // by a custom naming rule
   std::size_t follows = 0;
+  std::size_t sensors = 0;
   for (const model::Symbol& symbol : plant.symbols) {
     if (symbol.unmodelled == model::Unmodelled::modelled) continue;
     if (symbol.unmodelled == model::Unmodelled::numeric) {
       ++numeric;
     } else if (symbol.unmodelled == model::Unmodelled::follows) {
       ++follows;
+    } else if (symbol.unmodelled == model::Unmodelled::senses_parts) {
+      ++sensors;
     } else {
       ++(symbol.unmodelled >= model::Unmodelled::unpaired ? outside : faulty);
     }
@@ -54,6 +57,7 @@ std::vector<std::string> more(const model::PlantModel& plant) {
         "in no device: {} by the naming rule, which pairs them with nothing; the links still carry them", outside));
   }
   if (follows != 0) lines.push_back(fmt::format("in no device: {} driven by a condition (`follow`)", follows));
+  if (sensors != 0) lines.push_back(fmt::format("in no device: {} driven by parts (sensors of `material`)", sensors));
   if (numeric != 0)
     lines.push_back(fmt::format(
         "in no device: {} numeric, since only BOOL symbols form states; the links still carry them", numeric));

@@ -220,7 +220,7 @@ bool few_atoms(const Tree& tree, std::array<const Atom*, kFewAtoms>& atoms, std:
 }
 
 bool may_be_either(const Atom& atom, const model::PlantModel& plant, const Possible& possible) {
-  if (atom.kind == Atom::Kind::bit || atom.kind == Atom::Kind::number) return true;
+  if (atom.kind == Atom::Kind::bit || atom.kind == Atom::Kind::number || atom.kind == Atom::Kind::parts) return true;
   const bool moving = possible.moving(atom.of);
   if (atom.kind == Atom::Kind::moving ? !moving : !possible.settled(atom.of, atom.state)) return false;
   if (atom.kind == Atom::Kind::settled && moving) return true;

@@ -93,13 +93,14 @@ Atom::Kind kind_of(const Atom& atom) { return atom.kind == Atom::Kind::moving ? 
 
 }  // namespace
 
-Thing Thing::of(const Atom& atom) { return {kind_of(atom), atom.of, {}, {}}; }
+Thing Thing::of(const Atom& atom) { return {kind_of(atom), atom.of, atom.part, {}, {}}; }
 
-bool Thing::has(const Atom& atom) const { return kind == kind_of(atom) && location == atom.of; }
+bool Thing::has(const Atom& atom) const { return kind == kind_of(atom) && location == atom.of && part == atom.part; }
 
 Modes modes_of(const Thing& thing, const model::PlantModel& plant, const Possible& possible) {
   if (thing.kind == Atom::Kind::bit) return {{false}, {true}};
-  return thing.kind == Atom::Kind::number ? number_modes(thing) : unit_modes(thing, plant, possible);
+  const bool number = thing.kind == Atom::Kind::number || thing.kind == Atom::Kind::parts;
+  return number ? number_modes(thing) : unit_modes(thing, plant, possible);
 }
 
 }  // namespace symplant::check

@@ -15,7 +15,8 @@ using Modes = std::vector<std::vector<bool>>;
 /// A unit, a bit or a number that a condition tests, and all that it tests about it.
 struct Thing {
   condition::Atom::Kind kind = condition::Atom::Kind::settled;  ///< of a unit always `settled`
-  std::uint32_t location = 0;                                   ///< the unit or symbol
+  std::uint32_t location = 0;                                   ///< the unit, symbol or location of parts
+  std::uint32_t part = 0;                                       ///< of parts: their kind, or kNone
   std::vector<condition::Atom> atoms;                           ///< each once
   Modes modes;
 

@@ -19,15 +19,6 @@ const std::uint32_t* tracks_of_rows(const tables::MaterialTables& material, std:
   return owners;
 }
 
-std::uint32_t capacity_of(const tables::MaterialTables& material, const tables::TrackRow& track) noexcept {
-  if (material.kinds.empty()) return 0;
-  const auto [shortest, longest] =
-      std::minmax_element(material.kinds.begin(), material.kinds.end(),
-                          [](const tables::KindRow& a, const tables::KindRow& b) { return a.length < b.length; });
-  const std::int64_t most = (track.length + longest->length) / (shortest->length + track.gap) + 1;
-  return static_cast<std::uint32_t>(std::min<std::int64_t>(most, tables::kMaxPartsOnTrack));
-}
-
 /// Adds a track's marks at `end`, sorted; returns the new end.
 Mark* add_marks(const tables::MaterialTables& material, std::uint32_t track,
                 std::span<const std::uint32_t> transfers_from, Mark* end) noexcept {
@@ -62,7 +53,7 @@ void FlowIndex::build_tracks(const tables::PlantTables& tables, Arena& arena) no
   tracks = rows;
   for (std::uint32_t track = 0; track < material.tracks.size(); ++track) {
     const tables::TrackRow& row = material.tracks[track];
-    const std::uint32_t capacity = capacity_of(material, row);
+    const std::uint32_t capacity = tables::most_parts(material, row);
     if (rows != nullptr) {
       Mark* const end = add_marks(material, track, transfers_from.of(track), mark);
       fill_stops(material, track, stop);

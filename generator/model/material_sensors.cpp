@@ -1,0 +1,90 @@
+// Finds the symbols of sensors of parts, before the symbols are grouped by device.
+#include <optional>
+#include <unordered_set>
+
+#include "model/material_entries.hpp"
+#include "text/ascii.hpp"
+
+namespace symplant::model {
+namespace {
+
+using description::ticked;
+
+class SensorMarker {
+ public:
+  SensorMarker(PlantModel& plant, description::Faults& faults) : plant_(plant), faults_(faults) {
+    symbols_.reserve(plant.symbols.size());
+    for (std::uint32_t i = 0; i < plant.symbols.size(); ++i) symbols_.try_emplace(plant.symbols[i].name(), i);
+  }
+
+  template <class Entry>
+  void mark_all(const std::vector<Entry>& entries, std::string_view list, std::vector<MadeBy>& origins) {
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      const description::Pointer here = material_pointer(list, origins[e]);
+      for (std::size_t s = 0; s < entries[e].sensors.size(); ++s) {
+        mark(entries[e].sensors[s], here / "sensors" / s, origins[e]);
+      }
+    }
+  }
+
+  bool any() const { return !marked_.empty(); }
+
+ private:
+  void mark(const description::GivenSensor& sensor, const description::Pointer& here, MadeBy& by) {
+    if (sensor.symbol.empty()) return;  // already reported
+    const auto found = symbols_.find(sensor.symbol);
+    if (found == symbols_.end()) {
+      std::string message = description::missing("symbol " + ticked(sensor.symbol), nearest(sensor.symbol));
+      if (!by.pattern.empty()) {
+        by.lacking = std::move(message);
+      } else {
+        faults_.add(here / "symbol", std::move(message), description::FaultKind::unknown_name);
+      }
+      return;
+    }
+    Symbol& symbol = plant_.symbols[found->second];
+    if (std::string why = why_not(sensor, symbol, found->second); !why.empty()) {
+      faults_.add(here / "symbol", ticked(sensor.symbol) + why);
+      return;
+    }
+    marked_.insert(found->second);
+    symbol.unmodelled = Unmodelled::senses_parts;
+    symbol.inverted = symbol.inverted || sensor.inverted;
+  }
+
+  std::string why_not(const description::GivenSensor& sensor, const Symbol& symbol, std::uint32_t index) const {
+    const bool boolean = symbol.type == tables::DataType::boolean;
+    const bool reads = sensor.reads != tables::SensorReads::part;
+    if (symbol.direction != tables::Direction::event) return " is an output of the PLC; a sensor drives an input";
+    if (marked_.contains(index)) return " belongs to another sensor too; remove one of the two";
+    if (symbol.unmodelled == Unmodelled::follows) {
+      return " follows a condition and is a sensor too; remove one of the two";
+    }
+    if (boolean && reads) return " is BOOL; remove `reads`";
+    if (!boolean && !reads) return " is numeric; add `\"reads\": \"code\"` or `\"reads\": \"number\"`";
+    if (!boolean && sensor.inverted) return " is numeric; only BOOL symbols can be `inverted`";
+    if (sensor.inverted && symbol.inverted)
+      return " is inverted here and in the plant's `inverted`; remove one of the two";
+    return {};
+  }
+
+  std::string_view nearest(std::string_view name) const {
+    return faults_.nearest(name, plant_.symbols.size(), [&](std::size_t i) { return plant_.symbols[i].name(); });
+  }
+
+  PlantModel& plant_;
+  description::Faults& faults_;
+  text::ByName<std::uint32_t> symbols_;
+  std::unordered_set<std::uint32_t> marked_;
+};
+
+}  // namespace
+
+bool mark_sensors(PlantModel& plant, MadeMaterial& made, description::Faults& faults) {
+  SensorMarker marker(plant, faults);
+  marker.mark_all(made.entries.tracks, "tracks", made.tracks);
+  marker.mark_all(made.entries.places, "places", made.places);
+  return marker.any();
+}
+
+}  // namespace symplant::model
