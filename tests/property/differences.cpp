@@ -5,10 +5,17 @@
 #include <span>
 #include <string_view>
 
+#include "property/part_differences.hpp"
 #include "support/reference/lines.hpp"
 
 namespace symplant::property {
 namespace {
+
+std::string loop_member(std::uint32_t of, const model::PlantModel& plant) {
+  const std::size_t follow = of - plant.units.size();
+  if (follow < plant.follows.size()) return std::string(plant.symbols[plant.follows[follow].symbol].name());
+  return "#" + std::to_string(follow - plant.follows.size()) + " of material";
+}
 
 std::string reported_as(const tables::Finding& finding, const model::PlantModel& plant) {
   using Of = tables::FindingKind;
@@ -20,14 +27,13 @@ std::string reported_as(const tables::Finding& finding, const model::PlantModel&
                     finding.kind == Of::instantaneous_loop;
   const std::size_t most = unit                                       ? plant.units.size()
                            : finding.kind == Of::requirement_violated ? plant.requirements.size()
+                           : finding.kind == Of::part_blocked         ? plant.material.transfers.size()
                                                                       : plant.symbols.size();
-  const std::size_t follow = finding.of - plant.units.size();
-  if (finding.kind == Of::instantaneous_loop && finding.of >= most && follow < plant.follows.size()) {
-    return text.append(plant.symbols[plant.follows[follow].symbol].name());
-  }
+  if (finding.kind == Of::instantaneous_loop && finding.of >= most) return text + loop_member(finding.of, plant);
   if (finding.of >= most) return text + "nothing (" + std::to_string(finding.of) + ")";
   if (unit) return text.append(plant.units[finding.of].path);
   if (finding.kind == Of::requirement_violated) return text + plant.requirements[finding.of].name;
+  if (finding.kind == Of::part_blocked) return text + plant.material.transfers[finding.of].name;
   return text.append(plant.symbols[finding.of].name());
 }
 
@@ -39,6 +45,7 @@ std::string reported_as(const reference::InstantRecord& record, const model::Pla
   for (const tables::Finding& finding : record.findings) {
     text += " {" + reported_as(finding, plant) + (finding.time == record.time ? "" : " at another time") + "}";
   }
+  for (const std::string& part : part_texts(record, plant)) text += " [" + part + "]";
   return text;
 }
 
@@ -106,9 +113,7 @@ std::string instants_difference(const EnginePlant& engine, const reference::Plan
   for (std::size_t i = 0; i < std::max(reported.size(), wanted.size()); ++i) {
     const std::string engine_text = i < reported.size() ? reported_as(reported[i], plant) : "nothing";
     const std::string reference_text = i < wanted.size() ? reported_as(wanted[i], plant) : "nothing";
-    const bool same = i < reported.size() && i < wanted.size() && reported[i].time == wanted[i].time &&
-                      reported[i].changes == wanted[i].changes && reported[i].findings == wanted[i].findings;
-    if (!same) return both("instant", engine_text, reference_text);
+    if (engine_text != reference_text) return both("instant", engine_text, reference_text);
   }
   return {};
 }
@@ -116,7 +121,10 @@ std::string instants_difference(const EnginePlant& engine, const reference::Plan
 std::string next_due_difference(plant::Plant& engine, const reference::Plant& reference) {
   const tables::Time due = engine.next_due();
   if (due == reference.next_due()) return {};
-  return both("next_due", std::to_string(due), std::to_string(reference.next_due()));
+  // Parts may cause more instants than needed.
+  if (!engine.tables().material.empty() && due >= reference.now() && due < reference.next_due()) return {};
+  return both("next_due at " + std::to_string(reference.now()), std::to_string(due),
+              std::to_string(reference.next_due()));
 }
 
 std::string state_difference(EnginePlant& engine, const reference::Plant& reference, const model::PlantModel& plant) {
@@ -124,6 +132,7 @@ std::string state_difference(EnginePlant& engine, const reference::Plant& refere
   if (it.now() != reference.now()) return both("now", std::to_string(it.now()), std::to_string(reference.now()));
   std::string text = units_difference(it, reference, plant);
   if (text.empty()) text = symbols_difference(engine, reference, plant);
+  if (text.empty()) text = parts_difference(it, reference, plant);
   if (text.empty()) text = next_due_difference(it, reference);
   if (text.empty() && it.state_hash() != reference.state_hash()) text = "state_hash";
   return text;

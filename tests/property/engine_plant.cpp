@@ -66,6 +66,7 @@ void EnginePlant::forget() {
 }
 
 std::string EnginePlant::fault() const {
+  if (!pending_parts_.empty()) return "a part was reported, its instant was not";
   return pending_.empty() ? fault_ : "a finding was reported, its instant was not";
 }
 
@@ -93,11 +94,18 @@ void EnginePlant::add_slots(reference::InstantRecord& record, std::span<const st
   }
 }
 
+void EnginePlant::parts_before(tables::Time, std::span<const engine::PartChange> parts) noexcept {
+  pending_parts_.insert(pending_parts_.end(), parts.begin(), parts.end());
+}
+
 void EnginePlant::instant(const engine::Instant& instant) noexcept {
   reference::InstantRecord record;
   record.time = instant.time;
   record.findings = std::move(pending_);
   pending_.clear();
+  record.parts = std::move(pending_parts_);
+  pending_parts_.clear();
+  record.parts.insert(record.parts.end(), instant.parts.begin(), instant.parts.end());
   add_bits(record, instant.operations, true);
   add_bits(record, instant.events, false);
   add_slots(record, instant.operation_slots, true);
@@ -110,7 +118,8 @@ void EnginePlant::instant(const engine::Instant& instant) noexcept {
     }
     units_reported_[unit] = true;
   }
-  if (!record.changes.empty() || !record.findings.empty()) instants_.push_back(std::move(record));
+  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty();
+  if (!silent) instants_.push_back(std::move(record));
 }
 
 }  // namespace symplant::property

@@ -45,6 +45,7 @@ class EnginePlant final : private engine::Observer {
 
  private:
   void instant(const engine::Instant& instant) noexcept override;
+  void parts_before(tables::Time time, std::span<const engine::PartChange> parts) noexcept override;
   void finding(const tables::Finding& finding) noexcept override { pending_.push_back(finding); }
   void add_bits(reference::InstantRecord& record, std::span<const engine::WordChange> words, bool operations);
   void add_slots(reference::InstantRecord& record, std::span<const std::uint32_t> slots, bool operations);
@@ -56,6 +57,7 @@ class EnginePlant final : private engine::Observer {
   std::unique_ptr<plant::Plant> plant_;
   std::vector<reference::InstantRecord> instants_;
   std::vector<tables::Finding> pending_;  ///< reported before their instant
+  std::vector<engine::PartChange> pending_parts_;
   std::vector<bool> units_reported_;
   std::string fault_;
   unsigned writes_ = 0;  ///< every third write uses whole words

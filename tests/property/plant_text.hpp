@@ -47,6 +47,11 @@ struct Action {
     advance_before,  ///< by `time`, with its instant still pending
     save,
     restore,  ///< the save `value` (from 0, modulo the number of saves), into another plant if `time` is not 0
+    put,      ///< a part of kind `value`, at a location: TRACK, TRACK@um or PLACE
+    take,     ///< a part from a location
+    further,  ///< after `time`, one more instant without a change: writes the symbol's own value if `value` is 0,
+              ///< releases it if not; it is not forced
+    run,      ///< advance to `time` from now, over up to `value` instants
   };
   Kind kind = Kind::advance;
   std::string what = {};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "property/cell_plant.hpp"
+#include "property/random_material.hpp"
 #include "property/random_unit.hpp"
 
 namespace symplant::property {
@@ -80,6 +81,19 @@ model::Derived build_apart(PlantText& text) {
   return derived;
 }
 
+/// Parts for some plants. The dice are different ones, so that the rest of a plant is the same without material.
+void add_material(PlantText& text, std::uint64_t draw) {
+  Dice dice(draw * 2 + 0x3A7E'0000'0001);
+  const std::size_t kind = dice.below(1000);
+  if (kind >= 400 || text.rows.size() > 600) return;
+  if (kind < 12) {
+    text = {};
+    add_reversing_tracks(dice, text);
+  } else {
+    add_random_material(dice, text, build(text).plant);
+  }
+}
+
 std::string refusal(const model::Evidence& evidence) {
   if (!evidence.driven_twice.empty()) return "an address that two units move";
   if (evidence.faults.empty()) return "a behaviour that its unit does not serve";
@@ -102,6 +116,7 @@ DrawnPlant random_plant(std::uint64_t seed, const DrawOptions& options) {
       drawn.text.rows = random_rows(dice, plan);
       drawn.text.description = random_description(dice, plan, drawn.text.rows);
     }
+    if (options.material) add_material(drawn.text, seed + 1'000'000'007 * static_cast<std::uint64_t>(drawn.refused));
     drawn.text.name = "drawn_" + std::to_string(seed);
     model::Derived derived = build_apart(drawn.text);
     const bool runs = runnable(derived);

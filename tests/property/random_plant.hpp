@@ -22,6 +22,7 @@ struct DrawOptions {
   bool behaviours = true;
   std::size_t most_units = 1000;
   bool naming_rules = true;  ///< some plants have a custom naming rule
+  bool material = true;      ///< some plants have material flow
 };
 
 /// The same plant for the same seed and options, everywhere.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "property/dice.hpp"
+#include "property/random_material.hpp"
 #include "property/random_plant.hpp"
 
 namespace symplant::property {
@@ -22,10 +23,12 @@ class StimulusWriter {
 
   std::vector<Action> write() {
     reset();
+    if (has_reversing_tracks(plant_)) return freeze_tracks();
     if (dice_.percent(80)) add(Kind::advance, {}, 0, 0);
     const std::size_t large = plant_.units.size() > 100 ? 6 : plant_.units.size() > 20 ? 3 : 1;
     for (std::size_t i = (40 + dice_.below(110)) / large; i > 0; --i) {
       for (std::size_t k = dice_.below(4); k > 0; --k) act();
+      if (!plant_.material.empty()) parts();
       keep();
       advance();
     }
@@ -43,6 +46,36 @@ class StimulusWriter {
     add(Kind::reset, {}, dice_.below(4), dice_.pick(kCycles));
     std::fill(on_.begin(), on_.end(), false);
     forced_.clear();
+  }
+
+  /// Each track has an instant every nanosecond until it freezes.
+  std::vector<Action> freeze_tracks() {
+    actions_.back().time = 0;
+    add(Kind::advance, {}, 0, 0);
+    for (int i = 0; i < 5; ++i) add(Kind::run, {}, 12'000, 20 * kMillisecond);
+    return std::move(actions_);
+  }
+
+  std::string location() {
+    const model::Material& material = plant_.material;
+    const std::size_t index = dice_.below(material.tracks.size() + material.places.size());
+    std::string name = material.location_name(static_cast<std::uint32_t>(index));
+    if (!material.is_track(static_cast<std::uint32_t>(index)) || dice_.percent(30)) return name;
+    const std::int64_t length = material.tracks[index].length;
+    const std::int64_t position = dice_.percent(50)
+                                      ? length * static_cast<std::int64_t>(dice_.below(9)) / 8
+                                      : static_cast<std::int64_t>(dice_.below(static_cast<std::size_t>(length) + 1));
+    return name + "@" + std::to_string(position);
+  }
+
+  /// By hand, and instants that change nothing.
+  void parts() {
+    if (dice_.percent(22)) add(Kind::put, location(), dice_.below(plant_.material.kinds.size()), 0);
+    if (dice_.percent(9)) add(Kind::take, location(), 0, 0);
+    if (!dice_.percent(25) || plant_.symbols.empty()) return;
+    const auto symbol = static_cast<std::uint32_t>(dice_.below(plant_.symbols.size()));
+    static const std::vector<tables::Time> kTimes = {1, 7, 3 * kMillisecond, 3'333'333, 9'999'999, 0};
+    add(Kind::further, name(symbol), dice_.below(2), dice_.pick(kTimes));
   }
 
   void act() {

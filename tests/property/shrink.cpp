@@ -72,6 +72,7 @@ class Shrinker {
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.requirements; });
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.inverted; });
     pieces([](auto& the_case) -> auto& { return the_case.plant.description.follow; });
+    material();
     for (std::size_t i = 0; i < best_.plant.description.devices.size(); ++i) device(i);
     // One edit after the other; a kept edit makes the plant smaller, so that the next has the same index.
     for (std::size_t i = 0; i < count_simpler(best_.plant);) {
@@ -80,6 +81,28 @@ class Shrinker {
       if (!keep(std::move(candidate))) ++i;
       if (left_ <= 0) return;
     }
+  }
+
+  void material() {
+    for (const std::string& name : part_locations(best_.plant)) {
+      Case candidate = best_;
+      remove_location(candidate.plant, name);
+      keep(std::move(candidate));
+    }
+    const auto of = [](auto& the_case) -> auto& { return the_case.plant.description.material; };
+    pieces([&](auto& the_case) -> auto& { return of(the_case).transfers; });
+    pieces([&](auto& the_case) -> auto& { return of(the_case).work; });
+    pieces([&](auto& the_case) -> auto& { return of(the_case).sources; });
+    for (std::size_t i = 0; i < of(best_).tracks.size(); ++i) {
+      pieces([&](auto& the_case) -> auto& { return of(the_case).tracks[i].stops; });
+      pieces([&](auto& the_case) -> auto& { return of(the_case).tracks[i].sensors; });
+      pieces([&](auto& the_case) -> auto& { return of(the_case).tracks[i].ends; });
+      pieces([&](auto& the_case) -> auto& { return of(the_case).tracks[i].drives; });
+    }
+    for (std::size_t i = 0; i < of(best_).places.size(); ++i) {
+      pieces([&](auto& the_case) -> auto& { return of(the_case).places[i].sensors; });
+    }
+    pieces([&](auto& the_case) -> auto& { return of(the_case).kinds; });
   }
 
   void device(std::size_t i) {

@@ -79,6 +79,8 @@ class Edits {
       condition(given.expect, false);
       if (given.within != 0) edit([&] { given.within = 0; });
     }
+    each_condition(plant.description.material, [this](std::string& text, bool none) { condition(text, none); });
+    each_edit(plant.description.material, [this](const std::function<void()>& make) { edit(make); });
     if (plant.description.defaults.actuation != tables::Actuation::latched) {
       edit([&] { plant.description.defaults.actuation = tables::Actuation::latched; });
     }
@@ -149,7 +151,7 @@ std::size_t plant_size(const PlantText& plant) {
     for (const description::GivenDisables& given : device.disables) size += 1 + given.devices.size();
     for (const auto& [name, text] : device.inputs) size += text.size();
   }
-  size += plant.description.inverted.size();
+  size += plant.description.inverted.size() + material_size(plant.description.material);
   for (const description::GivenFollow& given : plant.description.follow) size += 5 + given.condition.size();
   for (const description::GivenRequirement& given : plant.description.requirements) {
     size += 10 + given.never.size() + given.after.size() + given.expect.size() + (given.within == 0 ? 0 : 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,15 @@ bool give_own_address(PlantText& plant, std::size_t row);
 /// Edits of single conditions, times, outputs and words, by number.
 std::size_t count_simpler(const PlantText& plant);
 void make_simpler(PlantText& plant, std::size_t number);
+
+// Of the material flow (simpler_material.cpp).
+std::size_t material_size(const description::GivenMaterial& material);
+std::vector<std::string> part_locations(const PlantText& plant);
+/// Removes a track or place with all that names it, except conditions of devices.
+void remove_location(PlantText& plant, const std::string& name);
+/// Calls `edit` with each condition, and whether it may be empty.
+void each_condition(description::GivenMaterial& material, const std::function<void(std::string&, bool)>& visit);
+/// Calls `visit` with each single edit.
+void each_edit(description::GivenMaterial& material, const std::function<void(const std::function<void()>&)>& visit);
 
 }  // namespace symplant::property

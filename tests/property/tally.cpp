@@ -10,10 +10,15 @@ namespace symplant::property {
 namespace {
 
 std::vector<std::pair<std::string_view, long>> rows_of(const RunCounts& run) {
-  return {{"restores", run.restores}, {"restores into another plant", run.restores_elsewhere},
-          {"saves", run.saves},       {"resets", run.resets},
-          {"inputs set", run.inputs}, {"inputs refused", run.inputs_refused},
-          {"forces", run.forces},     {"qualities of the link", run.qualities}};
+  return {{"restores", run.restores},
+          {"restores into another plant", run.restores_elsewhere},
+          {"saves", run.saves},
+          {"resets", run.resets},
+          {"inputs set", run.inputs},
+          {"inputs refused", run.inputs_refused},
+          {"forces", run.forces},
+          {"qualities of the link", run.qualities},
+          {"further instants", run.furthers}};
 }
 
 }  // namespace
@@ -31,6 +36,7 @@ void Tally::add_plant(const DrawnPlant& drawn) {
     inverted_ += symbol.inverted ? 1 : 0;
   }
   following_ += std::ssize(drawn.model.follows);
+  with_material_ += drawn.model.material.empty() ? 0 : 1;
 }
 
 void Tally::print(std::ostream& out, double seconds) const {
@@ -41,7 +47,7 @@ void Tally::print(std::ostream& out, double seconds) const {
   out << plants_ << " plants in " << std::fixed << std::setprecision(1) << seconds << " s, " << refused_
       << " plans refused; units: median " << median << ", largest " << largest << "; " << behaviours_
       << " with a behaviour; " << shared_ << " symbols that follow others; " << inverted_ << " inverted; " << following_
-      << " that follow a condition\n";
+      << " that follow a condition; " << with_material_ << " plants with parts\n";
   for (const std::string& refusal : refusals_) out << "  refused: " << refusal << "\n";
   out << run.advances << " advances over " << run.instants << " instants with an effect, " << run.cut_short
       << " cut short; " << run.too_many_rises << " runs ended early\n";

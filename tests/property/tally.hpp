@@ -29,6 +29,7 @@ class Tally {
   long behaviours_ = 0;                ///< units with one
   long inverted_ = 0;                  ///< symbols
   long following_ = 0;                 ///< symbols that follow a condition
+  long with_material_ = 0;             ///< plants
   long shared_ = 0;                    ///< symbols that follow another
 };
 

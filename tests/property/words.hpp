@@ -20,7 +20,7 @@ struct ActionWord {
   bool time;
 };
 /// In the order of Action::Kind.
-inline constexpr std::array<ActionWord, 12> kActionWords = {{{"reset", false, true, true},
+inline constexpr std::array<ActionWord, 16> kActionWords = {{{"reset", false, true, true},
                                                              {"set", true, true, false},
                                                              {"input", true, true, false},
                                                              {"force", true, true, false},
@@ -31,7 +31,11 @@ inline constexpr std::array<ActionWord, 12> kActionWords = {{{"reset", false, tr
                                                              {"advance-to-due", false, false, false},
                                                              {"before", false, false, true},
                                                              {"save", false, false, false},
-                                                             {"restore", false, true, true}}};
+                                                             {"restore", false, true, true},
+                                                             {"put", true, true, false},
+                                                             {"take", true, false, false},
+                                                             {"further", true, true, true},
+                                                             {"run", false, true, true}}};
 
 inline std::string_view word_of(tables::Actuation actuation) {
   return kActuationWords[static_cast<std::size_t>(actuation)];

@@ -215,6 +215,7 @@ void Flow::work_on(std::uint32_t location, std::uint32_t index, const tables::Wo
   std::uint64_t number = 0;
   if (material_->is_track(location)) {
     Part& p = part(location, index);
+    cover(location, p);  // it may have passed marks that do not matter for its kind
     p.kind = row.to;
     number = p.number;
     cover_changed(location, p.tail, p.front);

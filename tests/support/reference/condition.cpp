@@ -1,7 +1,7 @@
 // Evaluates conditions by walking their trees.
 #include <bit>
 
-#include "support/reference/round.hpp"
+#include "support/reference/material.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -45,6 +45,8 @@ bool atom_holds(const condition::Atom& atom, const World& world) {
       return effective(world.symbols[atom.of]) != 0;
     case condition::Atom::Kind::number:
       return number_holds(atom, effective(world.symbols[atom.of]));
+    case condition::Atom::Kind::parts:
+      return number_holds(atom, parts_at(world.material, atom.of, atom.part));
   }
   return false;
 }

@@ -1,5 +1,5 @@
-// Counts how often a run of the reference takes each path of docs/model.md, so that a test of random plants can report
-// it.
+// Counts how often a run of the reference takes each path of docs/model.md and docs/material.md, so that a test of
+// random plants can report it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace symplant::reference {
 
-/// Every step, cell, event and finding in docs/model.md, in the order of `kCountedNames`.
+/// Every step, cell, event and finding in docs/model.md and docs/material.md, in the order of `kCountedNames`.
 enum class Counted : std::size_t {
   settle,
   automatic_fired,
@@ -96,6 +96,37 @@ enum class Counted : std::size_t {
   follow_chain,
   follow_frozen,
   follow_on_a_shared_address,
+  // Parts.
+  part_touched,
+  part_touched_backward,
+  queue_released,
+  drive_entered,
+  facing_stopped,
+  stop_caught,
+  stop_caught_backward,
+  moved_backward,
+  overshot,
+  end_with_room,
+  end_out,
+  end_waited,
+  transfer_moved,
+  transfer_waited,
+  once_used,
+  work_changed,
+  source_made,
+  source_waited,
+  source_draw,
+  sensor_switched,
+  sensor_number_changed,
+  kind_filtered,
+  put_by_hand,
+  put_refused,
+  taken_by_hand,
+  take_refused,
+  transfer_frozen,
+  work_frozen,
+  track_frozen,
+  found_part_blocked,
   number_of,
 };
 inline constexpr std::size_t kCounted = static_cast<std::size_t>(Counted::number_of);

@@ -1,7 +1,7 @@
 // Which symbols make a unit, how they are related, and what the description defines for it.
 #include <algorithm>
 
-#include "support/reference/rules.hpp"
+#include "support/reference/material.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -33,7 +33,7 @@ UnitRules gather(const Rules& rules, std::uint32_t index) {
     if (symbol.unit == index) {
       (symbol.direction == tables::Direction::operation ? unit.operations : unit.events).push_back(i);
     }
-    const bool named = symbol.reading.fault == name::NameFault::none;
+    const bool named = symbol.reading.fault == name::NameFault::none && !senses_parts(model, i);
     if (unit.described != nullptr && !unit.described->behaviour.empty() && named && !rules.is_bool(i) &&
         same_name(symbol.reading.device_path, unit.path)) {
       unit.values.push_back(i);
@@ -174,7 +174,7 @@ bool Rules::follows_condition(std::uint32_t symbol) const {
 // at the start or can reach. User code may switch any event of its unit.
 bool Rules::moved(std::uint32_t symbol) const {
   const std::uint32_t first = leader(symbol);
-  if (follows_condition(first)) return true;
+  if (follows_condition(first) || senses_parts(*model, first)) return true;
   const std::uint32_t owner = model->symbols[first].unit;
   if (is_operation(symbol) || owner == model::kNone) return false;
   const UnitRules& unit = units[owner];

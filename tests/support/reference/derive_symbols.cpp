@@ -1,6 +1,7 @@
 // What the description defines for single symbols: inverted ones, and ones that follow a condition.
 #include <algorithm>
 
+#include "support/reference/material.hpp"
 #include "support/reference/patterns.hpp"
 #include "support/reference/rules.hpp"
 
@@ -28,7 +29,10 @@ void derive_symbols(Rules& rules) {
     const std::string_view name = model.symbols[i].name();
     const auto named = [&](const std::string& given) { return fits(std::string(name), given); };
     const auto& inverted = description.inverted;
-    rules.inverted.push_back(rules.is_bool(i) && std::any_of(inverted.begin(), inverted.end(), named));
+    // A sensor can be inverted where it is described; the model has resolved its name.
+    const bool inverted_sensor = senses_parts(model, i) && model.symbols[i].inverted;
+    rules.inverted.push_back(rules.is_bool(i) &&
+                             (inverted_sensor || std::any_of(inverted.begin(), inverted.end(), named)));
     if (rules.is_operation(i) || !rules.is_bool(i)) continue;
     const std::uint32_t given = entry_of(description.follow, name);
     if (given == kNone) continue;

@@ -49,16 +49,21 @@ Time normal(SplitMix64 random, Time mean, Time sigma) {
 Time duration_of(Round& round, std::uint32_t unit, std::uint16_t transition, const description::Duration& duration) {
   if (duration.kind == description::Duration::Kind::fixed) return duration.a;
   const std::uint32_t k = round.next.units[unit].transitions[transition].draws++;
-  const SplitMix64 random = started(round.next.seed, round.of(unit).path, transition, k);
-  if (duration.kind == description::Duration::Kind::uniform) {
-    ++round.counters[Counted::draw_uniform];
-    return uniform(random, duration.a, duration.b);
-  }
-  ++round.counters[Counted::draw_normal];
-  return normal(random, duration.a, duration.b);
+  ++round
+        .counters[duration.kind == description::Duration::Kind::uniform ? Counted::draw_uniform : Counted::draw_normal];
+  return draw_duration(round.next.seed, round.of(unit).path, transition, k, duration);
 }
 
 }  // namespace
+
+Time draw_duration(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k,
+                   const description::Duration& duration) {
+  const SplitMix64 random = started(seed, unit, n, k);
+  if (duration.kind == description::Duration::Kind::uniform) return uniform(random, duration.a, duration.b);
+  return normal(random, duration.a, duration.b);
+}
+
+Time later(Time now, Time left) { return left > tables::kNever - now ? tables::kNever : now + left; }
 
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k) {
   return started(seed, unit, n, k).draw();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/reference/material.hpp"
+
 namespace symplant::reference {
 namespace {
 
@@ -192,6 +194,13 @@ void find_of_requirement(Finder& finder, std::uint32_t i) {
   monitor.deadline = 0;
 }
 
+void find_of_transfer(Finder& finder, std::uint32_t i) {
+  const bool blocked = is_blocked(finder.rules, finder.world, i);
+  bool& before = finder.world.material.transfers[i].blocked;
+  if (blocked && !before) finder.add(FindingKind::part_blocked, i, Counted::found_part_blocked);
+  before = blocked;
+}
+
 }  // namespace
 
 std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const InstantNotes& notes,
@@ -206,6 +215,7 @@ std::vector<tables::Finding> findings_of(const Rules& rules, World& world, const
   }
   find_of_loops(finder);
   for (std::uint32_t i = 0; i < world.monitors.size(); ++i) find_of_requirement(finder, i);
+  for (std::uint32_t i = 0; i < world.material.transfers.size(); ++i) find_of_transfer(finder, i);
   // In the order of the table in docs/model.md, then by unit, symbol or requirement. Loops are in order already.
   std::stable_sort(finder.found.begin(), finder.found.end(), [](const tables::Finding& a, const tables::Finding& b) {
     if (a.kind != b.kind) return a.kind < b.kind;

@@ -80,6 +80,46 @@ void add_free_symbol(Digest& digest, const Rules& rules, const World& world, std
   digest.u64(symbol.forced ? symbol.forced_value : 0);
 }
 
+void add_track(Digest& digest, const TrackWorld& track) {
+  digest.u32(static_cast<std::uint32_t>(track.parts.size()));
+  for (const PartWorld& part : track.parts) {
+    digest.u64(part.number);
+    digest.u32(part.kind);
+    digest.i64(part.x0);
+    digest.i64(part.t0);
+    digest.i64(part.v);
+  }
+  digest.flag(track.frozen);
+}
+
+void add_place(Digest& digest, const std::vector<PartWorld>& parts) {
+  digest.u32(static_cast<std::uint32_t>(parts.size()));
+  for (const PartWorld& part : parts) {
+    digest.u64(part.number);
+    digest.u32(part.kind);
+  }
+}
+
+void add_material(Digest& digest, const MaterialWorld& material) {
+  if (material.tracks.empty() && material.places.empty()) return;
+  for (const TrackWorld& track : material.tracks) add_track(digest, track);
+  for (const std::vector<PartWorld>& parts : material.places) add_place(digest, parts);
+  for (const TransferWorld& transfer : material.transfers) {
+    digest.byte(static_cast<std::uint8_t>((transfer.permission ? 1 : 0) | (transfer.moved ? 2 : 0) |
+                                          (transfer.frozen ? 4 : 0)));
+  }
+  for (const WorkWorld& work : material.work) {
+    digest.byte(static_cast<std::uint8_t>((work.truth ? 1 : 0) | (work.frozen ? 2 : 0)));
+  }
+  for (const SourceWorld& source : material.sources) {
+    digest.i64(source.due);
+    digest.u64(source.made);
+    digest.u32(source.draws);
+    digest.flag(source.frozen);
+  }
+  digest.u64(material.next_number);
+}
+
 }  // namespace
 
 std::uint64_t state_hash(const Rules& rules, const World& world) {
@@ -94,6 +134,7 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
     digest.i64(monitor.deadline);
     digest.flag(monitor.truth);
   }
+  add_material(digest, world.material);
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].conflicting) continue;
     digest.byte(0);
@@ -107,6 +148,11 @@ std::uint64_t state_hash(const Rules& rules, const World& world) {
   for (std::uint32_t i = 0; i < world.units.size(); ++i) {
     if (!world.units[i].overrun) continue;
     digest.byte(2);
+    digest.u32(i);
+  }
+  for (std::uint32_t i = 0; i < world.material.transfers.size(); ++i) {
+    if (!world.material.transfers[i].blocked) continue;
+    digest.byte(3);
     digest.u32(i);
   }
   return digest.value();

@@ -39,6 +39,20 @@ std::string value_text(tables::DataType type, std::uint64_t value) {
   return whole_text(type >= DataType::sint && type <= DataType::lint, value);
 }
 
+/// A member of an instantaneous loop.
+std::string member_name(const model::PlantModel& model, std::size_t of) {
+  if (of < model.units.size()) return std::string(model.units[of].path);
+  of -= model.units.size();
+  if (of < model.follows.size()) return std::string(model.symbols[model.follows[of].symbol].name());
+  of -= model.follows.size();
+  const model::Material& material = model.material;
+  if (of < material.tracks.size()) return material.tracks[of].name;
+  of -= material.tracks.size();
+  if (of < material.transfers.size()) return material.transfers[of].name;
+  of -= material.transfers.size();
+  return of < material.work.size() ? material.work[of].name : material.sources[of - material.work.size()].name;
+}
+
 std::string name_of(const model::PlantModel& model, const tables::Finding& finding) {
   using tables::FindingKind;
   switch (finding.kind) {
@@ -48,13 +62,28 @@ std::string name_of(const model::PlantModel& model, const tables::Finding& findi
     case FindingKind::overrun:
       return std::string(model.units[finding.of].path);
     case FindingKind::instantaneous_loop:
-      if (finding.of < model.units.size()) return std::string(model.units[finding.of].path);
-      return std::string(model.symbols[model.follows[finding.of - model.units.size()].symbol].name());
+      return member_name(model, finding.of);
+    case FindingKind::part_blocked:
+      return model.material.transfers[finding.of].name;
     case FindingKind::requirement_violated:
       return model.requirements[finding.of].name;
     default:
       return std::string(model.symbols[finding.of].name());
   }
+}
+
+std::string part_line(const model::Material& material, Time time, const engine::PartChange& change) {
+  using What = engine::PartChange::What;
+  const auto location = [&](std::uint32_t of) { return of == tables::kOut ? "out" : material.location_name(of); };
+  std::string line = "{\"t\":" + std::to_string(time) + ",\"part\":" + std::to_string(change.number) + ",\"kind\":\"" +
+                     material.kinds[change.kind].name + "\"";
+  if (change.what == What::moved) line += ",\"from\":\"" + location(change.from) + "\"";
+  if (change.what != What::changed) {
+    line += ",\"to\":\"" + location(change.to) + "\"";
+    const bool on_track = change.to != tables::kOut && material.is_track(change.to);
+    if (on_track) line += ",\"x\":" + std::to_string(change.x);
+  }
+  return line + (change.by_hand ? ",\"by\":\"hand\"}" : "}");
 }
 
 }  // namespace
@@ -69,7 +98,8 @@ std::string_view finding_name(tables::FindingKind kind) {
                                                                                  "started on enabling",
                                                                                  "event too short",
                                                                                  "instantaneous loop",
-                                                                                 "requirement violated"};
+                                                                                 "requirement violated",
+                                                                                 "part blocked"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -80,6 +110,9 @@ std::vector<std::string> trace_lines(const model::PlantModel& model, const std::
       const model::Symbol& it = model.symbols[symbol];
       lines.push_back("{\"t\":" + std::to_string(instant.time) + ",\"symbol\":\"" + std::string(it.name()) +
                       "\",\"value\":" + value_text(it.type, value) + "}");
+    }
+    for (const engine::PartChange& change : instant.parts) {
+      lines.push_back(part_line(model.material, instant.time, change));
     }
   }
   return lines;

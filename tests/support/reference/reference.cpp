@@ -1,4 +1,4 @@
-// The plant: its start, its external inputs, its instants in time.
+// The plant: its external inputs, its instants in time.
 #include "support/reference/reference.hpp"
 
 #include <algorithm>
@@ -7,69 +7,11 @@
 #include "support/reference/difference.hpp"
 #include "support/reference/findings.hpp"
 #include "support/reference/hash.hpp"
-#include "support/reference/round.hpp"
+#include "support/reference/material.hpp"
+#include "support/reference/start.hpp"
 
 namespace symplant::reference {
 namespace {
-
-InstantNotes empty_notes(const Rules& rules) {
-  InstantNotes notes;
-  notes.steps.resize(rules.units.size() + rules.follows.size());
-  notes.enabled.resize(rules.units.size());
-  notes.looks.resize(rules.units.size());
-  for (const UnitRules& unit : rules.units) notes.served.emplace_back(unit.operations.size());
-  notes.event_changed.resize(rules.model->symbols.size());
-  return notes;
-}
-
-UnitWorld first_world(const UnitRules& rules) {
-  UnitWorld unit;
-  unit.state = unit.target = rules.initial;
-  unit.transitions.resize(rules.transitions.size());
-  unit.operations.resize(rules.operations.size());
-  if (rules.behaviour != nullptr) unit.memory.resize((rules.behaviour->memory_size + 7) / 8);
-  return unit;
-}
-
-/// The value of a symbol before any unit has entered its initial state.
-std::uint64_t first_value(const Rules& rules, std::uint32_t index) {
-  const model::Symbol& symbol = rules.model->symbols[index];
-  if (!rules.is_bool(index)) return symbol.initial;
-  if (rules.is_operation(index) || rules.follows_condition(index)) return rules.turned(index, 0);
-  if (symbol.unit != model::kNone) {
-    // If the event of a unit's state is at the address, the state decides.
-    const UnitRules& unit = rules.units[symbol.unit];
-    for (std::uint32_t i = 0; i < unit.events.size(); ++i) {
-      if (rules.leader(unit.events[i]) == index && unit.event_is_a_state(i)) {
-        return rules.turned(index, 0);
-      }
-    }
-  }
-  return symbol.initial != 0 ? 1 : 0;
-}
-
-World first_world(const Rules& rules) {
-  World world;
-  for (const UnitRules& unit : rules.units) world.units.push_back(first_world(unit));
-  for (std::uint32_t i = 0; i < rules.model->symbols.size(); ++i) {
-    SymbolWorld symbol;
-    symbol.value = symbol.written = first_value(rules, rules.leader(i));
-    // Off; an event on the address of another one as if that were off.
-    symbol.shown = rules.is_bool(i) ? rules.turned(rules.is_operation(i) ? i : rules.leader(i), 0) : symbol.value;
-    if (rules.is_bool(i) && rules.turned(i, symbol.shown) != 0) symbol.rose = -tables::kNever / 2;  // never
-    world.symbols.push_back(symbol);
-  }
-  world.monitors.resize(rules.model->requirements.size());
-  world.frozen_follows.resize(rules.follows.size());
-  // l_enter of the initial states; user code is not called, its memory is zero after a reset.
-  for (const UnitRules& unit : rules.units) {
-    if (!rules.fault.empty()) break;
-    for (const auto& [event, on] : unit.states[unit.initial].enter) {
-      write_event(rules, world, unit.events[event], on ? 1 : 0);
-    }
-  }
-  return world;
-}
 
 /// Advances time: not for disabled or frozen units, and not for a stopped move. The instant that becomes due
 /// is still to run.
@@ -88,13 +30,10 @@ void pass(World& world, Time time) {
   }
 }
 
-Time later(Time now, Time left) { return left > tables::kNever - now ? tables::kNever : now + left; }
-
 void run_instant(const Rules& rules, World& world, bool sample, Counters& counters,
                  std::vector<InstantRecord>& instants) {
   const bool first = world.last_instant < 0;
   world.instant_pending = false;
-  world.last_instant = world.time;
   if (sample) {
     world.written_pending = false;
     for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
@@ -102,8 +41,12 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
     }
   }
   InstantNotes notes = empty_notes(rules);
+  begin_instant_of_parts(rules, world, counters, notes);
+  world.last_instant = world.time;
   run_rounds(rules, world, counters, notes);
   InstantRecord record;
+  record.parts = world.material.by_hand;
+  record.parts.insert(record.parts.end(), notes.parts.begin(), notes.parts.end());
   record.time = world.time;
   record.findings = findings_of(rules, world, notes, counters);
   for (std::uint32_t i = 0; i < world.symbols.size(); ++i) {
@@ -117,7 +60,10 @@ void run_instant(const Rules& rules, World& world, bool sample, Counters& counte
     unit.shown_settled = unit.moving ? tables::kNoState : unit.state;
     unit.shown_moving = unit.moving;
   }
-  if (!record.changes.empty() || !record.findings.empty()) instants.push_back(std::move(record));
+  end_instant_of_parts(rules, world, counters);
+  world.shown_material = world.material;
+  const bool silent = record.changes.empty() && record.findings.empty() && record.parts.empty();
+  if (!silent) instants.push_back(std::move(record));
 }
 
 /// The world as the last instant left it, for conditions and operations.
@@ -130,6 +76,7 @@ World as_shown(World world) {
     unit.state = unit.shown_settled;
     unit.moving = unit.shown_moving;
   }
+  world.material = world.shown_material;
   return world;
 }
 
@@ -241,7 +188,7 @@ Time Plant::now() const { return world_.time; }
 
 Time Plant::next_due() const {
   if (world_.instant_pending) return world_.time;
-  Time due = tables::kNever;
+  Time due = std::max(world_.time, next_due_of_parts(world_.material));
   for (const UnitWorld& unit : world_.units) {
     if (unit.disabled || unit.frozen) continue;
     if (unit.moving && !unit.stopped_midway) due = std::min(due, later(world_.time, unit.remaining));
@@ -287,6 +234,7 @@ const World& Plant::save() const { return world_; }
 
 void Plant::restore(const World& world) {
   world_ = world;
+  world_.material.by_hand.clear();  // changes that no instant has reported are not part of a save
   ++counters[Counted::restored];
 }
 

@@ -30,6 +30,7 @@ struct InstantRecord {
   /// reset: bits that are on, and numbers that differ from their initial values.
   std::vector<std::pair<std::uint32_t, std::uint64_t>> changes;
   std::vector<tables::Finding> findings;  ///< in their order
+  std::vector<engine::PartChange> parts;  ///< those by hand first
 };
 
 struct UnitView {
@@ -68,6 +69,8 @@ class Plant {
   bool is_forced(std::uint32_t symbol) const;
   void set_state(std::uint32_t unit, std::uint8_t state);
   void set_quality(bool well);
+  bool put(const tables::PartLocation& to, std::uint32_t kind);
+  bool take(const tables::PartLocation& from);
 
   void advance_to(Time time);
   void advance_before(Time time);

@@ -18,14 +18,16 @@ struct Look {
 
 /// What the findings of an instant need from its rounds. Not part of the world.
 struct InstantNotes {
-  /// A unit, then the symbols that follow: the rounds, counted since the last freeze, in which it stepped.
+  /// A unit, then the symbols that follow, tracks, transfers, work and sources: the rounds, counted since the last
+  /// freeze, in which it stepped.
   std::vector<std::vector<int>> steps;
   std::vector<std::vector<bool>> served;  ///< a unit: its operations that fired a transition or reversed a move
   std::vector<bool> enabled;              ///< units
   std::vector<bool> event_changed;        ///< symbols: a round changed its effective level
   std::vector<Look> looks;                ///< units, in the last round
-  /// What each freeze froze: units, then symbols that follow, counted from the number of units.
+  /// What each freeze froze, as indexes of `steps`.
   std::vector<std::vector<std::uint32_t>> loops;
+  std::vector<engine::PartChange> parts;  ///< in the order of the rounds
 };
 
 struct Round {
@@ -58,6 +60,11 @@ bool remembers(const UnitRules& unit, const Transition& transition);
 
 /// The first output of SplitMix64 started at draw `k` of stream `n` of a unit.
 std::uint64_t first_output(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k);
+
+/// Draw `k` of a random time of transition number `n`.
+Time draw_duration(std::uint64_t seed, const std::string& unit, std::uint64_t n, std::uint64_t k,
+                   const description::Duration& duration);
+Time later(Time now, Time left);
 
 /// A draw for the weights of automatic transitions: uniform on [0, sum - 1], counted with a transition's draws.
 std::uint64_t draw_weight(Round& round, std::uint32_t unit, std::uint16_t transition, std::uint64_t sum);

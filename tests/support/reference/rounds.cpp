@@ -1,5 +1,5 @@
 // The rounds of one instant: disables, the step of every unit, loops (docs/model.md, "One instant").
-#include "support/reference/round.hpp"
+#include "support/reference/material.hpp"
 
 namespace symplant::reference {
 namespace {
@@ -57,6 +57,7 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
     again = true;
   }
   if (follow_conditions(round, number)) again = true;
+  if (run_material(round, number)) again = true;
   never_comes(world);
   if (work_out_disabled(rules, world, counters, notes)) again = true;
   never_comes(world);  // for units that became enabled
@@ -64,8 +65,26 @@ bool run_round(const Rules& rules, World& world, int number, Counters& counters,
   return again;
 }
 
-/// Freezes the units and symbols that stepped often in the second half of the rounds. False if none did.
-bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
+void freeze_stepper(const Rules& rules, World& world, std::size_t stepper, Counters& counters) {
+  const Steppers first = steppers(rules);
+  if (stepper < world.units.size()) {
+    world.units[stepper].frozen = true;
+  } else if (stepper < first.tracks) {
+    world.frozen_follows[stepper - world.units.size()] = true;
+    ++counters[Counted::follow_frozen];
+  } else if (stepper < first.work) {
+    world.material.transfers[stepper - first.transfers].frozen = true;
+    ++counters[Counted::transfer_frozen];
+  } else if (stepper < first.sources) {
+    world.material.work[stepper - first.work].frozen = true;
+    ++counters[Counted::work_frozen];
+  } else {
+    world.material.sources[stepper - first.sources].frozen = true;
+  }
+}
+
+/// Freezes all that stepped often in the second half of the rounds. False if none did.
+bool freeze(const Rules& rules, World& world, int rounds, Counters& counters, InstantNotes& notes) {
   std::vector<std::uint32_t> loop;
   for (std::uint32_t stepper = 0; stepper < notes.steps.size(); ++stepper) {
     int steps = 0;
@@ -73,15 +92,7 @@ bool freeze(World& world, int rounds, Counters& counters, InstantNotes& notes) {
     if (steps >= kStepsOfLoop) loop.push_back(stepper);
   }
   if (loop.empty()) return false;
-  const std::size_t units = world.units.size();
-  for (const std::uint32_t stepper : loop) {
-    if (stepper < units) {
-      world.units[stepper].frozen = true;
-    } else {
-      world.frozen_follows[stepper - units] = true;
-      ++counters[Counted::follow_frozen];
-    }
-  }
+  for (const std::uint32_t stepper : loop) freeze_stepper(rules, world, stepper, counters);
   for (std::vector<int>& steps : notes.steps) steps.clear();
   notes.loops.push_back(loop);
   ++counters[Counted::loop_frozen];
@@ -120,7 +131,7 @@ void run_rounds(const Rules& rules, World& world, Counters& counters, InstantNot
   int limit = kFirstLimit;
   for (int number = 1; run_round(rules, world, number, counters, notes); ++number) {
     if (number != limit) continue;
-    if (freeze(world, limit, counters, notes)) {
+    if (freeze(rules, world, limit, counters, notes)) {
       number = 0;
       limit = kFirstLimit;
     } else {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/reference/material_world.hpp"
 #include "symplant/tables/time.hpp"
 
 namespace symplant::reference {
@@ -80,6 +81,8 @@ struct World {
   std::vector<SymbolWorld> symbols;
   std::vector<MonitorWorld> monitors;
   std::vector<bool> frozen_follows;  ///< as Rules::follows
+  MaterialWorld material;
+  MaterialWorld shown_material;  ///< at the end of the last instant
 };
 
 }  // namespace symplant::reference
