@@ -11,7 +11,7 @@
 #include "property/behaviours.hpp"
 #include "property/cell_plant.hpp"
 #include "read/symbol_table.hpp"
-#include "stub_material.inc"
+
 namespace symplant::property {
 namespace {
 
@@ -60,9 +60,7 @@ model::Derived build(const PlantText& text) {
   add(0, first_end, "");
   if (text.two_lists()) add(first_end, text.rows.size(), text.second_controller);
   const auto description = std::make_shared<const description::Description>(text.description);
-  auto made = model::describe(model::derive(lists, text.name, reader, description.get()), description);
-  if (!text.description.material.empty() && made.plant.material.empty()) stub::fill(made, text.description.material);
-  return made;
+  return model::describe(model::derive(lists, text.name, reader, description.get()), description);
 }
 
 bool runnable(const model::Derived& derived) {

@@ -68,7 +68,10 @@ std::uint32_t Flow::wheel_entries() const noexcept { return size_of(material_->t
 /// The block is zero.
 void Flow::reset() noexcept {
   if (!active_) return;
-  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) tracks_[t].room_due = tables::kNever;
+  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) {
+    tracks_[t].room_due = tables::kNever;
+    tracks_[t].window_begin = -tables::kSecond;  // the first instant begins one
+  }
   for (std::uint32_t s = 0; s < material_->sources.size(); ++s) {
     const tables::SourceRow& row = material_->sources[s];
     sources_[s].due = row.count == 0 ? tables::kNever : row.first;

@@ -78,10 +78,6 @@ void Flow::aim_backward(std::uint32_t track, Part& p, Position x) const noexcept
     p.speed_due = std::min(p.speed_due, later(time, time_to_pass(x - half - boundary, -p.v)));
   }
   if (p.aim != -kBeyond) p.speed_due = std::min(p.speed_due, later(time, time_to_reach(x - p.aim, -p.v)));
-  for (const std::uint32_t t : index_.transfers_from.of(track)) {
-    const bool whole = material_->transfers[t].from.at == tables::kWhole;
-    if (whole && x == index_.tracks[track].length) p.speed_due = std::min(p.speed_due, later(time, 1));
-  }
 }
 
 /// When a part reaches something that may change a speed. A part that the one ahead reaches, moving backward, counts
