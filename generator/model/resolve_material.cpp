@@ -184,9 +184,6 @@ class MaterialResolver {
       }
       Drive made{drive.until.value_or(given.length), optional(drive.forward, here / i / "forward"),
                  optional(drive.backward, here / i / "backward"), drive.speed.speed, kNone};
-      if (drive.forward.empty() && drive.backward.empty()) {
-        faults_.add(here / i, "this drive never moves; write `forward`, `backward` or both");
-      }
       if (!drive.speed.of.empty()) made.symbol = speed_symbol(drive.speed.of, here / i / "speed" / "of");
       if (!last && (made.until <= before || made.until >= given.length)) {
         faults_.add(here / i / "until", made.until >= given.length
