@@ -35,9 +35,6 @@ void add_drives(const description::GivenTrack& given, const Pointer& here, Mater
   for (std::size_t i = 0; i < given.drives.size(); ++i) {
     const description::GivenDrive& drive = given.drives[i];
     check_range(given, i, before, here / i, lookup.faults());
-    if (drive.forward.empty() && drive.backward.empty()) {
-      lookup.faults().add(here / i, "this drive never moves; add `forward`, `backward` or both");
-    }
     Drive made{drive.until.value_or(given.length), lookup.condition(drive.forward, here / i / "forward"),
                lookup.condition(drive.backward, here / i / "backward"), drive.speed.speed, kNone};
     if (!drive.speed.of.empty()) made.symbol = lookup.numeric_symbol(drive.speed.of, here / i / "speed" / "of");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/loops.hpp"
+#include "bench/track_plant.hpp"
 
 namespace symplant::bench {
 namespace {
@@ -75,6 +76,8 @@ BENCHMARK_TEMPLATE(closed_loop, EngineTypes<10>)->Name("engine, grid of 10 types
 BENCHMARK_TEMPLATE(closed_loop, EngineTypes<100>)->Name("engine, grid of 100 types")->Arg(10'000);
 BENCHMARK_TEMPLATE(closed_loop, EngineDistinct)->Name("engine, distinct")->Arg(1'000)->Arg(10'000)->Arg(100'000);
 BENCHMARK_TEMPLATE(closed_loop, EngineRich)->Name("engine, rich")->Arg(1'000)->Arg(10'000)->Arg(100'000);
+BENCHMARK_TEMPLATE(closed_loop, EngineParts)->Name("engine, parts on tracks")->Arg(100)->Arg(1'000);
+BENCHMARK_TEMPLATE(closed_loop, HandParts)->Name("by hand, parts on tracks")->Arg(100)->Arg(1'000);
 BENCHMARK(idle)->Name("engine, idle advance_to")->Arg(1'000)->Arg(100'000);
 BENCHMARK(save_and_restore)->Name("engine, save and restore")->Arg(100'000);
 BENCHMARK(copy_there_and_back)->Name("a plain copy there and back")->Arg(5'000'000);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "bench/loops.hpp"
+#include "bench/track_plant.hpp"
 
 namespace {
 
@@ -29,7 +30,7 @@ constexpr Load kLoads[] = {
     {"observed", run<EngineObserved>},   {"types1", run<EngineTypes<1>>},   {"types10", run<EngineTypes<10>>},
     {"types100", run<EngineTypes<100>>}, {"distinct", run<EngineDistinct>}, {"rich", run<EngineRich>},
     {"guarded", run<EngineGuarded>},     {"while", run<EngineWhile>},       {"symbols", run<EngineSymbols>},
-    {"inverted", run<EngineInverted>},
+    {"inverted", run<EngineInverted>},   {"parts", run<EngineParts>},       {"parts_by_hand", run<HandParts>},
 };
 
 }  // namespace

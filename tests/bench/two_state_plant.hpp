@@ -28,6 +28,11 @@ struct BenchPlant {
     tables.units = units;
     tables.times = times;
     tables.operation_bits = tables.event_bits = (bits * static_cast<std::uint32_t>(units.size()) + 63) / 64 * 64;
+    make_as_is();
+  }
+
+  /// All tables must be set before.
+  void make_as_is() {
     memory.resize(plant::Plant::memory_size(tables) / sizeof(std::max_align_t) + 1);
     plant = std::make_unique<plant::Plant>(tables, std::as_writable_bytes(std::span(memory)));
   }

@@ -36,7 +36,7 @@ class CycleRises {
     for (const auto& [symbol, value] : instant.changes) {
       const tables::SymbolRow& row = tables_->symbols[symbol];
       const bool event = row.direction() == tables::Direction::event && row.type() == tables::DataType::boolean;
-      if (event && value != 0) words.insert(row.index / 64);
+      if (event && (value != 0) != row.inverted()) words.insert(row.index / 64);
     }
     return words.size();
   }

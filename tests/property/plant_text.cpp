@@ -65,6 +65,13 @@ model::Derived build(const PlantText& text) {
 
 bool runnable(const model::Derived& derived) {
   const model::PlantModel& plant = derived.plant;
+  // What the reading of plant.json ensures, and what the model is not asked about.
+  for (const description::GivenTrack& track : plant.description->material.tracks) {
+    if (track.drives.empty()) return false;
+    for (const description::GivenDrive& drive : track.drives) {
+      if (drive.until.has_value() == (&drive == &track.drives.back())) return false;
+    }
+  }
   if (!derived.evidence.faults.empty() || !derived.evidence.driven_twice.empty()) return false;
   return std::all_of(plant.units.begin(), plant.units.end(), [](const model::Unit& unit) {
     return unit.described == nullptr || unit.described->behaviour.empty() || serves_behaviour(unit);

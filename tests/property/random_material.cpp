@@ -39,6 +39,19 @@ void draw_kinds(MaterialPlan& plan) {
   }
 }
 
+/// A ring on which a part passes its marks about 10,000 times in a millisecond.
+void fast_ring(MaterialPlan& plan) {
+  description::GivenTrack& track = plan.material().tracks.emplace_back();
+  track.name = "RING";
+  track.length = 10 + static_cast<std::int64_t>(plan.dice.below(20));
+  track.drives.push_back({{}, "RING.parts >= 0", "", {tables::kMaxSpeed, ""}});
+  track.ends.push_back({"RING", ""});
+  plan.row("PE4", "BOOL", false);
+  track.sensors.push_back({"PE4", static_cast<std::int64_t>(plan.dice.below(10)), {}, false, {}});
+  const auto first = static_cast<tables::Time>(plan.dice.below(tables::kMillisecond));
+  plan.material().sources.push_back({"s4", "", "RING", {"raw"}, {}, first, "", {}});
+}
+
 }  // namespace
 
 std::string MaterialPlan::location() {
@@ -118,7 +131,7 @@ void add_random_material(Dice& dice, PlantText& text, const model::PlantModel& m
   draw_transfers(plan);
   draw_work(plan);
   draw_sources(plan);
-  // STUB read_parts(plan);
+  read_parts(plan);
   if (dice.percent(20)) {
     // Rows anywhere in the list.
     for (std::size_t i = text.rows.size() - plan.rows; i < text.rows.size(); ++i) {
@@ -141,6 +154,7 @@ void add_reversing_tracks(Dice& dice, PlantText& text) {
     track.sensors.push_back({"PE" + number, 20 + static_cast<std::int64_t>(dice.below(50)), {}, false, {}});
     plan.material().sources.push_back({"s" + number, "", track.name, {"raw"}, {}, 0, "", {}});
   }
+  fast_ring(plan);
 }
 
 bool has_reversing_tracks(const model::PlantModel& model) {

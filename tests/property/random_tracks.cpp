@@ -39,7 +39,7 @@ GivenDrive random_drive(MaterialPlan& plan, bool reversed) {
   std::string main = kind < 68 ? plan.switch_atom() : kind < 90 ? plan.condition() : "";
   std::string other = plan.dice.percent(40) ? plan.condition() : "";
   if (plan.dice.percent(12)) other = "not (" + main + ")";
-  if (main.empty() && other.starts_with("not (")) other.clear();
+  if (main.empty() && (other.empty() || other.starts_with("not ("))) other = plan.condition();
   drive.forward = reversed ? other : main;
   drive.backward = reversed ? main : other;
   drive.speed = speed_of_drive(plan);
@@ -78,7 +78,7 @@ std::string sensor_symbol(MaterialPlan& plan, bool number) {
     return name;
   }
   std::string name = "PE" + std::to_string(plan.rows);
-  if (false && plan.dice.percent(30)) {
+  if (plan.text.naming.empty() && plan.dice.percent(30)) {
     name = "L0_P_D" + std::to_string(plan.dice.below(3)) + "_I_SENSED" + std::to_string(plan.rows);
   }
   plan.row(name, "BOOL", false);

@@ -26,14 +26,14 @@ struct TrackState {
   tables::Time room_due;      ///< when room may appear for a part that waits for it
   tables::Time window_begin;  ///< of the millisecond in which `instants` are counted
   std::uint32_t instants;     ///< that its own parts caused in that time
-  std::uint32_t begin;        ///< of its parts, which are a ring: the front-most one
   std::uint32_t size;         ///< the number of its parts
   std::uint32_t waiting_kind;
   std::uint8_t waiting;   ///< 1: its end waits for room, for a part of `waiting_kind`
   std::uint8_t frozen;    ///< as FollowState::frozen
   std::uint8_t freezing;  ///< kFreezesNext, kFreezesNow or 0
   std::uint8_t loop;      ///< number of its loop in the instant in which it is frozen
-  std::uint32_t unused;
+  std::uint8_t stale;     ///< 1: the due times of all its parts must be computed again
+  std::uint8_t unused[7];
 };
 
 /// TrackState::freezing
@@ -166,10 +166,7 @@ class Flow {
 
   // Parts on tracks (flow_parts.cpp).
   Part& part(std::uint32_t track, std::uint32_t index) const noexcept {
-    const TrackIndex& row = index_.tracks[track];
-    std::uint32_t position = tracks_[track].begin + index;
-    if (position >= row.capacity) position -= row.capacity;
-    return parts_[row.first_part + position];
+    return parts_[index_.tracks[track].first_part + index];
   }
   Part& insert(std::uint32_t track, Position x) noexcept;
   void erase(std::uint32_t track, std::uint32_t index) noexcept;
@@ -188,6 +185,11 @@ class Flow {
   Position drive_speed(std::uint32_t track, const Part& part, Position x) const noexcept;
   bool stop_holds_at(std::uint32_t track, Position at) const noexcept;
   void compute_speeds(std::uint32_t track) noexcept;
+  void set_stale_dues(std::uint32_t track) noexcept;
+  void all_speeds(std::uint32_t track) noexcept {
+    tracks_[track].stale = 1;
+    due_speeds_.mark(track);
+  }
   void find_drive(std::uint32_t track, Part& part, Position x) const noexcept;
 
   // Due times (flow_times.cpp).

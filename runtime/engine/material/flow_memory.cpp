@@ -86,7 +86,7 @@ void Flow::mark_all() noexcept {
   due_transfers_.mark_all();
   due_work_.mark_all();
   due_sources_.mark_all();
-  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) due_speeds_.mark(t);
+  for (std::uint32_t t = 0; t < material_->tracks.size(); ++t) all_speeds(t);
   for (std::uint32_t s = 0; s < material_->sensors.size(); ++s) due_sensors_.mark(s);
   for (std::uint32_t c = 0; c < material_->counters.size(); ++c) due_counters_.mark(c);
   due_ = true;

@@ -45,6 +45,7 @@ Position Flow::drive_speed(std::uint32_t track, const Part& part, Position x) co
 }
 
 bool Flow::stop_holds_at(std::uint32_t track, Position at) const noexcept {
+  if (index_.tracks[track].stop_count == 0) return false;
   const auto stops = index_.tracks[track].sorted_stops();
   auto stop = std::lower_bound(stops.begin(), stops.end(), at, [](const tables::StopRow* row, Position position) {
     return row->at * kMicrometer < position;
@@ -61,25 +62,30 @@ void Flow::track_due(std::uint32_t track) noexcept {
   const tables::Time time = now();
   bool marks = false;
   bool speeds = false;
+  Part* const parts = &part(track, 0);
   for (std::uint32_t i = 0; i < state.size; ++i) {
-    const Part& p = part(track, i);
-    marks = marks || p.mark_due <= time;
-    speeds = speeds || p.speed_due <= time;
+    marks = marks || parts[i].mark_due <= time;
+    speeds = speeds || parts[i].speed_due <= time;
   }
   if (marks || speeds) count_instant(track);
   if (speeds) put_overshot(track);
-  for (std::uint32_t i = 0; i < state.size; ++i) {
-    Part& p = part(track, i);
-    if (!speeds && p.mark_due > time) continue;
-    cover(track, p);
-    speeds ? find_drive(track, p, p.at(time)) : set_mark_due(track, p);
-  }
   if (state.room_due <= time) {
     state.room_due = tables::kNever;
     room_may_appear(track);
   }
+  tables::Time due = state.room_due;
+  for (std::uint32_t i = 0; i < state.size; ++i) {
+    Part& p = parts[i];
+    if (p.speed_due <= time) {
+      find_drive(track, p, p.at(time));
+      p.stale = 1;
+    }
+    if (p.mark_due <= time || p.stale != 0) cover(track, p);
+    if (p.mark_due <= time) set_mark_due(track, p);
+    due = std::min(due, std::min(p.mark_due, p.speed_due));
+  }
   if (!speeds) {
-    set_track_wheel(track);
+    set_wheel(first_entry_ + track, due);
     return;
   }
   due_speeds_.mark(track);
@@ -111,31 +117,38 @@ void Flow::begin_rounds() noexcept {
   }
 }
 
-/// Parts that have reached the position at which they must be exactly, in the last ns, are put there.
+/// Parts that have reached the position at which they must be exactly, in the last ns, are put there: those for which
+/// this is due, and those that touch one that was put.
 void Flow::put_overshot(std::uint32_t track) noexcept {
   const tables::Time time = now();
   const Position gap = index_.tracks[track].gap;
   const std::uint32_t size = tracks_[track].size;
+  Part* const parts = &part(track, 0);
+  bool put = false;
   for (std::uint32_t i = 0; i < size; ++i) {
-    Part& p = part(track, i);
-    if (p.v <= 0) continue;
+    Part& p = parts[i];
+    const bool look = put || p.speed_due <= time;
+    put = false;
+    if (p.v <= 0 || !look) continue;
     const Position x = p.at(time);
     Position to = std::min(x, p.aim);
-    if (i > 0) {
-      const Part& ahead = part(track, i - 1);
-      to = std::min(to, ahead.at(time) - length(ahead.kind) - gap);
-    }
+    if (i > 0) to = std::min(to, parts[i - 1].at(time) - length(parts[i - 1].kind) - gap);
     to = std::max(to, p.x0);
-    if (to != x) p.base(to, time);
+    put = to != x;
+    if (put) p.base(to, time);
   }
+  put = false;
   for (std::uint32_t i = size; i-- > 0;) {
-    Part& p = part(track, i);
-    if (p.v >= 0) continue;
+    Part& p = parts[i];
+    const bool look = put || p.speed_due <= time || (i + 1 < size && parts[i + 1].speed_due <= time);
+    put = false;
+    if (p.v >= 0 || !look) continue;
     const Position x = p.at(time);
     Position to = std::max(x, p.aim);
-    if (i + 1 < size) to = std::max(to, part(track, i + 1).at(time) + gap + length(p.kind));
+    if (i + 1 < size) to = std::max(to, parts[i + 1].at(time) + gap + length(p.kind));
     to = std::min(to, p.x0);
-    if (to != x) p.base(to, time);
+    put = to != x;
+    if (put) p.base(to, time);
   }
 }
 
@@ -156,9 +169,10 @@ void Flow::compute_speeds(std::uint32_t track) noexcept {
   const TrackState& state = tracks_[track];
   const tables::Time time = now();
   Position* const speeds = speeds_;
+  Part* const parts = &part(track, 0);
   Position ahead_tail = kBeyond;
   for (std::uint32_t i = 0; i < state.size; ++i) {
-    Part& p = part(track, i);
+    const Part& p = parts[i];
     const Position x = p.at(time);
     Position w = state.frozen != 0 ? 0 : drive_speed(track, p, x);
     if (w > 0) {
@@ -169,13 +183,14 @@ void Flow::compute_speeds(std::uint32_t track) noexcept {
     ahead_tail = x - length(p.kind);
   }
   for (std::uint32_t i = state.size; i-- > 0;) {
-    Part& p = part(track, i);
+    Part& p = parts[i];
+    Position w = speeds[i];
+    if (w >= 0 && w == p.v) continue;
     const Position x = p.at(time);
     const Position tail = x - length(p.kind);
-    Position w = speeds[i];
     if (w < 0) {
       if (tail <= 0 || stop_holds_at(track, tail)) w = 0;
-      if (i + 1 < state.size && part(track, i + 1).at(time) >= tail - row.gap) {
+      if (i + 1 < state.size && parts[i + 1].at(time) >= tail - row.gap) {
         w = std::max(w, std::min<Position>(speeds[i + 1], 0));
       }
     }
@@ -184,9 +199,23 @@ void Flow::compute_speeds(std::uint32_t track) noexcept {
     p.base(x, time);
     p.v = static_cast<std::int32_t>(w);
   }
+  set_stale_dues(track);
+}
+
+/// Computes the due times of the parts for which they may have changed: those that are stale, and of the next one
+/// behind when it touches them.
+void Flow::set_stale_dues(std::uint32_t track) noexcept {
+  TrackState& state = tracks_[track];
+  Part* const parts = &part(track, 0);
+  const bool all = state.stale != 0;
+  state.stale = 0;
+  bool ahead = false;
   for (std::uint32_t i = 0; i < state.size; ++i) {
-    set_mark_due(track, part(track, i));
-    set_speed_due(track, i);
+    const bool stale = parts[i].stale != 0;
+    if (stale) set_mark_due(track, parts[i]);
+    if (all || stale || ahead) set_speed_due(track, i);
+    parts[i].stale = 0;
+    ahead = stale;
   }
 }
 

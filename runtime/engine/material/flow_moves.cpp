@@ -119,7 +119,7 @@ void Flow::leave(const Moving& moving) noexcept {
 void Flow::arrive(const Moving& moving, const tables::PartLocation& to, Position x) noexcept {
   if (material_->is_track(to.location)) {
     Part& p = insert(to.location, x);
-    p = {x, now(), 0, tables::kNever, tables::kNever, moving.number, now(), 0, moving.kind, 0, 0, 0, 0};
+    p = {x, now(), 0, tables::kNever, tables::kNever, moving.number, now(), 0, moving.kind, 0, 0, 0, 1};
     locate(to.location, p);
   } else {
     const std::uint32_t place = material_->place_of(to.location);
@@ -217,6 +217,7 @@ void Flow::work_on(std::uint32_t location, std::uint32_t index, const tables::Wo
     Part& p = part(location, index);
     cover(location, p);  // it may have passed marks that do not matter for its kind
     p.kind = row.to;
+    p.stale = 1;
     number = p.number;
     cover_changed(location, p.tail, p.front);
   } else {

@@ -1,4 +1,4 @@
-// The parts of a track: a ring from the front-most one to the last, without overlaps.
+// The parts of a track, from the front-most one to the last, without overlaps.
 #include <algorithm>
 
 #include "symplant/engine/engine_inline.hpp"
@@ -6,31 +6,25 @@
 
 namespace symplant::engine {
 
-/// Makes room for a part whose front is at x, behind those ahead of it. Moves the shorter side of the ring.
+/// Makes room for a part whose front is at x, behind those ahead of it. O(parts behind it).
 Part& Flow::insert(std::uint32_t track, Position x) noexcept {
   TrackState& state = tracks_[track];
-  const std::uint32_t capacity = index_.tracks[track].capacity;
+  Part* const parts = &part(track, 0);
   std::uint32_t index = state.size;
-  while (index > 0 && part(track, index - 1).at(now()) < x) --index;
+  while (index > 0 && parts[index - 1].at(now()) < x) --index;
+  if (index < state.size) parts[index].stale = 1;
+  std::copy_backward(parts + index, parts + state.size, parts + state.size + 1);
   ++state.size;
-  if (2 * index < state.size) {
-    state.begin = state.begin == 0 ? capacity - 1 : state.begin - 1;
-    for (std::uint32_t i = 0; i < index; ++i) part(track, i) = part(track, i + 1);
-  } else {
-    for (std::uint32_t i = state.size - 1; i > index; --i) part(track, i) = part(track, i - 1);
-  }
-  return part(track, index);
+  return parts[index];
 }
 
+/// O(parts behind it).
 void Flow::erase(std::uint32_t track, std::uint32_t index) noexcept {
   TrackState& state = tracks_[track];
-  if (2 * index < state.size) {
-    for (std::uint32_t i = index; i > 0; --i) part(track, i) = part(track, i - 1);
-    state.begin = state.begin + 1 == index_.tracks[track].capacity ? 0 : state.begin + 1;
-  } else {
-    for (std::uint32_t i = index; i + 1 < state.size; ++i) part(track, i) = part(track, i + 1);
-  }
+  Part* const parts = &part(track, 0);
+  std::copy(parts + index + 1, parts + state.size, parts + index);
   --state.size;
+  if (index < state.size) parts[index].stale = 1;
 }
 
 /// The index of the front-most part that covers a position, or kNone. O(log parts).

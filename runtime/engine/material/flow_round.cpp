@@ -25,11 +25,11 @@ void Flow::condition_changed(tables::ReaderKind kind, std::uint32_t reader) noex
   due_now();
   switch (kind) {
     case tables::ReaderKind::drive:
-      due_speeds_.mark(index_.track_of_drive[reader]);
+      all_speeds(index_.track_of_drive[reader]);
       due_ends_.mark(index_.track_of_drive[reader]);
       return;
     case tables::ReaderKind::stop:
-      due_speeds_.mark(index_.track_of_stop[reader]);
+      all_speeds(index_.track_of_stop[reader]);
       due_ends_.mark(index_.track_of_stop[reader]);
       return;
     case tables::ReaderKind::end:
@@ -57,7 +57,7 @@ void Flow::value_changed(tables::Direction direction, std::uint32_t slot) noexce
   auto reader = std::lower_bound(index_.speed_readers.begin(), index_.speed_readers.end(), position,
                                  [](const SpeedReader& a, std::uint32_t b) { return a.position < b; });
   for (; reader != index_.speed_readers.end() && reader->position == position; ++reader) {
-    due_speeds_.mark(reader->track);
+    all_speeds(reader->track);
     due_ends_.mark(reader->track);
     due_now();
   }

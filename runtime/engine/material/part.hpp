@@ -31,12 +31,13 @@ struct Part {
   std::uint32_t drive;  ///< of the track: the one whose range has its middle
   std::uint32_t front;  ///< the number of marks at or behind its front
   std::uint32_t tail;   ///< the number of marks behind its tail: it covers the marks from `tail` to before `front`
-  std::uint32_t unused;
+  std::uint32_t stale;  ///< 1: its due times must be computed again
 
   Position at(tables::Time now) const noexcept { return x0 + v * (now - t0); }
   void base(Position x, tables::Time now) noexcept {
     x0 = x;
     t0 = now;
+    stale = 1;
   }
 };
 

@@ -141,13 +141,15 @@ class Bench {
 
   std::string words(const tables::Finding& finding) const {
     using Kind = tables::FindingKind;
-    static const std::vector<std::string> kKinds = {"conflicting", "stopped", "disabled", "ineffective", "overrun",
-                                                    "lost",        "started", "short",    "loop",        "violated"};
+    static const std::vector<std::string> kKinds = {"conflicting", "stopped",  "disabled", "ineffective",
+                                                    "overrun",     "lost",     "started",  "short",
+                                                    "loop",        "violated", "blocked"};
     const model::PlantModel& model = analysed.model();
     const auto symbol = [&](std::uint32_t index) { return std::string(model.symbols[index].name().substr(4)); };
     std::string of;
     switch (finding.kind) {
       case Kind::requirement_violated:
+      case Kind::part_blocked:
         of = std::to_string(finding.of);
         break;
       case Kind::command_to_a_disabled_unit:
