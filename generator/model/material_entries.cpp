@@ -68,7 +68,7 @@ class Maker {
   void make(const std::vector<Entry>& given, std::string_view list, std::vector<Entry>& made,
             std::vector<MadeBy>& origins) {
     for (std::uint32_t i = 0; i < given.size(); ++i) {
-      MadeBy by{i, list == "tracks" || list == "places" ? given[i].name : std::string(), given[i].of, {}};
+      MadeBy by{i, list == "tracks" || list == "places" ? given[i].name : std::string(), given[i].of, {}, {}};
       if (!given[i].of.empty()) {
         make_for(given[i], list, by, made, origins);
         continue;

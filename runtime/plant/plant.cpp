@@ -134,7 +134,7 @@ std::uint64_t Plant::parts_gone(std::uint32_t kind) const noexcept { return engi
 std::uint64_t Plant::parts_present(std::uint32_t kind) const noexcept {
   std::uint64_t count = 0;
   for (std::uint32_t location = 0; location < tables_.material.locations(); ++location) {
-    for (std::uint32_t i = 0; i < parts(location); ++i) count += part(location, i).kind == kind ? 1 : 0;
+    for (std::uint32_t i = 0; i < parts(location); ++i) count += part(location, i).kind == kind ? 1U : 0U;
   }
   return count;
 }

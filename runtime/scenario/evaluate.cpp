@@ -73,7 +73,7 @@ std::uint64_t parts_at(const plant::Plant& plant, std::uint32_t location, std::u
   const std::uint32_t all = plant.parts(location);
   if (kind == tables::kNone) return all;
   std::uint64_t count = 0;
-  for (std::uint32_t i = 0; i < all; ++i) count += plant.part(location, i).kind == kind ? 1 : 0;
+  for (std::uint32_t i = 0; i < all; ++i) count += plant.part(location, i).kind == kind ? 1U : 0U;
   return count;
 }
 
